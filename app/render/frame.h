@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace texplorer::render {
+
+struct Size {
+    int width = 0;
+    int height = 0;
+    bool operator==(const Size&) const = default;
+};
+
+/// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first, owned by
+/// the renderer and valid until it draws again.
+struct Frame {
+    unsigned texture = 0; ///< a GL texture name; 0 where nothing could be drawn
+    Size size;
+    double milliseconds = 0;           ///< wall time of the draw call, without waiting for the GPU
+    std::vector<std::string> problems; ///< sentences: GL errors named with their call, textures that are missing
+};
+
+} // namespace texplorer::render

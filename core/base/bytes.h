@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace texplorer {
+
+/// An allocator whose `resize` leaves new elements uninitialised: a buffer that is about to be filled must not
+/// be filled with zeros first (touching fresh pages costs more than the copy).
+template<class T>
+struct DefaultInitAllocator : std::allocator<T> {
+    template<class U>
+    struct rebind {
+        using other = DefaultInitAllocator<U>;
+    };
+    using std::allocator<T>::allocator;
+
+    template<class U>
+    void construct(U* place) noexcept {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template<class U, class... Args>
+    void construct(U* place, Args&&... args) {
+        ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
+    }
+};
+
+using Bytes = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
+using ByteView = std::span<const std::byte>;
+
+} // namespace texplorer

@@ -1,0 +1,92 @@
+#pragma once
+
+// What a texture object says about sampling: OpenGL 2.1, section 3.8.4, table 3.18.
+
+#include "core/gl/enum_row.h"
+
+namespace texplorer {
+
+enum class MagFilter : std::uint32_t { Nearest = 0x2600, Linear = 0x2601 };
+
+enum class MinFilter : std::uint32_t {
+    Nearest = 0x2600,
+    Linear = 0x2601,
+    NearestMipmapNearest = 0x2700,
+    LinearMipmapNearest = 0x2701,
+    NearestMipmapLinear = 0x2702,
+    LinearMipmapLinear = 0x2703,
+};
+
+enum class Wrap : std::uint32_t {
+    Repeat = 0x2901,
+    MirroredRepeat = 0x8370,
+    ClampToEdge = 0x812F,
+    ClampToBorder = 0x812D,
+    Clamp = 0x2900,
+};
+
+enum class Target : std::uint32_t { Texture1D = 0x0DE0, Texture2D = 0x0DE1, Texture3D = 0x806F };
+
+inline constexpr std::array magFilterRows{
+    row(MagFilter::Nearest, "GL_NEAREST", "Nearest",
+        "Take the one texel whose square holds the sample: hard edges, visible blocks.", "1.0"),
+    row(MagFilter::Linear, "GL_LINEAR", "Linear",
+        "Blend the 2 x 2 texels around the sample by distance: smooth, a little blurred.", "1.0"),
+};
+
+inline constexpr std::array minFilterRows{
+    row(MinFilter::Nearest, "GL_NEAREST", "Nearest",
+        "One texel of the base level, however many the pixel covers: shimmers and aliases.", "1.0"),
+    row(MinFilter::Linear, "GL_LINEAR", "Linear",
+        "2 x 2 texels of the base level: still aliases once a pixel covers more than two texels.", "1.0"),
+    row(MinFilter::NearestMipmapNearest, "GL_NEAREST_MIPMAP_NEAREST", "Nearest, nearest mip",
+        "One texel of the one mip level that fits the pixel best.", "1.0"),
+    row(MinFilter::LinearMipmapNearest, "GL_LINEAR_MIPMAP_NEAREST", "Linear, nearest mip",
+        "2 x 2 texels of the best mip level; the step from level to level shows as a band.", "1.0"),
+    row(MinFilter::NearestMipmapLinear, "GL_NEAREST_MIPMAP_LINEAR", "Nearest, blended mips",
+        "One texel from each of two mip levels, blended. GL's initial value: without mipmaps the texture is "
+        "incomplete.",
+        "1.0"),
+    row(MinFilter::LinearMipmapLinear, "GL_LINEAR_MIPMAP_LINEAR", "Trilinear",
+        "2 x 2 texels from each of two mip levels, blended: no bands, the smoothest of the six.", "1.0"),
+};
+
+inline constexpr std::array wrapRows{
+    row(Wrap::Repeat, "GL_REPEAT", "Repeat", "Drop the integer part of the coordinate: the image tiles.", "1.0"),
+    row(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", "Mirrored repeat",
+        "Tile, with every second copy reversed, so that edges meet without a seam.", "1.4"),
+    row(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", "Clamp to edge",
+        "Outside of the image its outermost texel goes on for ever.", "1.2"),
+    row(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", "Clamp to border",
+        "Outside of the image there is the border colour.", "1.3"),
+    row(Wrap::Clamp, "GL_CLAMP", "Clamp (legacy)",
+        "Clamp the coordinate to [0, 1]: under a linear filter the edge is half image, half border colour.", "1.0"),
+};
+
+inline constexpr std::array targetRows{
+    row(Target::Texture1D, "GL_TEXTURE_1D", "1D", "A line of texels, indexed by s alone.", "1.0"),
+    row(Target::Texture2D, "GL_TEXTURE_2D", "2D", "An image, indexed by s and t.", "1.0"),
+    row(Target::Texture3D, "GL_TEXTURE_3D", "3D", "A volume of slices, indexed by s, t and r.", "1.2"),
+};
+
+template<>
+struct EnumTable<MagFilter> {
+    static constexpr std::span<const EnumRow> rows = magFilterRows;
+};
+template<>
+struct EnumTable<MinFilter> {
+    static constexpr std::span<const EnumRow> rows = minFilterRows;
+};
+template<>
+struct EnumTable<Wrap> {
+    static constexpr std::span<const EnumRow> rows = wrapRows;
+};
+template<>
+struct EnumTable<Target> {
+    static constexpr std::span<const EnumRow> rows = targetRows;
+};
+
+static_assert(magFilterRows.size() == 2 && minFilterRows.size() == 6);
+static_assert(wrapRows.size() == 5 && targetRows.size() == 3);
+
+} // namespace texplorer

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/base/bytes.h"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace texplorer {
+
+/// Eight bits a component, tightly packed, in this order in memory.
+enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8 };
+
+[[nodiscard]] constexpr int bytesPerPixel(PixelFormat format) {
+    switch (format) {
+    case PixelFormat::Alpha8:
+    case PixelFormat::Luminance8:
+        return 1;
+    case PixelFormat::LuminanceAlpha8:
+        return 2;
+    case PixelFormat::Rgb8:
+        return 3;
+    case PixelFormat::Rgba8:
+        return 4;
+    }
+    return 4;
+}
+
+/// An image is a value: width x height x depth pixels without padding between rows. As in OpenGL, row 0 is the
+/// bottom row (t = 0) and slice 0 the one at r = 0. A line has height 1, a picture depth 1.
+struct Image {
+    PixelFormat format = PixelFormat::Rgba8;
+    int width = 0;
+    int height = 0;
+    int depth = 1;
+    Bytes pixels; ///< width * height * depth * bytesPerPixel(format) bytes
+
+    /// An image whose pixels are not initialised: for whoever fills every byte next.
+    [[nodiscard]] static Image uninitialised(PixelFormat format, int width, int height, int depth = 1) {
+        Image image{format, width, height, depth, {}};
+        image.pixels.resize(image.rowBytes() * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth));
+        return image;
+    }
+
+    [[nodiscard]] bool empty() const { return pixels.empty(); }
+    [[nodiscard]] std::size_t rowBytes() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(bytesPerPixel(format));
+    }
+    /// The bytes of the pixel at column x, row y (0 is the bottom), slice z.
+    [[nodiscard]] std::span<std::byte> at(int x, int y, int z = 0) {
+        return {pixels.data() + offset(x, y, z), static_cast<std::size_t>(bytesPerPixel(format))};
+    }
+    [[nodiscard]] ByteView at(int x, int y, int z = 0) const {
+        return {pixels.data() + offset(x, y, z), static_cast<std::size_t>(bytesPerPixel(format))};
+    }
+
+    bool operator==(const Image&) const = default;
+
+    /// Where that pixel's bytes begin in `pixels`.
+    [[nodiscard]] std::size_t offset(int x, int y, int z) const {
+        assert(x >= 0 && x < width && y >= 0 && y < height && z >= 0 && z < depth);
+        const auto rows = static_cast<std::size_t>(z) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
+        return rows * rowBytes() + static_cast<std::size_t>(x) * static_cast<std::size_t>(bytesPerPixel(format));
+    }
+};
+
+/// Level 0 first; each next level has max(1, floor(n / 2)) of every extent where the chain is complete.
+using MipChain = std::vector<Image>;
+
+} // namespace texplorer

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/gl/enum_row.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <string>
+#include <vector>
+
+namespace texplorer {
+
+enum class Shape : std::uint32_t { Cube, Sphere, Quad, Floor };
+
+inline constexpr std::array shapeRows{
+    row(Shape::Cube, "cube", "Cube", "24 vertices, so that each of the six faces has its own texture coordinates."),
+    row(Shape::Sphere, "sphere", "Sphere",
+        "Slices and stacks with gluSphere's texture coordinates: s goes around, t from pole to pole."),
+    row(Shape::Quad, "quad", "Square", "A square that faces the viewer: one texture, nothing in the way."),
+    row(Shape::Floor, "floor", "Floor",
+        "A long floor into the distance, tiled: where minification and anisotropy show."),
+};
+
+template<>
+struct EnumTable<Shape> {
+    static constexpr std::span<const EnumRow> rows = shapeRows;
+};
+
+static_assert(shapeRows.size() == 4);
+
+struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;   ///< unit length, outwards
+    glm::vec4 texCoord; ///< s, t, r, q: what the mesh gives unless the scene says otherwise
+
+    bool operator==(const Vertex&) const = default;
+};
+
+/// A named part of a mesh: what a texture view outlines and a vertex list groups by.
+struct Face {
+    std::string name;                    ///< "Front", "Stack 3"
+    std::vector<std::uint32_t> vertices; ///< a closed outline, counter-clockwise seen from outside
+};
+
+/// Triangles, counter-clockwise seen from outside, in a right-handed space with y up. A value without handles.
+struct Mesh {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> triangles; ///< three indices each
+    std::vector<Face> faces;
+};
+
+inline constexpr int minSlices = 3;
+inline constexpr int minStacks = 2;
+inline constexpr int maxSubdivision = 256;
+
+/// The mesh of a shape. Extents: the cube and the quad reach from -1 to 1, the sphere has radius 1, the floor lies at
+/// y = -1, 8 wide and 80 long towards -z, with s in [0, 8] and t in [0, 80]: one tile a unit.
+/// `slices` and `stacks` count for the sphere alone, clamped to [3, 256] and [2, 256]; its s follows gluSphere: 0 to 1
+/// around the axis, its t 0 at the south pole (y = -1) and 1 at the north pole.
+[[nodiscard]] Mesh makeMesh(Shape shape, int slices, int stacks);
+
+/// How many vertices makeMesh gives, without making it.
+[[nodiscard]] std::size_t vertexCount(Shape shape, int slices, int stacks);
+
+} // namespace texplorer

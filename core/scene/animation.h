@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <span>
+
+namespace texplorer {
+
+// What depends on the scene time, in seconds. The same inputs give the same matrices in every renderer.
+
+/// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1, section 2.11.2).
+[[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time);
+
+/// translate(position) * rotate z * rotate y * rotate x * scale(size), angles at rotation + spin * time.
+[[nodiscard]] glm::mat4 modelMatrix(const Model& model, double time);
+
+[[nodiscard]] glm::mat4 viewMatrix(const View& view);
+
+/// `aspect` is width / height of the viewport. Near and far planes follow the distance.
+[[nodiscard]] glm::mat4 projectionMatrix(const View& view, float aspect);
+
+/// Whether anything in the scene changes with time.
+[[nodiscard]] bool isAnimated(const Scene& scene);
+
+} // namespace texplorer

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/image/image.h"
+#include "core/scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace texplorer {
+
+/// Where the pixels of a Texture come from. Renderers ask `find`, which never touches a file; whoever edits the scene
+/// calls `load` for its file textures first. Copying is cheap: images are shared and never change.
+class ImageSource {
+public:
+    /// Relative paths are resolved against `directory` (that of the scene file; empty: the current one).
+    explicit ImageSource(std::filesystem::path directory = {});
+
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+
+    /// Reads every file that the scene names and that is not loaded yet. All are tried; the first error is returned.
+    [[nodiscard]] Result<void> load(const Scene& scene);
+
+    /// The base level of a texture, or nullptr where its file is not loaded. The pointer stays the same as long as
+    /// the content does, so it can key a cache.
+    [[nodiscard]] std::shared_ptr<const Image> find(const Texture& texture) const;
+
+private:
+    std::filesystem::path directory_;
+    std::map<std::string, std::shared_ptr<const Image>> files_;
+};
+
+} // namespace texplorer

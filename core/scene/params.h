@@ -1,0 +1,100 @@
+#pragma once
+
+// One row per editable parameter: the only place where its key, label, help and GL call are written.
+// Panels, JSON, `--set`, `texshot params` and the command view walk these tables; none of them knows a parameter.
+
+#include "core/base/result.h"
+#include "core/gl/enum_row.h"
+#include "core/scene/scene.h"
+
+#include <functional>
+#include <variant>
+
+namespace texplorer {
+
+/// An enumerator without its type; the row's `choices` say what it may be.
+struct EnumValue {
+    std::uint32_t number;
+    bool operator==(const EnumValue&) const = default;
+};
+
+using Value = std::variant<bool, int, float, glm::vec3, glm::vec4, EnumValue, std::string, TexCoords>;
+
+enum class Kind { Bool, Int, Float, Vec3, Vec4, Color, Enum, Text, TexCoords };
+
+/// The accepted numbers, both ends included, for each component; `step` is a drag of one pixel.
+struct Range {
+    float min = 0;
+    float max = 1;
+    float step = 0.01F;
+    std::string_view unit = {}; ///< "deg", "deg/s", "texels"; empty for a plain number
+};
+
+struct ParamRow {
+    std::string_view key;   ///< the JSON key and the last part of its path: "minFilter"
+    std::string_view group; ///< the panel section it belongs to: "Filter"
+    std::string_view label; ///< "Minification"
+    std::string_view help;  ///< one or two sentences for a student
+    std::string_view glCall; ///< the call that sets it, "{}" where the value goes; empty where GL has no such state
+    Kind kind;
+    Range range;                      ///< for Int, Float, Vec3, Vec4, Color
+    std::span<const EnumRow> choices; ///< for Enum
+    Value (*read)(const void* owner); ///< `owner` is the struct whose table holds this row
+    void (*write)(void* owner, const Value& value); ///< the value must hold the row's alternative
+};
+
+struct StructTable;
+
+/// A member that is a struct, a fixed array of structs or a list of structs.
+struct ChildRow {
+    std::string_view key;   ///< "textures"
+    std::string_view label; ///< "Texture"
+    const StructTable* table;
+    bool indexed;         ///< "textures[0]" rather than "view"
+    std::size_t minCount; ///< minCount == maxCount: a fixed array
+    std::size_t maxCount;
+    std::size_t (*size)(const void* owner);
+    void* (*at)(void* owner, std::size_t index);
+    void (*resize)(void* owner, std::size_t count); ///< new elements have their default values
+};
+
+struct StructTable {
+    std::string_view name; ///< "Texture"
+    std::span<const ParamRow> params;
+    std::span<const ChildRow> children;
+};
+
+/// The root of the tables: Scene, with everything below it.
+[[nodiscard]] const StructTable& sceneTable();
+[[nodiscard]] const StructTable& viewTable();
+[[nodiscard]] const StructTable& lightTable();
+[[nodiscard]] const StructTable& materialTable();
+[[nodiscard]] const StructTable& modelTable();
+[[nodiscard]] const StructTable& textureTable();
+[[nodiscard]] const StructTable& passTable();
+[[nodiscard]] const StructTable& unitTable();
+[[nodiscard]] const StructTable& matrixStepTable();
+
+/// The row with this key, or nullptr.
+[[nodiscard]] const ParamRow* findParam(const StructTable& table, std::string_view key);
+
+/// Whether a row accepts this value: the right alternative, within its range, finite, an enumerator that exists.
+/// The error says what is accepted; its `where` is empty.
+[[nodiscard]] Result<void> checkValue(const ParamRow& row, const Value& value);
+
+/// A value as `--set` and `texshot params` write it: "GL_LINEAR", "0.5", "1,0,0,1", "true". parseValue reads it back
+/// exactly.
+[[nodiscard]] std::string formatValue(const ParamRow& row, const Value& value);
+[[nodiscard]] Result<Value> parseValue(const ParamRow& row, std::string_view text);
+
+/// Calls `visit` for every parameter of a scene in table order; `path` is "textures[0].minFilter".
+void forEachParam(const Scene& scene, const std::function<void(const std::string& path, const ParamRow& row,
+                                                               const Value& value)>& visit);
+
+/// Reads or writes one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can be
+/// indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first filled from
+/// the mesh). The error names the part of the path that does not exist and what would.
+[[nodiscard]] Result<std::string> getParam(const Scene& scene, std::string_view path);
+[[nodiscard]] Result<void> setParam(Scene& scene, std::string_view path, std::string_view text);
+
+} // namespace texplorer

@@ -1,0 +1,192 @@
+#pragma once
+
+// The Scene: everything that decides what is drawn, as a value. It copies, compares and holds no handle.
+// Default member values are OpenGL's own initial values wherever GL has one (OpenGL 2.1, chapter 6.2, state tables).
+// What GL keeps in the texture object and what it keeps in the texture unit is kept apart in the same way.
+
+#include "core/gl/environment.h"
+#include "core/gl/fragment.h"
+#include "core/gl/sampling.h"
+#include "core/image/mipmaps.h"
+#include "core/image/pattern.h"
+#include "core/mesh/mesh.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace texplorer {
+
+inline constexpr int maxUnits = 4;
+
+enum class Projection : std::uint32_t { Perspective, Orthographic };
+enum class SourceKind : std::uint32_t { Pattern, File };
+enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale };
+
+/// The camera orbits around `target`.
+struct View {
+    float azimuth = 0;   ///< degrees around the y axis; 0 looks along -z
+    float elevation = 0; ///< degrees above the horizon, -89 to 89
+    float distance = 6;  ///< from camera to target, in scene units
+    glm::vec3 target{0};
+    Projection projection = Projection::Perspective;
+    float fieldOfView = 40; ///< vertical, degrees; orthographic views show the same height at the target
+    glm::vec4 background{0, 0, 0, 0};
+
+    bool operator==(const View&) const = default;
+};
+
+/// GL_LIGHT0 and the light model. The position is in eye coordinates (the light travels with the camera).
+struct Light {
+    glm::vec4 position{0, 0, 1, 0}; ///< w = 0: a direction towards the light
+    glm::vec4 ambient{0, 0, 0, 1};
+    glm::vec4 diffuse{1, 1, 1, 1};
+    glm::vec4 specular{1, 1, 1, 1};
+    glm::vec4 modelAmbient{0.2F, 0.2F, 0.2F, 1};
+    ColorControl colorControl = ColorControl::Single;
+    bool localViewer = false;
+
+    bool operator==(const Light&) const = default;
+};
+
+/// One material for all models. `color` is glColor4f; under lighting it also is the ambient and diffuse reflectance
+/// (GL_COLOR_MATERIAL with GL_AMBIENT_AND_DIFFUSE).
+struct Material {
+    glm::vec4 color{1, 1, 1, 1};
+    glm::vec4 specular{0, 0, 0, 1};
+    float shininess = 0;
+    ShadeModel shadeModel = ShadeModel::Smooth;
+
+    bool operator==(const Material&) const = default;
+};
+
+/// The coordinates of every vertex for one texture unit; empty means: those of the mesh.
+using TexCoords = std::vector<glm::vec4>;
+
+struct Model {
+    Shape shape = Shape::Cube;
+    bool visible = true;
+    glm::vec3 position{0};
+    glm::vec3 rotation{0}; ///< degrees about x, then y, then z, at time 0
+    glm::vec3 spin{0};     ///< degrees a second, added to `rotation`
+    float size = 1;
+    int slices = 32; ///< sphere only
+    int stacks = 16; ///< sphere only
+    std::array<TexCoords, maxUnits> texCoords; ///< one list a unit; an empty one takes the mesh's
+
+    bool operator==(const Model&) const = default;
+};
+
+/// A texture object: its images and glTexParameter state.
+struct Texture {
+    SourceKind source = SourceKind::Pattern;
+    Pattern pattern = Pattern::Checker;
+    std::string file; ///< path of an image; relative to the scene file
+    BaseFormat internalFormat = BaseFormat::Rgba;
+    MipPolicy mipmaps = MipPolicy::None;
+    MagFilter magFilter = MagFilter::Linear;
+    MinFilter minFilter = MinFilter::NearestMipmapLinear;
+    Wrap wrapS = Wrap::Repeat;
+    Wrap wrapT = Wrap::Repeat;
+    Wrap wrapR = Wrap::Repeat;
+    glm::vec4 borderColor{0, 0, 0, 0};
+    int baseLevel = 0;
+    int maxLevel = 1000;
+    float minLod = -1000;
+    float maxLod = 1000;
+    float maxAnisotropy = 1;
+    float priority = 1;
+
+    bool operator==(const Texture&) const = default;
+};
+
+/// One glTranslate, glRotate or glScale on the texture matrix, with its rate of change.
+struct MatrixStep {
+    MatrixOp op = MatrixOp::Translate;
+    glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0
+    glm::vec3 rate{0};   ///< added to `amount` every second
+    float angle = 0;     ///< degrees, for Rotate alone, at time 0
+    float angleRate = 0; ///< degrees a second
+
+    bool operator==(const MatrixStep&) const = default;
+};
+
+/// A texture unit: which texture is bound, and the environment that applies it.
+struct Unit {
+    bool enabled = false;
+    Target target = Target::Texture2D;
+    int texture = 0; ///< index into Scene::textures
+    EnvMode envMode = EnvMode::Modulate;
+    glm::vec4 envColor{0, 0, 0, 0};
+    float lodBias = 0;
+    std::vector<MatrixStep> matrix; ///< multiplied in this order, as successive GL calls are
+
+    bool operator==(const Unit&) const = default;
+};
+
+/// One time that all models are drawn.
+struct Pass {
+    bool lighting = false;
+    bool depthTest = false;
+    CompareFunc depthFunc = CompareFunc::Less;
+    bool alphaTest = false;
+    CompareFunc alphaFunc = CompareFunc::Always;
+    float alphaRef = 0;
+    bool blend = false;
+    BlendFactor blendSrc = BlendFactor::One;
+    BlendFactor blendDst = BlendFactor::Zero;
+    std::array<Unit, maxUnits> units;
+
+    bool operator==(const Pass&) const = default;
+};
+
+struct Scene {
+    View view;
+    Light light;
+    Material material;
+    std::vector<Model> models;
+    std::vector<Texture> textures;
+    std::vector<Pass> passes{Pass{}};
+
+    bool operator==(const Scene&) const = default;
+};
+
+inline constexpr std::array projectionRows{
+    row(Projection::Perspective, "perspective", "Perspective", "Far things are smaller, as for an eye."),
+    row(Projection::Orthographic, "orthographic", "Orthographic",
+        "No foreshortening: a texel has the same size everywhere on a plane."),
+};
+
+inline constexpr std::array sourceKindRows{
+    row(SourceKind::Pattern, "pattern", "Built-in pattern", "An image that Texplorer draws itself."),
+    row(SourceKind::File, "file", "Image file", "An image that is read from a file."),
+};
+
+inline constexpr std::array matrixOpRows{
+    row(MatrixOp::Translate, "translate", "Translate", "Moves the image over the surface (glTranslatef)."),
+    row(MatrixOp::Rotate, "rotate", "Rotate", "Turns the image about an axis through (0, 0) (glRotatef)."),
+    row(MatrixOp::Scale, "scale", "Scale", "A factor of 2 shows the image twice as often, half as big (glScalef)."),
+};
+
+template<>
+struct EnumTable<Projection> {
+    static constexpr std::span<const EnumRow> rows = projectionRows;
+};
+template<>
+struct EnumTable<SourceKind> {
+    static constexpr std::span<const EnumRow> rows = sourceKindRows;
+};
+template<>
+struct EnumTable<MatrixOp> {
+    static constexpr std::span<const EnumRow> rows = matrixOpRows;
+};
+
+static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 2 && matrixOpRows.size() == 3);
+
+/// What Texplorer starts with: a cube and a sphere side by side, lit, with the checkerboard, trilinear.
+[[nodiscard]] Scene defaultScene();
+
+} // namespace texplorer
