@@ -7,8 +7,8 @@
 
 namespace texplorer::offscreen {
 
-/// An OSMesa context (compatibility profile) that is current on the thread that created it, until it is destroyed.
-/// It has its own framebuffer of `size` pixels, bottom row first. Needs no display.
+/// An OSMesa context (compatibility profile) that is current on the thread that created it, until it is
+/// destroyed. It has its own framebuffer of `size` pixels, bottom row first. Needs no display.
 class OsmesaContext {
 public:
     [[nodiscard]] static Result<OsmesaContext> create(render::Size size);

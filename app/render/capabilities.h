@@ -11,16 +11,16 @@ struct Capabilities {
     std::string vendor;
     std::string renderer; ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string version;
-    int maxTextureSize = 0;   ///< texels along one axis
+    int maxTextureSize = 0; ///< texels along one axis
     int max3DTextureSize = 0;
-    int textureUnits = 0;     ///< of the fixed-function pipeline
-    float maxAnisotropy = 1;  ///< 1 where GL_EXT_texture_filter_anisotropic is missing
+    int textureUnits = 0;    ///< of the fixed-function pipeline
+    float maxAnisotropy = 1; ///< 1 where GL_EXT_texture_filter_anisotropic is missing
     bool nonPowerOfTwo = false;
     bool s3tc = false;
 };
 
-/// Loads the GL entry points of the current context and asks it. An error names what Texplorer needs (OpenGL 2.1 and
-/// GL_EXT_framebuffer_object) and what the driver offers.
+/// Loads the GL entry points of the current context and asks it. An error names what Texplorer needs
+/// (OpenGL 2.1 and GL_EXT_framebuffer_object) and what the driver offers.
 [[nodiscard]] Result<Capabilities> loadCapabilities();
 
 } // namespace texplorer::render

@@ -11,8 +11,9 @@
 
 namespace texplorer::render {
 
-/// Draws a Scene with OpenGL's fixed-function pipeline into a framebuffer object of its own. One per context, on the
-/// thread where that is current, destroyed before the context is. Leaves the caller's GL state as it found it.
+/// Draws a Scene with OpenGL's fixed-function pipeline into a framebuffer object of its own. One per context,
+/// on the thread where that is current, destroyed before the context is. Leaves the caller's GL state as it
+/// found it.
 class FixedRenderer {
 public:
     [[nodiscard]] static Result<FixedRenderer> create(const Capabilities& capabilities);
@@ -20,8 +21,8 @@ public:
     FixedRenderer& operator=(FixedRenderer&&) noexcept;
     ~FixedRenderer();
 
-    /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error does not
-    /// end the drawing: it is reported in Frame::problems.
+    /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
+    /// does not end the drawing: it is reported in Frame::problems.
     [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size);
 
     /// Reads the last picture back: Rgba8, bottom row first.

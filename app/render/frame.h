@@ -11,13 +11,14 @@ struct Size {
     bool operator==(const Size&) const = default;
 };
 
-/// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first, owned by
-/// the renderer and valid until it draws again.
+/// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first,
+/// owned by the renderer and valid until it draws again.
 struct Frame {
     unsigned texture = 0; ///< a GL texture name; 0 where nothing could be drawn
     Size size;
-    double milliseconds = 0;           ///< wall time of the draw call, without waiting for the GPU
-    std::vector<std::string> problems; ///< sentences: GL errors named with their call, textures that are missing
+    double milliseconds = 0; ///< wall time of the draw call, without waiting for the GPU
+    std::vector<std::string>
+        problems; ///< sentences: GL errors named with their call, textures that are missing
 };
 
 } // namespace texplorer::render

@@ -7,8 +7,8 @@
 
 namespace texplorer {
 
-/// An allocator whose `resize` leaves new elements uninitialised: a buffer that is about to be filled must not
-/// be filled with zeros first (touching fresh pages costs more than the copy).
+/// An allocator whose `resize` leaves new elements uninitialised: a buffer that is about to be filled must
+/// not be filled with zeros first (touching fresh pages costs more than the copy).
 template<class T>
 struct DefaultInitAllocator : std::allocator<T> {
     template<class U>

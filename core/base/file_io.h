@@ -10,16 +10,18 @@ namespace texplorer {
 
 inline constexpr std::size_t defaultMaxFileBytes = std::size_t{2} << 30;
 
-/// The whole file, in one read into an uninitialised buffer. Errors name the path: not found, a directory, not
-/// readable, not a regular file, larger than `maxBytes` (then nothing is read).
-[[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path, std::size_t maxBytes = defaultMaxFileBytes);
+/// The whole file, in one read into an uninitialised buffer. Errors name the path: not found, a directory,
+/// not readable, not a regular file, larger than `maxBytes` (then nothing is read).
+[[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path,
+                                     std::size_t maxBytes = defaultMaxFileBytes);
 
 /// The same as text.
 [[nodiscard]] Result<std::string> readText(const std::filesystem::path& path,
                                            std::size_t maxBytes = defaultMaxFileBytes);
 
-/// Replaces the file as a whole or leaves it as it was: writes beside it, flushes, renames. A symbolic link is
-/// followed, the permissions of an existing file are kept, and no partial file stays behind after a failure.
+/// Replaces the file as a whole or leaves it as it was: writes beside it, flushes, renames. A symbolic link
+/// is followed, the permissions of an existing file are kept, and no partial file stays behind after a
+/// failure.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& path, ByteView bytes);
 
 [[nodiscard]] inline ByteView viewBytes(std::string_view text) {

@@ -12,8 +12,8 @@ namespace texplorer {
 
 /// One row per file format that can be read.
 struct CodecRow {
-    std::string_view name;      ///< "BMP"
-    std::string_view extension; ///< ".bmp"
+    std::string_view name;            ///< "BMP"
+    std::string_view extension;       ///< ".bmp"
     bool (*recognise)(ByteView file); ///< by its first bytes, never by its name
     Result<Image> (*decode)(ByteView file, const DecodeLimits& limits);
 };

@@ -27,26 +27,29 @@ enum class BaseFormat : std::uint32_t {
 inline constexpr std::array envModeRows{
     row(EnvMode::Modulate, "GL_MODULATE", "Modulate",
         "Fragment colour times texture colour: lighting shows through. GL's initial value.", "1.0"),
-    row(EnvMode::Replace, "GL_REPLACE", "Replace", "The texture colour alone: lighting and glColor vanish.", "1.1"),
+    row(EnvMode::Replace, "GL_REPLACE", "Replace", "The texture colour alone: lighting and glColor vanish.",
+        "1.1"),
     row(EnvMode::Decal, "GL_DECAL", "Decal",
         "Paint the texture over the fragment by the texture's alpha; defined only for RGB and RGBA.", "1.0"),
     row(EnvMode::Blend, "GL_BLEND", "Blend",
         "The texture mixes between the fragment colour (0) and the environment colour (1).", "1.0"),
     row(EnvMode::Add, "GL_ADD", "Add",
-        "Fragment colour plus texture colour, clamped to 1; alpha is multiplied, except for INTENSITY.", "1.3"),
+        "Fragment colour plus texture colour, clamped to 1; alpha is multiplied, except for INTENSITY.",
+        "1.3"),
 };
 
 inline constexpr std::array baseFormatRows{
     row(BaseFormat::Rgba, "GL_RGBA", "RGBA", "Colour and alpha from the image.", "1.0"),
-    row(BaseFormat::Rgb, "GL_RGB", "RGB", "Colour from the image; the texture has no alpha, it counts as 1.", "1.0"),
+    row(BaseFormat::Rgb, "GL_RGB", "RGB", "Colour from the image; the texture has no alpha, it counts as 1.",
+        "1.0"),
     row(BaseFormat::Luminance, "GL_LUMINANCE", "Luminance",
         "The image's red becomes a grey that drives red, green and blue; no alpha.", "1.0"),
     row(BaseFormat::LuminanceAlpha, "GL_LUMINANCE_ALPHA", "Luminance + alpha",
         "Grey from the image's red, and the image's alpha.", "1.0"),
     row(BaseFormat::Intensity, "GL_INTENSITY", "Intensity",
         "The image's red drives all four components, alpha too.", "1.1"),
-    row(BaseFormat::Alpha, "GL_ALPHA", "Alpha", "The image's alpha only: the fragment's colour is left alone.",
-        "1.0"),
+    row(BaseFormat::Alpha, "GL_ALPHA", "Alpha",
+        "The image's alpha only: the fragment's colour is left alone.", "1.0"),
 };
 
 template<>

@@ -52,7 +52,8 @@ inline constexpr std::array minFilterRows{
 };
 
 inline constexpr std::array wrapRows{
-    row(Wrap::Repeat, "GL_REPEAT", "Repeat", "Drop the integer part of the coordinate: the image tiles.", "1.0"),
+    row(Wrap::Repeat, "GL_REPEAT", "Repeat", "Drop the integer part of the coordinate: the image tiles.",
+        "1.0"),
     row(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", "Mirrored repeat",
         "Tile, with every second copy reversed, so that edges meet without a seam.", "1.4"),
     row(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", "Clamp to edge",
@@ -60,7 +61,8 @@ inline constexpr std::array wrapRows{
     row(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", "Clamp to border",
         "Outside of the image there is the border colour.", "1.3"),
     row(Wrap::Clamp, "GL_CLAMP", "Clamp (legacy)",
-        "Clamp the coordinate to [0, 1]: under a linear filter the edge is half image, half border colour.", "1.0"),
+        "Clamp the coordinate to [0, 1]: under a linear filter the edge is half image, half border colour.",
+        "1.0"),
 };
 
 inline constexpr std::array targetRows{

@@ -1,35 +1,17 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/image/pixel_format.h"
 
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace texplorer {
 
-/// Eight bits a component, tightly packed, in this order in memory.
-enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8 };
-
-[[nodiscard]] constexpr int bytesPerPixel(PixelFormat format) {
-    switch (format) {
-    case PixelFormat::Alpha8:
-    case PixelFormat::Luminance8:
-        return 1;
-    case PixelFormat::LuminanceAlpha8:
-        return 2;
-    case PixelFormat::Rgb8:
-        return 3;
-    case PixelFormat::Rgba8:
-        return 4;
-    }
-    return 4;
-}
-
-/// An image is a value: width x height x depth pixels without padding between rows. As in OpenGL, row 0 is the
-/// bottom row (t = 0) and slice 0 the one at r = 0. A line has height 1, a picture depth 1.
+/// An image is a value: width x height x depth pixels without padding between rows. As in OpenGL, row 0 is
+/// the bottom row (t = 0) and slice 0 the one at r = 0. A line has height 1, a picture depth 1.
 struct Image {
     PixelFormat format = PixelFormat::Rgba8;
     int width = 0;
@@ -40,7 +22,8 @@ struct Image {
     /// An image whose pixels are not initialised: for whoever fills every byte next.
     [[nodiscard]] static Image uninitialised(PixelFormat format, int width, int height, int depth = 1) {
         Image image{format, width, height, depth, {}};
-        image.pixels.resize(image.rowBytes() * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth));
+        image.pixels.resize(image.rowBytes() * static_cast<std::size_t>(height) *
+                            static_cast<std::size_t>(depth));
         return image;
     }
 
@@ -61,8 +44,10 @@ struct Image {
     /// Where that pixel's bytes begin in `pixels`.
     [[nodiscard]] std::size_t offset(int x, int y, int z) const {
         assert(x >= 0 && x < width && y >= 0 && y < height && z >= 0 && z < depth);
-        const auto rows = static_cast<std::size_t>(z) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
-        return rows * rowBytes() + static_cast<std::size_t>(x) * static_cast<std::size_t>(bytesPerPixel(format));
+        const auto rows =
+            static_cast<std::size_t>(z) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
+        return rows * rowBytes() +
+               static_cast<std::size_t>(x) * static_cast<std::size_t>(bytesPerPixel(format));
     }
 };
 

@@ -29,11 +29,14 @@ inline constexpr std::array patternRows{
     row(Pattern::Brick, "brick", "Brick wall", "Bricks with mortar; it tiles without a seam."),
     row(Pattern::BrickHeight, "brick-height", "Brick height map",
         "The heights of the brick wall as grey: white stands out, black lies deep."),
-    row(Pattern::ColorLine, "color-line", "Colour line", "Eight colours in a row: a one-dimensional texture."),
-    row(Pattern::Tree, "tree", "Tree", "A tree whose surroundings are transparent: for alpha test and blending."),
+    row(Pattern::ColorLine, "color-line", "Colour line",
+        "Eight colours in a row: a one-dimensional texture."),
+    row(Pattern::Tree, "tree", "Tree",
+        "A tree whose surroundings are transparent: for alpha test and blending."),
     row(Pattern::MipColors, "mip-colors", "Coloured mip levels",
         "Every mip level has a colour of its own, so that one sees which level is sampled."),
-    row(Pattern::Marble, "marble", "Marble volume", "A block of veined marble, 32 x 32 x 32 texels: for 3D textures."),
+    row(Pattern::Marble, "marble", "Marble volume",
+        "A block of veined marble, 32 x 32 x 32 texels: for 3D textures."),
 };
 
 template<>

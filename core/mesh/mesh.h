@@ -13,7 +13,8 @@ namespace texplorer {
 enum class Shape : std::uint32_t { Cube, Sphere, Quad, Floor };
 
 inline constexpr std::array shapeRows{
-    row(Shape::Cube, "cube", "Cube", "24 vertices, so that each of the six faces has its own texture coordinates."),
+    row(Shape::Cube, "cube", "Cube",
+        "24 vertices, so that each of the six faces has its own texture coordinates."),
     row(Shape::Sphere, "sphere", "Sphere",
         "Slices and stacks with gluSphere's texture coordinates: s goes around, t from pole to pole."),
     row(Shape::Quad, "quad", "Square", "A square that faces the viewer: one texture, nothing in the way."),
@@ -42,7 +43,8 @@ struct Face {
     std::vector<std::uint32_t> vertices; ///< a closed outline, counter-clockwise seen from outside
 };
 
-/// Triangles, counter-clockwise seen from outside, in a right-handed space with y up. A value without handles.
+/// Triangles, counter-clockwise seen from outside, in a right-handed space with y up. A value without
+/// handles.
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> triangles; ///< three indices each
@@ -53,10 +55,10 @@ inline constexpr int minSlices = 3;
 inline constexpr int minStacks = 2;
 inline constexpr int maxSubdivision = 256;
 
-/// The mesh of a shape. Extents: the cube and the quad reach from -1 to 1, the sphere has radius 1, the floor lies at
-/// y = -1, 8 wide and 80 long towards -z, with s in [0, 8] and t in [0, 80]: one tile a unit.
-/// `slices` and `stacks` count for the sphere alone, clamped to [3, 256] and [2, 256]; its s follows gluSphere: 0 to 1
-/// around the axis, its t 0 at the south pole (y = -1) and 1 at the north pole.
+/// The mesh of a shape. Extents: the cube and the quad reach from -1 to 1, the sphere has radius 1, the floor
+/// lies at y = -1, 8 wide and 80 long towards -z, with s in [0, 8] and t in [0, 80]: one tile a unit.
+/// `slices` and `stacks` count for the sphere alone, clamped to [3, 256] and [2, 256]; its s follows
+/// gluSphere: 0 to 1 around the axis, its t 0 at the south pole (y = -1) and 1 at the north pole.
 [[nodiscard]] Mesh makeMesh(Shape shape, int slices, int stacks);
 
 /// How many vertices makeMesh gives, without making it.

@@ -10,7 +10,8 @@ namespace texplorer {
 
 // What depends on the scene time, in seconds. The same inputs give the same matrices in every renderer.
 
-/// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1, section 2.11.2).
+/// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
+/// section 2.11.2).
 [[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time);
 
 /// translate(position) * rotate z * rotate y * rotate x * scale(size), angles at rotation + spin * time.

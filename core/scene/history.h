@@ -7,8 +7,8 @@
 
 namespace texplorer {
 
-/// Undo as a list of Scenes. `record` is called after an edit; edits with the same non-empty `what` that follow each
-/// other without a `seal` between them are one step (a drag is one step, not a hundred).
+/// Undo as a list of Scenes. `record` is called after an edit; edits with the same non-empty `what` that
+/// follow each other without a `seal` between them are one step (a drag is one step, not a hundred).
 class History {
 public:
     explicit History(Scene initial, std::size_t limit = 200);

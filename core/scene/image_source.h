@@ -10,8 +10,8 @@
 
 namespace texplorer {
 
-/// Where the pixels of a Texture come from. Renderers ask `find`, which never touches a file; whoever edits the scene
-/// calls `load` for its file textures first. Copying is cheap: images are shared and never change.
+/// Where the pixels of a Texture come from. Renderers ask `find`, which never touches a file; whoever edits
+/// the scene calls `load` for its file textures first. Copying is cheap: images are shared and never change.
 class ImageSource {
 public:
     /// Relative paths are resolved against `directory` (that of the scene file; empty: the current one).
@@ -19,11 +19,12 @@ public:
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
-    /// Reads every file that the scene names and that is not loaded yet. All are tried; the first error is returned.
+    /// Reads every file that the scene names and that is not loaded yet. All are tried; the first error is
+    /// returned.
     [[nodiscard]] Result<void> load(const Scene& scene);
 
-    /// The base level of a texture, or nullptr where its file is not loaded. The pointer stays the same as long as
-    /// the content does, so it can key a cache.
+    /// The base level of a texture, or nullptr where its file is not loaded. The pointer stays the same as
+    /// long as the content does, so it can key a cache.
     [[nodiscard]] std::shared_ptr<const Image> find(const Texture& texture) const;
 
 private:

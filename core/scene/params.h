@@ -1,7 +1,8 @@
 #pragma once
 
 // One row per editable parameter: the only place where its key, label, help and GL call are written.
-// Panels, JSON, `--set`, `texshot params` and the command view walk these tables; none of them knows a parameter.
+// Panels, JSON, `--set`, `texshot params` and the command view walk these tables; none of them knows a
+// parameter.
 
 #include "core/base/result.h"
 #include "core/gl/enum_row.h"
@@ -35,11 +36,12 @@ struct ParamRow {
     std::string_view group; ///< the panel section it belongs to: "Filter"
     std::string_view label; ///< "Minification"
     std::string_view help;  ///< one or two sentences for a student
-    std::string_view glCall; ///< the call that sets it, "{}" where the value goes; empty where GL has no such state
+    std::string_view
+        glCall; ///< the call that sets it, "{}" where the value goes; empty where GL has no such state
     Kind kind;
-    Range range;                      ///< for Int, Float, Vec3, Vec4, Color
-    std::span<const EnumRow> choices; ///< for Enum
-    Value (*read)(const void* owner); ///< `owner` is the struct whose table holds this row
+    Range range;                                    ///< for Int, Float, Vec3, Vec4, Color
+    std::span<const EnumRow> choices;               ///< for Enum
+    Value (*read)(const void* owner);               ///< `owner` is the struct whose table holds this row
     void (*write)(void* owner, const Value& value); ///< the value must hold the row's alternative
 };
 
@@ -78,22 +80,23 @@ struct StructTable {
 /// The row with this key, or nullptr.
 [[nodiscard]] const ParamRow* findParam(const StructTable& table, std::string_view key);
 
-/// Whether a row accepts this value: the right alternative, within its range, finite, an enumerator that exists.
-/// The error says what is accepted; its `where` is empty.
+/// Whether a row accepts this value: the right alternative, within its range, finite, an enumerator that
+/// exists. The error says what is accepted; its `where` is empty.
 [[nodiscard]] Result<void> checkValue(const ParamRow& row, const Value& value);
 
-/// A value as `--set` and `texshot params` write it: "GL_LINEAR", "0.5", "1,0,0,1", "true". parseValue reads it back
-/// exactly.
+/// A value as `--set` and `texshot params` write it: "GL_LINEAR", "0.5", "1,0,0,1", "true". parseValue reads
+/// it back exactly.
 [[nodiscard]] std::string formatValue(const ParamRow& row, const Value& value);
 [[nodiscard]] Result<Value> parseValue(const ParamRow& row, std::string_view text);
 
 /// Calls `visit` for every parameter of a scene in table order; `path` is "textures[0].minFilter".
-void forEachParam(const Scene& scene, const std::function<void(const std::string& path, const ParamRow& row,
-                                                               const Value& value)>& visit);
+void forEachParam(
+    const Scene& scene,
+    const std::function<void(const std::string& path, const ParamRow& row, const Value& value)>& visit);
 
-/// Reads or writes one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can be
-/// indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first filled from
-/// the mesh). The error names the part of the path that does not exist and what would.
+/// Reads or writes one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can
+/// be indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first
+/// filled from the mesh). The error names the part of the path that does not exist and what would.
 [[nodiscard]] Result<std::string> getParam(const Scene& scene, std::string_view path);
 [[nodiscard]] Result<void> setParam(Scene& scene, std::string_view path, std::string_view text);
 

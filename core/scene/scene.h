@@ -1,8 +1,9 @@
 #pragma once
 
 // The Scene: everything that decides what is drawn, as a value. It copies, compares and holds no handle.
-// Default member values are OpenGL's own initial values wherever GL has one (OpenGL 2.1, chapter 6.2, state tables).
-// What GL keeps in the texture object and what it keeps in the texture unit is kept apart in the same way.
+// Default member values are OpenGL's own initial values wherever GL has one (OpenGL 2.1, chapter 6.2, state
+// tables). What GL keeps in the texture object and what it keeps in the texture unit is kept apart in the
+// same way.
 
 #include "core/gl/environment.h"
 #include "core/gl/fragment.h"
@@ -52,8 +53,8 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
-/// One material for all models. `color` is glColor4f; under lighting it also is the ambient and diffuse reflectance
-/// (GL_COLOR_MATERIAL with GL_AMBIENT_AND_DIFFUSE).
+/// One material for all models. `color` is glColor4f; under lighting it also is the ambient and diffuse
+/// reflectance (GL_COLOR_MATERIAL with GL_AMBIENT_AND_DIFFUSE).
 struct Material {
     glm::vec4 color{1, 1, 1, 1};
     glm::vec4 specular{0, 0, 0, 1};
@@ -73,8 +74,8 @@ struct Model {
     glm::vec3 rotation{0}; ///< degrees about x, then y, then z, at time 0
     glm::vec3 spin{0};     ///< degrees a second, added to `rotation`
     float size = 1;
-    int slices = 32; ///< sphere only
-    int stacks = 16; ///< sphere only
+    int slices = 32;                           ///< sphere only
+    int stacks = 16;                           ///< sphere only
     std::array<TexCoords, maxUnits> texCoords; ///< one list a unit; an empty one takes the mesh's
 
     bool operator==(const Model&) const = default;
@@ -168,7 +169,8 @@ inline constexpr std::array sourceKindRows{
 inline constexpr std::array matrixOpRows{
     row(MatrixOp::Translate, "translate", "Translate", "Moves the image over the surface (glTranslatef)."),
     row(MatrixOp::Rotate, "rotate", "Rotate", "Turns the image about an axis through (0, 0) (glRotatef)."),
-    row(MatrixOp::Scale, "scale", "Scale", "A factor of 2 shows the image twice as often, half as big (glScalef)."),
+    row(MatrixOp::Scale, "scale", "Scale",
+        "A factor of 2 shows the image twice as often, half as big (glScalef)."),
 };
 
 template<>

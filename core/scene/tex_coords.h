@@ -4,12 +4,12 @@
 
 namespace texplorer {
 
-/// The coordinates that a unit uses on a model: the scene's where they exist and have one entry a vertex, else the
-/// mesh's. `unit` is below maxUnits.
+/// The coordinates that a unit uses on a model: the scene's where they exist and have one entry a vertex,
+/// else the mesh's. `unit` is below maxUnits.
 [[nodiscard]] TexCoords effectiveTexCoords(const Model& model, const Mesh& mesh, int unit);
 
-/// Changes one vertex: fills the unit's list from the mesh first if the scene has none. A vertex that the mesh does
-/// not have changes nothing.
+/// Changes one vertex: fills the unit's list from the mesh first if the scene has none. A vertex that the
+/// mesh does not have changes nothing.
 void setTexCoord(Model& model, const Mesh& mesh, int unit, std::size_t vertex, glm::vec4 value);
 
 } // namespace texplorer

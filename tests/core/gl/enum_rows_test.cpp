@@ -47,24 +47,20 @@ TEST_P(EnumRows, UnknownNamesAndNumbersFindNothing) {
     EXPECT_EQ(findRow(GetParam().rows, 0xFFFFFFFFU), nullptr);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EnumRows,
-                         testing::Values(Table{"MagFilter", EnumTable<MagFilter>::rows},
-                                         Table{"MinFilter", EnumTable<MinFilter>::rows},
-                                         Table{"Wrap", EnumTable<Wrap>::rows},
-                                         Table{"Target", EnumTable<Target>::rows},
-                                         Table{"EnvMode", EnumTable<EnvMode>::rows},
-                                         Table{"BaseFormat", EnumTable<BaseFormat>::rows},
-                                         Table{"ShadeModel", EnumTable<ShadeModel>::rows},
-                                         Table{"ColorControl", EnumTable<ColorControl>::rows},
-                                         Table{"CompareFunc", EnumTable<CompareFunc>::rows},
-                                         Table{"BlendFactor", EnumTable<BlendFactor>::rows},
-                                         Table{"Pattern", EnumTable<Pattern>::rows},
-                                         Table{"MipPolicy", EnumTable<MipPolicy>::rows},
-                                         Table{"Shape", EnumTable<Shape>::rows},
-                                         Table{"Projection", EnumTable<Projection>::rows},
-                                         Table{"SourceKind", EnumTable<SourceKind>::rows},
-                                         Table{"MatrixOp", EnumTable<MatrixOp>::rows}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, EnumRows,
+    testing::Values(
+        Table{"MagFilter", EnumTable<MagFilter>::rows}, Table{"MinFilter", EnumTable<MinFilter>::rows},
+        Table{"Wrap", EnumTable<Wrap>::rows}, Table{"Target", EnumTable<Target>::rows},
+        Table{"EnvMode", EnumTable<EnvMode>::rows}, Table{"BaseFormat", EnumTable<BaseFormat>::rows},
+        Table{"ShadeModel", EnumTable<ShadeModel>::rows},
+        Table{"ColorControl", EnumTable<ColorControl>::rows},
+        Table{"CompareFunc", EnumTable<CompareFunc>::rows},
+        Table{"BlendFactor", EnumTable<BlendFactor>::rows}, Table{"Pattern", EnumTable<Pattern>::rows},
+        Table{"MipPolicy", EnumTable<MipPolicy>::rows}, Table{"Shape", EnumTable<Shape>::rows},
+        Table{"Projection", EnumTable<Projection>::rows}, Table{"SourceKind", EnumTable<SourceKind>::rows},
+        Table{"MatrixOp", EnumTable<MatrixOp>::rows}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
 } // namespace texplorer

@@ -1,0 +1,35 @@
+#pragma once
+
+// texshot's subcommands: one file each, registered in main.cpp's table.
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace texplorer::screenshot {
+
+enum ExitCode : int {
+    success = 0,
+    failure = 1,   ///< a file, the driver or the scene: one sentence on standard error says which
+    wrongCall = 2, ///< the command line itself: an option, a path or a value that does not exist
+};
+
+/// What the chosen subcommand does once the command line is parsed.
+using Action = std::function<ExitCode()>;
+
+void addShot(CLI::App& app, Action& action);
+void addParams(CLI::App& app, Action& action);
+void addDecode(CLI::App& app, Action& action);
+void addInfo(CLI::App& app, Action& action);
+
+/// Prints "texshot: …" on standard error and returns `code`.
+ExitCode complain(const Error& error, ExitCode code = failure);
+
+/// Writes to a file atomically, or to standard output where `path` is "-".
+[[nodiscard]] Result<void> writeOutput(const std::string& path, ByteView bytes);
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,35 @@
+#pragma once
+
+// The seam between texshot and its GL half. Loading OSMesa costs a process about 17 ms of relocation, so
+// everything that needs GL lives in a module that is loaded only when something is drawn.
+
+#include "app/render/frame.h"
+#include "core/base/result.h"
+#include "core/image/image.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+
+namespace texplorer::screenshot {
+
+struct Drawing {
+    Scene scene;
+    ImageSource images;
+    std::string title;   ///< of the scene file, for the window's title line; may be empty
+    double time = 0;     ///< seconds
+    render::Size size;   ///< of the picture, in pixels
+    bool window = false; ///< the whole window with its panels, not just the scene
+};
+
+struct Picture {
+    Image image;                       ///< Rgba8, opaque where the window is drawn
+    std::vector<std::string> problems; ///< sentences: what the driver or a texture lacked
+};
+
+/// The module's one entry point, found by this name.
+using DrawEntry = void (*)(const Drawing& drawing, Result<Picture>& picture);
+inline constexpr const char* drawEntryName = "texshotDraw";
+
+/// Loads the module beside this program and draws. The error says where the module was looked for.
+[[nodiscard]] Result<Picture> draw(const Drawing& drawing);
+
+} // namespace texplorer::screenshot

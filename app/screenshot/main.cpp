@@ -1,0 +1,50 @@
+// texshot: the same scenes and the same panels as texplorer, without a display.
+
+#include "app/screenshot/command.h"
+#include "core/base/file_io.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace texplorer::screenshot {
+
+ExitCode complain(const Error& error, ExitCode code) {
+    std::fprintf(stderr, "texshot: %s\n", describe(error).c_str());
+    return code;
+}
+
+Result<void> writeOutput(const std::string& path, ByteView bytes) {
+    if (path != "-")
+        return writeFileAtomically(path, bytes);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+        return fail(ErrorCode::Unwritable, std::string("can't write: ") + std::strerror(errno),
+                    "standard output");
+    return {};
+}
+
+} // namespace texplorer::screenshot
+
+int main(int argc, char** argv) {
+    using namespace texplorer::screenshot;
+
+    CLI::App app("Texplorer without a display: draw scenes, look into texture files.", "texshot");
+    app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call.\n"
+               "\"texshot COMMAND --help\" explains each command.");
+
+    Action action;
+    for (const auto add : {addShot, addParams, addDecode, addInfo})
+        add(app, action);
+
+    try {
+        app.parse(argc, argv);
+        return action();
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? success : wrongCall;
+    } catch (const std::exception& error) { // out of memory, at worst: still one sentence and an exit status
+        std::fprintf(stderr, "texshot: %s\n", error.what());
+        return failure;
+    }
+}

@@ -1,0 +1,109 @@
+#include "app/screenshot/command.h"
+#include "app/screenshot/gl_module.h"
+#include "core/base/file_io.h"
+#include "core/codec/png.h"
+#include "core/scene/json.h"
+#include "core/scene/params.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
+
+struct Options {
+    std::string sceneFile;
+    std::vector<std::string> assignments;
+    std::string size = "1280x800";
+    double time = 0;
+    bool window = false;
+    std::string out;
+};
+
+Result<render::Size> parseSize(std::string_view text) {
+    render::Size size;
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.height);
+        const auto inRange = [](int extent) { return extent >= 1 && extent <= maxExtent; };
+        if (height.ec == std::errc() && height.ptr == end && inRange(size.width) && inRange(size.height))
+            return size;
+    }
+    return fail(ErrorCode::OutOfRange,
+                "expected WIDTHxHEIGHT with each from 1 to " + std::to_string(maxExtent) + ", found \"" +
+                    std::string(text) + "\"",
+                "--size");
+}
+
+Result<void> assign(Scene& scene, const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos)
+        return fail(ErrorCode::OutOfRange, "expected PATH=VALUE, found \"" + assignment + "\"", "--set");
+    return setParam(scene, std::string_view(assignment).substr(0, equals),
+                    std::string_view(assignment).substr(equals + 1));
+}
+
+ExitCode shoot(const Options& options) {
+    const Result<render::Size> size = parseSize(options.size);
+    if (!size)
+        return complain(size.error(), wrongCall);
+    if (!std::isfinite(options.time))
+        return complain({ErrorCode::OutOfRange, "expected a finite number of seconds", "--time"}, wrongCall);
+
+    Drawing drawing{defaultScene(), ImageSource{}, options.sceneFile, options.time, *size, options.window};
+    if (!options.sceneFile.empty()) {
+        const Result<std::string> text = readText(options.sceneFile);
+        if (!text)
+            return complain(text.error());
+        Result<Scene> scene = parseScene(*text);
+        if (!scene)
+            return complain({scene.error().code, describe(scene.error()), options.sceneFile});
+        drawing.scene = std::move(*scene);
+        drawing.images = ImageSource{std::filesystem::path(options.sceneFile).parent_path()};
+    }
+    for (const std::string& assignment : options.assignments) {
+        if (const auto assigned = assign(drawing.scene, assignment); !assigned)
+            return complain(assigned.error(), wrongCall);
+    }
+    if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
+        return complain(loaded.error());
+
+    const Result<Picture> picture = draw(drawing);
+    if (!picture)
+        return complain(picture.error());
+    for (const std::string& problem : picture->problems)
+        complain({ErrorCode::Driver, problem, {}});
+    const Result<Bytes> png = encodePng(picture->image);
+    if (!png)
+        return complain(png.error());
+    if (const auto written = writeOutput(options.out, *png); !written)
+        return complain(written.error());
+    return success;
+}
+
+} // namespace
+
+void addShot(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("shot", "Draw a scene into a PNG.");
+    auto options = std::make_shared<Options>();
+    command->add_option(
+        "SCENE", options->sceneFile,
+        "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
+    command
+        ->add_option(
+            "--set", options->assignments,
+            "Change one parameter, PATH=VALUE: textures[0].minFilter=GL_NEAREST. May be given again; "
+            "\"texshot params\" lists every path.")
+        ->allow_extra_args(false);
+    command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
+    command->add_option("--time", options->time, "Seconds on the scene's clock, for what moves.")
+        ->capture_default_str();
+    command->add_flag("--ui", options->window, "Draw the whole window with its panels.");
+    command->add_option("-o,--out", options->out, "The PNG to write; - for standard output.")->required();
+    command->callback([&action, options] { action = [options] { return shoot(*options); }; });
+}
+
+} // namespace texplorer::screenshot
