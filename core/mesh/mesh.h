@@ -56,9 +56,11 @@ inline constexpr int minStacks = 2;
 inline constexpr int maxSubdivision = 256;
 
 /// The mesh of a shape. Extents: the cube and the quad reach from -1 to 1, the sphere has radius 1, the floor
-/// lies at y = -1, 8 wide and 80 long towards -z, with s in [0, 8] and t in [0, 80]: one tile a unit.
+/// lies at y = -1 from x = -4 to 4 and from z = 4 to -76, with s in [0, 8] and t in [0, 80]: one tile a unit.
 /// `slices` and `stacks` count for the sphere alone, clamped to [3, 256] and [2, 256]; its s follows
-/// gluSphere: 0 to 1 around the axis, its t 0 at the south pole (y = -1) and 1 at the north pole.
+/// gluSphere: 0 to 1 eastwards around the axis, 0.5 at the front (+z), its t 0 at the south pole (y = -1) and
+/// 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole up; its faces are the
+/// stacks.
 [[nodiscard]] Mesh makeMesh(Shape shape, int slices, int stacks);
 
 /// How many vertices makeMesh gives, without making it.

@@ -1,0 +1,13 @@
+#include "core/mesh/shapes.h"
+
+namespace texplorer {
+
+Mesh makeFloor() {
+    Mesh mesh;
+    addPatch(
+        mesh, "Floor",
+        {.lowerLeft = {-4, -1, 4}, .right = {8, 0, 0}, .up = {0, 0, -80}, .texUpperRight = {8, 80, 0, 1}});
+    return mesh;
+}
+
+} // namespace texplorer

@@ -1,0 +1,11 @@
+#include "core/mesh/shapes.h"
+
+namespace texplorer {
+
+Mesh makeQuad() {
+    Mesh mesh;
+    addPatch(mesh, "Front", {.lowerLeft = {-1, -1, 0}, .right = {2, 0, 0}, .up = {0, 2, 0}});
+    return mesh;
+}
+
+} // namespace texplorer
