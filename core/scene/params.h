@@ -21,7 +21,7 @@ struct EnumValue {
 
 using Value = std::variant<bool, int, float, glm::vec3, glm::vec4, EnumValue, std::string, TexCoords>;
 
-enum class Kind { Bool, Int, Float, Vec3, Vec4, Color, Enum, Text, TexCoords };
+enum class Kind { Bool, Int, Float, Vec3, Vec4, Color, Enum, Text, TexCoordList };
 
 /// The accepted numbers, both ends included, for each component; `step` is a drag of one pixel.
 struct Range {
@@ -36,8 +36,10 @@ struct ParamRow {
     std::string_view group; ///< the panel section it belongs to: "Filter"
     std::string_view label; ///< "Minification"
     std::string_view help;  ///< one or two sentences for a student
-    std::string_view
-        glCall; ///< the call that sets it, "{}" where the value goes; empty where GL has no such state
+    /// The call that sets it, "{}" where the value goes; empty where GL has no such state. A call without
+    /// "{}" is a glEnable, which glDisable takes back. Words that aren't GL's are keys beside this one:
+    /// "glAlphaFunc({}, alphaRef)".
+    std::string_view glCall;
     Kind kind;
     Range range;                                    ///< for Int, Float, Vec3, Vec4, Color
     std::span<const EnumRow> choices;               ///< for Enum
@@ -57,7 +59,10 @@ struct ChildRow {
     std::size_t maxCount;
     std::size_t (*size)(const void* owner);
     void* (*at)(void* owner, std::size_t index);
-    void (*resize)(void* owner, std::size_t count); ///< new elements have their default values
+    /// New elements have their default values. A fixed array keeps its size: its elements from `count` on are
+    /// reset.
+    void (*resize)(void* owner, std::size_t count);
+    bool (*isDefault)(const void* owner, std::size_t index); ///< whether the element equals a new one
 };
 
 struct StructTable {
@@ -77,17 +82,32 @@ struct StructTable {
 [[nodiscard]] const StructTable& unitTable();
 [[nodiscard]] const StructTable& matrixStepTable();
 
+/// The longest Text that is accepted, in bytes.
+inline constexpr std::size_t maxTextBytes = 4096;
+
 /// The row with this key, or nullptr.
 [[nodiscard]] const ParamRow* findParam(const StructTable& table, std::string_view key);
+[[nodiscard]] const ChildRow* findChild(const StructTable& table, std::string_view key);
+
+/// What a row accepts, as the rest of a sentence: "a number from 1 to 16", "one of GL_NEAREST, GL_LINEAR".
+[[nodiscard]] std::string describeAccepted(const ParamRow& row);
 
 /// Whether a row accepts this value: the right alternative, within its range, finite, an enumerator that
 /// exists. The error says what is accepted; its `where` is empty.
 [[nodiscard]] Result<void> checkValue(const ParamRow& row, const Value& value);
 
-/// A value as `--set` and `texshot params` write it: "GL_LINEAR", "0.5", "1,0,0,1", "true". parseValue reads
-/// it back exactly.
+/// A value as `--set` and `texshot params` write it: "GL_LINEAR", "0.5", "1,0,0,1", "true"; texture
+/// coordinates are "0,0;1,0;1,1", one vertex after the other. parseValue reads it back exactly.
 [[nodiscard]] std::string formatValue(const ParamRow& row, const Value& value);
 [[nodiscard]] Result<Value> parseValue(const ParamRow& row, std::string_view text);
+
+/// One vertex of a TexCoordList: "0.5,1", with r and q only where they aren't 0 and 1.
+[[nodiscard]] std::string formatTexCoord(glm::vec4 coord);
+[[nodiscard]] Result<glm::vec4> parseTexCoord(std::string_view text);
+
+/// The row's GL call with the value in its place: "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {0, 0, 0,
+/// 1})", "glDisable(GL_BLEND)"; empty where GL has no such state.
+[[nodiscard]] std::string formatCall(const ParamRow& row, const Value& value);
 
 /// Calls `visit` for every parameter of a scene in table order; `path` is "textures[0].minFilter".
 void forEachParam(

@@ -22,6 +22,10 @@
 namespace texplorer {
 
 inline constexpr int maxUnits = 4;
+inline constexpr std::size_t maxModels = 16;
+inline constexpr std::size_t maxTextures = 64;
+inline constexpr std::size_t maxPasses = 8;
+inline constexpr std::size_t maxMatrixSteps = 32;
 
 enum class Projection : std::uint32_t { Perspective, Orthographic };
 enum class SourceKind : std::uint32_t { Pattern, File };

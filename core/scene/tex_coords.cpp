@@ -1,0 +1,25 @@
+#include "core/scene/tex_coords.h"
+
+#include <cassert>
+
+namespace texplorer {
+
+TexCoords effectiveTexCoords(const Model& model, const Mesh& mesh, int unit) {
+    assert(unit >= 0 && unit < maxUnits);
+    const TexCoords& own = model.texCoords[static_cast<std::size_t>(unit)];
+    if (own.size() == mesh.vertices.size())
+        return own;
+    TexCoords list(mesh.vertices.size());
+    std::ranges::transform(mesh.vertices, list.begin(), &Vertex::texCoord);
+    return list;
+}
+
+void setTexCoord(Model& model, const Mesh& mesh, int unit, std::size_t vertex, glm::vec4 value) {
+    if (vertex >= mesh.vertices.size())
+        return;
+    TexCoords list = effectiveTexCoords(model, mesh, unit);
+    list[vertex] = value;
+    model.texCoords[static_cast<std::size_t>(unit)] = std::move(list);
+}
+
+} // namespace texplorer
