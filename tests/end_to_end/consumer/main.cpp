@@ -1,0 +1,14 @@
+#include <core/codec/png.h>
+#include <core/image/pattern.h>
+#include <core/scene/json.h>
+
+#include <cstdio>
+
+int main() {
+    const auto scene = texplorer::parseScene(R"({"version": 1, "textures": [{"minFilter": "GL_NEAREST"}]})");
+    const auto png = texplorer::encodePng(texplorer::drawPattern(texplorer::Pattern::Checker));
+    if (!scene || !png)
+        return 1;
+    std::printf("%s %zu\n", texplorer::rowOf(scene->textures[0].minFilter).name.data(), scene->models.size());
+    return 0;
+}

@@ -1,0 +1,225 @@
+"""Drives the real texshot as a user would: exit codes, sentences, pictures. Pillow reads what it writes."""
+
+import io
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from PIL import Image
+
+TEXSHOT = sys.argv.pop(1)
+
+
+def texshot(*arguments, **options):
+    return subprocess.run([TEXSHOT, *map(str, arguments)], capture_output=True, timeout=120, **options)
+
+
+def bmp(width, height, pixel):
+    """A 24-bit BMP whose pixel (x, y), y from the top, is pixel(x, y) as (r, g, b)."""
+    rows = b""
+    for y in reversed(range(height)):
+        row = b"".join(bytes(reversed(pixel(x, y))) for x in range(width))
+        rows += row + b"\0" * (-len(row) % 4)
+    header = struct.pack("<2sIHHI", b"BM", 54 + len(rows), 0, 0, 54)
+    header += struct.pack("<IiiHHIIiiII", 40, width, height, 1, 24, 0, len(rows), 2835, 2835, 0, 0)
+    return header + rows
+
+
+class Texshot(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = Path(self.folder.name)
+        self.addCleanup(self.folder.cleanup)
+
+    def succeeds(self, *arguments):
+        result = texshot(*arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, b""), arguments)
+        return result.stdout
+
+    def complains(self, code, expected, *arguments):
+        """Fails with this code and one sentence that holds `expected`, and leaves no file behind."""
+        before = sorted(os.listdir(self.path))
+        result = texshot(*arguments)
+        said = result.stderr.decode()
+        self.assertEqual(result.returncode, code, said)
+        self.assertIn(expected, said)
+        self.assertEqual(result.stdout, b"")
+        self.assertEqual(sorted(os.listdir(self.path)), before)
+        return said
+
+    def shot(self, *arguments):
+        return Image.open(io.BytesIO(self.succeeds("shot", *arguments, "-o", "-"))).convert("RGBA")
+
+
+class Shot(Texshot):
+    def test_two_runs_give_the_same_bytes(self):
+        for window in ([], ["--ui"]):
+            first = self.succeeds("shot", "--size", "640x400", *window, "-o", "-")
+            second = self.succeeds("shot", "--size", "640x400", *window, "-o", "-")
+            self.assertEqual(first, second)
+
+    def test_the_default_scene_shows_a_cube_and_a_sphere(self):
+        picture = self.shot("--size", "320x200")
+        self.assertEqual(picture.size, (320, 200))
+        background = picture.getpixel((2, 2))
+        self.assertNotEqual(picture.getpixel((95, 100)), background, "left of the middle there is the cube")
+        self.assertNotEqual(picture.getpixel((225, 100)), background, "right of the middle there is the sphere")
+        self.assertEqual(picture.getpixel((160, 10)), background)
+
+    def test_a_flat_square_shows_its_texture_upright(self):
+        file = self.path / "corners.bmp"
+        colours = {(0, 0): (255, 0, 0), (1, 0): (0, 255, 0), (0, 1): (0, 0, 255), (1, 1): (255, 255, 0)}
+        file.write_bytes(bmp(2, 2, lambda x, y: colours[x, y]))
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({
+            "version": 1,
+            "view": {"projection": "orthographic", "azimuth": 0, "elevation": 0, "distance": 5, "fieldOfView": 22.6},
+            "models": [{"shape": "quad"}],
+            "textures": [{"source": "file", "file": "corners.bmp", "magFilter": "GL_NEAREST",
+                          "minFilter": "GL_NEAREST"}],
+            "passes": [{"units": [{"enabled": True, "envMode": "GL_REPLACE"}]}],
+        }))
+        picture = self.shot(scene, "--size", "100x100")
+        for (x, y), colour in colours.items():
+            self.assertEqual(picture.getpixel((25 + 50 * x, 25 + 50 * y))[:3], colour, (x, y))
+
+    def test_set_changes_one_parameter(self):
+        plain = self.shot("--size", "200x120")
+        tinted = self.shot("--size", "200x120", "--set", "material.color=1,0,0,1", "--set", "view.background=0,0,1,1")
+        self.assertEqual(tinted.getpixel((1, 1)), (0, 0, 255, 255))
+        self.assertNotEqual(plain.tobytes(), tinted.tobytes())
+
+    def test_time_moves_what_is_animated(self):
+        scene = self.path / "spin.json"
+        scene.write_text('{"version": 1, "models": [{"shape": "cube", "spin": [0, 45, 0]}]}')
+        self.assertEqual(self.shot(scene, "--size", "99x99").tobytes(),
+                         self.shot(scene, "--size", "99x99", "--time", "0").tobytes())
+        self.assertNotEqual(self.shot(scene, "--size", "99x99").tobytes(),
+                            self.shot(scene, "--size", "99x99", "--time", "0.5").tobytes())
+
+    def test_the_window_is_drawn_with_its_panels(self):
+        picture = self.shot("--ui", "--size", "1280x800").convert("RGB")
+        self.assertEqual(picture.size, (1280, 800))
+        left = picture.crop((0, 40, 300, 760))
+        self.assertGreater(len(left.getcolors(300 * 720)), 20, "the left panel holds text, so it has many greys")
+
+    def test_an_existing_picture_survives_a_failure(self):
+        out = self.path / "out.png"
+        self.succeeds("shot", "--size", "16x16", "-o", out)
+        before = out.read_bytes()
+        (self.path / "broken.json").write_text('{"version": 1, "view": ')
+        self.complains(1, "broken.json", "shot", self.path / "broken.json", "-o", out)
+        self.assertEqual(out.read_bytes(), before)
+
+    def test_bad_calls(self):
+        out = self.path / "out.png"
+        for expected, arguments in [
+            ("1 to 16384", ["--size", "0x10"]),
+            ("1 to 16384", ["--size", "100000x100000"]),
+            ("WIDTHxHEIGHT", ["--size", "12"]),
+            ("WIDTHxHEIGHT", ["--size", "12x-3"]),
+            ("WIDTHxHEIGHT", ["--size", "99999999999999999999x3"]),
+            ("finite", ["--time", "nan"]),
+            ("--time", ["--time", "soon"]),
+            ("PATH=VALUE", ["--set", "view.azimuth"]),
+            ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
+            ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
+            ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
+            ("--nonsense", ["--nonsense"]),
+        ]:
+            with self.subTest(arguments):
+                self.complains(2, expected, "shot", *arguments, "-o", out)
+        self.complains(2, "--out", "shot")
+        self.complains(2, "subcommand")
+        self.complains(2, "paint", "paint")
+
+    def test_bad_scenes(self):
+        for name, content, expected in [
+            ("empty.json", b"", "empty.json"),
+            ("binary.json", bytes(range(256)), "binary.json"),
+            ("list.json", b"[]", "object"),
+            ("deep.json", b"[" * 100000, "deep.json"),
+            ("huge.json", b'{"version": 1, "view": {"azimuth": 1e999}}', "huge.json"),
+            ("sphere.json", b'{"version": 1, "models": [{"shape": "sphere", "slices": 1000000000}]}',
+             "/models/0/slices"),
+            ("typo.json", b'{"version": 1, "textures": [{"minFliter": 3}]}', "/textures/0"),
+            ("future.json", b'{"version": 99}', "99"),
+        ]:
+            with self.subTest(name):
+                file = self.path / name
+                file.write_bytes(content)
+                said = self.complains(1, expected, "shot", file, "-o", self.path / "out.png")
+                self.assertIn(name, said)
+                self.assertLess(len(said), 600, "one sentence, not a dump")
+
+    def test_missing_files(self):
+        out = self.path / "out.png"
+        self.complains(1, "nowhere.json", "shot", self.path / "nowhere.json", "-o", out)
+        self.complains(1, "director", "shot", self.path, "-o", out)
+        self.complains(1, "nowhere.bmp", "shot", "--set", "textures[0].source=file", "--set",
+                       "textures[0].file=nowhere.bmp", "-o", out)
+        self.complains(1, "no/such", "shot", "--size", "8x8", "-o", self.path / "no/such/out.png")
+
+
+class Files(Texshot):
+    def test_decode_gives_the_pixels_that_went_in(self):
+        file = self.path / "ramp.bmp"
+        file.write_bytes(bmp(5, 3, lambda x, y: (x * 50, y * 100, 7)))
+        self.succeeds("decode", file, self.path / "ramp.png")
+        picture = Image.open(self.path / "ramp.png").convert("RGB")
+        self.assertEqual(picture.tobytes(), Image.open(file).convert("RGB").tobytes())
+
+    def test_decode_level_is_the_box_average(self):
+        file = self.path / "board.bmp"
+        file.write_bytes(bmp(4, 4, lambda x, y: (200, 100, 0) if x < 2 else (0, 40, 80)))
+        level = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--level", "2"))).convert("RGB")
+        self.assertEqual((level.size, level.getpixel((0, 0))), ((1, 1), (100, 70, 40)))
+        self.complains(1, "levels 0 to 2", "decode", file, "-", "--level", "3")
+
+    def test_info(self):
+        file = self.path / "small.bmp"
+        file.write_bytes(bmp(5, 3, lambda x, y: (1, 2, 3)))
+        facts = json.loads(self.succeeds("info", file, "--json"))
+        self.assertEqual((facts["format"], facts["width"], facts["height"], facts["fileBytes"]),
+                         ("BMP", 5, 3, file.stat().st_size))
+        self.assertIn(b"5 x 3", self.succeeds("info", file))
+
+    def test_files_that_are_no_images(self):
+        for name, content in [("empty.bmp", b""), ("text.bmp", b"hello world"), ("short.bmp", b"BM\0\0")]:
+            with self.subTest(name):
+                file = self.path / name
+                file.write_bytes(content)
+                self.complains(1, name, "decode", file, self.path / "out.png")
+                self.complains(1, name, "info", file)
+        self.complains(1, "director", "info", self.path)
+        self.complains(1, "nowhere", "info", self.path / "nowhere")
+        os.mkfifo(self.path / "pipe")
+        self.complains(1, "pipe", "info", self.path / "pipe")
+
+
+class Params(Texshot):
+    def test_every_parameter_is_listed_with_what_it_accepts(self):
+        text = self.succeeds("params").decode()
+        for expected in ["textures[].minFilter", "GL_LINEAR_MIPMAP_LINEAR", "passes[].units[].envColor"]:
+            self.assertIn(expected, text)
+        listed = json.loads(self.succeeds("params", "--json"))
+        self.assertTrue(listed)
+
+    def test_it_does_not_load_gl(self):
+        trace = subprocess.run([TEXSHOT, "params"], capture_output=True, env={**os.environ, "LD_DEBUG": "libs"})
+        self.assertEqual(trace.returncode, 0)
+        self.assertNotIn(b"OSMesa", trace.stderr)
+
+    def test_help_and_version(self):
+        self.assertIn(b"shot", self.succeeds("--help"))
+        self.assertIn(b"--set", self.succeeds("shot", "--help"))
+        self.assertRegex(self.succeeds("--version").decode(), r"^texshot \d+\.\d+\.\d+\n$")
+
+
+if __name__ == "__main__":
+    unittest.main()
