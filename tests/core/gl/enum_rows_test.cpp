@@ -1,6 +1,7 @@
 // Walks every vocabulary table: names and numbers are unique, every text is there, lookups round-trip.
 
 #include "core/gl/environment.h"
+#include "core/gl/error.h"
 #include "core/gl/fragment.h"
 #include "core/gl/sampling.h"
 #include "core/scene/scene.h"
@@ -56,10 +57,10 @@ INSTANTIATE_TEST_SUITE_P(
         Table{"ShadeModel", EnumTable<ShadeModel>::rows},
         Table{"ColorControl", EnumTable<ColorControl>::rows},
         Table{"CompareFunc", EnumTable<CompareFunc>::rows},
-        Table{"BlendFactor", EnumTable<BlendFactor>::rows}, Table{"Pattern", EnumTable<Pattern>::rows},
-        Table{"MipPolicy", EnumTable<MipPolicy>::rows}, Table{"Shape", EnumTable<Shape>::rows},
-        Table{"Projection", EnumTable<Projection>::rows}, Table{"SourceKind", EnumTable<SourceKind>::rows},
-        Table{"MatrixOp", EnumTable<MatrixOp>::rows}),
+        Table{"BlendFactor", EnumTable<BlendFactor>::rows}, Table{"GlError", EnumTable<GlError>::rows},
+        Table{"Pattern", EnumTable<Pattern>::rows}, Table{"MipPolicy", EnumTable<MipPolicy>::rows},
+        Table{"Shape", EnumTable<Shape>::rows}, Table{"Projection", EnumTable<Projection>::rows},
+        Table{"SourceKind", EnumTable<SourceKind>::rows}, Table{"MatrixOp", EnumTable<MatrixOp>::rows}),
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
