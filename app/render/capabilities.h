@@ -20,7 +20,7 @@ struct Capabilities {
 };
 
 /// Loads the GL entry points of the current context and asks it. An error names what Texplorer needs
-/// (OpenGL 2.1 and GL_EXT_framebuffer_object) and what the driver offers.
+/// (OpenGL 2.1 with fixed functions and GL_ARB_framebuffer_object) and what the driver offers.
 [[nodiscard]] Result<Capabilities> loadCapabilities();
 
 } // namespace texplorer::render

@@ -1,0 +1,87 @@
+#include "app/render/capabilities.h"
+
+#include "app/render/gl_errors.h"
+
+#include <GL/glew.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace texplorer::render {
+
+namespace {
+
+/// Something that not every driver has. GLEW's query wants all of a string's names; any one of ours is
+/// enough.
+struct Feature {
+    bool Capabilities::*member;
+    const char* coreVersion; ///< the version of OpenGL that includes it; nullptr: none does
+    const char* extension;
+};
+
+constexpr std::array features{
+    Feature{&Capabilities::nonPowerOfTwo, "GL_VERSION_2_0", "GL_ARB_texture_non_power_of_two"},
+    Feature{&Capabilities::s3tc, nullptr, "GL_EXT_texture_compression_s3tc"},
+};
+
+constexpr const char* neededVersion = "GL_VERSION_2_1";
+constexpr std::array neededFramebuffers{"GL_VERSION_3_0", "GL_ARB_framebuffer_object"};
+constexpr const char* anisotropy = "GL_EXT_texture_filter_anisotropic";
+
+bool has(const char* name) {
+    return name && glewIsSupported(name);
+}
+
+std::string text(GLenum name) {
+    const GLubyte* found = glGetString(name);
+    return found ? reinterpret_cast<const char*>(found) : "";
+}
+
+int integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+/// glewInit() ends with a look at GLX, after it has loaded every function of OpenGL. Without GLX, that is
+/// under OSMesa and Wayland, it then returns one of two errors that say nothing about OpenGL.
+bool functionsAreLoaded(GLenum status) {
+    return status == GLEW_OK || status == GLEW_ERROR_GLX_VERSION_11_ONLY ||
+           status == GLEW_ERROR_NO_GLX_DISPLAY;
+}
+
+} // namespace
+
+Result<Capabilities> loadCapabilities() {
+    constexpr std::string_view needs = "Texplorer needs OpenGL 2.1 with framebuffer objects; ";
+    if (const GLenum status = glewInit(); !functionsAreLoaded(status))
+        return fail(ErrorCode::Driver, std::string(needs) + "no functions of OpenGL could be loaded: " +
+                                           reinterpret_cast<const char*>(glewGetErrorString(status)));
+    static_cast<void>(GlErrors().check("glewInit")); // it asks a core profile for things that are gone
+
+    Capabilities capabilities;
+    capabilities.vendor = text(GL_VENDOR);
+    capabilities.renderer = text(GL_RENDERER);
+    capabilities.version = text(GL_VERSION);
+    const std::string offer = capabilities.renderer + " offers version " + capabilities.version;
+    if (!has(neededVersion))
+        return fail(ErrorCode::Unsupported, std::string(needs) + offer);
+    if (std::ranges::none_of(neededFramebuffers, has))
+        return fail(ErrorCode::Unsupported,
+                    std::string(needs) + offer + " without GL_ARB_framebuffer_object");
+
+    for (const Feature& feature : features)
+        capabilities.*feature.member = has(feature.coreVersion) || has(feature.extension);
+    capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+    capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
+    capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);
+    if (!GlErrors().check("glGetIntegerv") || capabilities.textureUnits < 1)
+        return fail(ErrorCode::Unsupported,
+                    std::string(needs) + offer + " without fixed functions (a core profile)");
+    if (has(anisotropy))
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &capabilities.maxAnisotropy);
+    return capabilities;
+}
+
+} // namespace texplorer::render

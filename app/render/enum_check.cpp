@@ -1,0 +1,71 @@
+// The core writes GL's numbers down without a GL header. Here the compiler proves that each row of each table
+// has the number and the name of the GL macro, and that no row is left out.
+
+#include "core/gl/environment.h"
+#include "core/gl/error.h"
+#include "core/gl/fragment.h"
+#include "core/gl/sampling.h"
+
+#include <GL/glew.h>
+
+#include <initializer_list>
+
+namespace texplorer::render {
+namespace {
+
+struct Macro {
+    std::uint32_t value;
+    std::string_view name;
+};
+
+template<Enumerated E>
+constexpr bool agrees(std::initializer_list<Macro> macros) {
+    constexpr std::span<const EnumRow> rows = EnumTable<E>::rows;
+    return macros.size() == rows.size() && std::ranges::all_of(rows, [&](const EnumRow& row) {
+               return std::ranges::any_of(macros, [&](const Macro& macro) {
+                   return macro.value == row.value && macro.name == row.name;
+               });
+           });
+}
+
+// Only a macro sees the name of a macro.
+#define TEXPLORER_GL(name)                                                                                   \
+    { name, #name }
+
+static_assert(agrees<MagFilter>({TEXPLORER_GL(GL_NEAREST), TEXPLORER_GL(GL_LINEAR)}));
+static_assert(
+    agrees<MinFilter>({TEXPLORER_GL(GL_NEAREST), TEXPLORER_GL(GL_LINEAR),
+                       TEXPLORER_GL(GL_NEAREST_MIPMAP_NEAREST), TEXPLORER_GL(GL_LINEAR_MIPMAP_NEAREST),
+                       TEXPLORER_GL(GL_NEAREST_MIPMAP_LINEAR), TEXPLORER_GL(GL_LINEAR_MIPMAP_LINEAR)}));
+static_assert(agrees<Wrap>({TEXPLORER_GL(GL_REPEAT), TEXPLORER_GL(GL_MIRRORED_REPEAT),
+                            TEXPLORER_GL(GL_CLAMP_TO_EDGE), TEXPLORER_GL(GL_CLAMP_TO_BORDER),
+                            TEXPLORER_GL(GL_CLAMP)}));
+static_assert(agrees<Target>({TEXPLORER_GL(GL_TEXTURE_1D), TEXPLORER_GL(GL_TEXTURE_2D),
+                              TEXPLORER_GL(GL_TEXTURE_3D)}));
+static_assert(agrees<EnvMode>({TEXPLORER_GL(GL_REPLACE), TEXPLORER_GL(GL_MODULATE), TEXPLORER_GL(GL_DECAL),
+                               TEXPLORER_GL(GL_BLEND), TEXPLORER_GL(GL_ADD)}));
+static_assert(agrees<BaseFormat>({TEXPLORER_GL(GL_ALPHA), TEXPLORER_GL(GL_LUMINANCE),
+                                  TEXPLORER_GL(GL_LUMINANCE_ALPHA), TEXPLORER_GL(GL_INTENSITY),
+                                  TEXPLORER_GL(GL_RGB), TEXPLORER_GL(GL_RGBA)}));
+static_assert(agrees<ShadeModel>({TEXPLORER_GL(GL_FLAT), TEXPLORER_GL(GL_SMOOTH)}));
+static_assert(agrees<ColorControl>({TEXPLORER_GL(GL_SINGLE_COLOR),
+                                    TEXPLORER_GL(GL_SEPARATE_SPECULAR_COLOR)}));
+static_assert(agrees<CompareFunc>({TEXPLORER_GL(GL_NEVER), TEXPLORER_GL(GL_LESS), TEXPLORER_GL(GL_EQUAL),
+                                   TEXPLORER_GL(GL_LEQUAL), TEXPLORER_GL(GL_GREATER),
+                                   TEXPLORER_GL(GL_NOTEQUAL), TEXPLORER_GL(GL_GEQUAL),
+                                   TEXPLORER_GL(GL_ALWAYS)}));
+static_assert(agrees<BlendFactor>({TEXPLORER_GL(GL_ZERO), TEXPLORER_GL(GL_ONE), TEXPLORER_GL(GL_SRC_COLOR),
+                                   TEXPLORER_GL(GL_ONE_MINUS_SRC_COLOR), TEXPLORER_GL(GL_SRC_ALPHA),
+                                   TEXPLORER_GL(GL_ONE_MINUS_SRC_ALPHA), TEXPLORER_GL(GL_DST_ALPHA),
+                                   TEXPLORER_GL(GL_ONE_MINUS_DST_ALPHA), TEXPLORER_GL(GL_DST_COLOR),
+                                   TEXPLORER_GL(GL_ONE_MINUS_DST_COLOR)}));
+static_assert(agrees<GlError>({TEXPLORER_GL(GL_INVALID_ENUM), TEXPLORER_GL(GL_INVALID_VALUE),
+                               TEXPLORER_GL(GL_INVALID_OPERATION), TEXPLORER_GL(GL_STACK_OVERFLOW),
+                               TEXPLORER_GL(GL_STACK_UNDERFLOW), TEXPLORER_GL(GL_OUT_OF_MEMORY),
+                               TEXPLORER_GL(GL_INVALID_FRAMEBUFFER_OPERATION),
+                               TEXPLORER_GL(GL_CONTEXT_LOST)}));
+
+#undef TEXPLORER_GL
+
+} // namespace
+} // namespace texplorer::render

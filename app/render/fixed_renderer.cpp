@@ -1,0 +1,188 @@
+#include "app/render/fixed_renderer.h"
+
+#include "app/render/fixed_state.h"
+#include "app/render/gl_errors.h"
+#include "app/render/mesh_cache.h"
+#include "app/render/render_target.h"
+#include "app/render/state_guard.h"
+#include "app/render/texture_cache.h"
+#include "core/scene/animation.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <new>
+
+namespace texplorer::render {
+
+namespace {
+
+std::string asText(Size size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+void loadMatrix(GLenum mode, const glm::mat4& matrix) {
+    glMatrixMode(mode);
+    glLoadMatrixf(glm::value_ptr(matrix));
+}
+
+Size largestPicture(const Capabilities& capabilities) {
+    std::array<GLint, 2> viewport{};
+    GLint renderbuffer = 0;
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+    const int limit = std::min(renderbuffer, capabilities.maxTextureSize);
+    return {std::min(limit, viewport[0]), std::min(limit, viewport[1])};
+}
+
+} // namespace
+
+struct FixedRenderer::State {
+    explicit State(const Capabilities& given)
+        : capabilities(given)
+        , limit(largestPicture(given))
+        , textures(given) {}
+
+    void drawScene(const Scene& scene, const ImageSource& images, double time, Size size);
+    std::array<bool, maxUnits> applyUnits(const Scene& scene, std::size_t passIndex,
+                                          const ImageSource& images, double time);
+    GLuint textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
+                     const ImageSource& images);
+
+    Capabilities capabilities;
+    Size limit;
+    RenderTarget target;
+    TextureCache textures;
+    MeshCache meshes;
+    GlErrors errors; // of the frame that is being drawn
+};
+
+FixedRenderer::FixedRenderer(std::unique_ptr<State> state)
+    : state_(std::move(state)) {}
+FixedRenderer::FixedRenderer(FixedRenderer&&) noexcept = default;
+FixedRenderer& FixedRenderer::operator=(FixedRenderer&&) noexcept = default;
+FixedRenderer::~FixedRenderer() = default;
+
+Result<FixedRenderer> FixedRenderer::create(const Capabilities& capabilities) {
+    return FixedRenderer(std::make_unique<State>(capabilities));
+}
+
+Result<Frame> FixedRenderer::draw(const Scene& scene, const ImageSource& images, double time, Size size) {
+    State& state = *state_;
+    if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
+        size.height > state.limit.height)
+        return fail(ErrorCode::OutOfRange,
+                    "a picture has 1 x 1 to " + asText(state.limit) + " pixels, not " + asText(size));
+    const auto begin = std::chrono::steady_clock::now();
+    state.errors = {};
+    state.errors.check("before the scene was drawn"); // somebody else's, but nobody has reported it
+    try {
+        const StateGuard guard;
+        state.errors.check("glPushAttrib");
+        if (const Result<void> bound = state.target.bind(size); !bound)
+            return fail(bound.error());
+        state.drawScene(scene, images, time, size);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
+    }
+    state.errors.check("glPopAttrib");
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+    return Frame{state.target.texture(), size, elapsed.count(), state.errors.sentences()};
+}
+
+void FixedRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {
+    glViewport(0, 0, size.width, size.height);
+    const glm::vec4& background = scene.view.background;
+    glClearColor(background.r, background.g, background.b, background.a);
+    glClearDepth(1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    errors.check("glClear");
+
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    loadMatrix(GL_PROJECTION, projectionMatrix(scene.view, aspect));
+    loadMatrix(GL_MODELVIEW, glm::mat4(1));
+    applyLightAndMaterial(scene.light, scene.material);
+    errors.check("glLight, glMaterial");
+
+    textures.keepFirst(scene.textures.size());
+    meshes.beginFrame();
+    const glm::mat4 view = viewMatrix(scene.view);
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        const std::string where = "passes[" + std::to_string(i) + "]";
+        applyPass(scene.passes[i]);
+        errors.check(where + ": glDepthFunc, glAlphaFunc, glBlendFunc");
+        const std::array<bool, maxUnits> units = applyUnits(scene, i, images, time);
+        glMatrixMode(GL_MODELVIEW);
+        for (std::size_t m = 0; m < scene.models.size(); ++m) {
+            const Model& model = scene.models[m];
+            if (!model.visible)
+                continue;
+            glLoadMatrixf(glm::value_ptr(view * modelMatrix(model, time)));
+            meshes.bind(model, m, units);
+            meshes.draw();
+        }
+        errors.check(where + ": glDrawRangeElements");
+    }
+}
+
+std::array<bool, maxUnits> FixedRenderer::State::applyUnits(const Scene& scene, std::size_t passIndex,
+                                                            const ImageSource& images, double time) {
+    std::array<bool, maxUnits> active{};
+    const Pass& pass = scene.passes[passIndex];
+    for (int i = 0; i < maxUnits; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Unit& unit = pass.units[at];
+        const std::string where =
+            "passes[" + std::to_string(passIndex) + "].units[" + std::to_string(i) + "]";
+        const GLuint texture = unit.enabled ? textureOf(scene, unit, i, where, images) : 0;
+        active[at] = texture != 0;
+        if (active[at])
+            applyUnit(i, unit, texture, time);
+        else if (i < capabilities.textureUnits)
+            switchUnitOff(i);
+        errors.check(where + ": glTexEnv");
+    }
+    return active;
+}
+
+GLuint FixedRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
+                                       const std::string& where, const ImageSource& images) {
+    if (unitIndex >= capabilities.textureUnits) {
+        errors.add(where + ": the driver has " + std::to_string(capabilities.textureUnits) +
+                   " texture units; drawn without this one");
+        return 0;
+    }
+    if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
+        errors.add(where + ": there is no texture " + std::to_string(unit.texture) + ", the scene has " +
+                   std::to_string(scene.textures.size()) + "; drawn without it");
+        return 0;
+    }
+    glActiveTexture(GL_TEXTURE0 +
+                    static_cast<GLenum>(unitIndex)); // an upload must not touch another's binding
+    return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, errors);
+}
+
+Result<Image> FixedRenderer::read() {
+    State& state = *state_;
+    const Size size = state.target.size();
+    if (size == Size{})
+        return fail(ErrorCode::NotFound, "there is no picture to read: nothing has been drawn yet");
+
+    Image image;
+    try {
+        image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for a picture of " + asText(size) + " pixels");
+    }
+    static_cast<void>(GlErrors().check("before the picture was read"));
+    const StateGuard guard;
+    glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    if (GlErrors errors; !errors.check("glReadPixels"))
+        return fail(ErrorCode::Driver, errors.sentences().front());
+    return image;
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,83 @@
+#include "app/render/fixed_state.h"
+
+#include "core/scene/animation.h"
+
+#include <GL/glew.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <array>
+
+namespace texplorer::render {
+
+namespace {
+
+constexpr auto targets = std::to_array<GLenum>({GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D});
+
+void setEnabled(GLenum what, bool on) {
+    if (on)
+        glEnable(what);
+    else
+        glDisable(what);
+}
+
+} // namespace
+
+void applyLightAndMaterial(const Light& light, const Material& material) {
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(light.modelAmbient));
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, static_cast<GLint>(light.colorControl));
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, light.localViewer ? 1 : 0);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0);
+
+    glLightfv(GL_LIGHT0, GL_POSITION, glm::value_ptr(light.position));
+    glLightfv(GL_LIGHT0, GL_AMBIENT, glm::value_ptr(light.ambient));
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, glm::value_ptr(light.diffuse));
+    glLightfv(GL_LIGHT0, GL_SPECULAR, glm::value_ptr(light.specular));
+    glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 1);
+    glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0);
+    glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0);
+    glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180);
+    glEnable(GL_LIGHT0);
+
+    constexpr glm::vec4 noEmission{0, 0, 0, 1};
+    glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, glm::value_ptr(noEmission));
+    glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, glm::value_ptr(material.specular));
+    glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
+    // The mode first: enabling copies the current colour at once into what the mode names (section 2.14.3).
+    glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+    glColor4fv(glm::value_ptr(material.color));
+    glEnable(GL_COLOR_MATERIAL);
+    glEnable(GL_NORMALIZE); // models are scaled
+    glShadeModel(static_cast<GLenum>(material.shadeModel));
+}
+
+void applyPass(const Pass& pass) {
+    setEnabled(GL_LIGHTING, pass.lighting);
+    setEnabled(GL_DEPTH_TEST, pass.depthTest);
+    glDepthFunc(static_cast<GLenum>(pass.depthFunc));
+    setEnabled(GL_ALPHA_TEST, pass.alphaTest);
+    glAlphaFunc(static_cast<GLenum>(pass.alphaFunc), pass.alphaRef);
+    setEnabled(GL_BLEND, pass.blend);
+    glBlendFunc(static_cast<GLenum>(pass.blendSrc), static_cast<GLenum>(pass.blendDst));
+}
+
+void switchUnitOff(int index) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(index));
+    for (const GLenum target : targets)
+        glDisable(target);
+    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(index));
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+}
+
+void applyUnit(int index, const Unit& unit, unsigned textureName, double time) {
+    switchUnitOff(index); // a pass before this one may have used another target, which could take precedence
+    const auto target = static_cast<GLenum>(unit.target);
+    glBindTexture(target, textureName);
+    glEnable(target);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.envMode));
+    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(unit.envColor));
+    glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unit.lodBias);
+    glMatrixMode(GL_TEXTURE);
+    glLoadMatrixf(glm::value_ptr(textureMatrix(unit.matrix, time)));
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace texplorer::render {
+
+// What a Scene says, as fixed-function state. All of it begins with GL's initial values: see StateGuard.
+
+/// GL_LIGHT0, the light model, the material and the current colour. The modelview matrix must be the
+/// identity: the light stands in eye coordinates.
+void applyLightAndMaterial(const Light& light, const Material& material);
+
+/// Lighting on or off and the per-fragment operations of a pass.
+void applyPass(const Pass& pass);
+
+/// The texture bound to one unit, its environment and its matrix at `time`.
+void applyUnit(int index, const Unit& unit, unsigned textureName, double time);
+
+void switchUnitOff(int index);
+
+} // namespace texplorer::render

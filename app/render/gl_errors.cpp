@@ -1,0 +1,53 @@
+#include "app/render/gl_errors.h"
+
+#include "core/gl/error.h"
+
+#include <GL/glew.h>
+
+#include <algorithm>
+
+namespace texplorer::render {
+
+namespace {
+
+// GL holds one flag per kind of error (section 2.5), on distributed implementations several. A lost context,
+// or none at all, may answer with an error for ever.
+constexpr int mostFlags = 16;
+
+std::string nameOf(unsigned error) {
+    if (const EnumRow* found = findRow(glErrorRows, error))
+        return std::string(found->name) + " (" + std::string(found->help) + ")";
+    return "error " + std::to_string(error);
+}
+
+} // namespace
+
+unsigned currentGlError() {
+    return glGetError();
+}
+
+bool GlErrors::check(std::string_view where, unsigned (*getError)()) {
+    bool clean = true;
+    for (int flag = 0; flag < mostFlags; ++flag) {
+        const unsigned error = getError();
+        if (error == GL_NO_ERROR)
+            break;
+        clean = false;
+        add(std::string(where) + ": " + nameOf(error));
+        if (error == static_cast<unsigned>(GlError::ContextLost))
+            break;
+    }
+    return clean;
+}
+
+void GlErrors::add(std::string sentence) {
+    if (std::ranges::find(sentences_, sentence) == sentences_.end())
+        sentences_.push_back(std::move(sentence));
+}
+
+void GlErrors::add(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences)
+        add(sentence);
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/render/gl_handle.h"
+#include "core/mesh/mesh.h"
+#include "core/scene/scene.h"
+
+#include <compare>
+#include <map>
+
+namespace texplorer::render {
+
+/// The vertex and index buffers of a scene's models. They are filled when a shape or a texture coordinate
+/// changed.
+class MeshCache {
+public:
+    /// Begins a frame: what was not drawn in the one before it is forgotten.
+    void beginFrame();
+
+    /// Points the vertex arrays at the model with this index in the scene. `units` says for each texture unit
+    /// whether it needs coordinates.
+    void bind(const Model& model, std::size_t index, const std::array<bool, maxUnits>& units);
+
+    /// Draws the model that is bound.
+    void draw() const;
+
+private:
+    struct MeshKey {
+        Shape shape{};
+        int slices = 0;
+        int stacks = 0;
+        auto operator<=>(const MeshKey&) const = default;
+    };
+    struct MeshSlot {
+        Mesh mesh;
+        BufferHandle vertices;
+        BufferHandle triangles;
+        bool used = true;
+    };
+    struct CoordKey {
+        std::size_t model = 0;
+        int unit = 0;
+        auto operator<=>(const CoordKey&) const = default;
+    };
+    struct CoordSlot {
+        TexCoords list;
+        MeshKey mesh;
+        BufferHandle buffer;
+        bool used = true;
+    };
+
+    static MeshKey keyOf(const Model& model);
+    MeshSlot& meshOf(const MeshKey& key);
+    void bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey);
+
+    std::map<MeshKey, MeshSlot> meshes_;
+    std::map<CoordKey, CoordSlot> coords_;
+    const MeshSlot* bound_ = nullptr;
+};
+
+} // namespace texplorer::render

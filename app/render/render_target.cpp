@@ -1,0 +1,65 @@
+#include "app/render/render_target.h"
+
+#include "app/render/gl_errors.h"
+
+#include <array>
+#include <string>
+
+namespace texplorer::render {
+
+namespace {
+
+// Some drivers can only draw with depth that is packed with a stencil. Packed depth is attached as depth
+// alone: the stencil half is never used.
+constexpr auto depthFormats = std::to_array<GLenum>({GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8});
+
+} // namespace
+
+Result<void> RenderTarget::bind(Size size) {
+    if (size != size_) {
+        *this = RenderTarget(); // free the old one first: both at once may not fit
+        if (Result<void> made = resize(size); !made) {
+            *this = RenderTarget();
+            return made;
+        }
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    return {};
+}
+
+Result<void> RenderTarget::resize(Size size) {
+    GlErrors errors;
+    color_ = TextureHandle::create();
+    glBindTexture(GL_TEXTURE_2D, color_.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR); // there are no mipmaps
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glBindTexture(GL_TEXTURE_2D, 0);
+
+    depth_ = RenderbufferHandle::create();
+    framebuffer_ = FramebufferHandle::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(), 0);
+
+    GLenum status = GL_FRAMEBUFFER_UNSUPPORTED;
+    for (const GLenum format : depthFormats) {
+        if (status == GL_FRAMEBUFFER_COMPLETE)
+            break;
+        glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+        glRenderbufferStorage(GL_RENDERBUFFER, format, size.width, size.height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+        status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    }
+    const std::string what = "a picture of " + std::to_string(size.width) + " x " +
+                             std::to_string(size.height) + " pixels with 24 bits of depth";
+    if (!errors.check("glTexImage2D, glRenderbufferStorage"))
+        return fail(ErrorCode::Driver, "the driver can't make " + what + ": " + errors.sentences().front());
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        return fail(ErrorCode::Driver, "the driver can't draw into " + what +
+                                           ": glCheckFramebufferStatus says " + std::to_string(status));
+    size_ = size;
+    return {};
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/render/frame.h"
+#include "app/render/gl_handle.h"
+#include "core/base/result.h"
+
+namespace texplorer::render {
+
+/// Where a renderer draws: an RGBA texture of 8 bits a component and 24 bits of depth, one sample a pixel.
+class RenderTarget {
+public:
+    /// Makes it this size, at least 1 x 1; does nothing where it already is. Leaves the framebuffer bound.
+    [[nodiscard]] Result<void> bind(Size size);
+
+    [[nodiscard]] GLuint texture() const { return color_.name(); }
+    [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
+    [[nodiscard]] Size size() const { return size_; } ///< 0 x 0 before the first bind
+
+private:
+    [[nodiscard]] Result<void> resize(Size size);
+
+    TextureHandle color_;
+    RenderbufferHandle depth_;
+    FramebufferHandle framebuffer_;
+    Size size_;
+};
+
+} // namespace texplorer::render
