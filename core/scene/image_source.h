@@ -23,6 +23,12 @@ public:
     /// returned.
     [[nodiscard]] Result<void> load(const Scene& scene);
 
+    /// The content of a file, from somewhere else than a file: decoded elsewhere, or made up. `file` is
+    /// spelled as in Texture::file; what was there before is replaced.
+    void put(const std::string& file, Image image) {
+        files_[file] = std::make_shared<const Image>(std::move(image));
+    }
+
     /// The base level of a texture, or nullptr where its file is not loaded. The pointer stays the same as
     /// long as the content does, so it can key a cache.
     [[nodiscard]] std::shared_ptr<const Image> find(const Texture& texture) const;
