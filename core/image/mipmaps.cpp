@@ -1,0 +1,176 @@
+#include "core/image/mipmaps.h"
+
+#include "core/image/pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace texplorer {
+
+namespace {
+
+int half(int extent) {
+    return std::max(1, extent / 2);
+}
+
+// Which texels of a line of `extent` make texel `index` of the next level, and how much of each.
+//
+//   even, 4 -> 2:  | 0 | 1 | 2 | 3 |       odd, 5 -> 2:  | 0 | 1 | 2 | 3 | 4 |
+//                  |   0   |   1   |                     |    0    |    1    |    weights 2 2 1 and 1 2 2 of
+//                  5
+//
+// The weights are whole numbers with the sum `Axis::total`, so that all sums are exact.
+struct Taps {
+    int first;
+    int count;
+    std::array<std::uint64_t, 3> weights;
+};
+
+struct Axis {
+    int extent;
+    std::uint64_t total;
+
+    explicit Axis(int texels)
+        : extent(texels)
+        , total(texels == 1       ? 1
+                : texels % 2 == 0 ? 2
+                                  : static_cast<std::uint64_t>(texels)) {}
+
+    [[nodiscard]] Taps taps(int index) const {
+        if (extent == 1)
+            return {0, 1, {1, 0, 0}};
+        if (extent % 2 == 0)
+            return {2 * index, 2, {1, 1, 0}};
+        const auto before = static_cast<std::uint64_t>(half(extent) - index);
+        const auto after = static_cast<std::uint64_t>(index) + 1;
+        return {2 * index, 3, {before, static_cast<std::uint64_t>(half(extent)), after}};
+    }
+};
+
+// Adds the rows that make one row of the next level, weighted, into `sums`.
+void gatherRows(const Image& from, const Taps& rows, const Taps& slices, std::vector<std::uint64_t>& sums) {
+    std::ranges::fill(sums, 0U);
+    for (int z = 0; z < slices.count; ++z)
+        for (int y = 0; y < rows.count; ++y) {
+            const std::uint64_t weight =
+                slices.weights[static_cast<std::size_t>(z)] * rows.weights[static_cast<std::size_t>(y)];
+            const std::byte* row = from.pixels.data() + from.offset(0, rows.first + y, slices.first + z);
+            for (std::size_t i = 0; i < sums.size(); ++i)
+                sums[i] += weight * std::to_integer<std::uint64_t>(row[i]);
+        }
+}
+
+// Any size, any format. The largest sum, 255 * 16384^3, stays below 2^50.
+Image averageByCoverage(const Image& from) {
+    Image to = Image::uninitialised(from.format, half(from.width), half(from.height), half(from.depth));
+    const Axis axisX(from.width);
+    const Axis axisY(from.height);
+    const Axis axisZ(from.depth);
+    const std::uint64_t total = axisX.total * axisY.total * axisZ.total;
+    const auto components = static_cast<std::size_t>(bytesPerPixel(from.format));
+
+    std::vector<std::uint64_t> sums(from.rowBytes());
+    std::byte* out = to.pixels.data();
+    for (int z = 0; z < to.depth; ++z)
+        for (int y = 0; y < to.height; ++y) {
+            gatherRows(from, axisY.taps(y), axisZ.taps(z), sums);
+            for (int x = 0; x < to.width; ++x) {
+                const Taps columns = axisX.taps(x);
+                const std::uint64_t* texel =
+                    sums.data() + static_cast<std::size_t>(columns.first) * components;
+                for (std::size_t c = 0; c < components; ++c) {
+                    std::uint64_t sum = total / 2;
+                    for (std::size_t i = 0; i < static_cast<std::size_t>(columns.count); ++i)
+                        sum += columns.weights[i] * texel[i * components + c];
+                    *out++ = static_cast<std::byte>(sum / total);
+                }
+            }
+        }
+    return to;
+}
+
+// Four RGBA texels at once: red and blue are added in one word, green and alpha in the other, 16 bits of room
+// each.
+std::uint32_t averageOfFour(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    constexpr std::uint32_t odd = 0x00FF00FFU;
+    constexpr std::uint32_t two = 0x00020002U;
+    const std::uint32_t low = (a & odd) + (b & odd) + (c & odd) + (d & odd) + two;
+    const std::uint32_t high =
+        ((a >> 8) & odd) + ((b >> 8) & odd) + ((c >> 8) & odd) + ((d >> 8) & odd) + two;
+    return ((low >> 2) & odd) | (((high >> 2) & odd) << 8);
+}
+
+Image averageEvenRgba(const Image& from) {
+    Image to = Image::uninitialised(from.format, from.width / 2, from.height / 2);
+    const std::size_t stride = from.rowBytes();
+    std::byte* out = to.pixels.data();
+    for (int y = 0; y < to.height; ++y) {
+        const std::byte* row = from.pixels.data() + from.offset(0, 2 * y, 0);
+        for (int x = 0; x < to.width; ++x, row += 8, out += 4) {
+            std::uint32_t lower[2];
+            std::uint32_t upper[2];
+            std::memcpy(lower, row, sizeof lower);
+            std::memcpy(upper, row + stride, sizeof upper);
+            const std::uint32_t mean = averageOfFour(lower[0], lower[1], upper[0], upper[1]);
+            std::memcpy(out, &mean, sizeof mean);
+        }
+    }
+    return to;
+}
+
+Image nextLevel(const Image& from) {
+    const bool even = from.width % 2 == 0 && from.height % 2 == 0 && from.depth == 1;
+    return even && from.format == PixelFormat::Rgba8 ? averageEvenRgba(from) : averageByCoverage(from);
+}
+
+Image flatLevel(const Image& above, int level) {
+    Image flat =
+        Image::uninitialised(PixelFormat::Rgba8, half(above.width), half(above.height), half(above.depth));
+    const auto color = mipColor(level);
+    for (std::size_t i = 0; i < flat.pixels.size(); ++i)
+        flat.pixels[i] = std::byte{color[i % color.size()]};
+    return flat;
+}
+
+template<class MakeLevel>
+MipChain chain(Image base, MakeLevel makeLevel) {
+    MipChain levels;
+    if (base.empty())
+        return levels;
+    const int count = mipLevelCount(base.width, base.height, base.depth);
+    levels.reserve(static_cast<std::size_t>(count));
+    levels.push_back(std::move(base));
+    for (int level = 1; level < count; ++level)
+        levels.push_back(makeLevel(levels.back(), level));
+    return levels;
+}
+
+} // namespace
+
+int mipLevelCount(int width, int height, int depth) {
+    const auto [smallest, largest] = std::minmax({width, height, depth});
+    return smallest < 1 ? 0 : static_cast<int>(std::bit_width(static_cast<unsigned>(largest)));
+}
+
+MipChain buildMipChain(Image base) {
+    return chain(std::move(base), [](const Image& above, int) { return nextLevel(above); });
+}
+
+MipChain applyMipPolicy(MipPolicy policy, Image base) {
+    switch (policy) {
+    case MipPolicy::Generated:
+        return buildMipChain(std::move(base));
+    case MipPolicy::Colored:
+        return chain(std::move(base), flatLevel);
+    case MipPolicy::None:
+        break;
+    }
+    MipChain alone;
+    if (!base.empty())
+        alone.push_back(std::move(base));
+    return alone;
+}
+
+} // namespace texplorer

@@ -1,0 +1,19 @@
+#pragma once
+
+// One function per pattern; drawPattern is the only caller outside of the tests.
+
+#include "core/image/image.h"
+
+namespace texplorer {
+
+[[nodiscard]] Image drawChecker();
+[[nodiscard]] Image drawCheckerRed();
+[[nodiscard]] Image drawUvTemplate();
+[[nodiscard]] Image drawBrick();
+[[nodiscard]] Image drawBrickHeight();
+[[nodiscard]] Image drawColorLine();
+[[nodiscard]] Image drawTree();
+[[nodiscard]] Image drawMipColors();
+[[nodiscard]] Image drawMarble();
+
+} // namespace texplorer

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/image/patterns/canvas.h"
+
+#include <string_view>
+
+namespace texplorer {
+
+inline constexpr int glyphHeight = 7;
+
+/// How many font pixels a text is wide; a character that the font lacks counts as a space.
+[[nodiscard]] int textWidth(std::string_view text);
+
+/// Draws a text with its lower left corner at (x, y), each font pixel as a square of `scale` texels.
+void drawText(Canvas& canvas, int x, int y, int scale, std::string_view text, Color color);
+
+} // namespace texplorer
