@@ -78,9 +78,9 @@ struct Model {
     glm::vec3 rotation{0}; ///< degrees about x, then y, then z, at time 0
     glm::vec3 spin{0};     ///< degrees a second, added to `rotation`
     float size = 1;
-    int slices = 32;                           ///< sphere only
-    int stacks = 16;                           ///< sphere only
-    std::array<TexCoords, maxUnits> texCoords; ///< one list a unit; an empty one takes the mesh's
+    int slices = 32;                             ///< sphere only
+    int stacks = 16;                             ///< sphere only
+    std::array<TexCoords, maxUnits> texCoords{}; ///< one list a unit; an empty one takes the mesh's
 
     bool operator==(const Model&) const = default;
 };
@@ -89,7 +89,7 @@ struct Model {
 struct Texture {
     SourceKind source = SourceKind::Pattern;
     Pattern pattern = Pattern::Checker;
-    std::string file; ///< path of an image; relative to the scene file
+    std::string file{}; ///< path of an image; relative to the scene file
     BaseFormat internalFormat = BaseFormat::Rgba;
     MipPolicy mipmaps = MipPolicy::None;
     MagFilter magFilter = MagFilter::Linear;
@@ -127,7 +127,7 @@ struct Unit {
     EnvMode envMode = EnvMode::Modulate;
     glm::vec4 envColor{0, 0, 0, 0};
     float lodBias = 0;
-    std::vector<MatrixStep> matrix; ///< multiplied in this order, as successive GL calls are
+    std::vector<MatrixStep> matrix{}; ///< multiplied in this order, as successive GL calls are
 
     bool operator==(const Unit&) const = default;
 };
@@ -143,7 +143,7 @@ struct Pass {
     bool blend = false;
     BlendFactor blendSrc = BlendFactor::One;
     BlendFactor blendDst = BlendFactor::Zero;
-    std::array<Unit, maxUnits> units;
+    std::array<Unit, maxUnits> units{};
 
     bool operator==(const Pass&) const = default;
 };

@@ -1,0 +1,112 @@
+#include "core/scene/animation.h"
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+namespace texplorer {
+namespace {
+
+// Everything is computed in double and rounded once, so that a long time costs no precision.
+
+constexpr glm::dvec3 axisX{1, 0, 0};
+constexpr glm::dvec3 axisY{0, 1, 0};
+constexpr glm::dvec3 axisZ{0, 0, 1};
+
+/// A right angle must give exact zeros and ones, which glm::rotate misses by the rounding of pi.
+glm::dmat4 rotation(double degrees, glm::dvec3 axis) {
+    const double turn = std::remainder(degrees, 360.0);
+    double sine = std::sin(glm::radians(turn));
+    double cosine = std::cos(glm::radians(turn));
+    if (std::remainder(turn, 90.0) == 0) {
+        sine = std::round(sine);
+        cosine = std::round(cosine);
+    }
+    const double length = glm::length(axis);
+    if (length == 0)
+        return glm::dmat4(1); // glRotate leaves it undefined; no axis, no rotation
+    const glm::dvec3 a = axis / length;
+    const glm::dvec3 b = (1 - cosine) * a;
+    // glRotate's matrix (OpenGL 2.1, section 2.11.2), column by column.
+    return {{b.x * a.x + cosine, b.x * a.y + sine * a.z, b.x * a.z - sine * a.y, 0},
+            {b.y * a.x - sine * a.z, b.y * a.y + cosine, b.y * a.z + sine * a.x, 0},
+            {b.z * a.x + sine * a.y, b.z * a.y - sine * a.x, b.z * a.z + cosine, 0},
+            {0, 0, 0, 1}};
+}
+
+glm::dmat4 stepMatrix(const MatrixStep& step, double time) {
+    const glm::dvec3 amount = glm::dvec3(step.amount) + glm::dvec3(step.rate) * time;
+    switch (step.op) {
+    case MatrixOp::Translate:
+        return glm::translate(glm::dmat4(1), amount);
+    case MatrixOp::Rotate:
+        return rotation(double{step.angle} + double{step.angleRate} * time, amount);
+    case MatrixOp::Scale:
+        return glm::scale(glm::dmat4(1), amount);
+    }
+    return glm::dmat4(1);
+}
+
+bool isMoving(const MatrixStep& step) {
+    return step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0);
+}
+
+bool isMoving(const Unit& unit) {
+    return unit.enabled &&
+           std::ranges::any_of(unit.matrix, [](const MatrixStep& step) { return isMoving(step); });
+}
+
+bool isMoving(const Pass& pass) {
+    return std::ranges::any_of(pass.units, [](const Unit& unit) { return isMoving(unit); });
+}
+
+} // namespace
+
+glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time) {
+    glm::dmat4 product(1);
+    for (const MatrixStep& step : steps)
+        product *= stepMatrix(step, time);
+    return product;
+}
+
+glm::mat4 modelMatrix(const Model& model, double time) {
+    const glm::dvec3 angles = glm::dvec3(model.rotation) + glm::dvec3(model.spin) * time;
+    return glm::translate(glm::dmat4(1), glm::dvec3(model.position)) * rotation(angles.z, axisZ) *
+           rotation(angles.y, axisY) * rotation(angles.x, axisX) *
+           glm::scale(glm::dmat4(1), glm::dvec3(double{model.size}));
+}
+
+glm::mat4 viewMatrix(const View& view) {
+    return glm::translate(glm::dmat4(1), {0, 0, -double{view.distance}}) *
+           rotation(double{view.elevation}, axisX) * rotation(-double{view.azimuth}, axisY) *
+           glm::translate(glm::dmat4(1), -glm::dvec3(view.target));
+}
+
+glm::mat4 projectionMatrix(const View& view, float aspect) {
+    const double distance = double{view.distance};
+    const double near = distance / 50;
+    const double far = 4 * distance + 400; // the far end of a floor stays in sight when one zooms in
+    const double top = std::tan(glm::radians(double{view.fieldOfView}) / 2);
+    if (view.projection == Projection::Perspective) {
+        const double height = near * top;
+        const double width = height * double{aspect};
+        return glm::frustum(-width, width, -height, height, near, far);
+    }
+    // What is behind the camera is in sight too: in a parallel projection the camera has no place.
+    const double height = distance * top;
+    const double width = height * double{aspect};
+    return glm::ortho(-width, width, -height, height, -far, far);
+}
+
+bool isAnimated(const Scene& scene) {
+    const auto visible = [](const Model& model) { return model.visible; };
+    const auto spinning = [](const Model& model) { return model.visible && model.spin != glm::vec3(0); };
+    return std::ranges::any_of(scene.models, spinning) ||
+           (std::ranges::any_of(scene.models, visible) &&
+            std::ranges::any_of(scene.passes, [](const Pass& pass) { return isMoving(pass); }));
+}
+
+} // namespace texplorer

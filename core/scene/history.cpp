@@ -1,0 +1,52 @@
+#include "core/scene/history.h"
+
+namespace texplorer {
+
+History::History(Scene initial, std::size_t limit)
+    : limit_(limit) {
+    steps_.push_back({std::move(initial), {}});
+}
+
+void History::record(const Scene& scene, std::string_view what) {
+    if (scene == current())
+        return;
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(position_) + 1,
+                 steps_.end()); // no redo any more
+    if (!sealed_ && !what.empty() && steps_[position_].what == what) {
+        steps_[position_].scene = scene;
+        return;
+    }
+    steps_.push_back({scene, std::string(what)});
+    if (steps_.size() > limit_ + 1)
+        steps_.erase(steps_.begin());
+    position_ = steps_.size() - 1;
+    sealed_ = false;
+}
+
+void History::seal() {
+    sealed_ = true;
+}
+
+const Scene& History::undo() {
+    if (canUndo())
+        --position_;
+    seal();
+    return current();
+}
+
+const Scene& History::redo() {
+    if (canRedo())
+        ++position_;
+    seal();
+    return current();
+}
+
+std::string_view History::undoName() const {
+    return canUndo() ? std::string_view(steps_[position_].what) : std::string_view();
+}
+
+std::string_view History::redoName() const {
+    return canRedo() ? std::string_view(steps_[position_ + 1].what) : std::string_view();
+}
+
+} // namespace texplorer

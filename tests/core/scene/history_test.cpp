@@ -1,0 +1,109 @@
+#include "core/scene/history.h"
+
+#include <gtest/gtest.h>
+
+namespace texplorer {
+namespace {
+
+/// Scenes that differ in one number, which stands for the whole scene below.
+Scene numbered(float azimuth) {
+    Scene scene;
+    scene.view.azimuth = azimuth;
+    return scene;
+}
+
+float number(const Scene& scene) {
+    return scene.view.azimuth;
+}
+
+TEST(History, BeginsWithNothingToUndo) {
+    History history(numbered(1));
+    EXPECT_EQ(number(history.current()), 1);
+    EXPECT_FALSE(history.canUndo());
+    EXPECT_FALSE(history.canRedo());
+    EXPECT_EQ(history.undoName(), "");
+    EXPECT_EQ(history.redoName(), "");
+    EXPECT_EQ(number(history.undo()), 1);
+    EXPECT_EQ(number(history.redo()), 1);
+}
+
+TEST(History, UndoesAndRedoesByName) {
+    History history(numbered(1));
+    history.record(numbered(2), "Wrap s");
+    history.record(numbered(3), "Filter");
+    EXPECT_EQ(history.undoName(), "Filter");
+    EXPECT_EQ(number(history.undo()), 2);
+    EXPECT_EQ(history.undoName(), "Wrap s");
+    EXPECT_EQ(history.redoName(), "Filter");
+    EXPECT_EQ(number(history.undo()), 1);
+    EXPECT_FALSE(history.canUndo());
+    EXPECT_EQ(number(history.redo()), 2);
+    EXPECT_EQ(number(history.redo()), 3);
+    EXPECT_FALSE(history.canRedo());
+}
+
+TEST(History, ADragIsOneStep) {
+    History history(numbered(1));
+    for (int i = 2; i < 100; ++i)
+        history.record(numbered(static_cast<float>(i)), "Azimuth");
+    EXPECT_EQ(number(history.current()), 99);
+    EXPECT_EQ(number(history.undo()), 1);
+    EXPECT_EQ(number(history.redo()), 99);
+}
+
+TEST(History, ASealSeparatesTwoDragsOfTheSameThing) {
+    History history(numbered(1));
+    history.record(numbered(2), "Azimuth");
+    history.seal();
+    history.record(numbered(3), "Azimuth");
+    EXPECT_EQ(number(history.undo()), 2);
+    EXPECT_EQ(number(history.undo()), 1);
+}
+
+TEST(History, EditsWithoutANameStayApart) {
+    History history(numbered(1));
+    history.record(numbered(2), "");
+    history.record(numbered(3), "");
+    EXPECT_EQ(number(history.undo()), 2);
+}
+
+TEST(History, RecordingTheSameSceneIsNoStep) {
+    History history(numbered(1));
+    history.record(numbered(1), "Azimuth");
+    EXPECT_FALSE(history.canUndo());
+    history.record(numbered(2), "Azimuth");
+    history.undo();
+    history.record(numbered(1), "Azimuth");
+    EXPECT_TRUE(history.canRedo()) << "nothing changed, so nothing is given up";
+}
+
+TEST(History, AnEditAfterUndoGivesUpTheRedo) {
+    History history(numbered(1));
+    history.record(numbered(2), "a");
+    history.record(numbered(3), "b");
+    history.undo();
+    history.record(numbered(4), "a"); // the same name as the current step, but after an undo
+    EXPECT_FALSE(history.canRedo());
+    EXPECT_EQ(number(history.undo()), 2);
+    EXPECT_EQ(number(history.undo()), 1);
+}
+
+TEST(History, KeepsAtMostItsLimit) {
+    History history(numbered(0), 3);
+    for (int i = 1; i <= 10; ++i)
+        history.record(numbered(static_cast<float>(i)), std::to_string(i));
+    EXPECT_EQ(number(history.undo()), 9);
+    EXPECT_EQ(number(history.undo()), 8);
+    EXPECT_EQ(number(history.undo()), 7);
+    EXPECT_FALSE(history.canUndo());
+}
+
+TEST(History, ALimitOfZeroKeepsTheCurrentSceneAlone) {
+    History history(numbered(1), 0);
+    history.record(numbered(2), "a");
+    EXPECT_EQ(number(history.current()), 2);
+    EXPECT_FALSE(history.canUndo());
+}
+
+} // namespace
+} // namespace texplorer
