@@ -2,7 +2,7 @@
 
 #include "core/scene/param_text.h"
 #include "core/scene/params.h"
-#include "core/scene/tex_coords.h"
+#include "core/scene/scene_check.h"
 
 #include <charconv>
 #include <optional>
@@ -31,19 +31,6 @@ std::string lowerFirst(std::string_view name) {
     return text;
 }
 
-std::string plural(std::size_t count, std::string_view noun) {
-    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
-std::vector<std::string_view> keysOf(const StructTable& table) {
-    std::vector<std::string_view> keys;
-    for (const ParamRow& row : table.params)
-        keys.push_back(row.key);
-    for (const ChildRow& child : table.children)
-        keys.push_back(child.key);
-    return keys;
-}
-
 std::optional<std::size_t> parseIndex(std::string_view text) {
     std::size_t index = 0;
     const char* end = text.data() + text.size();
@@ -70,7 +57,7 @@ public:
             const ChildRow* child = findChild(*place_.table, part.key);
             walked_.append(walked_.empty() ? "" : ".").append(printable(part.whole));
             if (!row && !child)
-                return refuse("no such parameter; " + suggestName(part.key, keysOf(*place_.table)));
+                return refuse("no such parameter; " + suggestName(part.key, tableKeys(*place_.table)));
             auto entered = row ? enter(*row, part) : enter(*child, part);
             if (!entered)
                 return fail(std::move(entered.error()));
@@ -120,7 +107,7 @@ private:
         if (part.index) {
             const auto parsed = parseIndex(*part.index);
             if (!parsed)
-                return refuse("expected a number in the brackets, found " + quoted(*part.index));
+                return refuse("expected a number in the brackets, found " + inQuotes(*part.index));
             if (*parsed >= child.size(place_.owner))
                 return refuse(has(child));
             index = *parsed;
@@ -128,7 +115,7 @@ private:
         place_.owner = child.at(place_.owner, index);
         place_.table = child.table;
         if (!dotted_)
-            return refuse("it has parameters of its own; " + suggestName("", keysOf(*child.table)));
+            return refuse("it has parameters of its own; " + suggestName("", tableKeys(*child.table)));
         return {};
     }
 
@@ -151,7 +138,7 @@ private:
 TexCoords filledTexCoords(const Place& place) {
     const Model& model = *static_cast<const Model*>(place.owner);
     TexCoords list = std::get<TexCoords>(place.row->read(place.owner));
-    if (list.size() == vertexCount(model.shape, model.slices, model.stacks))
+    if (!list.empty() && checkTexCoordCount(model, list))
         return list;
     const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
     list.resize(mesh.vertices.size());
@@ -159,26 +146,12 @@ TexCoords filledTexCoords(const Place& place) {
     return list;
 }
 
-/// What no row can know alone: that a list fits its mesh, that a unit finds its texture.
 Result<void> checkInScene(const Scene& scene, const Place& place) {
-    if (place.row->kind == Kind::TexCoordList) {
-        const Model& model = *static_cast<const Model*>(place.owner);
-        const std::size_t count = vertexCount(model.shape, model.slices, model.stacks);
-        const std::size_t found = std::get<TexCoords>(place.row->read(place.owner)).size();
-        if (found != 0 && found != count)
-            return fail(ErrorCode::OutOfRange, "expected " + std::to_string(count) +
-                                                   " coordinates, one for each vertex of the " +
-                                                   std::string(rowOf(model.shape).name) +
-                                                   ", or none; found " + std::to_string(found));
-    }
-    if (place.table == &unitTable()) {
-        const Unit& unit = *static_cast<const Unit*>(place.owner);
-        if (unit.enabled && static_cast<std::size_t>(unit.texture) >= scene.textures.size())
-            return fail(ErrorCode::OutOfRange,
-                        "an enabled unit needs a texture that exists: it asks for number " +
-                            std::to_string(unit.texture) + ", the scene has " +
-                            plural(scene.textures.size(), "texture"));
-    }
+    if (place.row->kind == Kind::TexCoordList)
+        return checkTexCoordCount(*static_cast<const Model*>(place.owner),
+                                  std::get<TexCoords>(place.row->read(place.owner)));
+    if (place.table == &unitTable())
+        return checkUnitTexture(scene, *static_cast<const Unit*>(place.owner));
     return {};
 }
 

@@ -78,7 +78,7 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
     return '"' + printable(text) + '"';
 }
 
@@ -99,7 +99,7 @@ std::string_view nearestName(std::string_view text, const std::vector<std::strin
 
 std::string suggestName(std::string_view text, const std::vector<std::string_view>& names) {
     if (const std::string_view near = nearestName(text, names); !near.empty())
-        return "did you mean " + quoted(near) + "?";
+        return "did you mean " + inQuotes(near) + "?";
     std::string all;
     for (const std::string_view name : names)
         all.append(all.empty() ? "" : ", ").append(name);

@@ -13,7 +13,7 @@ namespace texplorer {
 [[nodiscard]] std::string formatNumber(float number);
 
 /// The text in double quotes, at most about 40 bytes of it, without control characters.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string inQuotes(std::string_view text);
 
 /// The same without the quotes, for a name inside a path.
 [[nodiscard]] std::string printable(std::string_view text);

@@ -190,7 +190,7 @@ Result<glm::vec4> parseTexCoord(std::string_view text) {
     if (const auto coord = parseVector(text, 2, 4, {0, 0, 0, 1}))
         return *coord;
     return fail(ErrorCode::OutOfRange,
-                "expected 2 to 4 finite numbers separated by commas, found " + quoted(text));
+                "expected 2 to 4 finite numbers separated by commas, found " + inQuotes(text));
 }
 
 std::string describeAccepted(const ParamRow& row) {
@@ -278,15 +278,16 @@ std::string formatValue(const ParamRow& row, const Value& value) {
 }
 
 Result<Value> parseValue(const ParamRow& row, std::string_view text) {
-    const auto value = readValue(row, row.kind == Kind::Text ? text : trim(text));
+    const bool exact = row.kind == Kind::Text || row.kind == Kind::Enum;
+    const auto value = readValue(row, exact ? text : trim(text));
     if (!value) {
-        std::string found = quoted(text);
+        std::string found = inQuotes(text);
         if (row.kind == Kind::Enum) {
             std::vector<std::string_view> names;
             for (const EnumRow& choice : row.choices)
                 names.push_back(choice.name);
-            if (const auto near = nearestName(trim(text), names); !near.empty())
-                found += "; did you mean " + quoted(near) + "?";
+            if (const auto near = nearestName(text, names); !near.empty())
+                found += "; did you mean " + inQuotes(near) + "?";
         }
         return fail(refuse(row, found).error());
     }

@@ -28,4 +28,13 @@ const ChildRow* findChild(const StructTable& table, std::string_view key) {
     return found == table.children.end() ? nullptr : &*found;
 }
 
+std::vector<std::string_view> tableKeys(const StructTable& table) {
+    std::vector<std::string_view> keys;
+    for (const ParamRow& row : table.params)
+        keys.push_back(row.key);
+    for (const ChildRow& child : table.children)
+        keys.push_back(child.key);
+    return keys;
+}
+
 } // namespace texplorer

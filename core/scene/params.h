@@ -88,6 +88,7 @@ inline constexpr std::size_t maxTextBytes = 4096;
 /// The row with this key, or nullptr.
 [[nodiscard]] const ParamRow* findParam(const StructTable& table, std::string_view key);
 [[nodiscard]] const ChildRow* findChild(const StructTable& table, std::string_view key);
+[[nodiscard]] std::vector<std::string_view> tableKeys(const StructTable& table);
 
 /// What a row accepts, as the rest of a sentence: "a number from 1 to 16", "one of GL_NEAREST, GL_LINEAR".
 [[nodiscard]] std::string describeAccepted(const ParamRow& row);
