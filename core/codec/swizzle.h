@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+
+namespace texplorer {
+
+/// Copies `count` pixels of three bytes with the first and third exchanged: blue-green-red to red-green-blue.
+/// The areas must not overlap. Takes SSSE3's byte shuffle where the processor has it.
+void swapRedBlue(const std::byte* from, std::byte* to, std::size_t count);
+
+/// The same one byte after the other: what the tests compare with.
+void swapRedBlueScalar(const std::byte* from, std::byte* to, std::size_t count);
+
+} // namespace texplorer
