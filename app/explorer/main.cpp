@@ -1,0 +1,54 @@
+// texplorer: the window.
+
+#include "app/explorer/loop.h"
+#include "app/explorer/window.h"
+#include "app/ui/document.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace {
+
+using namespace texplorer;
+
+constexpr int failure = 1;
+constexpr int wrongCall = 2;
+constexpr render::Size startSize{1280, 800}; // at a content scale of 1
+
+int complain(const std::string& sentence) {
+    std::fprintf(stderr, "texplorer: %s\n", sentence.c_str());
+    return failure;
+}
+
+int run(const std::vector<std::string>& files) {
+    ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
+    if (const Result<void> opened = ui::openArguments(session, {files.begin(), files.end()}); !opened)
+        return complain(describe(opened.error()));
+    Result<explorer::Window> window = explorer::Window::open(startSize, ui::windowTitle(session));
+    if (!window)
+        return complain(
+            describe(window.error()) +
+            ". Without a display, texshot draws the same window: texshot shot --ui -o window.png");
+    if (const Result<void> ended = explorer::runLoop(*window, session); !ended)
+        return complain(describe(ended.error()));
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Explore what each texture parameter of OpenGL does, on a live cube and sphere.",
+                 "texplorer");
+    app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
+    std::vector<std::string> files;
+    app.add_option(
+        "FILE", files,
+        "Scene files (JSON) and images. Images become textures of the scene, the first one is shown.");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : wrongCall;
+    }
+    return run(files);
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/render/texture_object.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+
+#include <memory>
+#include <string>
+
+namespace texplorer::render {
+
+/// A texture's base level as a picture in a panel: its internal format as in the scene, nearest filtering, edges
+/// clamped. Belongs to the context that is current, on its thread, and must be destroyed before that.
+class TexturePreview {
+public:
+    /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
+    /// refused it. Uploads only what changed. Of a volume it shows the first slice.
+    [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images);
+
+private:
+    std::shared_ptr<const Image> image_; // held, so that no other image can come to have this address
+    BaseFormat format_{};
+    TextureObject object_;
+};
+
+} // namespace texplorer::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// A line of the command view.
+struct Command {
+    enum class Kind { Heading, Call };
+    Kind kind = Kind::Call;
+    std::string text;
+    std::string path;     ///< the parameter that the call sets
+    bool changed = false; ///< its value isn't GL's initial one
+};
+
+/// The GL calls that make the state of a scene, in table order, with their values. Units that are off are
+/// left out.
+[[nodiscard]] std::vector<Command> commandsOf(const Scene& scene);
+
+/// Breaks a call into lines of at most `columns` characters: after a comma or a bracket, continued with four
+/// spaces.
+[[nodiscard]] std::vector<std::string> wrapCall(const std::string& call, std::size_t columns);
+
+} // namespace texplorer::ui

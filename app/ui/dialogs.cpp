@@ -1,0 +1,262 @@
+#include "app/ui/document.h"
+#include "app/ui/keys.h"
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/theme.h"
+#include "core/codec/registry.h"
+
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+struct Line {
+    const char* keys;
+    const char* effect;
+};
+
+constexpr std::array mouseLines{
+    Line{"Drag", "orbit the camera"},
+    Line{"Shift + drag, right drag", "move it sideways"},
+    Line{"Wheel", "go nearer or farther"},
+    Line{"Click", "pick the nearest vertex"},
+    Line{"Double click", "frame all models"},
+    Line{"Right click on a value", "reset it to GL's initial value"},
+    Line{"Ctrl + click on a number", "type it"},
+};
+
+constexpr std::array keyLines{
+    Line{"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (Ctrl+Y too)"},
+    Line{"Ctrl+O, Ctrl+I", "open a scene, open an image"},
+    Line{"Ctrl+S, Ctrl+Shift+S", "save, save as"},
+    Line{"Space", "play or pause"},
+    Line{"F", "frame all models"},
+    Line{"Home", "reset the camera"},
+    Line{"Ctrl+Q", "quit"},
+};
+
+std::vector<std::string> imageExtensions() {
+    std::vector<std::string> extensions;
+    for (const CodecRow& row : codecRows())
+        extensions.emplace_back(row.extension);
+    return extensions;
+}
+
+void browse(Session& session, Dialog dialog, const char* title, std::vector<std::string> extensions,
+            bool saving) {
+    session.dialog = dialog;
+    beginBrowsing(session.browser, title, std::move(extensions), saving, session.file);
+}
+
+void finishPending(Session& session) {
+    const Pending pending = session.pending;
+    session.pending = Pending::None;
+    switch (pending) {
+    case Pending::None:
+        break;
+    case Pending::NewScene:
+        newScene(session);
+        break;
+    case Pending::OpenScene:
+        browse(session, Dialog::OpenScene, "Open a scene", {".json"}, false);
+        break;
+    case Pending::OpenFile:
+        report(session, openFile(session, session.pendingFile));
+        break;
+    case Pending::Quit:
+        session.quitConfirmed = true;
+        break;
+    }
+}
+
+void askAboutChanges(Session& session, Pending next) {
+    session.pending = next;
+    if (isDirty(session))
+        session.dialog = Dialog::Discard;
+    else
+        finishPending(session);
+}
+
+/// A modal in the middle of the window, as large as its content. To be closed with ImGui::EndPopup() where
+/// true.
+bool beginModal(const char* title) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    if (!ImGui::IsPopupOpen(title))
+        ImGui::OpenPopup(title);
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x * 0.96F, display.y * 0.94F});
+    return ImGui::BeginPopupModal(title, nullptr,
+                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings);
+}
+
+void drawDiscard(Session& session) {
+    if (!beginModal("Unsaved changes"))
+        return;
+    const std::string name = session.file.empty() ? "This scene" : session.file.filename().string();
+    ImGui::TextUnformatted((name + " has changes that are not saved.").c_str());
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
+    const ImVec2 size(ImGui::GetFontSize() * 7.5F, 0);
+    const bool keep = ImGui::Button("Save", size) || ImGui::IsKeyPressed(key::enter, false);
+    noteItem(session, "discard:save");
+    ImGui::SameLine();
+    const bool drop = ImGui::Button("Don't save", size);
+    noteItem(session, "discard:drop");
+    ImGui::SameLine();
+    const bool stay = ImGui::Button("Cancel", size) || ImGui::IsKeyPressed(key::escape, false);
+    noteItem(session, "discard:cancel");
+    if (keep || drop || stay) {
+        ImGui::CloseCurrentPopup();
+        session.dialog = Dialog::None;
+    }
+    ImGui::EndPopup();
+    if (stay)
+        session.pending = Pending::None;
+    else if (drop)
+        finishPending(session);
+    else if (keep)
+        save(session);
+}
+
+void lines(const char* id, std::span<const Line> rows) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings))
+        return;
+    for (const Line& line : rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(line.keys);
+        ImGui::TableNextColumn();
+        ImGui::Dummy({ImGui::GetFontSize(), 0});
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", line.effect);
+    }
+    ImGui::EndTable();
+}
+
+void drawHelp(Session& session) {
+    if (!beginModal("Texplorer"))
+        return;
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
+    ImGui::TextUnformatted(
+        "See what each texture parameter of OpenGL does: change it on the left, look at the middle, "
+        "find the texture coordinates on the right. Every control says its GL call when the mouse "
+        "rests on it.");
+    ImGui::PopTextWrapPos();
+    caption("Mouse");
+    lines("mouse", mouseLines);
+    caption("Keys");
+    lines("keys", keyLines);
+    caption("Colours");
+    constexpr std::array names{"s, x", "t, y", "r, z", "q, w"};
+    for (int i = 0; i < 4; ++i) {
+        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(i));
+        ImGui::Text("● %s", names[static_cast<std::size_t>(i)]);
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
+    ImGui::TextUnformatted("● chosen vertex");
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+    ImGui::TextUnformatted("● changed from the initial value");
+    ImGui::PopStyleColor();
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.4F});
+    if (ImGui::Button("Close", {ImGui::GetFontSize() * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
+        ImGui::IsKeyPressed(key::enter, false)) {
+        session.dialog = Dialog::None;
+        ImGui::CloseCurrentPopup();
+    }
+    noteItem(session, "help:close");
+    ImGui::EndPopup();
+}
+
+void drawBrowserDialog(Session& session) {
+    std::filesystem::path chosen;
+    const Dialog dialog = session.dialog;
+    const Browsing browsing = drawFileBrowser(session, chosen);
+    if (browsing == Browsing::Open)
+        return;
+    session.dialog = Dialog::None;
+    if (browsing == Browsing::Cancelled) {
+        session.pending = Pending::None;
+        return;
+    }
+    const Result<void> result = dialog == Dialog::OpenScene   ? openScene(session, chosen)
+                                : dialog == Dialog::OpenImage ? importImage(session, chosen)
+                                                              : saveScene(session, chosen);
+    if (!result) { // back to the list, which says what was wrong
+        session.dialog = dialog;
+        session.browser.error = result.error().message;
+        session.browser.focusName = true;
+        return;
+    }
+    session.notice.clear();
+    if (dialog == Dialog::SaveScene)
+        finishPending(session);
+}
+
+} // namespace
+
+void askOpenScene(Session& session) {
+    askAboutChanges(session, Pending::OpenScene);
+}
+
+void askOpenImage(Session& session) {
+    browse(session, Dialog::OpenImage, "Open an image", imageExtensions(), false);
+}
+
+void askNewScene(Session& session) {
+    askAboutChanges(session, Pending::NewScene);
+}
+
+void askSaveAs(Session& session) {
+    browse(session, Dialog::SaveScene, "Save the scene", {".json"}, true);
+}
+
+void save(Session& session) {
+    if (session.file.empty())
+        return askSaveAs(session);
+    const Result<void> saved = saveScene(session, session.file);
+    report(session, saved);
+    if (saved) {
+        session.notice.clear();
+        finishPending(session);
+    } else {
+        session.pending = Pending::None;
+    }
+}
+
+void requestQuit(Session& session) {
+    askAboutChanges(session, Pending::Quit);
+}
+
+void requestOpen(Session& session, const std::filesystem::path& path) {
+    const Result<bool> image = holdsImage(path);
+    if (!image)
+        return report(session, tl::unexpected(image.error()));
+    session.pendingFile = path;
+    if (*image)
+        return report(session, importImage(session, path));
+    askAboutChanges(session, Pending::OpenFile);
+}
+
+void drawDialogs(Session& session) {
+    switch (session.dialog) {
+    case Dialog::None:
+        break;
+    case Dialog::OpenScene:
+    case Dialog::OpenImage:
+    case Dialog::SaveScene:
+        drawBrowserDialog(session);
+        break;
+    case Dialog::Discard:
+        drawDiscard(session);
+        break;
+    case Dialog::Help:
+        drawHelp(session);
+        break;
+    }
+}
+
+} // namespace texplorer::ui

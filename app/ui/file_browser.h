@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+
+struct Session;
+
+/// A list of a folder's entries in which one chooses a file, or names one to be written.
+struct FileBrowser {
+    struct Entry {
+        std::string name;
+        bool isFolder = false;
+        std::uintmax_t bytes = 0;
+    };
+
+    std::string title;
+    std::vector<std::string> extensions; ///< lower case, with the dot; others are hidden. Empty: everything
+    bool saving = false;
+    bool showAll = false; ///< whether files with other extensions are listed too
+
+    std::filesystem::path folder;
+    std::vector<Entry> entries;
+    std::string typed;         ///< the name or path in the text field
+    int marked = -1;           ///< index into entries
+    std::string error;         ///< why the folder or the file can't be had; empty: nothing wrong
+    bool mayOverwrite = false; ///< asks once more before an existing file is replaced
+    bool focusName = false;    ///< the text field takes the keyboard at the next frame
+    bool scrollToMarked = false;
+};
+
+/// Reads a folder: folders first, then files, by name. On failure the browser stays where it was and says
+/// why.
+void enterFolder(FileBrowser& browser, const std::filesystem::path& folder);
+
+/// Prepares the browser for a dialog; the folder is kept from the last time, else that of `startFile`.
+void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
+                   const std::filesystem::path& startFile);
+
+enum class Browsing { Open, Chosen, Cancelled };
+
+/// Draws the browser as a modal window. `chosen` is set with Browsing::Chosen.
+[[nodiscard]] Browsing drawFileBrowser(Session& session, std::filesystem::path& chosen);
+
+} // namespace texplorer::ui

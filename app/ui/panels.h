@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/ui/workbench.h"
+
+namespace texplorer::ui {
+
+// The parts of the window, one file each. All are called between ImGui::NewFrame and ImGui::Render.
+
+void drawMenuBar(Session& session, const Layout& layout);
+void drawPlaybackControls(Session& session);
+void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout);
+void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);
+void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Layout& layout);
+void drawDetailsPanel(Session& session, const Layout& layout); ///< the tabs Vertices and Commands
+void drawVerticesTab(Session& session);
+void drawCommandsTab(Session& session);
+void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
+                   const Layout& layout);
+void drawDialogs(Session& session);
+void handleShortcuts(Session& session, const Layout& layout);
+
+/// A window that fills a rectangle and can't be moved. To be closed with ImGui::End().
+void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0);
+
+// What menus, keys and buttons share.
+void askOpenScene(Session& session);
+void askOpenImage(Session& session);
+void askNewScene(Session& session);
+void save(Session& session);
+void askSaveAs(Session& session);
+
+/// The camera as it was at the start, fitted to the view.
+void resetCamera(Session& session, const Layout& layout);
+void frameAll(Session& session, const Layout& layout);
+
+} // namespace texplorer::ui

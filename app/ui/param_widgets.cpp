@@ -1,0 +1,370 @@
+#include "app/ui/param_widgets.h"
+
+#include "app/ui/theme.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float labelShare = 0.44F; ///< of a line's width
+constexpr float tipWidth = 26;      ///< in letters' heights
+
+/// Wide controls get a line of their own below the label.
+bool isWide(Kind kind) {
+    return kind == Kind::Vec3 || kind == Kind::Vec4;
+}
+
+void text(std::string_view words) {
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+void dimText(std::string_view words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    text(words);
+    ImGui::PopStyleColor();
+}
+
+float textWidth(std::string_view words) {
+    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+}
+
+void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
+    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    if (const std::string call = formatCall(row, value); !call.empty()) {
+        ImGui::PushFont(codeFont());
+        text(call);
+        ImGui::PopFont();
+    }
+    text(row.help);
+    if (row.kind == Kind::Enum) {
+        if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
+            dimText(std::string(choice->label) + ": " + std::string(choice->help));
+            if (!choice->since.empty())
+                dimText(std::string(choice->name) + ", since OpenGL " + std::string(choice->since));
+        }
+    }
+    if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
+        dimText("Drag it, or hold Ctrl and click to type a number.");
+    if (value != initial) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+        text("Initially " + formatValue(row, initial) + "; a right click resets it.");
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void choiceTip(const EnumRow& choice) {
+    if (!ImGui::IsItemHovered())
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    text(choice.help);
+    if (!choice.since.empty())
+        dimText("Since OpenGL " + std::string(choice.since));
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool enumWidget(Session& session, const ParamRow& row, EnumValue& value, const std::string& path) {
+    const EnumRow* current = findRow(row.choices, value.number);
+    const std::string preview(current ? current->label : "?");
+    bool changed = false;
+    if (ImGui::BeginCombo("##value", preview.c_str(), ImGuiComboFlags_HeightLarge)) {
+        float names = 0;
+        for (const EnumRow& choice : row.choices)
+            names = std::max(names, textWidth(choice.label));
+        for (const EnumRow& choice : row.choices) {
+            const std::string label = std::string(choice.label) + "##" + std::string(choice.name);
+            const bool isCurrent = choice.value == value.number;
+            if (ImGui::Selectable(label.c_str(), isCurrent)) {
+                changed = !isCurrent;
+                value.number = choice.value;
+            }
+            noteItem(session, path + "=" + std::string(choice.name));
+            choiceTip(choice);
+            if (isCurrent)
+                ImGui::SetItemDefaultFocus();
+            if (choice.name.starts_with("GL_")) {
+                ImGui::SameLine(names + ImGui::GetFontSize() * 2);
+                ImGui::PushFont(codeFont());
+                dimText(choice.name);
+                ImGui::PopFont();
+            }
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
+
+bool colorWidget(glm::vec4& value) {
+    constexpr ImGuiColorEditFlags look =
+        ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_Float;
+    const ImVec4 shown(value.x, value.y, value.z, value.w);
+    const ImVec2 size(ImGui::CalcItemWidth(), ImGui::GetFrameHeight());
+    if (ImGui::ColorButton("##value", shown, look | ImGuiColorEditFlags_NoTooltip, size))
+        ImGui::OpenPopup("picker");
+    return false;
+}
+
+/// The popup of colorWidget; apart from it, so that the swatch stays the "last item" of the line.
+bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
+    bool changed = false;
+    if (ImGui::BeginPopup("picker")) {
+        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 15);
+        changed = ImGui::ColorPicker4("##picker", &value.x,
+                                      ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf |
+                                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSidePreview |
+                                          ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
+        noteItem(session, path + "#picker");
+        sealAfterItem(session);
+        ImGui::EndPopup();
+    }
+    return changed;
+}
+
+std::string numberFormat(const Range& range) {
+    const int decimals = range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
+    std::string format = "%." + std::to_string(decimals) + "f";
+    if (range.unit == "deg")
+        return format + "°";
+    if (range.unit == "deg/s")
+        return format + "°/s";
+    if (range.unit.empty())
+        return format;
+    return format + (range.unit.starts_with('/') ? "" : " ") + std::string(range.unit);
+}
+
+template<class Vector>
+bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const std::string& path) {
+    constexpr int count = Vector::length();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::floor((ImGui::CalcItemWidth() - gap * (count - 1)) / count);
+    bool changed = false;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0)
+            ImGui::SameLine(0, gap);
+        ImGui::PushID(i);
+        ImGui::SetNextItemWidth(width);
+        changed |= dragNumber("##component", value[i], row.range, i);
+        noteItem(session, path + "[" + std::to_string(i) + "]");
+        sealAfterItem(session);
+        ImGui::PopID();
+    }
+    return changed;
+}
+
+/// Draws the control; true where `value` changed.
+bool control(Session& session, const ParamRow& row, Value& value, const std::string& path) {
+    switch (row.kind) {
+    case Kind::Bool:
+        return ImGui::Checkbox("##value", &std::get<bool>(value));
+    case Kind::Int: {
+        int& number = std::get<int>(value);
+        const bool changed =
+            ImGui::DragInt("##value", &number, row.range.step, static_cast<int>(row.range.min),
+                           static_cast<int>(row.range.max), "%d", ImGuiSliderFlags_AlwaysClamp);
+        if (ImGui::IsItemHovered())
+            ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        return changed;
+    }
+    case Kind::Float:
+        return dragNumber("##value", std::get<float>(value), row.range, -1);
+    case Kind::Vec3:
+        return vectorWidget(session, row, std::get<glm::vec3>(value), path);
+    case Kind::Vec4:
+        return vectorWidget(session, row, std::get<glm::vec4>(value), path);
+    case Kind::Color:
+        return colorWidget(std::get<glm::vec4>(value));
+    case Kind::Enum:
+        return enumWidget(session, row, std::get<EnumValue>(value), path);
+    case Kind::Text:
+        return ImGui::InputText("##value", &std::get<std::string>(value),
+                                ImGuiInputTextFlags_EnterReturnsTrue);
+    case Kind::TexCoordList:
+        return false; // the vertex list and the texture space edit these
+    }
+    return false;
+}
+
+bool isContinuous(Kind kind) {
+    return kind == Kind::Int || kind == Kind::Float || kind == Kind::Vec3 || kind == Kind::Vec4 ||
+           kind == Kind::Color;
+}
+
+bool assign(Session& session, const Owner& owner, const ParamRow& row, const Value& value,
+            const std::string& path) {
+    if (value == row.read(owner.values))
+        return false;
+    if (const Result<void> fits = checkValue(row, value); !fits) {
+        session.notice = std::string(row.label) + ": " + fits.error().message;
+        return false;
+    }
+    if (owner.accepts && !owner.accepts(row, value))
+        return false;
+    row.write(owner.values, value);
+    recordEdit(session, row.label, path);
+    if (!isContinuous(row.kind))
+        sealEdit(session);
+    return true;
+}
+
+} // namespace
+
+void sealAfterItem(Session& session) {
+    if (ImGui::IsItemDeactivated())
+        sealEdit(session);
+}
+
+void noteItem(Session& session, std::string_view name) {
+    if (!session.probe)
+        return;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    session.probe->items[std::string(name)] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
+}
+
+void helpTip(std::string_view words) {
+    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    text(words);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void caption(std::string_view words) {
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.15F});
+    dimText(words);
+}
+
+bool dragNumber(const char* id, float& value, const Range& range, int component) {
+    const std::string format =
+        component >= 0 ? numberFormat({range.min, range.max, range.step, {}}) : numberFormat(range);
+    const bool changed = ImGui::DragFloat(id, &value, range.step, range.min, range.max, format.c_str(),
+                                          ImGuiSliderFlags_AlwaysClamp);
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float em = ImGui::GetFontSize();
+    if (component >= 0)
+        draw.AddRectFilled(low, {low.x + em * 0.2F, high.y}, componentColor(component),
+                           ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
+    if (!ImGui::GetIO().WantTextInput &&
+        high.x - low.x > em * 6) { // arrows on both sides: this can be dragged
+        const ImU32 tint = hot ? color::text : IM_COL32(142, 150, 162, 110);
+        const float y = (low.y + high.y) / 2;
+        const float size = em * 0.2F;
+        const float left = low.x + em * 0.7F;
+        const float right = high.x - em * 0.7F;
+        draw.AddTriangleFilled({left - size, y}, {left, y - size}, {left, y + size}, tint);
+        draw.AddTriangleFilled({right + size, y}, {right, y + size}, {right, y - size}, tint);
+    }
+    return changed;
+}
+
+bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
+    if (row.kind == Kind::TexCoordList)
+        return false;
+    const std::string path = owner.pathOf(row);
+    Value value = row.read(owner.values);
+    const Value initial = row.read(owner.initial);
+    const bool changed = value != initial;
+
+    ImGui::PushID(path.c_str());
+    const float em = ImGui::GetFontSize();
+    const float left = ImGui::GetCursorPosX();
+    const float full = ImGui::GetContentRegionAvail().x;
+    const float resetWidth = em * 1.3F;
+    const float labelWidth = std::floor(full * labelShare);
+    const bool ownLine = isWide(row.kind) || textWidth(row.label) > labelWidth - em * 0.4F;
+
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    if (changed)
+        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+    text(row.label);
+    if (changed)
+        ImGui::PopStyleColor();
+    paramTip(row, value, initial);
+    bool reset = changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    float controlWidth = full - resetWidth;
+    if (!ownLine) {
+        ImGui::SameLine(left + labelWidth);
+        controlWidth -= labelWidth;
+    }
+    ImGui::SetNextItemWidth(controlWidth);
+    bool edited = control(session, row, value, path);
+    if (!isWide(row.kind)) {
+        noteItem(session, path);
+        sealAfterItem(session);
+    }
+    paramTip(row, value, initial);
+    reset |= changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    if (row.kind == Kind::Color)
+        edited |= colorPopup(session, std::get<glm::vec4>(value), path);
+    if (changed) {
+        ImGui::SameLine(left + full - em);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
+        ImGui::PushStyleColor(ImGuiCol_Button, 0);
+        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+        reset |= ImGui::Button("↺", {em, 0});
+        noteItem(session, path + "#reset");
+        ImGui::PopStyleColor(2);
+        ImGui::PopStyleVar();
+        helpTip("Back to " + formatValue(row, initial));
+    }
+    ImGui::EndGroup();
+    ImGui::PopID();
+
+    if (reset) {
+        sealEdit(session);
+        edited = assign(session, owner, row, initial, path);
+        sealEdit(session);
+        return edited;
+    }
+    return edited && assign(session, owner, row, value, path);
+}
+
+bool isRelevant(const Owner& owner, const ParamRow& row) {
+    if (row.kind == Kind::TexCoordList)
+        return false;
+    if (row.key == "pattern")
+        return static_cast<const Texture*>(owner.values)->source == SourceKind::Pattern;
+    if (row.key == "file")
+        return static_cast<const Texture*>(owner.values)->source == SourceKind::File;
+    if (row.key == "slices" || row.key == "stacks")
+        return static_cast<const Model*>(owner.values)->shape == Shape::Sphere;
+    if (row.key == "angle" || row.key == "angleRate")
+        return static_cast<const MatrixStep*>(owner.values)->op == MatrixOp::Rotate;
+    return true;
+}
+
+void paramRows(Session& session, const Owner& owner, const StructTable& table) {
+    std::string_view group;
+    bool groupsDiffer = false;
+    for (const ParamRow& row : table.params)
+        groupsDiffer |= row.group != table.params.front().group;
+    for (const ParamRow& row : table.params) {
+        if (!isRelevant(owner, row))
+            continue;
+        if (groupsDiffer && row.group != group)
+            caption(row.group);
+        group = row.group;
+        paramWidget(session, owner, row);
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,307 @@
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/theme.h"
+
+#include <algorithm>
+#include <cfloat>
+
+namespace texplorer::ui {
+namespace {
+
+std::string indexed(std::string_view list, int index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+std::string unitPath(const Session& session) {
+    return indexed("passes", session.selection.pass) + "." + indexed("units", session.selection.unit);
+}
+
+std::string textureName(const Session& session, int index) {
+    const Texture& texture = session.scene.textures[static_cast<std::size_t>(index)];
+    const std::string what = texture.source == SourceKind::Pattern
+                                 ? std::string(rowOf(texture.pattern).label)
+                                 : std::filesystem::path(texture.file).filename().string();
+    return std::to_string(index) + "  " + what;
+}
+
+bool section(Session& session, const char* title, bool open) {
+    const bool shown = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    noteItem(session, std::string("section:") + title);
+    return shown;
+}
+
+bool smallButton(Session& session, const char* label, std::string_view name, std::string_view help,
+                 bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, {ImGui::GetFrameHeight(), 0});
+    noteItem(session, name);
+    ImGui::EndDisabled();
+    helpTip(help);
+    return pressed && enabled;
+}
+
+void addTexture(Session& session) {
+    Texture texture;
+    texture.pattern = Pattern::UvTemplate;
+    texture.mipmaps = MipPolicy::Generated;
+    session.scene.textures.push_back(texture);
+    selectedUnit(session).texture = static_cast<int>(session.scene.textures.size()) - 1;
+    sealEdit(session);
+    recordEdit(session, "Add texture");
+}
+
+/// Units that were bound to later textures go on showing the same ones.
+void removeTexture(Session& session, int index) {
+    Scene& scene = session.scene;
+    scene.textures.erase(scene.textures.begin() + index);
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units) {
+            if (unit.texture > index || (unit.texture == index && index > 0))
+                --unit.texture;
+        }
+    }
+    sealEdit(session);
+    recordEdit(session, "Remove texture");
+}
+
+/// Which texture is bound: choosing one here is glBindTexture, it is then both used by the unit and edited
+/// below.
+void textureChoice(Session& session) {
+    Unit& unit = selectedUnit(session);
+    const ParamRow* row = findParam(unitTable(), "texture");
+    const bool bound = boundTexture(session) != nullptr;
+    const std::string current = bound ? textureName(session, unit.texture) : "none";
+    const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button);
+    if (ImGui::BeginCombo("##bound", current.c_str())) {
+        for (int i = 0; i < static_cast<int>(session.scene.textures.size()); ++i) {
+            const std::string name = textureName(session, i);
+            if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
+                unit.texture = i;
+                sealEdit(session);
+                recordEdit(session, row ? row->label : "Texture", unitPath(session) + ".texture");
+                sealEdit(session);
+            }
+            noteItem(session, "bind:" + std::to_string(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem(session, "texture choice");
+    if (row)
+        helpTip(formatCall(*row, Value(unit.texture)) + "\n" + std::string(row->help));
+    const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
+    ImGui::SameLine(0, gap);
+    if (smallButton(session, "+", "add texture", "Add a texture and bind it to this unit",
+                    session.scene.textures.size() < maxTextures))
+        addTexture(session);
+    ImGui::SameLine(0, gap);
+    if (smallButton(session, "−", "remove texture", "Remove this texture", bound))
+        removeTexture(session, unit.texture);
+}
+
+bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, const Value& value) {
+    if (row.key == "source" &&
+        std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File) &&
+        texture.file.empty()) {
+        askOpenImage(session); // there is no file yet: ask for one
+        return false;
+    }
+    if (row.key != "file")
+        return true;
+    Scene probe;
+    probe.textures = {texture};
+    probe.textures.front().file = std::get<std::string>(value);
+    const Result<void> loaded = session.images.load(probe);
+    if (!loaded)
+        session.notice = describe(loaded.error());
+    return loaded.has_value();
+}
+
+void textureSection(Session& session, const render::Capabilities& capabilities) {
+    textureChoice(session);
+    Texture* texture = boundTexture(session);
+    if (!texture) {
+        ImGui::TextWrapped("No texture is bound to this unit. Add one with +.");
+        return;
+    }
+    static const Texture initial;
+    const Owner owner{texture, &initial, indexed("textures", selectedUnit(session).texture),
+                      [&](const ParamRow& row, const Value& value) {
+                          return acceptsTexture(session, *texture, row, value);
+                      }};
+    paramRows(session, owner, textureTable());
+    if (texture->maxAnisotropy > capabilities.maxAnisotropy) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextWrapped("This driver's largest anisotropy is %g.", double{capabilities.maxAnisotropy});
+        ImGui::PopStyleColor();
+    }
+}
+
+/// Buttons 0 to 3; a dot marks the units that are on.
+void unitChoice(Session& session) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Texture unit");
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (int i = 0; i < maxUnits; ++i) {
+        ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
+        const bool chosen = i == session.selection.unit;
+        const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
+        if (chosen)
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+        const std::string label = std::to_string(i) + "##unit";
+        if (ImGui::Button(label.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
+            session.selection.unit = i;
+        noteItem(session, "unit:" + std::to_string(i));
+        if (chosen)
+            ImGui::PopStyleColor();
+        if (on) {
+            const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y);
+            const float radius = ImGui::GetFontSize() * 0.16F;
+            ImGui::GetWindowDrawList()->AddCircleFilled({corner.x - 2.2F * radius, corner.y + 2.2F * radius},
+                                                        radius, color::t);
+        }
+        helpTip(on ? "This unit is on." : "This unit is off.");
+    }
+}
+
+void unitSection(Session& session) {
+    static const Unit initial;
+    const Owner owner{&selectedUnit(session), &initial, unitPath(session)};
+    std::string_view group;
+    for (const ParamRow& row : unitTable().params) {
+        if (row.key == "texture") // chosen by its name, in the section of the texture
+            continue;
+        if (!group.empty() && row.group != group)
+            caption(row.group);
+        group = row.group;
+        paramWidget(session, owner, row);
+    }
+}
+
+void moveStep(Session& session, std::vector<MatrixStep>& steps, std::size_t from, std::size_t to) {
+    std::swap(steps[from], steps[to]);
+    sealEdit(session);
+    recordEdit(session, "Reorder matrix steps");
+    sealEdit(session);
+}
+
+void matrixSection(Session& session) {
+    std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
+    static const MatrixStep initial;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    if (steps.empty())
+        ImGui::TextWrapped(
+            "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string path = unitPath(session) + "." + indexed("matrix", static_cast<int>(i));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
+        const float button = ImGui::GetFrameHeight();
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - 3 * button - 2 * gap);
+        if (smallButton(session, "↑", path + "#up", "Multiply this step earlier", i > 0))
+            moveStep(session, steps, i, i - 1);
+        ImGui::SameLine(0, gap);
+        if (smallButton(session, "↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
+            moveStep(session, steps, i, i + 1);
+        ImGui::SameLine(0, gap);
+        if (smallButton(session, "✕", path + "#remove", "Remove this step", true)) {
+            steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
+            sealEdit(session);
+            recordEdit(session, "Remove matrix step");
+            sealEdit(session);
+            ImGui::PopID();
+            break; // the rest is drawn at the next frame
+        }
+        const Owner owner{&steps[i], &initial, path};
+        for (const ParamRow& row : matrixStepTable().params) {
+            if (isRelevant(owner, row))
+                paramWidget(session, owner, row);
+        }
+        ImGui::Separator();
+        ImGui::PopID();
+    }
+    ImGui::BeginDisabled(steps.size() >= maxMatrixSteps);
+    const float width =
+        (ImGui::GetContentRegionAvail().x - 2 * gap) / static_cast<float>(matrixOpRows.size());
+    for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
+        const EnumRow& op = matrixOpRows[i];
+        if (i > 0)
+            ImGui::SameLine(0, gap);
+        const std::string label = "+ " + std::string(op.label);
+        if (ImGui::Button(label.c_str(), {width, 0})) {
+            MatrixStep step;
+            step.op = static_cast<MatrixOp>(op.value);
+            if (step.op == MatrixOp::Scale)
+                step.amount = glm::vec3(1);
+            if (step.op == MatrixOp::Rotate)
+                step.amount = {0, 0, 1};
+            steps.push_back(step);
+            sealEdit(session);
+            recordEdit(session, "Add matrix step");
+            sealEdit(session);
+        }
+        noteItem(session, "add:" + std::string(op.name));
+        helpTip(op.help);
+    }
+    ImGui::EndDisabled();
+}
+
+void modelSection(Session& session) {
+    const std::vector<Model>& models = session.scene.models;
+    if (models.empty()) {
+        ImGui::TextWrapped("The scene has no model. View > Show adds one.");
+        return;
+    }
+    const auto name = [&](int index) {
+        return std::to_string(index) + "  " +
+               std::string(rowOf(models[static_cast<std::size_t>(index)].shape).label);
+    };
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::BeginCombo("##model", name(session.selection.model).c_str())) {
+        for (int i = 0; i < static_cast<int>(models.size()); ++i) {
+            if (ImGui::Selectable(name(i).c_str(), i == session.selection.model)) {
+                session.selection.model = i;
+                session.selection.vertex.reset();
+            }
+            noteItem(session, "model:" + std::to_string(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem(session, "model choice");
+    static const Model initial;
+    paramRows(session, {selectedModel(session), &initial, indexed("models", session.selection.model)},
+              modelTable());
+}
+
+} // namespace
+
+void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout) {
+    beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    static const Scene initial;
+    static const View start = defaultScene().view;
+    unitChoice(session);
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
+    if (section(session, "Texture", true))
+        textureSection(session, capabilities);
+    if (section(session, "Unit and environment", true))
+        unitSection(session);
+    if (section(session, "Texture matrix", false))
+        matrixSection(session);
+    if (section(session, "Model", false))
+        modelSection(session);
+    if (section(session, "Pass", false)) {
+        static const Pass pass;
+        paramRows(session, {&selectedPass(session), &pass, indexed("passes", session.selection.pass)},
+                  passTable());
+    }
+    if (section(session, "Light", false))
+        paramRows(session, {&session.scene.light, &initial.light, "light"}, lightTable());
+    if (section(session, "Material", false))
+        paramRows(session, {&session.scene.material, &initial.material, "material"}, materialTable());
+    if (section(session, "View", false))
+        paramRows(session, {&session.scene.view, &start, "view"}, viewTable());
+    ImGui::End();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "app/ui/file_browser.h"
+#include "app/ui/layout.h"
+#include "app/ui/probe.h"
+#include "core/base/result.h"
+#include "core/scene/history.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace texplorer::ui {
+
+struct Playback {
+    bool playing = true; ///< time goes on while something in the scene depends on it
+    double time = 0;     ///< seconds
+    float speed = 1;     ///< scene seconds a second
+};
+
+/// What the panels show. Indices beyond the scene are brought back by `settle`.
+struct Selection {
+    int model = 0;
+    std::optional<std::size_t> vertex;
+    int pass = 0;
+    int unit = 0;
+};
+
+enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help };
+
+/// What waits until the user has decided about unsaved changes.
+enum class Pending { None, NewScene, OpenScene, OpenFile, Quit };
+
+/// The visible part of the texture plane.
+struct Plane {
+    float s = 0.5F; ///< the coordinates at the centre of the panel
+    float t = 0.5F;
+    float extent = 1.5F; ///< how much of the plane the panel's shorter side shows
+};
+
+/// Everything that the window remembers beyond the scene, as plain values.
+struct Session {
+    Session(Scene start, ImageSource source);
+
+    Scene scene; ///< what is shown and edited; `history.current()` but for an edit in progress
+    History history;
+    Scene saved; ///< as the file has it
+    ImageSource images;
+    std::filesystem::path file; ///< empty: never saved
+    bool needsFit = false;      ///< the camera has not yet been fitted to the view's shape
+
+    Playback playback;
+    Selection selection;
+    Plane plane;
+    Columns columns;
+    bool showRq = false;      ///< whether the vertex list shows r and q
+    bool movesVertex = false; ///< the drag in the texture space holds a vertex, not the plane
+    std::optional<std::size_t> revealedVertex; ///< the list was scrolled to this one already
+
+    Dialog dialog = Dialog::None;
+    Pending pending = Pending::None;
+    std::filesystem::path pendingFile;
+    FileBrowser browser;
+    bool quitConfirmed = false;
+
+    std::string notice;               ///< a failure to tell the user; empty: none
+    std::string lastChanged;          ///< the path of the parameter that was edited last
+    std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
+    std::array<int, 3> meshKey{-1, 0, 0};
+    Probe* probe = nullptr; ///< for tests: records where widgets are
+};
+
+/// A session for a scene whose images are loaded. Without a file the camera is fitted to the view when it is
+/// first known, so that nothing of the default scene is cut off by a narrow window.
+[[nodiscard]] Session makeSession(Scene scene, ImageSource images, std::filesystem::path file = {});
+
+/// To be called before a frame is rendered and its panels are drawn: fits a camera that waits for it, brings
+/// selections back into the scene.
+void settle(Session& session, const Layout& layout);
+
+/// Lets the clock run for `seconds` of real time, if it plays and something depends on it.
+void advance(Session& session, double seconds);
+
+/// Whether the next frame differs from this one without any input.
+[[nodiscard]] bool isMoving(const Session& session);
+
+/// To be called after an edit of `session.scene`: remembers it for undo under the name `what`. `path` is the
+/// parameter that changed, where it is one.
+void recordEdit(Session& session, std::string_view what, std::string_view path = {});
+
+/// Ends a step of the history: the next edit is a new one even if it has the same name.
+void sealEdit(Session& session);
+
+void undo(Session& session);
+void redo(Session& session);
+
+/// Whether closing would lose something. Looking around in a scene that was never saved doesn't count.
+[[nodiscard]] bool isDirty(const Session& session);
+
+/// "earth.json • Texplorer": the bullet says that there are unsaved changes.
+[[nodiscard]] std::string windowTitle(const Session& session);
+
+// What the panels show.
+[[nodiscard]] Model* selectedModel(Session& session);
+[[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty where no model is selected
+[[nodiscard]] Pass& selectedPass(Session& session);
+[[nodiscard]] Unit& selectedUnit(Session& session);
+/// The texture that is bound to the selected unit, as glBindTexture makes one both used and edited. nullptr:
+/// none.
+[[nodiscard]] Texture* boundTexture(Session& session);
+[[nodiscard]] const Texture* boundTexture(const Session& session);
+
+} // namespace texplorer::ui

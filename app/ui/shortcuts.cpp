@@ -1,0 +1,52 @@
+#include "app/ui/camera.h"
+#include "app/ui/keys.h"
+#include "app/ui/panels.h"
+#include "core/scene/animation.h"
+
+namespace texplorer::ui {
+
+void resetCamera(Session& session, const Layout& layout) {
+    session.scene.view = defaultScene().view;
+    fitDistance(session.scene, session.playback.time,
+                static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height));
+    recordEdit(session, "Reset camera");
+}
+
+void frameAll(Session& session, const Layout& layout) {
+    frameModels(session.scene, session.playback.time,
+                static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height));
+    recordEdit(session, "Frame the models");
+}
+
+void handleShortcuts(Session& session, const Layout& layout) {
+    const ImGuiIO& io = ImGui::GetIO();
+    // A dialog has its own keys, a text field its own undo, and a drag is not to be undone under the hand.
+    if (session.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive())
+        return;
+    const auto pressed = [](int code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); };
+    if (io.KeyCtrl) {
+        if (pressed('Z', true))
+            io.KeyShift ? redo(session) : undo(session);
+        if (pressed('Y', true))
+            redo(session);
+        if (pressed('O'))
+            askOpenScene(session);
+        if (pressed('I'))
+            askOpenImage(session);
+        if (pressed('S'))
+            io.KeyShift ? askSaveAs(session) : save(session);
+        if (pressed('Q'))
+            requestQuit(session);
+        return;
+    }
+    if (pressed(key::space))
+        session.playback.playing = !session.playback.playing;
+    if (pressed('F'))
+        frameAll(session, layout);
+    if (pressed(key::home))
+        resetCamera(session, layout);
+    if (pressed(key::f1))
+        session.dialog = Dialog::Help;
+}
+
+} // namespace texplorer::ui

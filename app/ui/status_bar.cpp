@@ -1,0 +1,52 @@
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/theme.h"
+
+namespace texplorer::ui {
+
+void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
+                   const Layout& layout) {
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x,
+                                                      (static_cast<float>(layout.status.height) - em) / 2});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    const render::Frame& frame = pictures.scene;
+    // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
+    const std::string renderer = capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
+    ImGui::TextDisabled("%s · %d × %d · %.1f ms", renderer.c_str(), frame.size.width, frame.size.height,
+                        frame.milliseconds);
+    noteItem(session, "status");
+    helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
+            "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +
+            std::to_string(capabilities.textureUnits) + " units");
+    ImGui::SameLine();
+    ImGui::TextDisabled("·");
+    ImGui::SameLine();
+    if (!session.notice.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        if (ImGui::SmallButton("✕"))
+            session.notice.clear();
+        noteItem(session, "dismiss notice");
+        ImGui::SameLine();
+        ImGui::TextUnformatted(session.notice.c_str());
+        ImGui::PopStyleColor();
+        noteItem(session, "notice");
+        helpTip(session.notice);
+    } else if (!frame.problems.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextUnformatted(frame.problems.front().c_str());
+        ImGui::PopStyleColor();
+        std::string all;
+        for (const std::string& each : frame.problems)
+            all += (all.empty() ? "" : "\n") + each;
+        helpTip(all);
+    } else {
+        ImGui::TextDisabled("no GL error");
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace texplorer::ui {
+
+// What the buttons over the vertex list do to every coordinate of a model. r and q stay.
+
+void scaleCoords(TexCoords& coords, float factor); ///< about (0, 0): 2 shows the image twice as often
+void flipS(TexCoords& coords);                     ///< s becomes 1 - s
+void flipT(TexCoords& coords);
+void rotateQuarter(TexCoords& coords); ///< by 90 degrees counter-clockwise about (0.5, 0.5)
+
+} // namespace texplorer::ui

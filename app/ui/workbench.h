@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/render/capabilities.h"
+#include "app/render/frame.h"
+#include "app/ui/layout.h"
+#include "app/ui/session.h"
+
+#include <imgui.h>
+
+namespace texplorer::ui {
+
+/// The GL textures that the panels show. The workbench makes no GL call itself.
+struct Pictures {
+    const render::Frame& scene; ///< drawn at Layout::picture's size
+    unsigned texture = 0;       ///< the base level of boundTexture(session), nearest filtering; 0: none
+    /// Switches blending off, so that a picture's alpha doesn't let the window shine through. The panels
+    /// restore the state with ImDrawCallback_ResetRenderState.
+    ImDrawCallback drawOpaque = nullptr;
+};
+
+/// What the window asks of its host.
+struct Requests {
+    bool quit = false;
+    std::string title;
+};
+
+/// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
+/// frame is:
+///   layout = layoutFor(…, session.columns); settle(session, layout); frame = renderer.draw(session.scene,
+///   …); ImGui::NewFrame(); drawWorkbench(…); ImGui::Render().
+/// Dear ImGui needs two or three frames until new windows have their sizes.
+Requests drawWorkbench(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
+                       const Layout& layout);
+
+/// The user wants to close the window: asks first where something would be lost.
+void requestQuit(Session& session);
+
+/// A file was dropped onto the window: a scene or an image. Asks first where a scene would replace unsaved
+/// changes.
+void requestOpen(Session& session, const std::filesystem::path& path);
+
+} // namespace texplorer::ui
