@@ -12,6 +12,7 @@ function(texplorer_warnings target)
         -Wdouble-promotion    # float arithmetic done in double by accident
         -Wformat=2            # printf formats that don't match or aren't literals
         -Wimplicit-fallthrough # a case that runs into the next
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # GCC 12's false alarm about "text" + std::string (PR 105651)
     )
     if(TEXPLORER_WERROR)
         target_compile_options(${target} PRIVATE -Werror)

@@ -27,6 +27,8 @@ namespace {
 __attribute__((target("ssse3"))) void swapRedBlueSsse3(const std::byte* from, std::byte* to,
                                                        std::size_t count) {
     const __m128i order = _mm_setr_epi8(2, 1, 0, 5, 4, 3, 8, 7, 6, 11, 10, 9, 14, 13, 12, 15);
+    // Unrolled, because its own counting would cost the loop as much as the shuffle does.
+#pragma GCC unroll 4
     for (; count >= 6; count -= 5, from += 15, to += 15) {
         const __m128i pixels = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
         _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(pixels, order));

@@ -104,6 +104,17 @@ TEST_F(Images, ATextureWithoutAFileNameIsNamed) {
     EXPECT_EQ(loaded.error().where, "textures[1].file");
 }
 
+TEST_F(Images, WhatIsPutThereNeedsNoFileAndReplacesWhatWas) {
+    const Texture made = fileTexture("made up");
+    source_.put(made.file, drawPattern(Pattern::Checker));
+    EXPECT_TRUE(source_.load(sceneOf({made}))) << "it is there, so that no file is read";
+    const auto first = source_.find(made);
+    ASSERT_NE(first, nullptr);
+    source_.put(made.file, drawPattern(Pattern::CheckerRed));
+    EXPECT_EQ(*source_.find(made), drawPattern(Pattern::CheckerRed));
+    EXPECT_EQ(*first, drawPattern(Pattern::Checker)) << "whoever holds the old one keeps it";
+}
+
 TEST_F(Images, AFileThatFailedIsTriedAgain) {
     const Texture late = fileTexture("late.bmp");
     EXPECT_FALSE(source_.load(sceneOf({late})));

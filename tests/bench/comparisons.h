@@ -1,0 +1,36 @@
+#pragma once
+
+// What Texplorer is measured against, and the ratio to reach. Benchmarks are named as Google Benchmark prints
+// them.
+
+#include <array>
+
+namespace texplorer::bench {
+
+enum class Goal {
+    FasterBy,  ///< at least `target` times as fast as the peer
+    CostsUpTo, ///< at most `target` times the peer's time
+};
+
+struct Comparison {
+    const char* name; ///< "BMP24 decode 4 MB"
+    const char* ours;
+    const char* peer;
+    const char* peerName; ///< "stb_image"
+    Goal goal;
+    double target;
+};
+
+inline constexpr std::array comparisons{
+    Comparison{"BMP24 decode 1 MB", "bmpDecode/1", "bmpStb/1", "stb_image", Goal::FasterBy, 4},
+    Comparison{"BMP24 decode 4 MB", "bmpDecode/4", "bmpStb/4", "stb_image", Goal::FasterBy, 4},
+    Comparison{"BMP24 decode 16 MB", "bmpDecode/16", "bmpStb/16", "stb_image", Goal::FasterBy, 4},
+    Comparison{"BMP24 decode 1 MB", "bmpDecode/1", "bmpMemcpy/1", "memcpy", Goal::CostsUpTo, 1.25},
+    Comparison{"BMP24 decode 4 MB", "bmpDecode/4", "bmpMemcpy/4", "memcpy", Goal::CostsUpTo, 1.25},
+    Comparison{"BMP24 decode 16 MB", "bmpDecode/16", "bmpMemcpy/16", "memcpy", Goal::CostsUpTo, 1.25},
+    Comparison{"Mip chain 2048 x 2048", "mipChain", "mipChainStb", "stb_image_resize", Goal::FasterBy, 4},
+    Comparison{"texshot shot", "processTexshotShot/real_time", "processMinimalOsmesa/real_time",
+               "a minimal OSMesa program", Goal::CostsUpTo, 1.5},
+};
+
+} // namespace texplorer::bench
