@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <regex>
+#include <cctype>
 #include <set>
 #include <sstream>
 
@@ -22,7 +22,11 @@ std::set<std::string> allPaths() {
     scene.passes[0].units[0].matrix.resize(1);
     std::set<std::string> paths;
     forEachParam(scene, [&](const std::string& path, const ParamRow&, const Value&) {
-        paths.insert(std::regex_replace(path, std::regex("\\[[0-9]+\\]"), "[]"));
+        std::string schema;
+        for (const char c : path) // only a number between brackets follows one
+            if (!(std::isdigit(static_cast<unsigned char>(c)) != 0 && schema.ends_with('[')))
+                schema += c;
+        paths.insert(schema);
     });
     return paths;
 }
