@@ -33,8 +33,8 @@ void pace(Window& window, bool moving, bool settling, double lastFrame) {
     while (window.now() < due);
 }
 
-void disableBlending(const ImDrawList* /*list*/, const ImDrawCmd* /*command*/) {
-    glDisable(GL_BLEND);
+void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
+    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
 }
 
 } // namespace
@@ -94,7 +94,7 @@ Result<void> runLoop(Window& window, ui::Session& session) {
 
         panels.beginFrame();
         const ui::Requests requests =
-            ui::drawWorkbench(session, {frame, texture, disableBlending}, *capabilities, layout);
+            ui::drawWorkbench(session, {frame, texture, setBlending}, *capabilities, layout);
         panels.endFrame(pixels.width, pixels.height);
         window.setTitle(requests.title);
         window.swap();

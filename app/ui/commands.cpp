@@ -3,7 +3,9 @@
 #include "core/scene/params.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <iterator>
 
 namespace texplorer::ui {
 namespace {
@@ -38,6 +40,15 @@ bool isInDisabledUnit(const Scene& scene, const std::string& path) {
     return false;
 }
 
+/// Where a block of calls stands in a program.
+std::size_t rank(std::string_view owner) {
+    constexpr std::array<std::string_view, 6> order{"textures", "view",   "light",
+                                                    "material", "passes", "models"};
+    const auto found =
+        std::ranges::find_if(order, [&](std::string_view root) { return owner.starts_with(root); });
+    return static_cast<std::size_t>(found - order.begin());
+}
+
 /// Replaces the words of a call that are keys beside its own: "glAlphaFunc(GL_LESS, alphaRef)".
 std::string withSiblings(const Scene& scene, const std::string& call, const std::string& owner) {
     std::string result;
@@ -65,7 +76,7 @@ std::vector<Command> commandsOf(const Scene& scene) {
     std::vector<Value> initial;
     forEachParam(initialLike(scene),
                  [&](const std::string&, const ParamRow&, const Value& value) { initial.push_back(value); });
-    std::vector<Command> commands;
+    std::vector<std::vector<Command>> blocks; // each begins with its heading
     std::string owner;
     std::size_t index = 0;
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
@@ -73,37 +84,55 @@ std::vector<Command> commandsOf(const Scene& scene) {
         ++index;
         if (row.glCall.empty() || row.kind == Kind::TexCoordList || isInDisabledUnit(scene, path))
             return;
-        if (const std::string current = ownerOf(path); current != owner) {
+        if (const std::string current = ownerOf(path); current != owner || blocks.empty()) {
             owner = current;
-            commands.push_back({Command::Kind::Heading, owner, {}, false});
+            blocks.push_back({{Command::Kind::Heading, owner, {}, false}});
         }
+        std::vector<Command>& block = blocks.back();
         Command command{Command::Kind::Call, withSiblings(scene, formatCall(row, value), owner) + ";", path,
                         changed};
-        if (commands.back().text == command.text) // two parameters of one call
-            commands.back().changed |= command.changed;
+        if (block.back().text == command.text) // two parameters of one call
+            block.back().changed |= command.changed;
         else
-            commands.push_back(std::move(command));
+            block.push_back(std::move(command));
     });
+    // As a program does it: first what is set up once, then the camera and the light, then what is drawn.
+    std::ranges::stable_sort(blocks, {}, [](const auto& block) { return rank(block.front().text); });
+    std::vector<Command> commands;
+    for (std::vector<Command>& block : blocks)
+        commands.insert(commands.end(), std::make_move_iterator(block.begin()),
+                        std::make_move_iterator(block.end()));
     return commands;
 }
 
 std::vector<std::string> wrapCall(const std::string& call, std::size_t columns) {
     constexpr std::string_view indent = "    ";
     columns = std::max<std::size_t>(columns, 16);
+    // The last place at which `line` may be broken; numbers in braces stay together where they fit.
+    const auto breakOf = [&](const std::string& line) {
+        std::size_t outside = 0;
+        std::size_t inside = 0;
+        int depth = 0;
+        for (std::size_t i = indent.size(); i < std::min(columns, line.size()); ++i) {
+            depth += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
+            const bool bracket = line[i] == '(';
+            const bool comma = line[i] == ',' && i + 1 < line.size() && line[i + 1] == ' ';
+            if (comma && depth > 0)
+                inside = i + 1;
+            else if (comma || (bracket && outside == 0))
+                outside = i + 1;
+        }
+        return outside > 0 ? outside : inside;
+    };
     std::vector<std::string> lines;
     std::string rest = call;
     while (rest.size() > columns) {
-        std::size_t cut = rest.rfind(", ", columns - 1);
-        cut = cut == std::string::npos || cut <= indent.size() ? std::string::npos : cut + 1;
-        if (cut == std::string::npos) {
-            const std::size_t bracket = rest.find('(');
-            if (bracket == std::string::npos || bracket + 1 >= columns || bracket + 1 == rest.size())
-                break;
-            cut = bracket + 1;
-        }
+        const std::size_t cut = breakOf(rest);
+        const std::size_t next = cut == 0 ? std::string::npos : rest.find_first_not_of(' ', cut);
+        if (next == std::string::npos)
+            break;
         lines.push_back(rest.substr(0, cut));
-        const std::size_t next = rest.find_first_not_of(' ', cut);
-        rest = next == std::string::npos ? std::string{} : std::string(indent) + rest.substr(next);
+        rest = std::string(indent) + rest.substr(next);
     }
     lines.push_back(rest);
     return lines;

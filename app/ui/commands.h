@@ -16,8 +16,8 @@ struct Command {
     bool changed = false; ///< its value isn't GL's initial one
 };
 
-/// The GL calls that make the state of a scene, in table order, with their values. Units that are off are
-/// left out.
+/// The GL calls that make the state of a scene, with their values, as a program makes them: textures, camera,
+/// light, material, passes, models. Units that are off are left out.
 [[nodiscard]] std::vector<Command> commandsOf(const Scene& scene);
 
 /// Breaks a call into lines of at most `columns` characters: after a comma or a bracket, continued with four

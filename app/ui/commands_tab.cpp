@@ -33,8 +33,11 @@ void drawCommandsTab(Session& session) {
             ImGui::GetWindowDrawList()->AddRectFilled(
                 {ImGui::GetItemRectMin().x - letter, ImGui::GetItemRectMin().y},
                 {ImGui::GetItemRectMin().x - letter * 0.6F, ImGui::GetItemRectMax().y}, color::changed);
+        if (last && session.revealedCommand != command.path)
+            ImGui::SetScrollHereY(0.5F);
         noteItem(session, "command:" + command.path);
     }
+    session.revealedCommand = session.lastChanged;
     ImGui::PopStyleVar();
     ImGui::PopFont();
     ImGui::EndChild();

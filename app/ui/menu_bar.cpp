@@ -93,15 +93,10 @@ void editMenu(Session& session) {
 }
 
 void viewMenu(Session& session, const Layout& layout) {
-    const float aspect = static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height);
     const auto shown = shownNow(session.scene);
     for (const ShowRow& row : showRows) {
-        if (item(session, std::string("Show ") + row.label, nullptr, true, shown == row.show)) {
-            showOnly(session.scene, row.show, session.playback.time, aspect);
-            sealEdit(session);
-            recordEdit(session, std::string("Show ") + row.label);
-            sealEdit(session);
-        }
+        if (item(session, std::string("Show ") + row.label, nullptr, true, shown == row.show))
+            show(session, row, layout);
     }
     ImGui::Separator();
     if (item(session, "Frame the models", "F"))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/show.h"
 #include "app/ui/workbench.h"
 
 namespace texplorer::ui {
@@ -12,6 +13,8 @@ void drawParametersPanel(Session& session, const render::Capabilities& capabilit
 void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);
 void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Layout& layout);
 void drawDetailsPanel(Session& session, const Layout& layout); ///< the tabs Vertices and Commands
+/// A list of the scene's models; there must be one.
+void modelChoice(Session& session, float width);
 void drawVerticesTab(Session& session);
 void drawCommandsTab(Session& session);
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
@@ -32,5 +35,6 @@ void askSaveAs(Session& session);
 /// The camera as it was at the start, fitted to the view.
 void resetCamera(Session& session, const Layout& layout);
 void frameAll(Session& session, const Layout& layout);
+void show(Session& session, const ShowRow& row, const Layout& layout); ///< selects what is shown, too
 
 } // namespace texplorer::ui

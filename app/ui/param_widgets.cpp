@@ -64,6 +64,10 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
 void choiceTip(const EnumRow& choice) {
     if (!ImGui::IsItemHovered())
         return;
+    // Beside the list, so that it doesn't hide the next choices.
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
+    if (right + ImGui::GetFontSize() * (tipWidth + 2) < ImGui::GetIO().DisplaySize.x)
+        ImGui::SetNextWindowPos({right + ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
     text(choice.help);

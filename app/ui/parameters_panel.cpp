@@ -248,16 +248,25 @@ void matrixSection(Session& session) {
 }
 
 void modelSection(Session& session) {
-    const std::vector<Model>& models = session.scene.models;
-    if (models.empty()) {
+    if (session.scene.models.empty()) {
         ImGui::TextWrapped("The scene has no model. View > Show adds one.");
         return;
     }
+    modelChoice(session, -FLT_MIN);
+    static const Model initial;
+    paramRows(session, {selectedModel(session), &initial, indexed("models", session.selection.model)},
+              modelTable());
+}
+
+} // namespace
+
+void modelChoice(Session& session, float width) {
+    const std::vector<Model>& models = session.scene.models;
     const auto name = [&](int index) {
         return std::to_string(index) + "  " +
                std::string(rowOf(models[static_cast<std::size_t>(index)].shape).label);
     };
-    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", name(session.selection.model).c_str())) {
         for (int i = 0; i < static_cast<int>(models.size()); ++i) {
             if (ImGui::Selectable(name(i).c_str(), i == session.selection.model)) {
@@ -269,12 +278,8 @@ void modelSection(Session& session) {
         ImGui::EndCombo();
     }
     noteItem(session, "model choice");
-    static const Model initial;
-    paramRows(session, {selectedModel(session), &initial, indexed("models", session.selection.model)},
-              modelTable());
+    helpTip("Which model's values and vertices are shown");
 }
-
-} // namespace
 
 void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout) {
     beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);

@@ -71,7 +71,8 @@ void drawPlaybackControls(Session& session) {
         slider = std::max(em * 4.5F, slider - (needed() - available));
     if (needed() > available)
         return; // a very narrow window keeps its menus; Space still plays
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - needed() + em);
+    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - needed() + em,
+                         (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2});
 
     const bool animated = isAnimated(session.scene);
     if (signButton(session, "rewind", playback.time != 0, rewindSign))

@@ -39,7 +39,7 @@ enum class Pending { None, NewScene, OpenScene, OpenFile, Quit };
 struct Plane {
     float s = 0.5F; ///< the coordinates at the centre of the panel
     float t = 0.5F;
-    float extent = 1.5F; ///< how much of the plane the panel's shorter side shows
+    float extent = 1.6F; ///< how much of the plane the panel's shorter side shows
 };
 
 /// Everything that the window remembers beyond the scene, as plain values.
@@ -60,6 +60,8 @@ struct Session {
     bool showRq = false;      ///< whether the vertex list shows r and q
     bool movesVertex = false; ///< the drag in the texture space holds a vertex, not the plane
     std::optional<std::size_t> revealedVertex; ///< the list was scrolled to this one already
+
+    std::string revealedCommand; ///< the command view was scrolled to this parameter already
 
     Dialog dialog = Dialog::None;
     Pending pending = Pending::None;

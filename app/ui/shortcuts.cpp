@@ -1,27 +1,45 @@
 #include "app/ui/camera.h"
 #include "app/ui/keys.h"
 #include "app/ui/panels.h"
-#include "core/scene/animation.h"
+
+#include <algorithm>
 
 namespace texplorer::ui {
 
+namespace {
+
+float aspectOf(const Layout& layout) {
+    return static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height);
+}
+
+} // namespace
+
 void resetCamera(Session& session, const Layout& layout) {
     session.scene.view = defaultScene().view;
-    fitDistance(session.scene, session.playback.time,
-                static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height));
+    fitDistance(session.scene, session.playback.time, aspectOf(layout));
     recordEdit(session, "Reset camera");
 }
 
 void frameAll(Session& session, const Layout& layout) {
-    frameModels(session.scene, session.playback.time,
-                static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height));
+    frameModels(session.scene, session.playback.time, aspectOf(layout));
     recordEdit(session, "Frame the models");
+}
+
+void show(Session& session, const ShowRow& row, const Layout& layout) {
+    showOnly(session.scene, row.show, session.playback.time, aspectOf(layout));
+    sealEdit(session);
+    recordEdit(session, std::string("Show ") + row.label);
+    sealEdit(session);
+    const auto shown = std::ranges::find(session.scene.models, true, &Model::visible);
+    session.selection.model = static_cast<int>(shown - session.scene.models.begin());
+    session.selection.vertex.reset();
 }
 
 void handleShortcuts(Session& session, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     // A dialog has its own keys, a text field its own undo, and a drag is not to be undone under the hand.
-    if (session.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive())
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (session.dialog != Dialog::None || popup || io.WantTextInput || ImGui::IsAnyItemActive())
         return;
     const auto pressed = [](int code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); };
     if (io.KeyCtrl) {

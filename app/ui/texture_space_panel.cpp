@@ -83,27 +83,32 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     }
 }
 
+/// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.
 void drawAxes(ImDrawList& draw, const Canvas& canvas) {
-    const ImVec2 origin = canvas.toPixel(0, 0);
-    const ImVec2 s = canvas.toPixel(1, 0);
-    const ImVec2 t = canvas.toPixel(0, 1);
     const float em = ImGui::GetFontSize();
-    const float thick = std::max(1.0F, em / 10);
-    draw.AddRect({origin.x, t.y}, {s.x, origin.y}, color::shade, 0, 0, thick * 2);
-    draw.AddLine(origin, s, color::s, thick * 1.4F);
-    draw.AddLine(origin, t, color::t, thick * 1.4F);
-    const float head = em * 0.4F;
-    draw.AddTriangleFilled({s.x + head, s.y}, {s.x - head, s.y - head}, {s.x - head, s.y + head}, color::s);
-    draw.AddTriangleFilled({t.x, t.y - head}, {t.x + head, t.y + head}, {t.x - head, t.y + head}, color::t);
+    const float beyond = em * 1.6F;
+    const float thick = std::max(1.5F, em / 8);
+    const ImVec2 origin = canvas.toPixel(0, 0);
+    const ImVec2 s(canvas.toPixel(1, 0).x + beyond, origin.y);
+    const ImVec2 t(origin.x, canvas.toPixel(0, 1).y - beyond);
+    const float head = em * 0.35F;
+    draw.AddLine(origin, s, color::shade, thick + 2);
+    draw.AddLine(origin, t, color::shade, thick + 2);
+    draw.AddLine(origin, s, color::s, thick);
+    draw.AddLine(origin, t, color::t, thick);
+    draw.AddTriangleFilled({s.x + 2 * head, s.y}, {s.x, s.y - head}, {s.x, s.y + head}, color::s);
+    draw.AddTriangleFilled({t.x, t.y - 2 * head}, {t.x + head, t.y}, {t.x - head, t.y}, color::t);
     const auto label = [&](ImVec2 at, ImU32 tint, const char* text) {
         const ImVec2 size = ImGui::CalcTextSize(text);
-        const float pad = em * 0.15F;
+        const float pad = em * 0.2F;
         draw.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, color::shade, pad);
         draw.AddText(at, tint, text);
     };
-    label({s.x - em * 0.3F, s.y + em * 0.5F}, color::s, "s 1");
-    label({t.x - em * 1.9F, t.y - em * 0.5F}, color::t, "t 1");
-    label({origin.x - em * 1.1F, origin.y + em * 0.5F}, color::dim, "0, 0");
+    label({s.x - em * 0.2F, s.y + em * 0.5F}, color::s, "s");
+    label({t.x - em * 1.3F, t.y - em * 0.4F}, color::t, "t");
+    label({canvas.toPixel(1, 0).x - em * 0.3F, s.y + em * 0.5F}, color::text, "1");
+    label({t.x - em * 1.3F, canvas.toPixel(0, 1).y - em * 0.4F}, color::text, "1");
+    label({origin.x - em * 1.1F, origin.y + em * 0.5F}, color::text, "0");
 }
 
 void drawFace(ImDrawList& draw, const Canvas& canvas, const Face& face, const TexCoords& coords, ImU32 tint,
@@ -206,8 +211,6 @@ void drawCanvas(Session& session, const Pictures& pictures) {
             drawBoard(draw, canvas.low, canvas.high, em * 0.8F);
         drawTiles(draw, canvas, *texture, *image, pictures.texture);
     }
-    drawAxes(draw, canvas);
-
     Model* model = selectedModel(session);
     const Mesh& mesh = selectedMesh(session);
     if (model) {
@@ -243,6 +246,7 @@ void drawCanvas(Session& session, const Pictures& pictures) {
             if (chosen && contains(face, *chosen))
                 drawFace(draw, canvas, face, coords, color::chosen, std::max(1.5F, em / 9));
         }
+        drawAxes(draw, canvas);
         const float dot = em * (coords.size() > 100 ? 0.13F : 0.24F);
         for (std::size_t vertex = 0; vertex < coords.size(); ++vertex) {
             const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
@@ -261,6 +265,7 @@ void drawCanvas(Session& session, const Pictures& pictures) {
         if (under)
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     } else {
+        drawAxes(draw, canvas);
         moveCanvas(session.plane, canvas, hovered, active);
     }
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && model)

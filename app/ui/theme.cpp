@@ -64,7 +64,7 @@ void setColors(ImGuiStyle& style) {
     c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(color::dim);
     c[ImGuiCol_WindowBg] = panel;
     c[ImGuiCol_ChildBg] = grey(0, 0, 0, 0);
-    c[ImGuiCol_PopupBg] = grey(38, 42, 49, 0.98F);
+    c[ImGuiCol_PopupBg] = grey(38, 42, 49);
     c[ImGuiCol_Border] = grey(64, 70, 80);
     c[ImGuiCol_FrameBg] = field;
     c[ImGuiCol_FrameBgHovered] = fieldHover;

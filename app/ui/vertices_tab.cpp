@@ -128,27 +128,23 @@ void header(int components) {
 } // namespace
 
 void drawVerticesTab(Session& session) {
-    const Model* model = selectedModel(session);
-    if (!model) {
+    if (!selectedModel(session)) {
         ImGui::TextWrapped("The scene has no model.");
         return;
     }
-    editButtons(session);
-    const Mesh& mesh = selectedMesh(session);
-    const TexCoords coords = effectiveTexCoords(*model, mesh, session.selection.unit);
-    const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
-    const bool rq = session.showRq || std::ranges::any_of(coords, usesRq);
-    const int components = rq ? 4 : 2;
-
-    ImGui::TextDisabled("%d  %s", session.selection.model, std::string(rowOf(model->shape).label).c_str());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("r, q").x - ImGui::GetFrameHeight() -
-                    ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 1});
+    modelChoice(session, ImGui::GetFontSize() * 9);
+    const float checkbox =
+        ImGui::CalcTextSize("r, q").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - checkbox);
     ImGui::Checkbox("r, q", &session.showRq);
-    ImGui::PopStyleVar();
     noteItem(session, "show r, q");
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
+    editButtons(session);
 
+    const Mesh& mesh = selectedMesh(session);
+    const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.selection.unit);
+    const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
+    const int components = session.showRq || std::ranges::any_of(coords, usesRq) ? 4 : 2;
     ImGui::BeginChild("vertices");
     ImGui::Dummy({0, 0});
     header(components);

@@ -3,8 +3,11 @@
 #include "app/ui/param_widgets.h"
 #include "app/ui/show.h"
 #include "app/ui/theme.h"
+#include "core/scene/picking.h"
+#include "core/scene/tex_coords.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace texplorer::ui {
 namespace {
@@ -34,12 +37,8 @@ void toolRow(Session& session, const Layout& layout) {
         const bool chosen = shown == row.show;
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-        if (ImGui::Button(row.label) && !chosen) {
-            showOnly(session.scene, row.show, session.playback.time, aspectOf(layout));
-            sealEdit(session);
-            recordEdit(session, std::string("Show ") + row.label);
-            sealEdit(session);
-        }
+        if (ImGui::Button(row.label) && !chosen)
+            show(session, row, layout);
         ImGui::PopStyleColor();
         noteItem(session, std::string("show:") + row.label);
     }
@@ -72,6 +71,42 @@ void moveCamera(Session& session, bool hovered, bool active, const Layout& layou
         zoom(view, io.MouseWheel);
     if (view != before)
         recordEdit(session, cameraEdit);
+}
+
+void drawMarker(Session& session, const Layout& layout, ImVec2 origin) {
+    const Model* model = selectedModel(session);
+    if (!model || !model->visible || !session.selection.vertex)
+        return;
+    const std::size_t vertex = *session.selection.vertex;
+    const auto place = projectVertex(session.scene, static_cast<std::size_t>(session.selection.model), vertex,
+                                     session.playback.time, aspectOf(layout));
+    if (!place)
+        return;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at(origin.x + place->x * static_cast<float>(layout.picture.width),
+                    origin.y + place->y * static_cast<float>(layout.picture.height));
+    if (session.probe)
+        session.probe->items["marker"] = {at.x, at.y, at.x, at.y, true};
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddCircle(at, em * 0.45F, color::shade, 0, em * 0.3F);
+    draw.AddCircle(at, em * 0.45F, color::chosen, 0, em * 0.15F);
+    draw.AddCircleFilled(at, em * 0.12F, color::chosen);
+
+    const TexCoords coords = effectiveTexCoords(*model, selectedMesh(session), session.selection.unit);
+    if (vertex >= coords.size())
+        return;
+    char text[96];
+    std::snprintf(text, sizeof text, "%zu   (%.2f, %.2f)", vertex, double{coords[vertex].x},
+                  double{coords[vertex].y});
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    // Beside the vertex, inside of the picture.
+    ImVec2 label(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
+    label.x = std::min(label.x, origin.x + static_cast<float>(layout.picture.width) - size.x - em * 0.5F);
+    label.y = std::max(label.y, origin.y + em * 0.4F);
+    const float pad = em * 0.3F;
+    draw.AddRectFilled({label.x - pad, label.y - pad / 2},
+                       {label.x + size.x + pad, label.y + size.y + pad / 2}, color::shade, pad);
+    draw.AddText(label, color::chosen, text);
 }
 
 void hintLine(const Layout& layout) {
@@ -107,13 +142,13 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     draw.PushClipRect(origin, end, false);
     draw.AddRectFilled(origin, end, color::ground);
     if (pictures.scene.texture != 0) {
-        if (pictures.drawOpaque)
-            draw.AddCallback(pictures.drawOpaque, nullptr);
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, nullptr);
         // The picture's first row is its bottom one.
         draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures.scene.texture)),
                       origin, end, {0, 1}, {1, 0});
-        if (pictures.drawOpaque)
-            draw.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, &draw);
     }
 
     ImGui::SetCursorScreenPos(origin);
@@ -126,7 +161,20 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     moveCamera(session, hovered, active, layout);
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         frameAll(session, layout);
+    } else if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+               ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
+                   ImGui::GetIO().MouseDragThreshold * ImGui::GetIO().MouseDragThreshold) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const auto picked = pickVertex(session.scene, session.playback.time, aspectOf(layout),
+                                       {(mouse.x - origin.x) / size.x, (mouse.y - origin.y) / size.y});
+        if (picked) {
+            session.selection.model = static_cast<int>(picked->model);
+            session.selection.vertex = picked->vertex;
+        } else {
+            session.selection.vertex.reset();
+        }
     }
+    drawMarker(session, layout, origin);
     draw.PopClipRect();
     hintLine(layout);
     ImGui::End();

@@ -80,6 +80,13 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     drawDialogs(session);
     Requests requests{session.quitConfirmed, windowTitle(session)};
     session.quitConfirmed = false;
+    // Arrows, Enter and Escape work in an open menu or list. Elsewhere Space plays, and dialogs have their
+    // own keys.
+    ImGuiIO& io = ImGui::GetIO();
+    const bool navigates = session.dialog == Dialog::None &&
+                           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
+                               : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
     return requests;
 }
 

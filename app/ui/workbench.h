@@ -13,9 +13,10 @@ namespace texplorer::ui {
 struct Pictures {
     const render::Frame& scene; ///< drawn at Layout::picture's size
     unsigned texture = 0;       ///< the base level of boundTexture(session), nearest filtering; 0: none
-    /// Switches blending off, so that a picture's alpha doesn't let the window shine through. The panels
-    /// restore the state with ImDrawCallback_ResetRenderState.
-    ImDrawCallback drawOpaque = nullptr;
+    /// Switches blending off, or back on where ImDrawCmd::UserCallbackData isn't null: a picture's alpha must
+    /// not let the window shine through. (ImDrawCallback_ResetRenderState won't do: the OpenGL2 backend of
+    /// Dear ImGui 1.86 pushes its matrices once more with each.)
+    ImDrawCallback setBlending = nullptr;
 };
 
 /// What the window asks of its host.
