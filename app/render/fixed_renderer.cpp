@@ -176,8 +176,9 @@ Result<Image> FixedRenderer::read() {
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for a picture of " + asText(size) + " pixels");
     }
-    static_cast<void>(GlErrors().check("before the picture was read"));
     const StateGuard guard;
+    static_cast<void>(
+        GlErrors().check("before the picture was read")); // an older error says nothing about this
     glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
     glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     if (GlErrors errors; !errors.check("glReadPixels"))

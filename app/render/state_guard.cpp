@@ -126,6 +126,7 @@ void StateGuard::save() {
     unpackBuffer_ = integer(GL_PIXEL_UNPACK_BUFFER_BINDING);
     clientActiveTexture_ = integer(GL_CLIENT_ACTIVE_TEXTURE);
     activeTexture_ = integer(GL_ACTIVE_TEXTURE);
+    colorSum_ = glIsEnabled(GL_COLOR_SUM) == GL_TRUE;
     if (hasVertexArrays())
         vertexArray_ = integer(GL_VERTEX_ARRAY_BINDING);
     if (hasProvokingVertex())
@@ -228,6 +229,8 @@ StateGuard::~StateGuard() {
         glPopClientAttrib();
     if (pushed_)
         glPopAttrib();
+    if (colorSum_) // which Mesa 22.3 does not put back
+        glEnable(GL_COLOR_SUM);
 
     for (std::size_t i = 0; i < units_.size(); ++i) {
         glActiveTexture(unitEnum(i));

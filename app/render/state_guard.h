@@ -42,6 +42,7 @@ private:
     GLint activeTexture_ = GL_TEXTURE0;
     GLint clientActiveTexture_ = GL_TEXTURE0;
     GLint provokingVertex_ = 0;
+    bool colorSum_ = false;
     glm::mat4 projection_{1};
     glm::mat4 modelView_{1};
     std::vector<UnitState> units_; // of the fixed-function pipeline

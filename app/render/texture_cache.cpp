@@ -10,9 +10,14 @@ namespace texplorer::render {
 
 namespace {
 
-std::string extents(const Image& image) {
-    return std::to_string(image.width) + " x " + std::to_string(image.height) + " x " +
-           std::to_string(image.depth);
+/// "64", "64 x 32" or "64 x 32 x 8": as many axes as the target has.
+std::string extents(const Image& image, Target target) {
+    std::string text = std::to_string(image.width);
+    if (target != Target::Texture1D)
+        text += " x " + std::to_string(image.height);
+    if (target == Target::Texture3D)
+        text += " x " + std::to_string(image.depth);
+    return text;
 }
 
 } // namespace
@@ -46,9 +51,9 @@ void TextureCache::upload(Slot& slot, Target target, std::string_view where) con
     const int limit =
         target == Target::Texture3D ? capabilities_.max3DTextureSize : capabilities_.maxTextureSize;
     if (std::max({base.width, base.height, base.depth}) > limit) {
-        slot.uploadErrors.add(std::string(where) + ": " + extents(base) + " texels exceed the driver's " +
-                              std::to_string(limit) + " for " + std::string(rowOf(target).name) +
-                              "; drawn without it");
+        slot.uploadErrors.add(std::string(where) + ": " + extents(base, target) +
+                              " texels exceed the driver's " + std::to_string(limit) + " for " +
+                              std::string(rowOf(target).name) + "; drawn without it");
         return;
     }
     slot.object = TextureObject(target, slot.format, applyMipPolicy(slot.mipmaps, std::move(base)), where,

@@ -1,0 +1,149 @@
+// Each parameter of a Texture is what glGetTexParameter answers afterwards.
+
+#include "app/render/texture_object.h"
+#include "core/image/mipmaps.h"
+#include "tests/support/flat_scene.h"
+#include "tests/support/render_fixture.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <gmock/gmock.h>
+
+namespace texplorer::render {
+namespace {
+
+using namespace testing_support;
+
+class TextureParameters : public RenderTest, public testing::WithParamInterface<Target> {
+protected:
+    TextureObject make(MipPolicy mipmaps) {
+        return TextureObject(
+            GetParam(), BaseFormat::Rgba,
+            applyMipPolicy(mipmaps, plainImage(8, GetParam() == Target::Texture1D ? 1 : 8, {10, 20, 30, 40})),
+            "test", errors);
+    }
+    float parameter(GLenum name) const {
+        GLfloat value = -1;
+        glGetTexParameterfv(static_cast<GLenum>(GetParam()), name, &value);
+        return value;
+    }
+    GlErrors errors;
+};
+
+TEST_P(TextureParameters, AreReadBackEqual) {
+    Texture texture;
+    texture.magFilter = MagFilter::Nearest;
+    texture.minFilter = MinFilter::LinearMipmapNearest;
+    texture.wrapS = Wrap::Clamp;
+    texture.wrapT = Wrap::MirroredRepeat;
+    texture.wrapR = Wrap::ClampToBorder;
+    texture.borderColor = {0.25F, 0.5F, 0.75F, 1};
+    texture.baseLevel = 1;
+    texture.maxLevel = 2;
+    texture.minLod = -3.5F;
+    texture.maxLod = 4.5F;
+    texture.maxAnisotropy = 2;
+    texture.priority = 0.5F;
+    TextureObject object = make(MipPolicy::Generated);
+    object.apply(texture, capabilities.maxAnisotropy, "test", errors);
+    ASSERT_THAT(errors.sentences(), testing::IsEmpty());
+
+    const auto target = static_cast<GLenum>(GetParam());
+    glBindTexture(target, object.name());
+    EXPECT_EQ(parameter(GL_TEXTURE_MAG_FILTER), GL_NEAREST);
+    EXPECT_EQ(parameter(GL_TEXTURE_MIN_FILTER), GL_LINEAR_MIPMAP_NEAREST);
+    EXPECT_EQ(parameter(GL_TEXTURE_WRAP_S), GL_CLAMP);
+    EXPECT_EQ(parameter(GL_TEXTURE_WRAP_T), GL_MIRRORED_REPEAT);
+    EXPECT_EQ(parameter(GL_TEXTURE_WRAP_R), GL_CLAMP_TO_BORDER);
+    EXPECT_EQ(parameter(GL_TEXTURE_BASE_LEVEL), 1);
+    EXPECT_EQ(parameter(GL_TEXTURE_MAX_LEVEL), 2);
+    EXPECT_EQ(parameter(GL_TEXTURE_MIN_LOD), -3.5F);
+    EXPECT_EQ(parameter(GL_TEXTURE_MAX_LOD), 4.5F);
+    EXPECT_EQ(parameter(GL_TEXTURE_MAX_ANISOTROPY_EXT), 2);
+    EXPECT_EQ(parameter(GL_TEXTURE_PRIORITY), 0.5F);
+    glm::vec4 border{-1};
+    glGetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(border));
+    EXPECT_EQ(border, texture.borderColor);
+}
+
+TEST_P(TextureParameters, BeginWithGlsInitialValues) {
+    const TextureHandle fresh = TextureHandle::create();
+    const auto target = static_cast<GLenum>(GetParam());
+    constexpr std::array names{GL_TEXTURE_MAG_FILTER,
+                               GL_TEXTURE_MIN_FILTER,
+                               GL_TEXTURE_WRAP_S,
+                               GL_TEXTURE_WRAP_T,
+                               GL_TEXTURE_WRAP_R,
+                               GL_TEXTURE_BASE_LEVEL,
+                               GL_TEXTURE_MAX_LEVEL,
+                               GL_TEXTURE_MIN_LOD,
+                               GL_TEXTURE_MAX_LOD,
+                               GL_TEXTURE_PRIORITY,
+                               GL_TEXTURE_MAX_ANISOTROPY_EXT};
+    TextureObject object = make(MipPolicy::None);
+    object.apply(Texture{}, capabilities.maxAnisotropy, "test", errors);
+    for (const auto name : names) {
+        glBindTexture(target, fresh.name());
+        const float initial = parameter(static_cast<GLenum>(name));
+        glBindTexture(target, object.name());
+        EXPECT_EQ(parameter(static_cast<GLenum>(name)), initial) << "0x" << std::hex << name;
+    }
+}
+
+TEST_P(TextureParameters, AnisotropyIsClampedToWhatTheDriverHas) {
+    TextureObject object = make(MipPolicy::None);
+    Texture texture;
+    texture.maxAnisotropy = 1000;
+    object.apply(texture, capabilities.maxAnisotropy, "test", errors);
+    EXPECT_EQ(parameter(GL_TEXTURE_MAX_ANISOTROPY_EXT), capabilities.maxAnisotropy);
+    texture.maxAnisotropy = 0;
+    object.apply(texture, capabilities.maxAnisotropy, "test", errors);
+    EXPECT_EQ(parameter(GL_TEXTURE_MAX_ANISOTROPY_EXT), 1);
+    EXPECT_THAT(errors.sentences(), testing::IsEmpty());
+}
+
+// Without the extension the parameter does not exist: naming it would be an error.
+TEST_P(TextureParameters, AnisotropyIsLeftAloneWhereTheDriverHasNone) {
+    TextureObject object = make(MipPolicy::None);
+    Texture texture;
+    texture.maxAnisotropy = 8;
+    object.apply(texture, 1, "test", errors);
+    EXPECT_EQ(parameter(GL_TEXTURE_MAX_ANISOTROPY_EXT), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, TextureParameters,
+                         testing::Values(Target::Texture1D, Target::Texture2D, Target::Texture3D),
+                         [](const auto& test) { return std::string(rowOf(test.param).name); });
+
+struct FormatCase {
+    BaseFormat format;
+    std::array<int, 6> bits; // red, green, blue, alpha, luminance, intensity
+};
+
+class TextureFormat : public RenderTest, public testing::WithParamInterface<FormatCase> {};
+
+TEST_P(TextureFormat, StoresEightBitsOfWhatTheBaseFormatHas) {
+    GlErrors errors;
+    const TextureObject object(Target::Texture2D, GetParam().format, {plainImage(2, 2, {1, 2, 3, 4})}, "test",
+                               errors);
+    glBindTexture(GL_TEXTURE_2D, object.name());
+    constexpr std::array sizes{GL_TEXTURE_RED_SIZE,   GL_TEXTURE_GREEN_SIZE,     GL_TEXTURE_BLUE_SIZE,
+                               GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_INTENSITY_SIZE};
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        GLint bits = -1;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, static_cast<GLenum>(sizes[i]), &bits);
+        EXPECT_EQ(bits, GetParam().bits[i]) << "size " << i;
+    }
+    EXPECT_THAT(errors.sentences(), testing::IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TextureFormat,
+                         testing::Values(FormatCase{BaseFormat::Alpha, {0, 0, 0, 8, 0, 0}},
+                                         FormatCase{BaseFormat::Luminance, {0, 0, 0, 0, 8, 0}},
+                                         FormatCase{BaseFormat::LuminanceAlpha, {0, 0, 0, 8, 8, 0}},
+                                         FormatCase{BaseFormat::Intensity, {0, 0, 0, 0, 0, 8}},
+                                         FormatCase{BaseFormat::Rgb, {8, 8, 8, 0, 0, 0}},
+                                         FormatCase{BaseFormat::Rgba, {8, 8, 8, 8, 0, 0}}),
+                         [](const auto& test) { return std::string(rowOf(test.param.format).name); });
+
+} // namespace
+} // namespace texplorer::render

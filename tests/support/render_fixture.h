@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/offscreen/osmesa_context.h"
+#include "app/render/fixed_renderer.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+
+#include <glm/vec4.hpp>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer::testing_support {
+
+/// A context without a display and a renderer in it, new for every test.
+class RenderTest : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    /// Draws into a square of `extent` pixels and reads it back. What was wrong is in `problems`.
+    [[nodiscard]] Image picture(const Scene& scene, int extent = 8, double time = 0);
+
+    /// The colour of every pixel of a picture that has one colour, 0 to 1; a failure where it has several.
+    [[nodiscard]] glm::vec4 onlyColor(const Scene& scene, int extent = 8, double time = 0);
+
+    render::Capabilities capabilities;
+    ImageSource images;
+    std::vector<std::string> problems;
+    std::optional<render::FixedRenderer> renderer;
+
+private:
+    std::optional<offscreen::OsmesaContext> context_;
+};
+
+/// The colour of one pixel, 0 to 1; (0, 0) is at the bottom left.
+[[nodiscard]] glm::vec4 colorAt(const Image& image, int x, int y);
+
+/// Equal within `steps` 255ths in every component.
+[[nodiscard]] testing::AssertionResult isColor(glm::vec4 found, glm::vec4 expected, float steps = 1);
+
+} // namespace texplorer::testing_support
