@@ -29,6 +29,10 @@ inline constexpr std::array comparisons{
     Comparison{"BMP24 decode 4 MB", "bmpDecode/4", "bmpMemcpy/4", "memcpy", Goal::CostsUpTo, 1.25},
     Comparison{"BMP24 decode 16 MB", "bmpDecode/16", "bmpMemcpy/16", "memcpy", Goal::CostsUpTo, 1.25},
     Comparison{"Mip chain 2048 x 2048", "mipChain", "mipChainStb", "stb_image_resize", Goal::FasterBy, 4},
+    Comparison{"frame 640 x 480", "frame/640/480/real_time", "frameBare/640/480/real_time", "a bare loop",
+               Goal::CostsUpTo, 1.3},
+    Comparison{"frame 1280 x 800", "frame/1280/800/real_time", "frameBare/1280/800/real_time", "a bare loop",
+               Goal::CostsUpTo, 1.3},
     Comparison{"texshot shot", "processTexshotShot/real_time", "processMinimalOsmesa/real_time",
                "a minimal OSMesa program", Goal::CostsUpTo, 1.5},
 };
