@@ -5,6 +5,10 @@
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/capabilities.h"
 #include "app/render/fixed_renderer.h"
+#include "app/stage/stage.h"
+#include "app/ui/session.h"
+
+#include <GL/glew.h>
 
 namespace texplorer::screenshot {
 namespace {
@@ -29,11 +33,32 @@ Result<Picture> drawScene(const Drawing& drawing) {
     return Picture{std::move(*image), std::move(frame->problems)};
 }
 
+constexpr int settlingFrames = 3; // until Dear ImGui has given every window its size
+
+Result<Picture> drawWindow(const Drawing& drawing) {
+    const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(drawing.size);
+    if (!context)
+        return fail(context.error());
+    Result<stage::Stage> stage = stage::Stage::create(1);
+    if (!stage)
+        return fail(stage.error());
+
+    ui::Session session = ui::makeSession(drawing.scene, drawing.images, drawing.file);
+    session.playback.time = drawing.time;
+    for (int frame = 0; frame < settlingFrames; ++frame)
+        stage->draw(session, {drawing.size, drawing.size, 1});
+
+    Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
+    glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    return Picture{std::move(image), stage->problems()};
+}
+
 } // namespace
 } // namespace texplorer::screenshot
 
 extern "C" [[gnu::visibility("default")]] void
 texshotDraw(const texplorer::screenshot::Drawing& drawing,
             texplorer::Result<texplorer::screenshot::Picture>& picture) {
-    picture = texplorer::screenshot::drawScene(drawing);
+    using namespace texplorer::screenshot;
+    picture = drawing.window ? drawWindow(drawing) : drawScene(drawing);
 }

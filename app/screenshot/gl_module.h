@@ -14,10 +14,10 @@ namespace texplorer::screenshot {
 struct Drawing {
     Scene scene;
     ImageSource images;
-    std::string title;   ///< of the scene file, for the window's title line; may be empty
-    double time = 0;     ///< seconds
-    render::Size size;   ///< of the picture, in pixels
-    bool window = false; ///< the whole window with its panels, not just the scene
+    std::filesystem::path file; ///< of the scene; empty: none
+    double time = 0;            ///< seconds
+    render::Size size;          ///< of the picture, in pixels
+    bool window = false;        ///< the whole window with its panels, not just the scene
 };
 
 struct Picture {

@@ -26,6 +26,7 @@ Result<void> writeOutput(const std::string& path, ByteView bytes) {
 } // namespace texplorer::screenshot
 
 int main(int argc, char** argv) {
+    using namespace texplorer;
     using namespace texplorer::screenshot;
 
     CLI::App app("Texplorer without a display: draw scenes, look into texture files.", "texshot");
@@ -37,6 +38,17 @@ int main(int argc, char** argv) {
     Action action;
     for (const auto add : {addShot, addParams, addDecode, addInfo})
         add(app, action);
+
+    // CLI11 would say only that a subcommand is missing.
+    if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
+        std::string names;
+        for (const CLI::App* command : app.get_subcommands(nullptr))
+            names.append(names.empty() ? "" : ", ").append(command->get_name());
+        return complain({ErrorCode::OutOfRange,
+                         "there is no command \"" + std::string(argv[1]) + "\"; expected one of " + names,
+                         {}},
+                        wrongCall);
+    }
 
     try {
         app.parse(argc, argv);

@@ -1,0 +1,122 @@
+#include "app/stage/stage.h"
+
+#include "app/ui/theme.h"
+
+#include <GL/glew.h>
+#include <backends/imgui_impl_opengl2.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::stage {
+namespace {
+
+/// Dear ImGui with its OpenGL2 backend, which draws on a window's context and on OSMesa alike.
+class Panels {
+public:
+    explicit Panels(float scale)
+        : scale_(scale) {
+        ImGui::CreateContext();
+        ui::applyTheme(scale);
+        ImGui_ImplOpenGL2_Init();
+    }
+    ~Panels() {
+        ImGui_ImplOpenGL2_Shutdown();
+        ImGui::DestroyContext();
+    }
+    Panels(const Panels&) = delete;
+    Panels& operator=(const Panels&) = delete;
+
+    void setScale(float scale) {
+        if (scale == scale_)
+            return;
+        scale_ = scale;
+        ImGui_ImplOpenGL2_DestroyFontsTexture();
+        ui::applyTheme(scale);
+        ImGui_ImplOpenGL2_CreateFontsTexture();
+    }
+
+private:
+    float scale_;
+};
+
+void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
+    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
+}
+
+} // namespace
+
+struct Stage::State {
+    render::Capabilities capabilities;
+    render::FixedRenderer renderer;
+    render::TexturePreview preview;
+    Panels panels;
+    std::vector<std::string> problems;
+
+    State(render::Capabilities found, render::FixedRenderer made, float scale)
+        : capabilities(std::move(found))
+        , renderer(std::move(made))
+        , panels(scale) {}
+};
+
+Result<Stage> Stage::create(float scale) {
+    Result<render::Capabilities> capabilities = render::loadCapabilities();
+    if (!capabilities)
+        return fail(capabilities.error());
+    Result<render::FixedRenderer> renderer = render::FixedRenderer::create(*capabilities);
+    if (!renderer)
+        return fail(renderer.error());
+    return Stage(std::make_unique<State>(std::move(*capabilities), std::move(*renderer), scale));
+}
+
+Stage::Stage(std::unique_ptr<State> state)
+    : state_(std::move(state)) {}
+Stage::Stage(Stage&&) noexcept = default;
+Stage& Stage::operator=(Stage&&) noexcept = default;
+Stage::~Stage() = default;
+
+const std::vector<std::string>& Stage::problems() const {
+    return state_->problems;
+}
+
+ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
+                         const std::function<void()>& feedInput) {
+    state_->panels.setScale(surface.scale);
+    const float density =
+        static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
+    const ui::Layout layout =
+        ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density, session.columns);
+    ui::settle(session, layout);
+
+    const auto toPixels = [density](int length) {
+        return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
+    };
+    const render::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
+    Result<render::Frame> drawn =
+        state_->renderer.draw(session.scene, session.images, session.playback.time, picture);
+    const render::Frame frame =
+        drawn ? std::move(*drawn) : render::Frame{0, picture, 0, {describe(drawn.error())}};
+    const Texture* bound = ui::boundTexture(std::as_const(session));
+    const unsigned texture = bound ? state_->preview.show(*bound, session.images) : 0;
+
+    ImGui_ImplOpenGL2_NewFrame();
+    ImGui::GetIO().DisplaySize = {static_cast<float>(surface.size.width),
+                                  static_cast<float>(surface.size.height)};
+    ImGui::GetIO().DisplayFramebufferScale = {density, density};
+    if (feedInput)
+        feedInput();
+    ImGui::NewFrame();
+    ui::Requests requests =
+        ui::drawWorkbench(session, {frame, texture, setBlending}, state_->capabilities, layout);
+    ImGui::Render();
+
+    glViewport(0, 0, surface.pixels.width, surface.pixels.height);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+    state_->problems = frame.problems;
+    return requests;
+}
+
+} // namespace texplorer::stage

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/render/capabilities.h"
+#include "app/render/fixed_renderer.h"
+#include "app/render/texture_preview.h"
+#include "app/ui/workbench.h"
+#include "core/base/result.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texplorer::stage {
+
+/// Where a frame goes: the framebuffer that is bound when Stage::draw is called.
+struct Surface {
+    render::Size size;   ///< in the units of the mouse, which on some systems are larger than pixels
+    render::Size pixels; ///< of the framebuffer
+    float scale = 1;     ///< of the monitor's content: how large text should be, in pixels
+};
+
+/// Draws whole frames, the scene first and the panels around it. Both programs are a Stage and something that
+/// gives it a GL context: a window, or OSMesa. Owns the Dear ImGui context; one a process, on the thread
+/// where GL is current.
+class Stage {
+public:
+    [[nodiscard]] static Result<Stage> create(float scale);
+    Stage(Stage&&) noexcept;
+    Stage& operator=(Stage&&) noexcept;
+    ~Stage();
+
+    /// One frame; between two frames the scale may change. `feedInput` is called right before
+    /// ImGui::NewFrame, with the display size already set: a window's backend, or synthetic events.
+    ui::Requests draw(ui::Session& session, const Surface& surface,
+                      const std::function<void()>& feedInput = {});
+
+    /// What the renderer said of the last frame's scene.
+    [[nodiscard]] const std::vector<std::string>& problems() const;
+
+private:
+    struct State;
+    explicit Stage(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace texplorer::stage
