@@ -40,14 +40,16 @@ int main(int argc, char** argv) {
         add(app, action);
 
     // CLI11 would say only that a subcommand is missing.
-    if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
-        std::string names;
-        for (const CLI::App* command : app.get_subcommands(nullptr))
-            names.append(names.empty() ? "" : ", ").append(command->get_name());
-        return complain({ErrorCode::OutOfRange,
-                         "there is no command \"" + std::string(argv[1]) + "\"; expected one of " + names,
-                         {}},
-                        wrongCall);
+    std::string names;
+    bool known = argc < 2 || argv[1][0] == '-';
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        known = known || command->get_name() == argv[1];
+        names.append(names.empty() ? "" : ", ").append(command->get_name());
+    }
+    if (!known) {
+        const std::string sentence =
+            "there is no command \"" + std::string(argv[1]) + "\"; expected one of " + names;
+        return complain({ErrorCode::OutOfRange, sentence, {}}, wrongCall);
     }
 
     try {
