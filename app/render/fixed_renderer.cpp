@@ -159,8 +159,8 @@ GLuint FixedRenderer::State::textureOf(const Scene& scene, const Unit& unit, int
                    std::to_string(scene.textures.size()) + "; drawn without it");
         return 0;
     }
-    glActiveTexture(GL_TEXTURE0 +
-                    static_cast<GLenum>(unitIndex)); // an upload must not touch another's binding
+    // Preparing binds the texture: on its own unit, or it would take the place of another's.
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
     return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, errors);
 }
 

@@ -92,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     EditCase{"TexCoord", [](Scene& s) { s.models[0].texCoords[0][2].x += 0.25F; }},
                     EditCase{"TexCoordsOfTheMesh", [](Scene& s) { s.models[0].texCoords[0].clear(); }},
                     EditCase{"Shape", [](Scene& s) { s.models[0].shape = Shape::Floor; }},
+                    EditCase{"ShapeThatTheListDoesNotFit", [](Scene& s) { s.models[0].shape = Shape::Cube; }},
                     EditCase{"Subdivision", [](Scene& s) { s.models[1].slices = 5; }},
                     EditCase{"ModelRemoved", [](Scene& s) { s.models.erase(s.models.begin()); }},
                     EditCase{"ModelHidden", [](Scene& s) { s.models[1].visible = false; }},

@@ -263,9 +263,13 @@ private:
         glColor4f(0.1F, 0.2F, 0.3F, 0.4F);
     }
     void setVertices() {
-        glBindVertexArray(vertexArray_);
         glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-        glBufferData(GL_ARRAY_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, 1 << 16, nullptr, GL_STATIC_DRAW);
+        // Generic attribute 0 takes the place of the vertex array, also where no vertex array object is
+        // bound.
+        glEnableVertexAttribArray(0);
+        glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+        glBindVertexArray(vertexArray_);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer_.name());
         for (const GLenum each : std::to_array<GLenum>(
                  {GL_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_VERTEX_ARRAY, GL_EDGE_FLAG_ARRAY}))
