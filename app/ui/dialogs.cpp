@@ -22,7 +22,7 @@ constexpr std::array mouseLines{
     Line{"Click", "pick the nearest vertex"},
     Line{"Double click", "frame all models"},
     Line{"Right click on a value", "reset it to GL's initial value"},
-    Line{"Ctrl + click on a number", "type it"},
+    Line{"Double click on a number", "type it"},
 };
 
 constexpr std::array keyLines{

@@ -284,7 +284,8 @@ Browsing drawFileBrowser(Session& session, fs::path& chosen) {
         browser.mayOverwrite = false;
         browser.error.clear();
     }
-    if (entered) {
+    const bool enterElsewhere = ImGui::IsKeyPressed(key::enter, false) && !ImGui::IsAnyItemActive();
+    if (entered || (enterElsewhere && result == Browsing::Open)) {
         result = choose(browser, chosen);
         browser.focusName = true;
     }

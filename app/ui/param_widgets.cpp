@@ -51,7 +51,7 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
         }
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
-        dimText("Drag it, or hold Ctrl and click to type a number.");
+        dimText("Drag it, or double-click to type a number.");
     if (value != initial) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
         text("Initially " + formatValue(row, initial) + "; a right click resets it.");

@@ -1,0 +1,81 @@
+// The picture of the texture-space panel is uploaded as the texture is: read back, it has the values that
+// OpenGL 2.1, table 3.11 and section 3.8.1, give to each base internal format.
+
+#include "app/offscreen/osmesa_context.h"
+#include "app/render/capabilities.h"
+#include "app/render/texture_preview.h"
+
+#include <GL/glew.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace texplorer::render {
+namespace {
+
+using Texel = std::array<int, 4>;
+
+struct Case {
+    const char* name;
+    BaseFormat format;
+    Texel expected; // of the pixel (200, 100, 50, 128)
+};
+
+class Preview : public testing::TestWithParam<Case> {};
+
+TEST_P(Preview, HasTheComponentsOfItsInternalFormat) {
+    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    ASSERT_TRUE(loadCapabilities().has_value());
+    Image image = Image::uninitialised(PixelFormat::Rgba8, 1, 1);
+    constexpr std::array<int, 4> pixel{200, 100, 50, 128};
+    for (std::size_t i = 0; i < 4; ++i)
+        image.pixels[i] = static_cast<std::byte>(pixel[i]);
+    ImageSource images;
+    images.put("pixel", image);
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.file = "pixel";
+    texture.internalFormat = GetParam().format;
+
+    TexturePreview preview;
+    const unsigned name = preview.show(texture, images);
+    ASSERT_NE(name, 0U);
+    EXPECT_EQ(preview.show(texture, images), name) << "nothing changed, nothing is uploaded";
+    glBindTexture(GL_TEXTURE_2D, name);
+    glEnable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glColor4f(1, 1, 1, 1);
+    glBegin(GL_QUADS);
+    glVertex2f(-1, -1);
+    glVertex2f(1, -1);
+    glVertex2f(1, 1);
+    glVertex2f(-1, 1);
+    glEnd();
+    std::array<unsigned char, 4> drawn{};
+    glReadPixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, drawn.data());
+    EXPECT_EQ((Texel{drawn[0], drawn[1], drawn[2], drawn[3]}), GetParam().expected);
+}
+
+// REPLACE: what a format doesn't have comes from the fragment, which is white.
+INSTANTIATE_TEST_SUITE_P(
+    Formats, Preview,
+    testing::Values(Case{"Rgba", BaseFormat::Rgba, {200, 100, 50, 128}},
+                    Case{"Rgb", BaseFormat::Rgb, {200, 100, 50, 255}},
+                    Case{"Luminance", BaseFormat::Luminance, {200, 200, 200, 255}},
+                    Case{"LuminanceAlpha", BaseFormat::LuminanceAlpha, {200, 200, 200, 128}},
+                    Case{"Intensity", BaseFormat::Intensity, {200, 200, 200, 200}},
+                    Case{"Alpha", BaseFormat::Alpha, {255, 255, 255, 128}}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(TexturePreview, ShowsNothingWhereTheImageIsNotLoaded) {
+    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    ASSERT_TRUE(loadCapabilities().has_value());
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.file = "gone.bmp";
+    TexturePreview preview;
+    EXPECT_EQ(preview.show(texture, ImageSource{}), 0U);
+}
+
+} // namespace
+} // namespace texplorer::render

@@ -1,0 +1,88 @@
+#include "app/ui/commands.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+
+std::vector<std::string> calls(const Scene& scene) {
+    std::vector<std::string> texts;
+    for (const Command& each : commandsOf(scene)) {
+        if (each.kind == Command::Kind::Call)
+            texts.push_back(each.text);
+    }
+    return texts;
+}
+
+const Command* find(const std::vector<Command>& commands, std::string_view path) {
+    for (const Command& each : commands) {
+        if (each.path == path)
+            return &each;
+    }
+    return nullptr;
+}
+
+TEST(Commands, CarryTheValues) {
+    Scene scene = defaultScene();
+    scene.textures[0].wrapS = Wrap::MirroredRepeat;
+    scene.textures[0].borderColor = {1, 0, 0.5F, 1};
+    EXPECT_THAT(calls(scene),
+                Contains("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);"));
+    EXPECT_THAT(calls(scene),
+                Contains("glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, {1, 0, 0.5, 1});"));
+}
+
+TEST(Commands, SayWhatDiffersFromTheInitialValue) {
+    Scene scene = defaultScene();
+    scene.textures[0].wrapT = Wrap::Clamp;
+    const std::vector<Command> commands = commandsOf(scene);
+    ASSERT_NE(find(commands, "textures[0].wrapT"), nullptr);
+    EXPECT_TRUE(find(commands, "textures[0].wrapT")->changed);
+    EXPECT_FALSE(find(commands, "textures[0].wrapS")->changed);
+}
+
+TEST(Commands, DisableWhatIsOffAndFillInTheirNeighbours) {
+    Scene scene = defaultScene();
+    scene.passes[0].alphaTest = false;
+    scene.passes[0].alphaFunc = CompareFunc::Greater;
+    scene.passes[0].alphaRef = 0.5F;
+    EXPECT_THAT(calls(scene), Contains("glDisable(GL_ALPHA_TEST);"));
+    EXPECT_THAT(calls(scene), Contains("glAlphaFunc(GL_GREATER, 0.5);").Times(1));
+    EXPECT_THAT(calls(scene), Contains("glEnable(GL_DEPTH_TEST);"));
+}
+
+TEST(Commands, LeaveOutUnitsThatAreOff) {
+    Scene scene = defaultScene();
+    EXPECT_EQ(find(commandsOf(scene), "passes[0].units[1].envMode"), nullptr);
+    scene.passes[0].units[1].enabled = true;
+    EXPECT_NE(find(commandsOf(scene), "passes[0].units[1].envMode"), nullptr);
+}
+
+TEST(WrapCall, BreaksAfterCommasAndKeepsNumbersTogether) {
+    EXPECT_THAT(wrapCall("glEnable(GL_BLEND);", 40), ElementsAre("glEnable(GL_BLEND);"));
+    EXPECT_THAT(wrapCall("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);", 40),
+                ElementsAre("glTexParameteri(GL_TEXTURE_2D,", "    GL_TEXTURE_WRAP_S, GL_REPEAT);"));
+    EXPECT_THAT(wrapCall("glLightfv(GL_LIGHT0, GL_AMBIENT, {0, 0, 0, 1});", 40),
+                ElementsAre("glLightfv(GL_LIGHT0, GL_AMBIENT,", "    {0, 0, 0, 1});"));
+    EXPECT_THAT(wrapCall(std::string(100, 'x'), 20), ElementsAre(std::string(100, 'x')));
+}
+
+TEST(WrapCall, LosesNothing) {
+    const std::string call =
+        "glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, {0.25, 0.5, 0.75, 1});";
+    for (std::size_t columns = 0; columns < 100; ++columns) {
+        std::string joined;
+        for (const std::string& line : wrapCall(call, columns)) {
+            const std::string piece = line.substr(std::min(line.find_first_not_of(' '), line.size()));
+            joined += (joined.ends_with(',') ? " " : "") + piece;
+        }
+        EXPECT_EQ(joined, call) << columns;
+    }
+}
+
+} // namespace
+} // namespace texplorer::ui

@@ -1,0 +1,239 @@
+#include "app/ui/keys.h"
+#include "app/ui/param_widgets.h"
+#include "core/scene/params.h"
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui::test {
+namespace {
+
+constexpr const char* sections[] = {
+    "Texture", "Unit and environment", "Texture matrix", "Model", "Pass", "Light", "Material", "View"};
+
+class ParametersPanel : public Workbench {};
+
+TEST_F(ParametersPanel, AComboChoosesAnEnumerator) {
+    choose("textures[0].wrapS", "GL_CLAMP_TO_EDGE");
+    EXPECT_EQ(texture().wrapS, Wrap::ClampToEdge);
+    EXPECT_EQ(texture().wrapT, Wrap::Repeat);
+    EXPECT_EQ(session->lastChanged, "textures[0].wrapS");
+    choose("textures[0].minFilter", "GL_NEAREST");
+    EXPECT_EQ(texture().minFilter, MinFilter::Nearest);
+}
+
+TEST_F(ParametersPanel, ADragIsOneStepOfUndo) {
+    scrollTo("textures[0].maxAnisotropy");
+    drag(place("textures[0].maxAnisotropy"), {100, 0}); // 0.05 a pixel
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
+    drag(place("textures[0].maxAnisotropy"), {40, 0});
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
+    key('Z', {ctrl});
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().maxAnisotropy, 1);
+    EXPECT_FALSE(session->history.canUndo());
+    key('Z', {ctrl, shift});
+    key('Y', {ctrl});
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
+}
+
+TEST_F(ParametersPanel, ADragEndsAtTheEndOfTheRange) {
+    scrollTo("textures[0].maxAnisotropy");
+    drag(place("textures[0].maxAnisotropy"), {2000, 0});
+    EXPECT_EQ(texture().maxAnisotropy, 16);
+    drag(place("textures[0].maxAnisotropy"), {-2000, 0});
+    EXPECT_EQ(texture().maxAnisotropy, 1);
+}
+
+TEST_F(ParametersPanel, ANumberCanBeTypedAndIsBroughtIntoItsRange) {
+    scrollTo("textures[0].maxAnisotropy");
+    const ImVec2 at = place("textures[0].maxAnisotropy");
+    moveTo(at);
+    ImGui::GetIO().KeysDown[ctrl] = true;
+    ImGui::GetIO().KeyCtrl = true;
+    ImGui::GetIO().MouseDown[0] = true;
+    frames(1);
+    ImGui::GetIO().MouseDown[0] = false;
+    ImGui::GetIO().KeysDown[ctrl] = false;
+    ImGui::GetIO().KeyCtrl = false;
+    frames(2);
+    type("1e999");
+    key(key::enter);
+    EXPECT_EQ(texture().maxAnisotropy, 16);
+}
+
+TEST_F(ParametersPanel, AColourIsPickedAndUndoneAtOnce) {
+    unit().envMode = EnvMode::Blend;
+    scrollTo("passes[0].units[0].envColor");
+    click("passes[0].units[0].envColor");
+    const std::string picker = "passes[0].units[0].envColor#picker";
+    const Probe::Item box = session->probe->items.at(picker);
+    // The upper right of the picker's square: saturated and bright.
+    drag({box.left + 20, box.top + 60}, {60, -40});
+    const glm::vec4 picked = unit().envColor;
+    EXPECT_GT(picked.r, 0.5F);
+    EXPECT_LT(picked.g, picked.r);
+    key(key::escape); // closes the picker
+    EXPECT_FALSE(has(picker));
+    key('Z', {ctrl});
+    EXPECT_EQ(unit().envColor, glm::vec4(0));
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+TEST_F(ParametersPanel, ACheckboxSwitches) {
+    scrollTo("passes[0].units[0].enabled");
+    click("passes[0].units[0].enabled");
+    EXPECT_FALSE(unit().enabled);
+    click("passes[0].units[0].enabled");
+    EXPECT_TRUE(unit().enabled);
+}
+
+TEST_F(ParametersPanel, TheSignBesideAChangedValueResetsItToGlsInitialOne) {
+    EXPECT_FALSE(has("textures[0].wrapT#reset"));
+    choose("textures[0].wrapT", "GL_CLAMP");
+    click("textures[0].wrapT#reset");
+    EXPECT_EQ(texture().wrapT, Wrap::Repeat);
+    EXPECT_FALSE(has("textures[0].wrapT#reset"));
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().wrapT, Wrap::Clamp);
+}
+
+TEST_F(ParametersPanel, ARightClickResets) {
+    scrollTo("textures[0].minFilter");
+    click("textures[0].minFilter", ImGuiMouseButton_Right);
+    EXPECT_EQ(texture().minFilter, MinFilter::NearestMipmapLinear);
+    click("textures[0].minFilter", ImGuiMouseButton_Right);
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapLinear);
+    EXPECT_FALSE(session->history.canUndo()) << "resetting what is reset already is no edit";
+}
+
+TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
+    click("add texture");
+    ASSERT_EQ(scene().textures.size(), 2U);
+    EXPECT_EQ(unit().texture, 1);
+    choose("textures[1].wrapS", "GL_CLAMP");
+    EXPECT_EQ(scene().textures[1].wrapS, Wrap::Clamp);
+    EXPECT_EQ(scene().textures[0].wrapS, Wrap::Repeat);
+    scrollTo("texture choice");
+    click("texture choice");
+    click("bind:0");
+    EXPECT_EQ(unit().texture, 0);
+    click("remove texture");
+    ASSERT_EQ(scene().textures.size(), 1U);
+    EXPECT_EQ(scene().textures[0].wrapS, Wrap::Clamp);
+    EXPECT_EQ(unit().texture, 0);
+    session->scene.passes[0].units[0].enabled = false; // a unit without a texture is reported by the renderer
+    click("remove texture");
+    EXPECT_TRUE(scene().textures.empty());
+    click("add texture");
+    EXPECT_EQ(scene().textures.size(), 1U);
+}
+
+TEST_F(ParametersPanel, EditsTheChosenUnit) {
+    click("unit:1");
+    EXPECT_EQ(session->selection.unit, 1);
+    choose("passes[0].units[1].envMode", "GL_ADD");
+    EXPECT_EQ(scene().passes[0].units[1].envMode, EnvMode::Add);
+    EXPECT_EQ(unit().envMode, EnvMode::Modulate);
+}
+
+TEST_F(ParametersPanel, MatrixStepsAreAddedMovedAndRemoved) {
+    open("Texture matrix");
+    scrollTo("add:translate");
+    click("add:translate");
+    scrollTo("add:rotate");
+    click("add:rotate");
+    ASSERT_EQ(unit().matrix.size(), 2U);
+    EXPECT_EQ(unit().matrix[1].amount, glm::vec3(0, 0, 1));
+    scrollTo("passes[0].units[0].matrix[1].angleRate");
+    drag(place("passes[0].units[0].matrix[1].angleRate"), {40, 0});
+    EXPECT_NEAR(unit().matrix[1].angleRate, 20, 1);
+    scrollTo("passes[0].units[0].matrix[1]#up");
+    click("passes[0].units[0].matrix[1]#up");
+    EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
+    scrollTo("passes[0].units[0].matrix[1]#remove");
+    click("passes[0].units[0].matrix[1]#remove");
+    ASSERT_EQ(unit().matrix.size(), 1U);
+    EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
+}
+
+TEST_F(ParametersPanel, AVectorHasADragForEachComponent) {
+    open("Light");
+    scrollTo("light.position[1]");
+    const glm::vec4 before = scene().light.position;
+    drag(place("light.position[1]"), {50, 0});
+    EXPECT_GT(scene().light.position.y, before.y);
+    EXPECT_EQ(scene().light.position.x, before.x);
+    EXPECT_EQ(scene().light.position.z, before.z);
+}
+
+TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
+    choose("textures[0].source", "file");
+    EXPECT_EQ(session->dialog, Dialog::OpenImage);
+    EXPECT_EQ(texture().source, SourceKind::Pattern);
+    key(key::escape);
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+/// Walks the tables: whoever adds a row gets its widget, and a row without one is found here.
+TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
+    unit().matrix.resize(1);
+    unit().matrix[0].op = MatrixOp::Rotate;
+    scene().models[0].shape = Shape::Sphere;
+    for (const char* section : sections) {
+        if (std::string_view(section) != "Texture" && std::string_view(section) != "Unit and environment")
+            open(section);
+    }
+    int rows = 0;
+    const auto expectRows = [&](const Owner& owner, const StructTable& table) {
+        for (const ParamRow& row : table.params) {
+            if (!isRelevant(owner, row) || row.key == "texture") // which is "texture choice"
+                continue;
+            const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4;
+            EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
+            ++rows;
+        }
+    };
+    Scene& s = scene();
+    const std::string first = "passes[0].units[0]";
+    expectRows({&s.view, nullptr, "view"}, viewTable());
+    expectRows({&s.light, nullptr, "light"}, lightTable());
+    expectRows({&s.material, nullptr, "material"}, materialTable());
+    expectRows({s.models.data(), nullptr, "models[0]"}, modelTable());
+    expectRows({s.textures.data(), nullptr, "textures[0]"}, textureTable());
+    expectRows({s.passes.data(), nullptr, "passes[0]"}, passTable());
+    expectRows({&unit(), nullptr, first}, unitTable());
+    expectRows({unit().matrix.data(), nullptr, first + ".matrix[0]"}, matrixStepTable());
+    EXPECT_GT(rows, 50);
+    EXPECT_TRUE(has("texture choice"));
+}
+
+TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
+    struct Size {
+        int width, height;
+        float scale;
+    };
+    for (const Size size :
+         {Size{1280, 800, 1}, Size{1920, 1080, 1}, Size{2560, 1440, 1}, Size{2560, 1600, 2}}) {
+        start(defaultScene(), size.width, size.height, size.scale);
+        for (const auto& [name, item] : session->probe->items) {
+            if (!name.starts_with("textures[0]"))
+                continue;
+            EXPECT_GE(item.left, static_cast<float>(layout.parameters.x)) << name;
+            EXPECT_LE(item.right, static_cast<float>(layout.parameters.right())) << name;
+        }
+    }
+}
+
+TEST_F(ParametersPanel, ATinyWindowStillDraws) {
+    start(defaultScene(), 640, 400);
+    EXPECT_TRUE(has("view"));
+    start(defaultScene(), 320, 200);
+    EXPECT_TRUE(has("view"));
+}
+
+} // namespace
+} // namespace texplorer::ui::test

@@ -1,0 +1,139 @@
+#include "core/scene/tex_coords.h"
+#include "tests/ui/workbench.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+
+namespace texplorer::ui::test {
+namespace {
+
+class TextureSpace : public Workbench {
+protected:
+    glm::vec4 coord(std::size_t vertex) {
+        return effectiveTexCoords(*selectedModel(*session), selectedMesh(*session), 0)[vertex];
+    }
+    float pixelsPerUnit() {
+        const Probe::Item& canvas = session->probe->items.at("texture space");
+        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) / session->plane.extent;
+    }
+    /// Where the panel shows a coordinate.
+    ImVec2 at(float s, float t) {
+        const Probe::Item& canvas = session->probe->items.at("texture space");
+        return {(canvas.left + canvas.right) / 2 + (s - session->plane.s) * pixelsPerUnit(),
+                (canvas.top + canvas.bottom) / 2 - (t - session->plane.t) * pixelsPerUnit()};
+    }
+    int channel(ImVec2 place, int component) {
+        const Image window = picture();
+        return std::to_integer<int>(
+            window.at(static_cast<int>(place.x),
+                      window.height - 1 - static_cast<int>(place.y))[static_cast<std::size_t>(component)]);
+    }
+};
+
+TEST_F(TextureSpace, AVertexIsDraggedToOtherCoordinates) {
+    click("vertex:2");
+    ASSERT_EQ(coord(2), glm::vec4(1, 1, 0, 1));
+    const float unitPixels = pixelsPerUnit();
+    drag(place("coord:2"), {50, 20});
+    EXPECT_NEAR(coord(2).x, 1 + 50 / unitPixels, 1e-4F);
+    EXPECT_NEAR(coord(2).y, 1 - 20 / unitPixels, 1e-4F);
+    EXPECT_EQ(coord(1), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(coord(6), glm::vec4(1, 1, 0, 1)) << "the other faces keep theirs";
+    key('Z', {ctrl});
+    EXPECT_EQ(coord(2), glm::vec4(1, 1, 0, 1));
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+TEST_F(TextureSpace, OfVerticesAtOnePlaceTheChosenFacesIsTaken) {
+    click("vertex:4"); // of the back face
+    clickAt(at(1, 1));
+    ASSERT_TRUE(session->selection.vertex.has_value());
+    const std::vector<std::uint32_t>& back = selectedMesh(*session).faces[1].vertices;
+    EXPECT_NE(std::ranges::find(back, *session->selection.vertex), back.end());
+}
+
+TEST_F(TextureSpace, DraggingElsewhereMovesThePlaneNotTheScene) {
+    const Scene before = scene();
+    const Plane plane = session->plane;
+    drag(at(0.5F, 0.5F), {30, 0});
+    EXPECT_LT(session->plane.s, plane.s);
+    drag(at(1, 1), {30, 0}, ImGuiMouseButton_Right); // a right drag never takes a vertex
+    wheel(at(0.3F, 0.3F), 3);
+    EXPECT_LT(session->plane.extent, plane.extent);
+    EXPECT_EQ(scene(), before);
+    click("fit plane");
+    EXPECT_NEAR(session->plane.s, 0.5F, 1e-5F);
+}
+
+TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
+    texture().wrapS = Wrap::ClampToBorder;
+    texture().borderColor = {1, 0, 0, 1};
+    frames(3);
+    // checker.c: squares of 8 texels, the one at the lower left is black; t grows upwards.
+    const float square = 1.0F / 8;
+    EXPECT_EQ(channel(at(square / 2, 2.5F * square), 1), 0);
+    EXPECT_EQ(channel(at(1.5F * square, 2.5F * square), 1), 255);
+    const ImVec2 outside = at(-0.15F, 2.5F * square);
+    EXPECT_GT(channel(outside, 0), 120);
+    EXPECT_LT(channel(outside, 1), 40);
+    const ImVec2 above =
+        at(1.5F * square, 1 + 2.5F * square); // t still repeats, darker than the image itself
+    EXPECT_GT(channel(above, 1), 120);
+    EXPECT_LT(channel(above, 1), 200);
+}
+
+TEST_F(TextureSpace, TheListDragsSingleNumbers) {
+    drag(place("models[0].texCoords0[1][0]"), {40, 0});
+    EXPECT_NEAR(coord(1).x, 1 + 40 * 0.005F, 0.006F);
+    EXPECT_EQ(coord(1).y, 0);
+    EXPECT_EQ(session->selection.vertex, std::optional<std::size_t>(1));
+    key('Z', {ctrl});
+    EXPECT_EQ(coord(1).x, 1);
+}
+
+TEST_F(TextureSpace, ButtonsEditEveryVertex) {
+    click("coords:× 2");
+    EXPECT_EQ(coord(2), glm::vec4(2, 2, 0, 1));
+    EXPECT_EQ(coord(22).x + coord(22).y, 2 * (effectiveTexCoords(Model{}, selectedMesh(*session), 0)[22].x +
+                                              effectiveTexCoords(Model{}, selectedMesh(*session), 0)[22].y));
+    click("coords:Flip s");
+    EXPECT_EQ(coord(2), glm::vec4(-1, 2, 0, 1));
+    click("coords:Reset");
+    EXPECT_EQ(coord(2), glm::vec4(1, 1, 0, 1));
+    EXPECT_TRUE(scene().models[0].texCoords[0].empty());
+    key('Z', {ctrl});
+    EXPECT_EQ(coord(2), glm::vec4(-1, 2, 0, 1));
+}
+
+TEST_F(TextureSpace, ThirdAndFourthCoordinatesCanBeShown) {
+    EXPECT_FALSE(has("models[0].texCoords0[0][3]"));
+    click("show r, q");
+    drag(place("models[0].texCoords0[0][3]"), {40, 0});
+    EXPECT_NEAR(coord(0).w, 1.2F, 0.006F);
+}
+
+TEST_F(TextureSpace, ListsTheVerticesOfTheChosenModel) {
+    click("model choice");
+    click("model:1");
+    EXPECT_EQ(session->selection.model, 1);
+    const std::string face = selectedMesh(*session).faces.front().name;
+    EXPECT_TRUE(has("face:" + face));
+    click("face:" + face);
+    EXPECT_TRUE(has("models[1].texCoords0[0][0]"));
+}
+
+TEST_F(TextureSpace, TheCommandsTabMarksWhatChangedLast) {
+    click("tab:Commands");
+    EXPECT_TRUE(has("command:textures[0].wrapS"));
+    choose("textures[0].wrapS", "GL_CLAMP");
+    EXPECT_TRUE(session->probe->items.at("command:textures[0].wrapS").visible);
+    open("Material");
+    scrollTo("material.shininess");
+    drag(place("material.shininess"), {20, 0});
+    frames(2);
+    EXPECT_TRUE(session->probe->items.at("command:material.shininess").visible) << "the view scrolls there";
+}
+
+} // namespace
+} // namespace texplorer::ui::test

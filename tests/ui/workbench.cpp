@@ -1,0 +1,231 @@
+#include "tests/ui/workbench.h"
+
+#include "app/offscreen/osmesa_context.h"
+#include "app/render/fixed_renderer.h"
+#include "app/render/texture_preview.h"
+#include "app/ui/keys.h"
+#include "app/ui/theme.h"
+
+#include <GL/glew.h>
+#include <backends/imgui_impl_opengl2.h>
+
+namespace texplorer::ui::test {
+
+namespace {
+
+constexpr float frameSeconds = 1.0F / 60;
+
+void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
+    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
+}
+
+render::Capabilities madeUpCapabilities() {
+    render::Capabilities capabilities;
+    capabilities.renderer = "none";
+    capabilities.maxTextureSize = 16384;
+    capabilities.textureUnits = 8;
+    capabilities.maxAnisotropy = 16;
+    return capabilities;
+}
+
+} // namespace
+
+struct Workbench::Drawing {
+    explicit Drawing(render::Size size)
+        : context(offscreen::OsmesaContext::create(size).value())
+        , capabilities(render::loadCapabilities().value())
+        , renderer(render::FixedRenderer::create(capabilities).value()) {
+        ImGui_ImplOpenGL2_Init();
+    }
+    ~Drawing() { ImGui_ImplOpenGL2_Shutdown(); }
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+
+    offscreen::OsmesaContext context;
+    render::Capabilities capabilities;
+    render::FixedRenderer renderer;
+    render::TexturePreview preview;
+};
+
+Workbench::Workbench() {
+    start(defaultScene());
+}
+
+void Workbench::start(Scene scene, int width, int height, float scale) {
+    drawing_.reset();
+    if (ImGui::GetCurrentContext())
+        ImGui::DestroyContext();
+    width_ = width;
+    height_ = height;
+    scale_ = scale;
+    ImGui::CreateContext();
+    applyTheme(scale);
+    mapKeys();
+    unsigned char* pixels = nullptr;
+    int textureWidth = 0;
+    int textureHeight = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &textureWidth, &textureHeight);
+    session.emplace(makeSession(std::move(scene), ImageSource{}));
+    session->probe = &probe_;
+    frames(3);
+}
+
+Workbench::~Workbench() {
+    drawing_.reset();
+    ImGui::DestroyContext();
+}
+
+void Workbench::build(const render::Frame& frame, unsigned texture) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+    io.DeltaTime = frameSeconds;
+    static const render::Capabilities madeUp = madeUpCapabilities();
+    ImGui::NewFrame();
+    requests = drawWorkbench(*session, {frame, texture, setBlending},
+                             drawing_ ? drawing_->capabilities : madeUp, layout);
+    ImGui::Render();
+    io.MouseWheel = 0;
+}
+
+void Workbench::frames(int count) {
+    for (int i = 0; i < count; ++i) {
+        layout = layoutFor(width_, height_, scale_, session->columns);
+        settle(*session, layout);
+        build(render::Frame{0, {layout.picture.width, layout.picture.height}, 0, {}}, 0);
+    }
+}
+
+Image Workbench::picture() {
+    if (!drawing_)
+        drawing_ = std::make_unique<Drawing>(render::Size{width_, height_});
+    layout = layoutFor(width_, height_, scale_, session->columns);
+    settle(*session, layout);
+    const render::Frame frame = drawing_->renderer
+                                    .draw(session->scene, session->images, session->playback.time,
+                                          {layout.picture.width, layout.picture.height})
+                                    .value();
+    EXPECT_EQ(frame.problems, std::vector<std::string>{});
+    const Texture* bound = boundTexture(std::as_const(*session));
+    const unsigned texture = bound ? drawing_->preview.show(*bound, session->images) : 0;
+    ImGui_ImplOpenGL2_NewFrame();
+    build(frame, texture);
+    glViewport(0, 0, width_, height_);
+    glClearColor(1, 0, 1, 1); // what no panel covers is glaring
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    Image image = Image::uninitialised(PixelFormat::Rgba8, width_, height_);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    return image;
+}
+
+ImVec2 Workbench::place(std::string_view name) {
+    const auto found = probe_.items.find(name);
+    if (found == probe_.items.end() || !found->second.visible) {
+        ADD_FAILURE() << name << " is not in sight";
+        return {-1, -1};
+    }
+    const Probe::Item& item = found->second;
+    return {(item.left + item.right) / 2, (item.top + item.bottom) / 2};
+}
+
+void Workbench::moveTo(ImVec2 place) {
+    ImGui::GetIO().MousePos = place;
+    frames(2); // a widget that others may cover wants to have been hovered before
+}
+
+void Workbench::clickAt(ImVec2 place, int button) {
+    moveTo(place);
+    ImGui::GetIO().MouseDown[button] = true;
+    frames(1);
+    ImGui::GetIO().MouseDown[button] = false;
+    frames(3);
+}
+
+void Workbench::click(std::string_view name, int button) {
+    clickAt(place(name), button);
+}
+
+void Workbench::doubleClickAt(ImVec2 place) {
+    clickAt(place);
+    clickAt(place); // a few frames apart: well within Dear ImGui's 0.3 s
+    rest();
+}
+
+void Workbench::drag(ImVec2 from, ImVec2 way, int button) {
+    constexpr int steps = 10;
+    moveTo(from);
+    ImGuiIO& io = ImGui::GetIO();
+    io.MouseDown[button] = true;
+    frames(1);
+    for (int i = 1; i <= steps; ++i) {
+        const float share = static_cast<float>(i) / steps;
+        io.MousePos = {from.x + way.x * share, from.y + way.y * share};
+        frames(1);
+    }
+    io.MouseDown[button] = false;
+    rest();
+}
+
+void Workbench::rest() {
+    frames(25);
+}
+
+void Workbench::wheel(ImVec2 place, float notches) {
+    moveTo(place);
+    ImGui::GetIO().MouseWheel = notches;
+    frames(3);
+}
+
+void Workbench::open(std::string_view section) {
+    const std::string name = "section:" + std::string(section);
+    scrollTo(name);
+    click(name);
+}
+
+void Workbench::scrollTo(std::string_view name) {
+    const Rect& panel = layout.parameters;
+    const ImVec2 above(static_cast<float>(panel.x + 4), static_cast<float>(panel.y + 4));
+    wheel(above, 100);
+    for (int turn = 0; turn < 100; ++turn) {
+        const auto found = probe_.items.find(name);
+        if (found != probe_.items.end() && found->second.visible &&
+            found->second.bottom <= static_cast<float>(panel.bottom() - 40))
+            return;
+        wheel(above, -1);
+    }
+}
+
+void Workbench::choose(std::string_view param, std::string_view name) {
+    scrollTo(param);
+    click(param);
+    click(std::string(param) + "=" + std::string(name));
+}
+
+void Workbench::setModifiers() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = io.KeysDown[ctrl];
+    io.KeyShift = io.KeysDown[shift];
+}
+
+void Workbench::key(int code, std::initializer_list<int> modifiers) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int modifier : modifiers)
+        io.KeysDown[modifier] = true;
+    setModifiers();
+    io.KeysDown[code] = true;
+    frames(1);
+    io.KeysDown[code] = false;
+    for (const int modifier : modifiers)
+        io.KeysDown[modifier] = false;
+    setModifiers();
+    frames(3);
+}
+
+void Workbench::type(std::string_view text) {
+    for (const char letter : text)
+        ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+    frames(2);
+}
+
+} // namespace texplorer::ui::test

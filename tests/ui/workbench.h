@@ -1,0 +1,76 @@
+#pragma once
+
+#include "app/ui/workbench.h"
+#include "core/image/image.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace texplorer::ui::test {
+
+/// The whole window without a window; the tests are its hands. Widgets are found by the name under which they
+/// note where they are. Nothing is drawn until a test asks for a picture: then OSMesa does.
+class Workbench : public testing::Test {
+protected:
+    Workbench();
+    ~Workbench() override;
+
+    /// Begins again with another scene or another window size.
+    void start(Scene scene, int width = 1280, int height = 800, float scale = 1);
+
+    /// Draws frames, with whatever the hands hold. The clock stands still unless a test lets it run.
+    void frames(int count = 1);
+
+    [[nodiscard]] bool has(std::string_view name) const { return session->probe->items.contains(name); }
+    /// The middle of a widget that is in sight; fails the test where it isn't.
+    [[nodiscard]] ImVec2 place(std::string_view name);
+
+    void moveTo(ImVec2 place);
+    void click(std::string_view name, int button = ImGuiMouseButton_Left);
+    void clickAt(ImVec2 place, int button = ImGuiMouseButton_Left);
+    void doubleClickAt(ImVec2 place);
+    /// Presses, moves in ten steps, lets go.
+    void drag(ImVec2 from, ImVec2 way, int button = ImGuiMouseButton_Left);
+    void wheel(ImVec2 place, float notches);
+    /// Opens a section of the parameters and scrolls there.
+    void open(std::string_view section);
+    /// Turns the wheel over the parameters until a widget is whole in sight.
+    void scrollTo(std::string_view name);
+    void choose(std::string_view param, std::string_view name); ///< in a combo
+
+    void key(int code, std::initializer_list<int> modifiers = {});
+    void type(std::string_view text);
+
+    /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test where GL reports anything.
+    [[nodiscard]] Image picture();
+
+    [[nodiscard]] Scene& scene() { return session->scene; }
+    [[nodiscard]] Texture& texture() { return session->scene.textures.front(); }
+    [[nodiscard]] Unit& unit() { return session->scene.passes.front().units.front(); }
+
+    std::optional<Session> session;
+    Requests requests;
+    Layout layout;
+
+private:
+    struct Drawing;
+
+    void setModifiers();
+    void rest(); ///< so long that the next click is no second one
+    void build(const render::Frame& frame, unsigned texture);
+
+    Probe probe_;
+    int width_ = 1280;
+    int height_ = 800;
+    float scale_ = 1;
+    std::unique_ptr<Drawing> drawing_;
+};
+
+constexpr int ctrl = 341; // GLFW's left control and shift keys
+constexpr int shift = 340;
+
+} // namespace texplorer::ui::test
