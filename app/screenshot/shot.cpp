@@ -2,6 +2,7 @@
 #include "app/screenshot/gl_module.h"
 #include "core/base/file_io.h"
 #include "core/codec/png.h"
+#include "core/image/convert.h"
 #include "core/scene/json.h"
 #include "core/scene/params.h"
 
@@ -71,12 +72,13 @@ ExitCode shoot(const Options& options) {
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
 
-    const Result<Picture> picture = draw(drawing);
+    Result<Picture> picture = draw(drawing);
     if (!picture)
         return complain(picture.error());
     for (const std::string& problem : picture->problems)
         complain({ErrorCode::Driver, problem, {}});
-    const Result<Bytes> png = encodePng(picture->image);
+    // What one sees: a viewer would let its own background through the framebuffer's alpha.
+    const Result<Bytes> png = encodePng(withoutAlpha(std::move(picture->image)));
     if (!png)
         return complain(png.error());
     if (const auto written = writeOutput(options.out, *png); !written)

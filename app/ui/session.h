@@ -54,6 +54,7 @@ struct Session {
     bool needsFit = false;      ///< the camera has not yet been fitted to the view's shape
 
     Playback playback;
+    bool showsFrameTime = true; ///< off where two pictures of the window should be the same
     Selection selection;
     Plane plane;
     Columns columns;

@@ -2,6 +2,9 @@
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
 
+#include <array>
+#include <cstdio>
+
 namespace texplorer::ui {
 
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
@@ -15,8 +18,14 @@ void drawStatusBar(Session& session, const Pictures& pictures, const render::Cap
     const render::Frame& frame = pictures.scene;
     // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
     const std::string renderer = capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
-    ImGui::TextDisabled("%s · %d × %d · %.1f ms", renderer.c_str(), frame.size.width, frame.size.height,
-                        frame.milliseconds);
+    std::string facts =
+        renderer + " · " + std::to_string(frame.size.width) + " × " + std::to_string(frame.size.height);
+    if (session.showsFrameTime) {
+        std::array<char, 32> time{};
+        std::snprintf(time.data(), time.size(), " · %.1f ms", frame.milliseconds);
+        facts += time.data();
+    }
+    ImGui::TextDisabled("%s", facts.c_str());
     noteItem(session, "status");
     helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
             "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +

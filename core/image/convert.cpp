@@ -1,0 +1,21 @@
+#include "core/image/convert.h"
+
+namespace texplorer {
+
+Image withoutAlpha(Image image) {
+    if (image.format != PixelFormat::Rgba8)
+        return image;
+    // In place: what is written never overtakes what is read.
+    std::byte* to = image.pixels.data();
+    const std::byte* end = to + image.pixels.size();
+    for (const std::byte* from = to; from != end; from += 4, to += 3) {
+        to[0] = from[0];
+        to[1] = from[1];
+        to[2] = from[2];
+    }
+    image.format = PixelFormat::Rgb8;
+    image.pixels.resize(image.pixels.size() / 4 * 3);
+    return image;
+}
+
+} // namespace texplorer
