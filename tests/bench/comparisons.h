@@ -33,6 +33,10 @@ inline constexpr std::array comparisons{
                Goal::CostsUpTo, 1.3},
     Comparison{"frame 1280 x 800", "frame/1280/800/real_time", "frameBare/1280/800/real_time", "a bare loop",
                Goal::CostsUpTo, 1.3},
+    Comparison{"scene JSON read", "sceneParse", "sceneParseNlohmann", "nlohmann-json's own document",
+               Goal::CostsUpTo, 1.5},
+    Comparison{"scene JSON write", "sceneWrite", "sceneWriteNlohmann", "nlohmann-json's own document",
+               Goal::CostsUpTo, 1.5},
     Comparison{"texshot shot", "processTexshotShot/real_time", "processMinimalOsmesa/real_time",
                "a minimal OSMesa program", Goal::CostsUpTo, 1.5},
 };

@@ -1,0 +1,30 @@
+// What the panels add to a frame of the window: the whole frame against the renderer alone, at the size of
+// the picture in the window.
+
+#include "app/offscreen/osmesa_context.h"
+#include "app/stage/stage.h"
+
+#include <GL/glew.h>
+#include <benchmark/benchmark.h>
+
+namespace texplorer::bench {
+namespace {
+
+constexpr render::Size window{1280, 800};
+
+void windowFrame(benchmark::State& state) {
+    const auto context = offscreen::OsmesaContext::create(window);
+    auto stage = stage::Stage::create(1);
+    if (!stage)
+        return state.SkipWithError(describe(stage.error()).c_str());
+    ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
+    for (auto _ : state) {
+        stage->draw(session, {window, window, 1});
+        glFinish();
+    }
+}
+
+BENCHMARK(windowFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+} // namespace texplorer::bench
