@@ -57,8 +57,13 @@ Result<void> runLoop(Window& window, ui::Session& session) {
         ui::advance(session, std::min(now - last, longestStep));
         last = now;
 
+        const auto feedInput = [&] {
+            if (window.feedKeys())
+                settling = settlingFrames;
+            Input::feed();
+        };
         const ui::Requests requests =
-            stage->draw(session, {window.size(), window.framebuffer(), window.contentScale()}, &Input::feed);
+            stage->draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
         window.setTitle(requests.title);
         window.swap();
         if (requests.quit)

@@ -1,5 +1,7 @@
 #include "app/explorer/window.h"
 
+#include "app/ui/input_queue.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -7,6 +9,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
+#include <utility>
 
 namespace texplorer::explorer {
 namespace {
@@ -19,11 +23,17 @@ void rememberError(int /*code*/, const char* description) {
 
 constexpr double slowestMonitor = 60; // hertz; virtual displays report less, or nothing
 
+/// What the callbacks leave for the loop.
+struct Inbox {
+    Window::Events events;
+    std::deque<ui::KeyEvent> keys;
+};
+
 } // namespace
 
 struct Window::State {
     GLFWwindow* window = nullptr;
-    Events events;
+    Inbox inbox;
     std::string title;
 
     ~State() {
@@ -35,9 +45,13 @@ struct Window::State {
 
 namespace {
 
+Inbox& inboxOf(GLFWwindow* window) {
+    return *static_cast<Inbox*>(glfwGetWindowUserPointer(window));
+}
+
 /// The window's events, marked: something has happened.
 Window::Events& happened(GLFWwindow* window) {
-    auto& events = *static_cast<Window::Events*>(glfwGetWindowUserPointer(window));
+    Window::Events& events = inboxOf(window).events;
     events.any = true;
     return events;
 }
@@ -61,7 +75,11 @@ void installCallbacks(GLFWwindow* window) {
         happened(w);
         ImGui_ImplGlfw_CursorEnterCallback(w, entered);
     });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { happened(w); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) {
+        happened(w);
+        // The pointer may have been inside before anyone listened for its entering.
+        ImGui_ImplGlfw_CursorEnterCallback(w, GLFW_TRUE);
+    });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
         happened(w);
         ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
@@ -70,13 +88,17 @@ void installCallbacks(GLFWwindow* window) {
         happened(w);
         ImGui_ImplGlfw_ScrollCallback(w, x, y);
     });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
+        using Kind = ui::KeyEvent::Kind;
+        const Kind kind = action == GLFW_RELEASE ? Kind::Release
+                          : action == GLFW_PRESS ? Kind::Press
+                                                 : Kind::Repeat;
         happened(w);
-        ImGui_ImplGlfw_KeyCallback(w, printedKey(key, scancode), scancode, action, mods);
+        inboxOf(w).keys.push_back({kind, printedKey(key, scancode), scancode});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) {
         happened(w);
-        ImGui_ImplGlfw_CharCallback(w, codepoint);
+        inboxOf(w).keys.push_back({ui::KeyEvent::Kind::Character, static_cast<int>(codepoint)});
     });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happened(w); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happened(w); });
@@ -119,7 +141,7 @@ Result<Window> Window::open(render::Size size, const std::string& title) {
     if (!state->window)
         return fail(ErrorCode::Driver, "no window with OpenGL can be opened (" + lastGlfwError + ")");
     glfwSetWindowSizeLimits(state->window, 320, 200, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    glfwSetWindowUserPointer(state->window, &state->events);
+    glfwSetWindowUserPointer(state->window, &state->inbox);
     glfwMakeContextCurrent(state->window);
     glfwSwapInterval(1);
     installCallbacks(state->window);
@@ -137,7 +159,25 @@ GLFWwindow* Window::handle() const {
 }
 
 Window::Events Window::takeEvents() {
-    return std::exchange(state_->events, {});
+    return std::exchange(state_->inbox.events, {});
+}
+
+bool Window::feedKeys() {
+    using Kind = ui::KeyEvent::Kind;
+    std::deque<ui::KeyEvent>& keys = state_->inbox.keys;
+    for (std::size_t left = ui::eventsForOneFrame(keys); left > 0; --left) {
+        const ui::KeyEvent event = keys.front();
+        keys.pop_front();
+        if (event.kind == Kind::Character)
+            ImGui_ImplGlfw_CharCallback(state_->window, static_cast<unsigned>(event.code));
+        else
+            ImGui_ImplGlfw_KeyCallback(state_->window, event.code, event.scancode,
+                                       event.kind == Kind::Release ? GLFW_RELEASE
+                                       : event.kind == Kind::Press ? GLFW_PRESS
+                                                                   : GLFW_REPEAT,
+                                       0);
+    }
+    return !keys.empty();
 }
 
 void Window::wait() {

@@ -34,6 +34,9 @@ public:
     };
     [[nodiscard]] Events takeEvents();
 
+    /// Gives Dear ImGui the keys that one frame can take. True where more are waiting for the next one.
+    bool feedKeys();
+
     /// Sleeps until something happens.
     void wait();
     /// Sleeps for `seconds`, or less where something happens. 0 or less: takes what is there and returns.

@@ -22,6 +22,8 @@ inline constexpr int home = 268;
 inline constexpr int end = 269;
 inline constexpr int f1 = 290;
 inline constexpr int keypadEnter = 335;
+inline constexpr int firstModifier = 340; ///< Shift, Control, Alt, Super: left, then right
+inline constexpr int lastModifier = 347;
 } // namespace key
 
 /// Tells Dear ImGui which of the codes are its own editing keys. For hosts without the GLFW backend, which

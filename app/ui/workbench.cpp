@@ -67,7 +67,6 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
                        const Layout& layout) {
     if (session.probe)
         session.probe->items.clear();
-    handleShortcuts(session, layout);
     drawMenuBar(session, layout);
     settle(session, layout); // an edit may have taken away what is selected
     drawParametersPanel(session, capabilities, layout);
@@ -77,6 +76,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     drawDetailsPanel(session, layout);
     drawStatusBar(session, pictures, capabilities, layout);
     drawSeams(session, layout);
+    handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
     drawDialogs(session);
     Requests requests{session.quitConfirmed, windowTitle(session)};
     session.quitConfirmed = false;

@@ -1,0 +1,209 @@
+"""Starts the real texplorer on a virtual display, acts as a user does, and looks at what comes of it."""
+
+import ctypes
+import io
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from PIL import Image
+
+PROGRAM = sys.argv.pop(1)
+PATIENCE = 30  # seconds until something that must come is given up
+
+
+def wait_for(condition, what):
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        result = condition()
+        if result:
+            return result
+        time.sleep(0.05)
+    raise AssertionError(f"waited {PATIENCE} s for {what}")
+
+
+class Display:
+    """An Xvfb of its own, on a display number that the server chooses."""
+
+    def __init__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            self.name = ":" + pipe.readline().strip()
+        self.environment = {**os.environ, "DISPLAY": self.name}
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+    def xdotool(self, *words):
+        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True)
+        return done.stdout.strip()
+
+    def screenshot(self):
+        done = subprocess.run(["import", "-window", "root", "png:-"], env=self.environment, capture_output=True,
+                              check=True)
+        return Image.open(io.BytesIO(done.stdout)).convert("RGB")
+
+    def ask_to_close(self, window):
+        """What the cross in a title bar sends: WM_DELETE_WINDOW."""
+
+        class ClientMessage(ctypes.Structure):
+            _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+                        ("display", ctypes.c_void_p), ("window", ctypes.c_ulong), ("message", ctypes.c_ulong),
+                        ("format", ctypes.c_int), ("data", ctypes.c_long * 5), ("pad", ctypes.c_long * 24)]
+
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        x11.XInternAtom.restype = ctypes.c_ulong
+        x11.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
+        x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long, ctypes.c_void_p]
+        x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+        display = x11.XOpenDisplay(self.name.encode())
+        event = ClientMessage(type=33, window=window, format=32,
+                              message=x11.XInternAtom(display, b"WM_PROTOCOLS", 0))
+        event.data[0] = x11.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
+        x11.XSendEvent(display, window, 0, 0, ctypes.byref(event))
+        x11.XCloseDisplay(display)
+
+
+def run(*arguments, display=None):
+    environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    if display:
+        environment["DISPLAY"] = display
+    return subprocess.run([PROGRAM, *map(str, arguments)], env=environment, capture_output=True, text=True,
+                          timeout=PATIENCE)
+
+
+class Command(unittest.TestCase):
+    def one_sentence(self, done, code, *words):
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_says_what_it_is(self):
+        self.assertIn("FILE", run("--help").stdout)
+        version = run("--version")
+        self.assertEqual(version.returncode, 0)
+        self.assertRegex(version.stdout, r"^texplorer \d+\.\d+\.\d+\n$")
+
+    def test_refuses_a_wrong_call(self):
+        self.assertEqual(run("--nonsense").returncode, 2)
+
+    def test_without_a_display_it_names_texshot(self):
+        self.one_sentence(run(), 1, "display", "texshot")
+
+    def test_refuses_files_in_one_sentence(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "empty.bmp").touch()
+            (folder / "text.bmp").write_text("Hello")
+            (folder / "half.json").write_text('{"textures": [')
+            for file in ("missing.png", "empty.bmp", "text.bmp", "half.json", "."):
+                with self.subTest(file=file):
+                    self.one_sentence(run(folder / file), 1, str(folder))
+
+
+class Window(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.scene = pathlib.Path(self.folder.name) / "scene.json"
+        self.scene.write_text('{"version": 1}')
+        self.display = Display()
+        self.program = subprocess.Popen([PROGRAM, str(self.scene)], env=self.display.environment,
+                                        stderr=subprocess.PIPE, text=True)
+        self.window = int(wait_for(lambda: self.display.xdotool("search", "--name", "Texplorer"), "the window").split()[0])
+        wait_for(lambda: len(set(self.display.screenshot().getdata())) > 100, "the first picture")
+
+    def tearDown(self):
+        if self.program.poll() is None:
+            self.program.send_signal(signal.SIGKILL)
+        self.program.wait()
+        self.program.stderr.close()
+        self.display.close()
+        self.folder.cleanup()
+
+    def saved(self):
+        return json.loads(self.scene.read_text())
+
+    def save(self):
+        before = self.scene.stat().st_ino  # a save replaces the file
+        self.display.xdotool("key", "ctrl+s")
+        wait_for(lambda: self.scene.stat().st_ino != before, "the saved file")
+        return self.saved()
+
+    def orbit(self):
+        """A drag below the models, as slow as a hand's."""
+        self.display.xdotool("mousemove", 600, 700)
+        time.sleep(0.1)
+        self.display.xdotool("mousedown", 1)
+        for x in range(610, 700, 10):
+            time.sleep(0.05)
+            self.display.xdotool("mousemove", x, 700)
+        self.display.xdotool("mouseup", 1)
+        time.sleep(0.1)
+
+    def title(self):
+        return self.display.xdotool("getwindowname", self.window)
+
+    def cpu_seconds(self):
+        fields = pathlib.Path(f"/proc/{self.program.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def test_shows_edits_saves_and_closes(self):
+        picture = self.display.screenshot()
+        middle = picture.crop((400, 200, 850, 600))
+        self.assertGreater(len(set(middle.getdata())), 50, "a lit cube and sphere have many shades")
+        before = self.save()
+
+        self.orbit()
+        wait_for(lambda: "•" in self.title(), "the mark of unsaved changes")
+        after = self.save()
+        self.assertNotEqual(after["view"]["azimuth"], before["view"]["azimuth"])
+        self.assertEqual({**after, "view": before["view"]}, before)
+        wait_for(lambda: "•" not in self.title(), "the mark to go away")
+
+        self.display.xdotool("key", "ctrl+z")
+        wait_for(lambda: "•" in self.title(), "the undone change")
+        self.assertEqual(self.save(), before)
+
+        self.display.ask_to_close(self.window)
+        self.assertEqual(self.program.wait(PATIENCE), 0)
+        self.assertEqual(self.program.stderr.read(), "")
+
+    def test_asks_before_it_loses_changes(self):
+        self.orbit()
+        wait_for(lambda: "•" in self.title(), "the mark of unsaved changes")
+        quiet = self.display.screenshot()
+        self.display.ask_to_close(self.window)
+        wait_for(lambda: self.display.screenshot().getpixel((20, 300)) != quiet.getpixel((20, 300)),
+                 "the question, which dims the window")
+        self.assertIsNone(self.program.poll())
+        self.display.xdotool("key", "Escape")
+        wait_for(lambda: self.display.screenshot().getpixel((20, 300)) == quiet.getpixel((20, 300)),
+                 "the window as it was")
+        self.assertIsNone(self.program.poll())
+        self.display.xdotool("key", "ctrl+z")
+        wait_for(lambda: "•" not in self.title(), "the undone change")
+        self.display.ask_to_close(self.window)
+        self.assertEqual(self.program.wait(PATIENCE), 0)
+
+    def test_sleeps_while_nothing_happens(self):
+        time.sleep(2)  # the last pictures of the start
+        begin = self.cpu_seconds()
+        time.sleep(2)
+        self.assertLess(self.cpu_seconds() - begin, 0.5, "two idle seconds")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
