@@ -38,8 +38,7 @@ void show(Session& session, const ShowRow& row, const Layout& layout) {
 void handleShortcuts(Session& session, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     // A dialog has its own keys, a text field its own undo, and a drag is not to be undone under the hand.
-    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (session.dialog != Dialog::None || popup || io.WantTextInput || ImGui::IsAnyItemActive())
+    if (session.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive())
         return;
     const auto pressed = [](int code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); };
     if (io.KeyCtrl) {

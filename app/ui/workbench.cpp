@@ -32,6 +32,10 @@ float seam(Session& session, const char* name, const Rect& rect, bool vertical) 
     return moved;
 }
 
+bool isPopupOpen() {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 void drawSeams(Session& session, const Layout& layout) {
     const float left = seam(session, "left seam", layout.leftSeam, true);
     const float right = seam(session, "right seam", layout.rightSeam, true);
@@ -67,6 +71,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
                        const Layout& layout) {
     if (session.probe)
         session.probe->items.clear();
+    const bool popup = isPopupOpen(); // a key that ends it is not a shortcut as well
     drawMenuBar(session, layout);
     settle(session, layout); // an edit may have taken away what is selected
     drawParametersPanel(session, capabilities, layout);
@@ -76,15 +81,15 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     drawDetailsPanel(session, layout);
     drawStatusBar(session, pictures, capabilities, layout);
     drawSeams(session, layout);
-    handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
+    if (!popup)
+        handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
     drawDialogs(session);
     Requests requests{session.quitConfirmed, windowTitle(session)};
     session.quitConfirmed = false;
     // Arrows, Enter and Escape work in an open menu or list. Elsewhere Space plays, and dialogs have their
     // own keys.
     ImGuiIO& io = ImGui::GetIO();
-    const bool navigates = session.dialog == Dialog::None &&
-                           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    const bool navigates = session.dialog == Dialog::None && isPopupOpen();
     io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
     return requests;
