@@ -165,7 +165,8 @@ Window::Events Window::takeEvents() {
 bool Window::feedKeys() {
     using Kind = ui::KeyEvent::Kind;
     std::deque<ui::KeyEvent>& keys = state_->inbox.keys;
-    for (std::size_t left = ui::eventsForOneFrame(keys); left > 0; --left) {
+    const ImGuiIO& io = ImGui::GetIO();
+    for (std::size_t left = ui::eventsForOneFrame(keys, io.WantTextInput && !io.KeyCtrl); left > 0; --left) {
         const ui::KeyEvent event = keys.front();
         keys.pop_front();
         if (event.kind == Kind::Character)

@@ -19,7 +19,7 @@ bool isFunction(int code) {
 
 } // namespace
 
-std::size_t eventsForOneFrame(const std::deque<KeyEvent>& waiting) {
+std::size_t eventsForOneFrame(const std::deque<KeyEvent>& waiting, bool typing) {
     std::vector<int> changed;
     bool anyKey = false;      // other than a modifier
     bool anyFunction = false; // was pressed
@@ -33,6 +33,8 @@ std::size_t eventsForOneFrame(const std::deque<KeyEvent>& waiting) {
             anyCharacter = true;
             continue;
         }
+        if (typing && !modified && event.code < key::escape)
+            continue;
         const bool twice = std::ranges::find(changed, event.code) != changed.end();
         const bool outOfOrder = (isModifier(event.code) && (anyKey || anyCharacter)) ||
                                 (anyCharacter && (isFunction(event.code) || modified));

@@ -17,7 +17,8 @@ struct KeyEvent {
 
 /// Dear ImGui 1.86 looks at the keyboard once a frame: a key that goes down and up in between was never
 /// pressed, and the order of what changed is lost. This says how many of the waiting events one frame can
-/// take so that nothing is lost; the others wait for the next one. At least 1 where any waits.
-[[nodiscard]] std::size_t eventsForOneFrame(const std::deque<KeyEvent>& waiting);
+/// take so that nothing is lost; the others wait for the next one. At least 1 where any waits. `typing`: a
+/// text field has the keyboard and Control is up, so that letters count as text and not as keys.
+[[nodiscard]] std::size_t eventsForOneFrame(const std::deque<KeyEvent>& waiting, bool typing);
 
 } // namespace texplorer::ui

@@ -11,7 +11,8 @@ namespace texplorer::ui {
 namespace {
 
 constexpr float labelShare = 0.44F; ///< of a line's width
-constexpr float tipWidth = 26;      ///< in letters' heights
+constexpr float narrowest = 7.5F;   ///< of a control beside its label, in letters' heights
+constexpr float tipWidth = 26;      ///< the same of a tooltip
 
 /// Wide controls get a line of their own below the label.
 bool isWide(Kind kind) {
@@ -293,7 +294,8 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * 1.3F;
     const float labelWidth = std::floor(full * labelShare);
-    const bool ownLine = isWide(row.kind) || textWidth(row.label) > labelWidth - em * 0.4F;
+    const bool isNarrow = row.kind != Kind::Bool && full - labelWidth - resetWidth < em * narrowest;
+    const bool ownLine = isWide(row.kind) || isNarrow || textWidth(row.label) > labelWidth - em * 0.4F;
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();

@@ -139,17 +139,21 @@ void textureSection(Session& session, const render::Capabilities& capabilities) 
 
 /// Buttons 0 to 3; a dot marks the units that are on.
 void unitChoice(Session& session) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Texture unit");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float buttons = maxUnits * (ImGui::GetFrameHeight() * 1.3F + gap);
+    const char* label = "Texture unit";
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label).x + buttons + gap)
+        label = "Unit";
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
     for (int i = 0; i < maxUnits; ++i) {
         ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
         const bool chosen = i == session.selection.unit;
         const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
         if (chosen)
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-        const std::string label = std::to_string(i) + "##unit";
-        if (ImGui::Button(label.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
+        const std::string name = std::to_string(i) + "##unit";
+        if (ImGui::Button(name.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
             session.selection.unit = i;
         noteItem(session, "unit:" + std::to_string(i));
         if (chosen)

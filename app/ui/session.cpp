@@ -23,7 +23,7 @@ Session::Session(Scene start, ImageSource source)
 
 Session makeSession(Scene scene, ImageSource images, std::filesystem::path file) {
     Session session(std::move(scene), std::move(images));
-    session.needsFit = file.empty();
+    session.needsFit = file.empty() || session.scene.view == defaultScene().view;
     session.file = std::move(file);
     return session;
 }

@@ -77,8 +77,8 @@ struct Session {
     Probe* probe = nullptr; ///< for tests: records where widgets are
 };
 
-/// A session for a scene whose images are loaded. Without a file the camera is fitted to the view when it is
-/// first known, so that nothing of the default scene is cut off by a narrow window.
+/// A session for a scene whose images are loaded. A camera that nobody has chosen, that of the default scene,
+/// is fitted to the view when its shape is known, so that a narrow window cuts nothing off.
 [[nodiscard]] Session makeSession(Scene scene, ImageSource images, std::filesystem::path file = {});
 
 /// To be called before a frame is rendered and its panels are drawn: fits a camera that waits for it, brings

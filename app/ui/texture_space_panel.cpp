@@ -282,12 +282,13 @@ void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Lay
     ImGui::TextUnformatted("Texture space");
     const Texture* texture = boundTexture(std::as_const(session));
     const std::shared_ptr<const Image> image = texture ? session.images.find(*texture) : nullptr;
-    ImGui::SameLine();
-    if (image)
-        ImGui::TextDisabled("unit %d · %d × %d", session.selection.unit, image->width, image->height);
-    else
-        ImGui::TextDisabled("unit %d · no texture", session.selection.unit);
+    const std::string what = "unit " + std::to_string(session.selection.unit) + " · " +
+                             (image ? std::to_string(image->width) + " × " + std::to_string(image->height)
+                                    : std::string("no texture"));
     const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)
+        ImGui::TextDisabled("%s", what.c_str());
     ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
     if (ImGui::Button("Fit")) {
         const Model* model = selectedModel(session);

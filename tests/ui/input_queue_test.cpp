@@ -24,6 +24,7 @@ struct Case {
     const char* name;
     std::deque<KeyEvent> waiting;
     std::size_t taken;
+    bool typing = false;
 
     friend std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 };
@@ -31,7 +32,7 @@ struct Case {
 class InputQueue : public testing::TestWithParam<Case> {};
 
 TEST_P(InputQueue, TakesWhatOneFrameCanTellApart) {
-    EXPECT_EQ(eventsForOneFrame(GetParam().waiting), GetParam().taken);
+    EXPECT_EQ(eventsForOneFrame(GetParam().waiting, GetParam().typing), GetParam().taken);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -43,6 +44,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"AKeyBeforeAModifierIsNoShortcut", {down('S'), down(control)}, 1},
                     Case{"TypedText", {down('A'), letter('a'), down('B'), letter('b')}, 4},
                     Case{"TheSameLetterTwice", {down('A'), letter('a'), up('A'), down('A'), letter('a')}, 2},
+                    Case{"TypingTheSameLetterTwice",
+                         {down('A'), letter('a'), up('A'), down('A'), letter('a'), up('A')},
+                         6,
+                         true},
+                    Case{"TypingThenEnter", {down('A'), letter('a'), up('A'), down(key::enter)}, 3, true},
+                    Case{"SelectAllWhileTyping", {down(control), down('A'), up('A'), up(control)}, 2, true},
                     Case{"EnterAfterText", {down('A'), letter('a'), down(key::enter)}, 2},
                     Case{"TextAfterBackspace", {down(key::backspace), down('A'), letter('a')}, 2}),
     [](const auto& test) { return test.param.name; });
@@ -55,7 +62,7 @@ TEST(InputQueueDrained, EveryFrameTakesSomething) {
         waiting.push_back(down(key::enter));
     }
     while (!waiting.empty()) {
-        const std::size_t taken = eventsForOneFrame(waiting);
+        const std::size_t taken = eventsForOneFrame(waiting, false);
         ASSERT_GE(taken, 1U);
         waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(taken));
     }
