@@ -147,6 +147,27 @@ std::string numberFormat(const Range& range) {
     return format + (range.unit.starts_with('/') ? "" : " ") + std::string(range.unit);
 }
 
+/// The last widget is a number that one drags: arrows at both ends say so where there is room, and so does
+/// the mouse.
+void markDraggable() {
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float em = ImGui::GetFontSize();
+    if (ImGui::GetIO().WantTextInput || high.x - low.x < em * 6)
+        return;
+    const ImU32 tint = hot ? color::text : IM_COL32(142, 150, 162, 110);
+    const float y = (low.y + high.y) / 2;
+    const float size = em * 0.2F;
+    const float left = low.x + em * 0.7F;
+    const float right = high.x - em * 0.7F;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddTriangleFilled({left - size, y}, {left, y - size}, {left, y + size}, tint);
+    draw.AddTriangleFilled({right + size, y}, {right, y + size}, {right, y - size}, tint);
+}
+
 template<class Vector>
 bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const std::string& path) {
     constexpr int count = Vector::length();
@@ -176,8 +197,7 @@ bool control(Session& session, const ParamRow& row, Value& value, const std::str
         const bool changed =
             ImGui::DragInt("##value", &number, row.range.step, static_cast<int>(row.range.min),
                            static_cast<int>(row.range.max), "%d", ImGuiSliderFlags_AlwaysClamp);
-        if (ImGui::IsItemHovered())
-            ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        markDraggable();
         return changed;
     }
     case Kind::Float:
@@ -256,26 +276,12 @@ bool dragNumber(const char* id, float& value, const Range& range, int component)
         component >= 0 ? numberFormat({range.min, range.max, range.step, {}}) : numberFormat(range);
     const bool changed = ImGui::DragFloat(id, &value, range.step, range.min, range.max, format.c_str(),
                                           ImGuiSliderFlags_AlwaysClamp);
-    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    if (ImGui::IsItemHovered())
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    const float em = ImGui::GetFontSize();
-    if (component >= 0)
-        draw.AddRectFilled(low, {low.x + em * 0.2F, high.y}, componentColor(component),
-                           ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
-    if (!ImGui::GetIO().WantTextInput &&
-        high.x - low.x > em * 6) { // arrows on both sides: this can be dragged
-        const ImU32 tint = hot ? color::text : IM_COL32(142, 150, 162, 110);
-        const float y = (low.y + high.y) / 2;
-        const float size = em * 0.2F;
-        const float left = low.x + em * 0.7F;
-        const float right = high.x - em * 0.7F;
-        draw.AddTriangleFilled({left - size, y}, {left, y - size}, {left, y + size}, tint);
-        draw.AddTriangleFilled({right + size, y}, {right, y + size}, {right, y - size}, tint);
+    markDraggable();
+    if (component >= 0) {
+        const ImVec2 low = ImGui::GetItemRectMin();
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            low, {low.x + ImGui::GetFontSize() * 0.2F, ImGui::GetItemRectMax().y}, componentColor(component),
+            ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
     }
     return changed;
 }
