@@ -178,7 +178,7 @@ bool Reader::number(float value, std::optional<std::int64_t> whole, const std::s
     const ParamRow* row = rowNext();
     if (row && row->kind == Kind::Float)
         return store(*row, value);
-    if (row && row->kind == Kind::Int && whole && std::abs(*whole) <= INT32_MAX)
+    if (row && row->kind == Kind::Int && whole && *whole >= INT32_MIN && *whole <= INT32_MAX)
         return store(*row, static_cast<int>(*whole));
     return refuse(text);
 }
@@ -310,8 +310,7 @@ bool Reader::parse_error(std::size_t, const std::string& token, const Json::exce
     if (problem.id == numberOverflow)
         return refuse(printable(token));
 
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while …; last read:
-    // '…'"
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'"
     std::string_view text = problem.what();
     constexpr std::string_view before = "parse error at ";
     if (const std::size_t at = text.find(before); at != std::string_view::npos)

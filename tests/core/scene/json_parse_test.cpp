@@ -139,6 +139,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "/models/0/slices", "expected a whole number from 3 to 256, found 1000000000"},
         Refusal{"HugeSlices", R"({"models": [{"slices": 10000000000000000000}]})", "/models/0/slices",
                 "expected a whole number from 3 to 256, found 10000000000000000000"},
+        Refusal{"SmallestWhole", R"({"passes": [{"units": [{"texture": -9223372036854775808}]}]})",
+                "/passes/0/units/0/texture",
+                "expected a whole number from 0 to 63, found -9223372036854775808"},
+        Refusal{"WholeThatFitsNoInt", R"({"passes": [{"units": [{"texture": 4294967296}]}]})",
+                "/passes/0/units/0/texture", "expected a whole number from 0 to 63, found 4294967296"},
         Refusal{"FractionForAWhole", R"({"models": [{"slices": 4.5}]})", "/models/0/slices",
                 "expected a whole number from 3 to 256, found 4.5"},
         Refusal{
