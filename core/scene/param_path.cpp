@@ -91,7 +91,7 @@ private:
         const std::size_t count = vertexCount(model.shape, model.slices, model.stacks);
         place_.vertex = parseIndex(*part.index);
         if (!place_.vertex)
-            return refuse("expected the number of a vertex in the brackets");
+            return refuse("expected the number of a vertex in the brackets, found " + inQuotes(*part.index));
         if (*place_.vertex >= count)
             return refuse("the " + std::string(rowOf(model.shape).name) + " has " + std::to_string(count) +
                           " vertices, expected 0 to " + std::to_string(count - 1));
@@ -109,7 +109,7 @@ private:
             if (!parsed)
                 return refuse("expected a number in the brackets, found " + inQuotes(*part.index));
             if (*parsed >= child.size(place_.owner))
-                return refuse(has(child));
+                return refuse("expected the number of one that exists, counted from 0; " + has(child));
             index = *parsed;
         }
         place_.owner = child.at(place_.owner, index);
