@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string systemText(int error) {
-    return std::strerror(error);
-} // NOLINT: glibc's is safe for known numbers
+    return std::strerror(error); // NOLINT: glibc's is safe for known numbers
+}
 
 /// A file descriptor that is closed at the end, whatever the end is.
 class Descriptor {
@@ -53,9 +53,11 @@ ErrorCode codeForOpening(int error) {
     return error == ENOENT || error == ENOTDIR ? ErrorCode::NotFound : ErrorCode::Unreadable;
 }
 
-tl::unexpected<Error> tooLarge(std::size_t maxBytes, const std::string& where) {
+tl::unexpected<Error> tooLarge(std::size_t size, std::size_t maxBytes, const std::string& where) {
     return fail(ErrorCode::TooLarge,
-                "larger than the " + std::to_string(maxBytes) + " bytes that are read at most", where);
+                "at most " + std::to_string(maxBytes) + " bytes are read, the file has at least " +
+                    std::to_string(size),
+                where);
 }
 
 // Fills the buffer as far as the file goes; gives the number of bytes, or nothing after an error.
@@ -91,7 +93,7 @@ Result<Buffer> readInto(const fs::path& path, std::size_t maxBytes) {
                     where);
     const auto size = static_cast<std::size_t>(info.st_size);
     if (size > maxBytes)
-        return tooLarge(maxBytes, where);
+        return tooLarge(size, maxBytes, where);
 
     Buffer buffer;
     std::size_t filled = 0;
@@ -110,7 +112,7 @@ Result<Buffer> readInto(const fs::path& path, std::size_t maxBytes) {
             if (*more == 0)
                 return buffer;
             if (filled + *more > maxBytes)
-                return tooLarge(maxBytes, where);
+                return tooLarge(filled + *more, maxBytes, where);
             buffer.resize(filled + *more);
             std::memcpy(buffer.data() + filled, beyond, *more);
             filled += *more;
@@ -193,15 +195,15 @@ Result<std::string> readText(const fs::path& path, std::size_t maxBytes) {
 }
 
 Result<void> writeFileAtomically(const fs::path& path, ByteView bytes) {
-    const Result<fs::path> target = followLinks(path);
-    if (!target)
-        return fail(target.error());
-
+    // Before its links are followed by name: /dev/stdout leads to "pipe:[4711]", which is nobody's file.
     struct stat info = {};
-    const bool exists = ::stat(target->c_str(), &info) == 0;
+    const bool exists = ::stat(path.c_str(), &info) == 0;
     if (exists && !S_ISREG(info.st_mode))
         return fail(ErrorCode::Unwritable, std::string("is ") + kindName(info.st_mode) + ", not a file",
                     path.string());
+    const Result<fs::path> target = followLinks(path);
+    if (!target)
+        return fail(target.error());
     // Replacing needs no permission on the file itself, but a read-only file is meant to stay as it is.
     if (exists && ::faccessat(AT_FDCWD, target->c_str(), W_OK, AT_EACCESS) != 0)
         return unwritable("can't be written", errno, path);

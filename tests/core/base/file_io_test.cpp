@@ -98,15 +98,17 @@ TEST_F(FileIo, AFileThatSaysZeroBytesIsReadToItsEnd) {
 TEST_F(FileIo, TheLimitIsTheLargestSizeThatIsRead) {
     const fs::path path = make("ten", "0123456789");
     EXPECT_TRUE(readFile(path, 10));
-    expectError(readFile(path, 9), ErrorCode::TooLarge, path, "larger than the 9 bytes");
+    expectError(readFile(path, 9), ErrorCode::TooLarge, path,
+                "at most 9 bytes are read, the file has at least 10");
     expectError(readText("/proc/self/status", 9), ErrorCode::TooLarge, "/proc/self/status",
-                "larger than the 9 bytes");
+                "at most 9 bytes are read, the file has");
 }
 
 TEST_F(FileIo, AHugeSparseFileIsRefusedWithoutReadingIt) {
     const fs::path path = make("huge", "");
     fs::resize_file(path, std::uintmax_t{1} << 40);
-    expectError(readFile(path), ErrorCode::TooLarge, path, "larger than the 2147483648 bytes");
+    expectError(readFile(path), ErrorCode::TooLarge, path,
+                "at most 2147483648 bytes are read, the file has at least 1099511627776");
 }
 
 TEST_F(FileIo, WhatCantBeReadSaysWhy) {
@@ -128,6 +130,13 @@ TEST_F(FileIo, APipeIsRefusedAtOnce) {
                 "is a pipe"); // blocks for ever if it opens it to wait
     expectError(writeFileAtomically(pipe, viewBytes("x")), ErrorCode::Unwritable, pipe, "is a pipe");
     EXPECT_TRUE(fs::is_fifo(pipe));
+
+    int ends[2] = {};
+    ASSERT_EQ(::pipe(ends), 0);
+    const fs::path open = "/proc/self/fd/" + std::to_string(ends[1]); // as /dev/stdout may be
+    expectError(writeFileAtomically(open, viewBytes("x")), ErrorCode::Unwritable, open, "is a pipe");
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 TEST_F(FileIo, AFileThatOneMayNotReadSaysSo) {
