@@ -1,7 +1,6 @@
 #include "app/screenshot/command.h"
-#include "core/base/file_io.h"
+#include "core/codec/image_file.h"
 #include "core/codec/png.h"
-#include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
 
 namespace texplorer::screenshot {
@@ -14,24 +13,22 @@ struct Options {
 };
 
 Result<Bytes> decodeToPng(const Options& options) {
-    const Result<Bytes> file = readFile(options.in);
+    Result<ImageFile> file = readImageFile(options.in);
     if (!file)
         return fail(file.error());
-    Result<Image> image = decodeImage(*file);
-    if (!image)
-        return fail(image.error().code, image.error().message, options.in);
+    Image& image = file->image;
     if (options.level == 0)
-        return encodePng(*image);
+        return encodePng(image);
 
-    const int levels = mipLevelCount(image->width, image->height, image->depth);
+    const int levels = mipLevelCount(image.width, image.height, image.depth);
     if (options.level >= levels) {
         return fail(ErrorCode::OutOfRange,
                     "there is no level " + std::to_string(options.level) + ": " +
-                        std::to_string(image->width) + " x " + std::to_string(image->height) +
+                        std::to_string(image.width) + " x " + std::to_string(image.height) +
                         " texels give levels 0 to " + std::to_string(levels - 1),
                     options.in);
     }
-    const MipChain chain = buildMipChain(std::move(*image));
+    const MipChain chain = buildMipChain(std::move(image));
     return encodePng(chain[static_cast<std::size_t>(options.level)]);
 }
 

@@ -1,6 +1,6 @@
 #include "app/screenshot/command.h"
 #include "core/base/file_io.h"
-#include "core/codec/registry.h"
+#include "core/codec/image_file.h"
 #include "core/image/mipmaps.h"
 
 #include <nlohmann/json.hpp>
@@ -8,49 +8,32 @@
 namespace texplorer::screenshot {
 namespace {
 
-struct Facts {
-    std::string path;
-    std::string_view format;
-    std::size_t fileBytes = 0;
-    Image image;
-};
-
-Result<Facts> examine(const std::string& path) {
-    const Result<Bytes> file = readFile(path);
-    if (!file)
-        return fail(file.error());
-    Result<Image> image = decodeImage(*file);
-    if (!image)
-        return fail(image.error().code, image.error().message, path);
-    return Facts{path, recogniseImage(*file)->name, file->size(), std::move(*image)};
-}
-
-std::string asText(const Facts& facts) {
-    const Image& image = facts.image;
+std::string asText(const std::string& path, const ImageFile& file) {
+    const Image& image = file.image;
     std::string text;
     const auto line = [&](std::string_view name, const std::string& value) {
         text.append(name).append(14 - name.size(), ' ').append(value).append("\n");
     };
-    line("file", facts.path);
-    line("format", std::string(facts.format));
+    line("file", path);
+    line("format", std::string(file.format));
     line("size", std::to_string(image.width) + " x " + std::to_string(image.height) + " texels");
     line("pixels", std::string(rowOf(image.format).name));
-    line("file bytes", std::to_string(facts.fileBytes));
+    line("file bytes", std::to_string(file.fileBytes));
     line("pixel bytes", std::to_string(image.pixels.size()));
     line("full chain", std::to_string(mipLevelCount(image.width, image.height, image.depth)) + " mip levels");
     return text;
 }
 
-std::string asJson(const Facts& facts) {
-    const Image& image = facts.image;
+std::string asJson(const std::string& path, const ImageFile& file) {
+    const Image& image = file.image;
     const nlohmann::ordered_json json = {
-        {"file", facts.path},
-        {"format", facts.format},
+        {"file", path},
+        {"format", file.format},
         {"width", image.width},
         {"height", image.height},
         {"depth", image.depth},
         {"pixelFormat", rowOf(image.format).name},
-        {"fileBytes", facts.fileBytes},
+        {"fileBytes", file.fileBytes},
         {"pixelBytes", image.pixels.size()},
         {"mipLevels", mipLevelCount(image.width, image.height, image.depth)},
     };
@@ -70,10 +53,10 @@ void addInfo(CLI::App& app, Action& action) {
     command->add_flag("--json", options->json, "As JSON, for programs.");
     command->callback([&action, options] {
         action = [options] {
-            const Result<Facts> facts = examine(options->in);
-            if (!facts)
-                return complain(facts.error());
-            const std::string text = options->json ? asJson(*facts) : asText(*facts);
+            const Result<ImageFile> file = readImageFile(options->in);
+            if (!file)
+                return complain(file.error());
+            const std::string text = options->json ? asJson(options->in, *file) : asText(options->in, *file);
             if (const auto written = writeOutput("-", viewBytes(text)); !written)
                 return complain(written.error());
             return success;

@@ -1,7 +1,6 @@
 #include "core/scene/image_source.h"
 
-#include "core/base/file_io.h"
-#include "core/codec/registry.h"
+#include "core/codec/image_file.h"
 #include "core/image/pattern.h"
 
 #include <array>
@@ -29,19 +28,6 @@ std::shared_ptr<const Image> sharedPattern(Pattern pattern) {
     return constant.image;
 }
 
-Result<std::shared_ptr<const Image>> loadImage(const std::filesystem::path& path) {
-    const Result<Bytes> file = readFile(path);
-    if (!file)
-        return fail(file.error());
-    Result<Image> image = decodeImage(*file);
-    if (!image) {
-        Error error = image.error();
-        error.where = path.string();
-        return fail(std::move(error));
-    }
-    return std::make_shared<const Image>(*std::move(image));
-}
-
 } // namespace
 
 ImageSource::ImageSource(std::filesystem::path directory)
@@ -59,11 +45,11 @@ Result<void> ImageSource::load(const Scene& scene) {
                                      "textures[" + std::to_string(i) + "].file"});
             continue;
         }
-        const auto image = loadImage(directory_ / texture.file);
-        if (image)
-            files_.emplace(texture.file, *image);
+        Result<ImageFile> file = readImageFile(directory_ / texture.file);
+        if (file)
+            put(texture.file, std::move(file->image));
         else
-            first = first.value_or(image.error());
+            first = first.value_or(file.error());
     }
     if (first)
         return fail(*std::move(first));

@@ -1,5 +1,6 @@
 #include "core/scene/image_source.h"
 #include "tests/support/raw_file.h"
+#include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
@@ -9,12 +10,6 @@ namespace texplorer {
 namespace {
 
 using namespace std::string_literals;
-
-/// One pixel with the given blue, green and red.
-std::string bmp(const std::string& bgr) {
-    return "BM\0\0\0\0\0\0\0\0\x36\0\0\0"s + "\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0"s + std::string(24, '\0') +
-           bgr + "\0"s;
-}
 
 Texture fileTexture(const std::string& file) {
     Texture texture;
@@ -32,7 +27,7 @@ Scene sceneOf(std::vector<Texture> textures) {
 class Images : public testing::Test {
 protected:
     Images() {
-        test::writeRaw(folder_ / "red.bmp", bmp("\1\2\3"));
+        test::writeRaw(folder_ / "red.bmp", test::onePixelBmp("\1\2\3"));
         test::writeRaw(folder_ / "text.bmp", "not a picture"s);
     }
     test::TempDir folder_;
@@ -118,7 +113,7 @@ TEST_F(Images, WhatIsPutThereNeedsNoFileAndReplacesWhatWas) {
 TEST_F(Images, AFileThatFailedIsTriedAgain) {
     const Texture late = fileTexture("late.bmp");
     EXPECT_FALSE(source_.load(sceneOf({late})));
-    test::writeRaw(folder_ / "late.bmp", bmp("\1\2\3"));
+    test::writeRaw(folder_ / "late.bmp", test::onePixelBmp("\1\2\3"));
     EXPECT_TRUE(source_.load(sceneOf({late})));
     EXPECT_NE(source_.find(late), nullptr);
 }
