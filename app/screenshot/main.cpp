@@ -41,22 +41,24 @@ int main(int argc, char** argv) {
 
     // CLI11 would say only that a subcommand is missing.
     std::string names;
-    bool known = argc < 2 || argv[1][0] == '-';
+    bool known = argc > 1 && argv[1][0] == '-';
     for (const CLI::App* command : app.get_subcommands(nullptr)) {
-        known = known || command->get_name() == argv[1];
+        known = known || (argc > 1 && command->get_name() == argv[1]);
         names.append(names.empty() ? "" : ", ").append(command->get_name());
     }
     if (!known) {
-        const std::string sentence =
-            "there is no command \"" + std::string(argv[1]) + "\"; expected one of " + names;
-        return complain({ErrorCode::OutOfRange, sentence, {}}, wrongCall);
+        const std::string found =
+            argc > 1 ? "there is no command \"" + std::string(argv[1]) + "\"; " : "a command is missing; ";
+        return complain({ErrorCode::OutOfRange, found + "expected one of " + names, {}}, wrongCall);
     }
 
     try {
         app.parse(argc, argv);
         return action();
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? success : wrongCall;
+        if (error.get_exit_code() == 0) // --help, --version
+            return app.exit(error) == 0 ? success : failure;
+        return complain({ErrorCode::OutOfRange, error.what(), {}}, wrongCall);
     } catch (const std::exception& error) { // out of memory, at worst: still one sentence and an exit status
         std::fprintf(stderr, "texshot: %s\n", error.what());
         return failure;

@@ -14,29 +14,45 @@ namespace {
 
 constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
 
+constexpr render::Size smallestWindow{320, 200}; // that of texplorer: panels don't fit into less
+
 struct Options {
     std::string sceneFile;
     std::vector<std::string> assignments;
     std::string size = "1280x800";
-    double time = 0;
+    std::string time = "0";
     bool window = false;
     std::string out;
 };
 
-Result<render::Size> parseSize(std::string_view text) {
+std::string asText(render::Size size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+Result<render::Size> parseSize(std::string_view text, render::Size smallest) {
     render::Size size;
     const char* end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
     if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
         const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        const auto inRange = [](int extent) { return extent >= 1 && extent <= maxExtent; };
-        if (height.ec == std::errc() && height.ptr == end && inRange(size.width) && inRange(size.height))
+        if (height.ec == std::errc() && height.ptr == end && size.width >= smallest.width &&
+            size.width <= maxExtent && size.height >= smallest.height && size.height <= maxExtent)
             return size;
     }
     return fail(ErrorCode::OutOfRange,
-                "expected WIDTHxHEIGHT with each from 1 to " + std::to_string(maxExtent) + ", found \"" +
-                    std::string(text) + "\"",
+                "expected WIDTHxHEIGHT from " + asText(smallest) + " to " + asText({maxExtent, maxExtent}) +
+                    ", found \"" + std::string(text) + "\"",
                 "--size");
+}
+
+Result<double> parseTime(std::string_view text) {
+    double seconds = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, seconds);
+    if (error == std::errc() && stop == end && std::isfinite(seconds))
+        return seconds;
+    return fail(ErrorCode::OutOfRange,
+                "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
 }
 
 Result<void> assign(Scene& scene, const std::string& assignment) {
@@ -48,15 +64,17 @@ Result<void> assign(Scene& scene, const std::string& assignment) {
 }
 
 ExitCode shoot(const Options& options) {
-    const Result<render::Size> size = parseSize(options.size);
+    const Result<render::Size> size =
+        parseSize(options.size, options.window ? smallestWindow : render::Size{1, 1});
     if (!size)
         return complain(size.error(), wrongCall);
-    if (!std::isfinite(options.time))
-        return complain({ErrorCode::OutOfRange, "expected a finite number of seconds", "--time"}, wrongCall);
+    const Result<double> time = parseTime(options.time);
+    if (!time)
+        return complain(time.error(), wrongCall);
 
-    Drawing drawing{defaultScene(), ImageSource{}, options.sceneFile, options.time, *size, options.window};
+    Drawing drawing{defaultScene(), ImageSource{}, options.sceneFile, *time, *size, options.window};
     if (!options.sceneFile.empty()) {
-        const Result<std::string> text = readText(options.sceneFile);
+        const Result<std::string> text = readText(options.sceneFile, maxSceneBytes);
         if (!text)
             return complain(text.error());
         Result<Scene> scene = parseScene(*text);

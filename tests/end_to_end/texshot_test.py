@@ -47,6 +47,7 @@ class Texshot(unittest.TestCase):
         result = texshot(*arguments)
         said = result.stderr.decode()
         self.assertEqual(result.returncode, code, said)
+        self.assertRegex(said, r"\Atexshot: [^\n]+\n\Z", "one sentence, and who says it")
         self.assertIn(expected, said)
         self.assertEqual(result.stdout, b"")
         self.assertEqual(sorted(os.listdir(self.path)), before)
@@ -119,13 +120,16 @@ class Shot(Texshot):
     def test_bad_calls(self):
         out = self.path / "out.png"
         for expected, arguments in [
-            ("1 to 16384", ["--size", "0x10"]),
-            ("1 to 16384", ["--size", "100000x100000"]),
+            ("from 1x1 to 16384x16384, found \"0x10\"", ["--size", "0x10"]),
+            ("from 1x1 to 16384x16384", ["--size", "100000x100000"]),
+            ("from 320x200 to 16384x16384, found \"1x1\"", ["--ui", "--size", "1x1"]),
+            ("from 320x200", ["--ui", "--size", "320x199"]),
             ("WIDTHxHEIGHT", ["--size", "12"]),
             ("WIDTHxHEIGHT", ["--size", "12x-3"]),
             ("WIDTHxHEIGHT", ["--size", "99999999999999999999x3"]),
-            ("finite", ["--time", "nan"]),
-            ("--time", ["--time", "soon"]),
+            ("finite number of seconds, found \"nan\"", ["--time", "nan"]),
+            ("finite number of seconds, found \"1e999\"", ["--time", "1e999"]),
+            ("finite number of seconds, found \"soon\"", ["--time", "soon"]),
             ("PATH=VALUE", ["--set", "view.azimuth"]),
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
@@ -135,7 +139,7 @@ class Shot(Texshot):
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
-        self.complains(2, "subcommand")
+        self.complains(2, "expected one of shot, params, decode, info")
         self.complains(2, "paint", "paint")
 
     def test_bad_scenes(self):
@@ -156,6 +160,18 @@ class Shot(Texshot):
                 said = self.complains(1, expected, "shot", file, "-o", self.path / "out.png")
                 self.assertIn(name, said)
                 self.assertLess(len(said), 600, "one sentence, not a dump")
+
+    def test_a_scene_beyond_the_limit_is_not_read(self):
+        file = self.path / "huge.json"
+        with open(file, "wb") as huge:
+            huge.truncate(17 << 20)
+        self.complains(1, "at most 16777216 bytes are read", "shot", file, "-o", self.path / "out.png")
+
+    def test_a_pipe_as_the_target_is_refused(self):
+        self.complains(1, "/dev/stdout: is a pipe", "shot", "--size", "8x8", "-o", "/dev/stdout")
+
+    def test_the_smallest_window_is_drawn(self):
+        self.assertEqual(self.shot("--ui", "--size", "320x200").size, (320, 200))
 
     def test_missing_files(self):
         out = self.path / "out.png"
