@@ -9,8 +9,8 @@
 
 namespace texplorer::render {
 
-/// A texture's base level as a picture in a panel: its internal format as in the scene, nearest filtering, edges
-/// clamped. Belongs to the context that is current, on its thread, and must be destroyed before that.
+/// A texture's base level as a picture in a panel: its internal format as in the scene, nearest filtering,
+/// edges clamped. Belongs to the context that is current, on its thread, and must be destroyed before that.
 class TexturePreview {
 public:
     /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL

@@ -18,8 +18,8 @@ int half(int extent) {
 // Which texels of a line of `extent` make texel `index` of the next level, and how much of each.
 //
 //   even, 4 -> 2:  | 0 | 1 | 2 | 3 |       odd, 5 -> 2:  | 0 | 1 | 2 | 3 | 4 |
-//                  |   0   |   1   |                     |    0    |    1    |    weights 2 2 1 and 1 2 2 of
-//                  5
+//                  |   0   |   1   |                     |    0    |    1    |
+//   weights           1 1     1 1                           2 2 1     1 2 2
 //
 // The weights are whole numbers with the sum `Axis::total`, so that all sums are exact.
 struct Taps {

@@ -1,7 +1,6 @@
 #include <core/codec/png.h>
 #include <core/image/pattern.h>
 #include <core/scene/json.h>
-
 #include <cstdio>
 
 int main() {
