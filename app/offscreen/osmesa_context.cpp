@@ -17,10 +17,6 @@ struct DestroyContext {
 };
 using Context = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyContext>;
 
-std::string asText(render::Size size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 } // namespace
 
 struct OsmesaContext::State {
@@ -44,7 +40,8 @@ Result<OsmesaContext> OsmesaContext::create(render::Size size) {
     OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &limit);
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)
         return fail(ErrorCode::OutOfRange, "an off-screen framebuffer has 1 x 1 to " +
-                                               asText({limit, limit}) + " pixels, not " + asText(size));
+                                               asText(render::Size{limit, limit}) + " pixels, not " +
+                                               asText(size));
 
     const int attributes[] = {
         OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};

@@ -12,25 +12,14 @@ namespace texplorer::render {
 
 namespace {
 
-/// Something that not every driver has. GLEW's query wants all of a string's names; any one of ours is
-/// enough.
-struct Feature {
-    bool Capabilities::*member;
-    const char* coreVersion; ///< the version of OpenGL that includes it; nullptr: none does
-    const char* extension;
-};
-
-constexpr std::array features{
-    Feature{&Capabilities::nonPowerOfTwo, "GL_VERSION_2_0", "GL_ARB_texture_non_power_of_two"},
-    Feature{&Capabilities::s3tc, nullptr, "GL_EXT_texture_compression_s3tc"},
-};
-
 constexpr const char* neededVersion = "GL_VERSION_2_1";
 constexpr std::array neededFramebuffers{"GL_VERSION_3_0", "GL_ARB_framebuffer_object"};
 constexpr const char* anisotropy = "GL_EXT_texture_filter_anisotropic";
+constexpr const char* s3tc = "GL_EXT_texture_compression_s3tc";
 
+/// GLEW wants all of a string's names; any one of ours is enough.
 bool has(const char* name) {
-    return name && glewIsSupported(name);
+    return glewIsSupported(name);
 }
 
 std::string text(GLenum name) {
@@ -71,8 +60,7 @@ Result<Capabilities> loadCapabilities() {
         return fail(ErrorCode::Unsupported,
                     std::string(needs) + offer + " without GL_ARB_framebuffer_object");
 
-    for (const Feature& feature : features)
-        capabilities.*feature.member = has(feature.coreVersion) || has(feature.extension);
+    capabilities.s3tc = has(s3tc);
     capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);

@@ -15,7 +15,6 @@ struct Capabilities {
     int max3DTextureSize = 0;
     int textureUnits = 0;    ///< of the fixed-function pipeline
     float maxAnisotropy = 1; ///< 1 where GL_EXT_texture_filter_anisotropic is missing
-    bool nonPowerOfTwo = false;
     bool s3tc = false;
 };
 

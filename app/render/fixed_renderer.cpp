@@ -19,10 +19,6 @@ namespace texplorer::render {
 
 namespace {
 
-std::string asText(Size size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 void loadMatrix(GLenum mode, const glm::mat4& matrix) {
     glMatrixMode(mode);
     glLoadMatrixf(glm::value_ptr(matrix));

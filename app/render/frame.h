@@ -11,6 +11,11 @@ struct Size {
     bool operator==(const Size&) const = default;
 };
 
+/// "640 x 480"
+[[nodiscard]] inline std::string asText(Size size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
 /// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first,
 /// owned by the renderer and valid until it draws again.
 struct Frame {

@@ -19,7 +19,7 @@ BufferHandle makeBuffer(GLenum target, const std::vector<T>& content) {
 
 /// With a buffer bound, GL takes an offset in bytes where it once took a pointer (section 2.9).
 const void* offsetInBuffer(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
+    return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr): it is no pointer
 }
 
 void forgetUnused(auto& slots) {

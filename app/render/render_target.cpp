@@ -51,8 +51,7 @@ Result<void> RenderTarget::resize(Size size) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
         status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     }
-    const std::string what = "a picture of " + std::to_string(size.width) + " x " +
-                             std::to_string(size.height) + " pixels with 24 bits of depth";
+    const std::string what = "a picture of " + asText(size) + " pixels with 24 bits of depth";
     if (!errors.check("glTexImage2D, glRenderbufferStorage"))
         return fail(ErrorCode::Driver, "the driver can't make " + what + ": " + errors.sentences().front());
     if (status != GL_FRAMEBUFFER_COMPLETE)

@@ -1,6 +1,7 @@
 #include "app/render/texture_cache.h"
 
 #include "core/image/mipmaps.h"
+#include "core/scene/param_text.h"
 #include "core/scene/target_image.h"
 
 #include <algorithm>
@@ -42,6 +43,10 @@ GLuint TextureCache::prepare(const Scene& scene, std::size_t index, Target targe
     errors.add(slot.uploadErrors.sentences());
     if (!slot.usable)
         return 0;
+    if (texture.maxAnisotropy > capabilities_.maxAnisotropy)
+        errors.add(where + ": an anisotropy of " + formatNumber(texture.maxAnisotropy) +
+                   " exceeds the driver's " + formatNumber(capabilities_.maxAnisotropy) +
+                   "; drawn with that");
     slot.object.apply(texture, capabilities_.maxAnisotropy, where, errors);
     return slot.object.name();
 }

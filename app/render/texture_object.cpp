@@ -85,8 +85,9 @@ TextureObject::TextureObject(Target target, BaseFormat format, const MipChain& c
 void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::string_view where,
                           GlErrors& errors) {
     if (applied_ == texture)
-        return;
+        return errors.add(applyErrors_.sentences());
     applied_ = texture;
+    applyErrors_ = {};
     glBindTexture(target_, handle_.name());
     glTexParameteri(target_, GL_TEXTURE_MAG_FILTER, enumerant(texture.magFilter));
     glTexParameteri(target_, GL_TEXTURE_MIN_FILTER, enumerant(texture.minFilter));
@@ -102,7 +103,8 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     if (maxAnisotropy > 1) // else the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         std::clamp(texture.maxAnisotropy, 1.0F, maxAnisotropy));
-    errors.check(std::string(where) + ": glTexParameter");
+    applyErrors_.check(std::string(where) + ": glTexParameter");
+    errors.add(applyErrors_.sentences());
 }
 
 } // namespace texplorer::render

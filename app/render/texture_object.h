@@ -20,7 +20,8 @@ public:
     TextureObject(Target target, BaseFormat format, const MipChain& chain, std::string_view where,
                   GlErrors& errors);
 
-    /// The one place where a Texture becomes glTexParameter calls. Does nothing where nothing changed.
+    /// The one place where a Texture becomes glTexParameter calls; none where nothing changed. What GL
+    /// refused is reported every time.
     void apply(const Texture& texture, float maxAnisotropy, std::string_view where, GlErrors& errors);
 
     [[nodiscard]] GLuint name() const { return handle_.name(); }
@@ -29,6 +30,7 @@ private:
     TextureHandle handle_;
     GLenum target_ = GL_TEXTURE_2D;
     std::optional<Texture> applied_;
+    GlErrors applyErrors_;
 };
 
 } // namespace texplorer::render

@@ -14,7 +14,7 @@ namespace texplorer::render {
 class TexturePreview {
 public:
     /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
-    /// refused it. Uploads only what changed. Of a volume it shows the first slice.
+    /// refused it. Uploads only what changed. Of a volume it shows the middle slice.
     [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images);
 
 private:

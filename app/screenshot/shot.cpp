@@ -25,7 +25,7 @@ struct Options {
     std::string out;
 };
 
-std::string asText(render::Size size) {
+std::string asArgument(render::Size size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
@@ -40,8 +40,8 @@ Result<render::Size> parseSize(std::string_view text, render::Size smallest) {
             return size;
     }
     return fail(ErrorCode::OutOfRange,
-                "expected WIDTHxHEIGHT from " + asText(smallest) + " to " + asText({maxExtent, maxExtent}) +
-                    ", found \"" + std::string(text) + "\"",
+                "expected WIDTHxHEIGHT from " + asArgument(smallest) + " to " +
+                    asArgument({maxExtent, maxExtent}) + ", found \"" + std::string(text) + "\"",
                 "--size");
 }
 

@@ -26,8 +26,10 @@ constexpr std::array rows{
         "fieldOfView", "Camera", "Field of view", "gluPerspective({}, aspect, zNear, zFar)",
         "The vertical opening angle. An orthographic view shows the same height at the target.",
         {1, 170, 0.25F, "deg"}),
-    color<&View::background>("background", "Background", "Background", "glClearColor({})",
-                             "What the frame is cleared to; its alpha ends up in the screenshot."),
+    color<&View::background>(
+        "background", "Background", "Background", "glClearColor({})",
+        "What the frame is cleared to. Its alpha shows only where a blend factor asks for it; "
+        "screenshots are opaque."),
 };
 static_assert(rows.size() == 7 && rows.size() == build::memberCount<View>());
 

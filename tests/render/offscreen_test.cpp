@@ -21,7 +21,6 @@ TEST(OsmesaContext, GivesEverythingThatTexplorerNeeds) {
     EXPECT_GE(capabilities->max3DTextureSize, 256);
     EXPECT_GE(capabilities->textureUnits, 4);
     EXPECT_GE(capabilities->maxAnisotropy, 2);
-    EXPECT_TRUE(capabilities->nonPowerOfTwo);
     EXPECT_TRUE(capabilities->s3tc);
 }
 

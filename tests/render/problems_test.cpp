@@ -85,9 +85,34 @@ TEST_F(Problems, OfTextureParametersNameTheTexture) {
     images.put("image", plainImage(1, 1, {255, 0, 0, 255}));
     Scene scene = texturedScene();
     scene.textures[0].baseLevel = -1;
+    for (int frame = 0; frame < 2; ++frame) {
+        EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
+        EXPECT_THAT(problems,
+                    ElementsAre("textures[0]: glTexParameter: GL_INVALID_VALUE (A number is out of range.)"))
+            << "frame " << frame;
+    }
+    scene.textures[0].baseLevel = 0;
     EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
-    EXPECT_THAT(problems,
-                ElementsAre("textures[0]: glTexParameter: GL_INVALID_VALUE (A number is out of range.)"));
+    EXPECT_THAT(problems, IsEmpty());
+}
+
+TEST_F(Problems, OfAnisotropyNameTheDriversLimit) {
+    images.put("image", plainImage(1, 1, {255, 0, 0, 255}));
+    Scene scene = texturedScene();
+    scene.textures[0].maxAnisotropy = 8;
+    capabilities.maxAnisotropy = 1; // without GL_EXT_texture_filter_anisotropic
+    auto made = render::FixedRenderer::create(capabilities);
+    ASSERT_TRUE(made);
+    renderer = std::move(*made);
+    for (int frame = 0; frame < 2; ++frame) {
+        EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
+        EXPECT_THAT(problems,
+                    ElementsAre("textures[0]: an anisotropy of 8 exceeds the driver's 1; drawn with that"))
+            << "frame " << frame;
+    }
+    scene.textures[0].maxAnisotropy = 1;
+    EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
+    EXPECT_THAT(problems, IsEmpty());
 }
 
 TEST_F(Problems, LeftOverByOthersAreNotBlamedOnTheScene) {
