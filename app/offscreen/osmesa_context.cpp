@@ -23,6 +23,9 @@ struct OsmesaContext::State {
     Context context;
     Bytes pixels; // Mesa draws into this for as long as the context is current
 
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
     ~State() {
         if (context && OSMesaGetCurrentContext() == context.get())
             OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);

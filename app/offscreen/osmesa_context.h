@@ -12,6 +12,8 @@ namespace texplorer::offscreen {
 class OsmesaContext {
 public:
     [[nodiscard]] static Result<OsmesaContext> create(render::Size size);
+    OsmesaContext(const OsmesaContext&) = delete;
+    OsmesaContext& operator=(const OsmesaContext&) = delete;
     OsmesaContext(OsmesaContext&&) noexcept;
     OsmesaContext& operator=(OsmesaContext&&) noexcept;
     ~OsmesaContext();

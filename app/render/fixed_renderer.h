@@ -17,6 +17,8 @@ namespace texplorer::render {
 class FixedRenderer {
 public:
     [[nodiscard]] static Result<FixedRenderer> create(const Capabilities& capabilities);
+    FixedRenderer(const FixedRenderer&) = delete;
+    FixedRenderer& operator=(const FixedRenderer&) = delete;
     FixedRenderer(FixedRenderer&&) noexcept;
     FixedRenderer& operator=(FixedRenderer&&) noexcept;
     ~FixedRenderer();

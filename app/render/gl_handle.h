@@ -18,6 +18,8 @@ public:
         return handle;
     }
 
+    GlHandle(const GlHandle&) = delete;
+    GlHandle& operator=(const GlHandle&) = delete;
     GlHandle(GlHandle&& other) noexcept
         : name_(std::exchange(other.name_, 0)) {}
     GlHandle& operator=(GlHandle&& other) noexcept {

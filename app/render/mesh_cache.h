@@ -28,7 +28,7 @@ private:
         Shape shape{};
         int slices = 0;
         int stacks = 0;
-        auto operator<=>(const MeshKey&) const = default;
+        auto operator<=>(const MeshKey&) const = default; // NOLINT(modernize-use-nullptr): there is none
     };
     struct MeshSlot {
         Mesh mesh;
@@ -39,7 +39,7 @@ private:
     struct CoordKey {
         std::size_t model = 0;
         int unit = 0;
-        auto operator<=>(const CoordKey&) const = default;
+        auto operator<=>(const CoordKey&) const = default; // NOLINT(modernize-use-nullptr)
     };
     struct CoordSlot {
         TexCoords list;

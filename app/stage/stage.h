@@ -26,6 +26,8 @@ struct Surface {
 class Stage {
 public:
     [[nodiscard]] static Result<Stage> create(float scale);
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
     Stage(Stage&&) noexcept;
     Stage& operator=(Stage&&) noexcept;
     ~Stage();

@@ -59,15 +59,19 @@ public:
         : heights_(static_cast<std::size_t>(size) * size) {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
-                heights_[static_cast<std::size_t>(y * size + x)] = heightAt(x, y);
+                heights_[index(x, y)] = heightAt(x, y);
     }
 
     /// Coordinates just outside of the image wrap around.
     [[nodiscard]] float at(int x, int y) const {
-        return heights_[static_cast<std::size_t>((y + size) % size * size + (x + size) % size)];
+        return heights_[index((x + size) % size, (y + size) % size)];
     }
 
 private:
+    static std::size_t index(int x, int y) {
+        return static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
+    }
+
     std::vector<float> heights_;
 };
 
