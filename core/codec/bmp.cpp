@@ -46,6 +46,13 @@ std::string bytesOf(std::size_t size) {
     return std::to_string(size) + (size == 1 ? " byte" : " bytes");
 }
 
+std::string knownHeaderSizes() {
+    std::string text;
+    for (const std::uint32_t size : headerSizes)
+        text.append(text.empty() ? "" : ", ").append(std::to_string(size));
+    return text;
+}
+
 std::string compressionName(std::uint32_t compression) {
     constexpr std::array names{"none", "RLE8", "RLE4", "bit fields", "JPEG", "PNG", "bit fields with alpha"};
     return compression < names.size() ? names[compression] : "number " + std::to_string(compression);
@@ -71,7 +78,7 @@ Result<Header> readHeader(ByteView file) {
     if (file.size() < 14 + shortestHeader)
         return malformed("the headers need 54 bytes, the file has " + std::to_string(file.size()));
     if (std::ranges::find(headerSizes, header.headerSize) == headerSizes.end())
-        return unsupported("a header of 40 to 124 bytes is read, the file has one of " +
+        return unsupported("headers of " + knownHeaderSizes() + " bytes are read, the file has one of " +
                            std::to_string(header.headerSize));
     if (header.dataPos == 0)
         header.dataPos = header.end();
