@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
 
     // CLI11 would say only that a subcommand is missing.
     std::string names;
-    bool known = argc > 1 && argv[1][0] == '-';
+    bool known = argc > 1 && app.get_option_no_throw(argv[1]) != nullptr;
     for (const CLI::App* command : app.get_subcommands(nullptr)) {
         known = known || (argc > 1 && command->get_name() == argv[1]);
         names.append(names.empty() ? "" : ", ").append(command->get_name());

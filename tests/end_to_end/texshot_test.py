@@ -140,7 +140,8 @@ class Shot(Texshot):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
         self.complains(2, "expected one of shot, params, decode, info")
-        self.complains(2, "paint", "paint")
+        for unknown in ["paint", "--paint", "-x", ""]:
+            self.complains(2, f'there is no command "{unknown}"', unknown)
 
     def test_bad_scenes(self):
         for name, content, expected in [
