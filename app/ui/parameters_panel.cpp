@@ -58,6 +58,7 @@ void removeTexture(Session& session, int index) {
         for (Unit& unit : pass.units) {
             if (unit.texture > index || (unit.texture == index && index > 0))
                 --unit.texture;
+            unit.enabled = unit.enabled && !scene.textures.empty(); // there is nothing left to enable
         }
     }
     sealEdit(session);
@@ -170,7 +171,14 @@ void unitChoice(Session& session) {
 
 void unitSection(Session& session) {
     static const Unit initial;
-    const Owner owner{&selectedUnit(session), &initial, unitPath(session)};
+    const auto accepts = [&](const ParamRow& row, const Value& value) {
+        const bool lacksTexture =
+            row.key == "enabled" && std::get<bool>(value) && boundTexture(session) == nullptr;
+        if (lacksTexture)
+            session.notice = "A unit needs a texture before it can be enabled: add one with +.";
+        return !lacksTexture;
+    };
+    const Owner owner{&selectedUnit(session), &initial, unitPath(session), accepts};
     std::string_view group;
     for (const ParamRow& row : unitTable().params) {
         if (row.key == "texture") // chosen by its name, in the section of the texture

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/scene/params.h"
 
 namespace texplorer::ui {
+
+/// How far coordinates can be dragged; `step` is a drag of one pixel in the list.
+inline constexpr Range coordRange{-1000, 1000, 0.005F, {}};
 
 // What the buttons over the vertex list do to every coordinate of a model. r and q stay.
 

@@ -1,7 +1,8 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
+#include "app/ui/plane_drawing.h"
+#include "app/ui/tex_coord_edits.h"
 #include "app/ui/theme.h"
-#include "app/ui/tiling.h"
 #include "core/scene/tex_coords.h"
 
 #include <glm/glm.hpp>
@@ -12,121 +13,8 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr int farthestTile = 100; // how many copies of the image are drawn along one axis, at most
 constexpr float nearestExtent = 0.02F;
 constexpr float farthestExtent = 200;
-
-/// From texture coordinates to pixels and back. t grows upwards.
-struct Canvas {
-    ImVec2 low, high;
-    Plane plane;
-    float pixelsPerUnit;
-
-    Canvas(ImVec2 topLeft, ImVec2 size, const Plane& seen)
-        : low(topLeft)
-        , high(topLeft.x + size.x, topLeft.y + size.y)
-        , plane(seen)
-        , pixelsPerUnit(std::min(size.x, size.y) / seen.extent) {}
-
-    [[nodiscard]] ImVec2 toPixel(float s, float t) const {
-        return {(low.x + high.x) / 2 + (s - plane.s) * pixelsPerUnit,
-                (low.y + high.y) / 2 - (t - plane.t) * pixelsPerUnit};
-    }
-    [[nodiscard]] glm::vec2 toCoord(ImVec2 pixel) const {
-        return {plane.s + (pixel.x - (low.x + high.x) / 2) / pixelsPerUnit,
-                plane.t - (pixel.y - (low.y + high.y) / 2) / pixelsPerUnit};
-    }
-};
-
-bool hasAlpha(const Image& image) {
-    return image.format == PixelFormat::Alpha8 || image.format == PixelFormat::LuminanceAlpha8 ||
-           image.format == PixelFormat::Rgba8;
-}
-
-/// A board behind what is transparent.
-void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell) {
-    draw.AddRectFilled(low, high, IM_COL32(62, 66, 73, 255));
-    for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
-        for (float x = low.x + (row % 2 == 0 ? 0 : cell); x < high.x; x += 2 * cell) {
-            const float y = low.y + static_cast<float>(row) * cell;
-            draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
-                               IM_COL32(84, 89, 97, 255));
-        }
-    }
-}
-
-void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Image& image,
-               unsigned id) {
-    const glm::vec2 from = canvas.toCoord({canvas.low.x, canvas.high.y});
-    const glm::vec2 to = canvas.toCoord({canvas.high.x, canvas.low.y});
-    const auto tile = [](float coord) {
-        return static_cast<int>(std::clamp(std::floor(coord), -1.0F * farthestTile, 1.0F * farthestTile));
-    };
-    const ImU32 border = ImGui::ColorConvertFloat4ToU32(
-        {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
-    for (int j = tile(from.y); j <= tile(to.y); ++j) {
-        for (int i = tile(from.x); i <= tile(to.x); ++i) {
-            const auto s = tileSpan(texture.wrapS, i, image.width);
-            const auto t = tileSpan(texture.wrapT, j, image.height);
-            const ImVec2 low = canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1));
-            const ImVec2 high = canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j));
-            // What wrapping makes of the surroundings is a little darker than the image.
-            const bool itself = i == 0 && j == 0;
-            if (!s || !t)
-                draw.AddRectFilled(low, high, border);
-            else
-                draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)), low, high,
-                              {s->from, t->to}, {s->to, t->from});
-            if (!itself)
-                draw.AddRectFilled(low, high, IM_COL32(20, 22, 27, 105));
-        }
-    }
-}
-
-/// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.
-void drawAxes(ImDrawList& draw, const Canvas& canvas) {
-    const float em = ImGui::GetFontSize();
-    const float beyond = em * 1.6F;
-    const float thick = std::max(1.5F, em / 8);
-    const ImVec2 origin = canvas.toPixel(0, 0);
-    const ImVec2 s(canvas.toPixel(1, 0).x + beyond, origin.y);
-    const ImVec2 t(origin.x, canvas.toPixel(0, 1).y - beyond);
-    const float head = em * 0.35F;
-    draw.AddLine(origin, s, color::shade, thick + 2);
-    draw.AddLine(origin, t, color::shade, thick + 2);
-    draw.AddLine(origin, s, color::s, thick);
-    draw.AddLine(origin, t, color::t, thick);
-    draw.AddTriangleFilled({s.x + 2 * head, s.y}, {s.x, s.y - head}, {s.x, s.y + head}, color::s);
-    draw.AddTriangleFilled({t.x, t.y - 2 * head}, {t.x + head, t.y}, {t.x - head, t.y}, color::t);
-    const auto label = [&](ImVec2 at, ImU32 tint, const char* text) {
-        const ImVec2 size = ImGui::CalcTextSize(text);
-        const float pad = em * 0.2F;
-        draw.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, color::shade, pad);
-        draw.AddText(at, tint, text);
-    };
-    label({s.x - em * 0.2F, s.y + em * 0.5F}, color::s, "s");
-    label({t.x - em * 1.3F, t.y - em * 0.4F}, color::t, "t");
-    label({canvas.toPixel(1, 0).x - em * 0.3F, s.y + em * 0.5F}, color::text, "1");
-    label({t.x - em * 1.3F, canvas.toPixel(0, 1).y - em * 0.4F}, color::text, "1");
-    label({origin.x - em * 1.1F, origin.y + em * 0.5F}, color::text, "0");
-}
-
-void drawFace(ImDrawList& draw, const Canvas& canvas, const Face& face, const TexCoords& coords, ImU32 tint,
-              float thickness) {
-    const std::size_t count = face.vertices.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec4& a = coords[face.vertices[i]];
-        const glm::vec4& b = coords[face.vertices[(i + 1) % count]];
-        const ImVec2 from = canvas.toPixel(a.x, a.y);
-        const ImVec2 to = canvas.toPixel(b.x, b.y);
-        draw.AddLine(from, to, color::shade, thickness + 2);
-        draw.AddLine(from, to, tint, thickness);
-    }
-}
-
-bool contains(const Face& face, std::size_t vertex) {
-    return std::ranges::find(face.vertices, static_cast<std::uint32_t>(vertex)) != face.vertices.end();
-}
 
 /// The vertex under the mouse. Where several share a place (the faces of a cube do), the chosen one comes
 /// first, then one of its face.
@@ -174,15 +62,36 @@ void moveCanvas(Plane& plane, const Canvas& canvas, bool hovered, bool dragged) 
 }
 
 void fitPlane(Plane& plane, const TexCoords& coords) {
-    glm::vec2 low(0);
-    glm::vec2 high(1);
-    for (const glm::vec4& each : coords) {
-        low = glm::min(low, glm::vec2(each));
-        high = glm::max(high, glm::vec2(each));
-    }
+    const auto [low, high] = boundsOf(coords);
     plane.s = (low.x + high.x) / 2;
     plane.t = (low.y + high.y) / 2;
     plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, nearestExtent, farthestExtent);
+}
+
+/// Left button: takes the vertex under the mouse, or the plane. Any other button moves the plane.
+void dragVertex(Session& session, const Canvas& canvas, std::optional<std::size_t> under, bool dragged) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Model& model = *selectedModel(session);
+    const Mesh& mesh = selectedMesh(session);
+    const int unit = session.selection.unit;
+    std::optional<std::size_t>& chosen = session.selection.vertex;
+    if (ImGui::IsItemActivated()) {
+        session.movesVertex = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && under.has_value();
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+            chosen = under;
+    }
+    if (dragged && session.movesVertex && chosen) {
+        const std::string key = "texCoords" + std::to_string(unit);
+        glm::vec4 moved = effectiveTexCoords(model, mesh, unit)[*chosen];
+        const auto within = [](float coord) { return std::clamp(coord, coordRange.min, coordRange.max); };
+        moved.x = within(moved.x + io.MouseDelta.x / canvas.pixelsPerUnit);
+        moved.y = within(moved.y - io.MouseDelta.y / canvas.pixelsPerUnit);
+        setTexCoord(model, mesh, unit, *chosen, moved);
+        recordEdit(session, "Move vertex " + std::to_string(*chosen),
+                   "models[" + std::to_string(session.selection.model) + "]." + key);
+    }
+    if (ImGui::IsItemDeactivated())
+        sealEdit(session);
 }
 
 void drawCanvas(Session& session, const Pictures& pictures) {
@@ -193,84 +102,48 @@ void drawCanvas(Session& session, const Pictures& pictures) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     noteItem(session, "texture space");
+    const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
-    const bool let_go = ImGui::IsItemDeactivated();
-    const ImGuiIO& io = ImGui::GetIO();
-    const float em = ImGui::GetFontSize();
-
+    const bool dragged = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     const Canvas canvas(topLeft, size, session.plane);
+
+    const Model* model = selectedModel(session);
+    const Mesh& mesh = selectedMesh(session);
+    const auto current = [&] {
+        return model ? effectiveTexCoords(*model, mesh, session.selection.unit) : TexCoords{};
+    };
+    TexCoords coords = current();
+    std::optional<std::size_t> under;
+    if (hovered || active)
+        under = vertexUnder(canvas, mesh, coords, session.selection.vertex, io.MousePos,
+                            ImGui::GetFontSize() * 0.55F);
+    if (model)
+        dragVertex(session, canvas, under, dragged);
+    if (dragged && session.movesVertex)
+        coords = current();
+    if (under)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    moveCanvas(session.plane, canvas, hovered, dragged && !(model && session.movesVertex));
+    if (hovered && !under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        fitPlane(session.plane, coords);
+
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(canvas.low, canvas.high, true);
     draw.AddRectFilled(canvas.low, canvas.high, color::ground);
-
     const Texture* texture = boundTexture(std::as_const(session));
     const std::shared_ptr<const Image> image = texture ? session.images.find(*texture) : nullptr;
-    if (image && pictures.texture != 0) {
-        if (hasAlpha(*image))
-            drawBoard(draw, canvas.low, canvas.high, em * 0.8F);
-        drawTiles(draw, canvas, *texture, *image, pictures.texture);
-    }
-    Model* model = selectedModel(session);
-    const Mesh& mesh = selectedMesh(session);
-    if (model) {
-        const TexCoords coords = effectiveTexCoords(*model, mesh, session.selection.unit);
-        std::optional<std::size_t>& chosen = session.selection.vertex;
-        const auto under = hovered || active
-                               ? vertexUnder(canvas, mesh, coords, chosen, io.MousePos, em * 0.55F)
-                               : std::optional<std::size_t>{};
-        if (ImGui::IsItemActivated()) {
-            if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-                chosen = under;
-            session.movesVertex = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && under.has_value();
-        }
-        const bool dragged = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-        if (dragged && session.movesVertex && chosen && *chosen < coords.size()) {
-            glm::vec4 moved = coords[*chosen];
-            moved.x += io.MouseDelta.x / canvas.pixelsPerUnit;
-            moved.y -= io.MouseDelta.y / canvas.pixelsPerUnit;
-            setTexCoord(*model, mesh, session.selection.unit, *chosen, moved);
-            recordEdit(session, "Move vertex " + std::to_string(*chosen),
-                       "models[" + std::to_string(session.selection.model) + "].texCoords" +
-                           std::to_string(session.selection.unit));
-        }
-        if (let_go)
-            sealEdit(session);
-        moveCanvas(session.plane, canvas, hovered, dragged && !session.movesVertex);
-
-        for (const Face& face : mesh.faces) {
-            if (!chosen || !contains(face, *chosen))
-                drawFace(draw, canvas, face, coords, color::outline, 1);
-        }
-        for (const Face& face : mesh.faces) {
-            if (chosen && contains(face, *chosen))
-                drawFace(draw, canvas, face, coords, color::chosen, std::max(1.5F, em / 9));
-        }
-        drawAxes(draw, canvas);
-        const float dot = em * (coords.size() > 100 ? 0.13F : 0.24F);
+    if (image && pictures.texture != 0)
+        drawTiles(draw, canvas, *texture, *image, pictures.texture, boundsOf(coords));
+    drawAxes(draw, canvas);
+    drawMesh(draw, canvas, mesh, coords, session.selection.vertex, under);
+    draw.PopClipRect();
+    if (session.probe) {
         for (std::size_t vertex = 0; vertex < coords.size(); ++vertex) {
             const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
-            if (session.probe)
-                session.probe->items["coord:" + std::to_string(vertex)] = {at.x, at.y, at.x, at.y, true};
-            if (chosen == vertex)
-                continue;
-            draw.AddCircleFilled(at, dot + 1, color::shade);
-            draw.AddCircleFilled(at, dot, under == vertex ? color::chosen : color::text);
+            session.probe->items["coord:" + std::to_string(vertex)] = {at.x, at.y, at.x, at.y, true};
         }
-        if (chosen && *chosen < coords.size()) {
-            const ImVec2 at = canvas.toPixel(coords[*chosen].x, coords[*chosen].y);
-            draw.AddCircleFilled(at, em * 0.4F, color::shade);
-            draw.AddCircleFilled(at, em * 0.3F, color::chosen);
-        }
-        if (under)
-            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    } else {
-        drawAxes(draw, canvas);
-        moveCanvas(session.plane, canvas, hovered, active);
     }
-    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && model)
-        fitPlane(session.plane, effectiveTexCoords(*model, mesh, session.selection.unit));
-    draw.PopClipRect();
 }
 
 } // namespace

@@ -11,8 +11,6 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr Range coordRange{-1000, 1000, 0.005F, {}};
-
 std::string coordsPath(const Session& session) {
     return "models[" + std::to_string(session.selection.model) + "].texCoords" +
            std::to_string(session.selection.unit);

@@ -124,9 +124,15 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
     ASSERT_EQ(scene().textures.size(), 1U);
     EXPECT_EQ(scene().textures[0].wrapS, Wrap::Clamp);
     EXPECT_EQ(unit().texture, 0);
-    session->scene.passes[0].units[0].enabled = false; // a unit without a texture is reported by the renderer
+    EXPECT_TRUE(unit().enabled);
     click("remove texture");
     EXPECT_TRUE(scene().textures.empty());
+    EXPECT_FALSE(unit().enabled) << "a scene file refuses a unit without a texture";
+    scrollTo("passes[0].units[0].enabled");
+    click("passes[0].units[0].enabled");
+    EXPECT_FALSE(unit().enabled);
+    EXPECT_FALSE(session->notice.empty());
+    scrollTo("add texture");
     click("add texture");
     EXPECT_EQ(scene().textures.size(), 1U);
 }

@@ -66,6 +66,52 @@ TEST_F(TextureSpace, DraggingElsewhereMovesThePlaneNotTheScene) {
     EXPECT_NEAR(session->plane.s, 0.5F, 1e-5F);
 }
 
+struct Heavy {
+    const char* name;
+    Shape shape;
+    int subdivision;
+};
+
+void PrintTo(const Heavy& heavy, std::ostream* out) {
+    *out << heavy.name;
+}
+
+class HeavyMesh : public TextureSpace, public testing::WithParamInterface<Heavy> {};
+
+/// Dear ImGui ends the program where a panel has more than 65535 vertices.
+TEST_P(HeavyMesh, IsDrawnFromNearAndFar) {
+    Scene heavy = defaultScene();
+    heavy.models.resize(1);
+    heavy.models[0].shape = GetParam().shape;
+    heavy.models[0].slices = heavy.models[0].stacks = GetParam().subdivision;
+    start(heavy, 2560, 1440);
+    for (const float extent : {0.02F, 1.6F, 20.0F, 112.0F, 200.0F}) {
+        session->plane.extent = extent;
+        session->selection.vertex = 5;
+        (void)picture();
+    }
+    click("fit plane");
+    (void)picture();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HeavyMesh,
+                         testing::Values(Heavy{"Floor", Shape::Floor, 16},
+                                         Heavy{"Sphere32", Shape::Sphere, 32},
+                                         Heavy{"Sphere64", Shape::Sphere, 64},
+                                         Heavy{"Sphere256", Shape::Sphere, 256}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST_F(TextureSpace, ADragEndsSomewhere) {
+    session->plane.extent = 200;
+    for (int i = 0; i < 20; ++i) { // each by some 160 units, and then the plane is brought back
+        session->plane.s = 0.5F + static_cast<float>(i == 0 ? 0 : coord(2).x - 0.5F);
+        session->selection.vertex = 2;
+        frames(1);
+        drag(place("coord:2"), {270, 0});
+    }
+    EXPECT_EQ(coord(2).x, 1000);
+}
+
 TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
     texture().wrapS = Wrap::ClampToBorder;
     texture().borderColor = {1, 0, 0, 1};
