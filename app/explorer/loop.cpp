@@ -68,6 +68,8 @@ Result<void> runLoop(Window& window, ui::Session& session) {
         window.swap();
         if (requests.quit)
             return {};
+        if (requests.fading)
+            settling = settlingFrames;
 
         settling = std::max(0, settling - 1);
         pace(window, ui::isMoving(session), settling > 0, last);

@@ -4,6 +4,8 @@
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
 
+#include <imgui_internal.h> // how far the darkening behind a dialog has got
+
 #include <algorithm>
 
 namespace texplorer::ui {
@@ -84,7 +86,9 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     if (!popup)
         handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
     drawDialogs(session);
-    Requests requests{session.quitConfirmed, windowTitle(session)};
+    const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
+    const bool fading = dimmed > 0 && dimmed < 1;
+    Requests requests{session.quitConfirmed, fading, windowTitle(session)};
     session.quitConfirmed = false;
     // Arrows, Enter and Escape work in an open menu or list. Elsewhere Space plays, and dialogs have their
     // own keys.

@@ -22,6 +22,7 @@ struct Pictures {
 /// What the window asks of its host.
 struct Requests {
     bool quit = false;
+    bool fading = false; ///< the next frame differs without any input: the window darkens behind a dialog
     std::string title;
 };
 
