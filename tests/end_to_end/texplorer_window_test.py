@@ -5,6 +5,7 @@ import io
 import json
 import os
 import pathlib
+import select
 import signal
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import unittest
 from PIL import Image
 
 PROGRAM = sys.argv.pop(1)
-PATIENCE = 30  # seconds until something that must come is given up
+PATIENCE = 60  # seconds until something that must come is given up
 
 
 def wait_for(condition, what):
@@ -35,23 +36,26 @@ class Display:
         read, write = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
-            pass_fds=[write], stderr=subprocess.DEVNULL)
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
+            if not select.select([pipe], [], [], PATIENCE)[0]:
+                raise AssertionError(f"waited {PATIENCE} s for Xvfb")
             self.name = ":" + pipe.readline().strip()
         self.environment = {**os.environ, "DISPLAY": self.name}
 
     def close(self):
         self.server.terminate()
-        self.server.wait()
+        self.server.wait(PATIENCE)
 
     def xdotool(self, *words):
-        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True)
+        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True,
+                              timeout=PATIENCE)
         return done.stdout.strip()
 
     def screenshot(self):
         done = subprocess.run(["import", "-window", "root", "png:-"], env=self.environment, capture_output=True,
-                              check=True)
+                              check=True, timeout=PATIENCE)
         return Image.open(io.BytesIO(done.stdout)).convert("RGB")
 
     def ask_to_close(self, window):
@@ -116,22 +120,23 @@ class Command(unittest.TestCase):
 
 class Window(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.scene = pathlib.Path(self.folder.name) / "scene.json"
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.scene = pathlib.Path(folder.name) / "scene.json"
         self.scene.write_text('{"version": 1}')
         self.display = Display()
+        self.addCleanup(self.display.close)
         self.program = subprocess.Popen([PROGRAM, str(self.scene)], env=self.display.environment,
                                         stderr=subprocess.PIPE, text=True)
+        self.addCleanup(self.end_program)
         self.window = int(wait_for(lambda: self.display.xdotool("search", "--name", "Texplorer"), "the window").split()[0])
         wait_for(lambda: len(set(self.display.screenshot().getdata())) > 100, "the first picture")
 
-    def tearDown(self):
+    def end_program(self):
         if self.program.poll() is None:
             self.program.send_signal(signal.SIGKILL)
-        self.program.wait()
+        self.program.wait(PATIENCE)
         self.program.stderr.close()
-        self.display.close()
-        self.folder.cleanup()
 
     def saved(self):
         return json.loads(self.scene.read_text())
