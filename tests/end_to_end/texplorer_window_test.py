@@ -30,12 +30,14 @@ def wait_for(condition, what):
 
 
 class Display:
-    """An Xvfb of its own, on a display number that the server chooses."""
+    """An Xvfb of its own, on a display number that the server chooses. Without -noreset it would start over, and refuse
+    connections, whenever its last client leaves, as each xdotool does."""
 
     def __init__(self):
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp",
+             "-noreset"],
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
@@ -129,8 +131,13 @@ class Window(unittest.TestCase):
         self.program = subprocess.Popen([PROGRAM, str(self.scene)], env=self.display.environment,
                                         stderr=subprocess.PIPE, text=True)
         self.addCleanup(self.end_program)
-        self.window = int(wait_for(lambda: self.display.xdotool("search", "--name", "Texplorer"), "the window").split()[0])
+        self.window = int(wait_for(lambda: self.running() and self.display.xdotool("search", "--name", "Texplorer"), "the window").split()[0])
         wait_for(lambda: len(set(self.display.screenshot().getdata())) > 100, "the first picture")
+
+    def running(self):
+        if self.program.poll() is not None:
+            raise AssertionError(f"texplorer ended with {self.program.returncode}: {self.program.stderr.read()}")
+        return True
 
     def end_program(self):
         if self.program.poll() is None:
