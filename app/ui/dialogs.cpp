@@ -5,7 +5,9 @@
 #include "app/ui/theme.h"
 #include "core/codec/registry.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace texplorer::ui {
 namespace {
@@ -38,7 +40,7 @@ constexpr std::array keyLines{
 std::vector<std::string> imageExtensions() {
     std::vector<std::string> extensions;
     for (const CodecRow& row : codecRows())
-        extensions.emplace_back(row.extension);
+        std::ranges::copy(extensionsOf(row), std::back_inserter(extensions));
     return extensions;
 }
 

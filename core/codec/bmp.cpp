@@ -127,7 +127,7 @@ void copyRows(ByteView data, bool topDown, Image& image) {
 
 } // namespace
 
-Result<Image> decodeBmp(ByteView file, const DecodeLimits& limits) {
+Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
     const Result<Header> header = readHeader(file);
     if (!header)
         return fail(header.error());
@@ -144,7 +144,9 @@ Result<Image> decodeBmp(ByteView file, const DecodeLimits& limits) {
         Image image =
             Image::uninitialised(PixelFormat::Rgb8, header->width, static_cast<int>(header->rows()));
         copyRows(data, header->topDown(), image);
-        return image;
+        TextureImage texture = textureOf(std::move(image), "BMP");
+        texture.fileTopFirst = header->topDown();
+        return texture;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "BMP: there is no memory for " + bytesOf(needed));
     }

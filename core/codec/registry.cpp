@@ -1,7 +1,11 @@
 #include "core/codec/registry.h"
 
+#include "core/codec/bmp.h"
+
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <sstream>
 #include <string>
 
 namespace texplorer {
@@ -14,7 +18,8 @@ bool beginsWith(ByteView file, std::string_view magic) {
 }
 
 constexpr std::array rows{
-    CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp},
+    CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, nullptr,
+             nullptr},
 };
 
 // "89 50 4e 47", so that one can look up what it is.
@@ -32,6 +37,11 @@ std::string firstBytes(ByteView file) {
 
 } // namespace
 
+std::vector<std::string> extensionsOf(const CodecRow& row) {
+    std::istringstream words{std::string(row.extensions)};
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
 std::span<const CodecRow> codecRows() {
     return rows;
 }
@@ -41,7 +51,23 @@ const CodecRow* recogniseImage(ByteView file) {
     return found == rows.end() ? nullptr : &*found;
 }
 
-Result<Image> decodeImage(ByteView file, const DecodeLimits& limits) {
+const CodecRow* codecForExtension(std::string_view fileName) {
+    const std::size_t dot = fileName.rfind('.');
+    if (dot == std::string_view::npos)
+        return nullptr;
+    std::string extension(fileName.substr(dot));
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    const auto names = [&](const CodecRow& row) {
+        const std::vector<std::string> known = extensionsOf(row);
+        return std::ranges::find(known, extension) != known.end();
+    };
+    const auto found = std::ranges::find_if(rows, names);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits) {
     if (const CodecRow* codec = recogniseImage(file))
         return codec->decode(file, limits);
     std::string known;
@@ -51,6 +77,20 @@ Result<Image> decodeImage(ByteView file, const DecodeLimits& limits) {
         return fail(ErrorCode::Malformed, "expected an image (" + known + "), the file is empty");
     return fail(ErrorCode::Unsupported,
                 "expected an image (" + known + "), the file begins with " + firstBytes(file));
+}
+
+Result<Image> decodeImage(ByteView file, const DecodeLimits& limits) {
+    Result<TextureImage> texture = decodeTexture(file, limits);
+    if (!texture)
+        return fail(texture.error());
+    return uprightImage(std::move(*texture));
+}
+
+Anatomy dissect(ByteView file) {
+    const CodecRow* codec = recogniseImage(file);
+    if (!codec)
+        return {};
+    return codec->dissect ? codec->dissect(file) : Anatomy{codec->name, {}, {}};
 }
 
 } // namespace texplorer

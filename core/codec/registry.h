@@ -2,28 +2,54 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/codec/bmp.h"
+#include "core/codec/anatomy.h"
+#include "core/codec/decode_limits.h"
 #include "core/image/image.h"
+#include "core/image/texture_image.h"
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace texplorer {
 
-/// One row per file format that can be read.
+/// What a writer may be told; each takes what concerns it.
+struct WriteOptions {
+    bool small = false;          ///< PNG: smaller rather than faster
+    bool runLengthCoded = false; ///< TGA
+};
+
+/// One row per file format.
 struct CodecRow {
     std::string_view name;            ///< "BMP"
-    std::string_view extension;       ///< ".bmp"
-    bool (*recognise)(ByteView file); ///< by its first bytes, never by its name
-    Result<Image> (*decode)(ByteView file, const DecodeLimits& limits);
+    std::string_view extensions;      ///< ".jpg .jpeg", lower case, the usual one first
+    bool (*recognise)(ByteView file); ///< by its content, never by its name
+    Result<TextureImage> (*decode)(ByteView file, const DecodeLimits& limits);
+    Anatomy (*dissect)(ByteView file); ///< nullptr: no anatomy
+    /// nullptr: not written. Formats of one picture take face 0, level 0, decompressed; top and bottom are
+    /// right.
+    Result<Bytes> (*encode)(const TextureImage& texture, const WriteOptions& options);
 };
 
 [[nodiscard]] std::span<const CodecRow> codecRows();
 
+/// {".jpg", ".jpeg"}
+[[nodiscard]] std::vector<std::string> extensionsOf(const CodecRow& row);
+
 /// The format of a file by its content, or nullptr.
 [[nodiscard]] const CodecRow* recogniseImage(ByteView file);
 
+/// The format that a file name's extension asks for (in any case), or nullptr.
+[[nodiscard]] const CodecRow* codecForExtension(std::string_view fileName);
+
 /// Decodes whichever format it is. An unknown one is refused with the list of those that are known.
+[[nodiscard]] Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits = {});
+
+/// The picture alone: uprightImage of decodeTexture.
 [[nodiscard]] Result<Image> decodeImage(ByteView file, const DecodeLimits& limits = {});
+
+/// The anatomy of a file whose format is recognised, else an empty one.
+[[nodiscard]] Anatomy dissect(ByteView file);
 
 } // namespace texplorer

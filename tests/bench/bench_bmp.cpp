@@ -42,8 +42,8 @@ void countBytes(benchmark::State& state) {
 void bmpDecode(benchmark::State& state) {
     const Bytes file = makeFile(state.range(0));
     for (auto _ : state) {
-        const Result<Image> image = decodeBmp(file);
-        benchmark::DoNotOptimize(image->pixels.data());
+        const Result<TextureImage> image = decodeBmp(file);
+        benchmark::DoNotOptimize(image->surfaces.data());
         benchmark::ClobberMemory();
     }
     countBytes(state);

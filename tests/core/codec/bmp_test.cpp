@@ -13,6 +13,13 @@
 namespace texplorer {
 namespace {
 
+Result<Image> decodePicture(ByteView file, const DecodeLimits& limits = {}) {
+    Result<TextureImage> texture = decodeBmp(file, limits);
+    if (!texture)
+        return fail(texture.error());
+    return uprightImage(std::move(*texture));
+}
+
 TEST(Bmp, EveryVariantGivesThePixelsThatWereWritten) {
     const test::TempDir folder;
     ASSERT_TRUE(test::runPython("fixtures/make_bmp.py", folder.path()));
@@ -24,7 +31,7 @@ TEST(Bmp, EveryVariantGivesThePixelsThatWereWritten) {
         int width = 0;
         int height = 0;
         ASSERT_EQ(std::sscanf(entry.path().stem().c_str(), "%*[a-z0-9]_%dx%d", &width, &height), 2);
-        const Result<Image> image = decodeBmp(test::readRaw(entry.path()));
+        const Result<Image> image = decodePicture(test::readRaw(entry.path()));
         ASSERT_TRUE(image) << image.error().message;
         EXPECT_EQ(image->format, PixelFormat::Rgb8);
         EXPECT_EQ(image->width, width);
@@ -57,7 +64,7 @@ Bytes goodFile() {
 }
 
 TEST(Bmp, ColorsAreBlueGreenRedAndTheFirstRowIsTheBottomOne) {
-    const Result<Image> image = decodeBmp(goodFile());
+    const Result<Image> image = decodePicture(goodFile());
     ASSERT_TRUE(image);
     const auto components = [&](int x, int y) {
         const ByteView at = image->at(x, y);
@@ -84,7 +91,7 @@ TEST_P(BmpRefusals, SayWhatWasExpectedAndWhatWasFound) {
     for (std::size_t i = 0; i < GetParam().bytes.size(); ++i)
         file.at(GetParam().offset + i) = static_cast<std::byte>(GetParam().bytes[i]);
     file.resize(GetParam().size);
-    const Result<Image> image = decodeBmp(file);
+    const Result<Image> image = decodePicture(file);
     ASSERT_FALSE(image);
     EXPECT_EQ(image.error().message, GetParam().message);
     EXPECT_EQ(image.error().code, GetParam().code);
@@ -198,8 +205,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Bmp, TheLargestExtentIsTheCallersToSay) {
-    EXPECT_TRUE(decodeBmp(goodFile(), {.maxExtent = 3}));
-    const Result<Image> refused = decodeBmp(goodFile(), {.maxExtent = 2});
+    EXPECT_TRUE(decodePicture(goodFile(), {.maxExtent = 3}));
+    const Result<Image> refused = decodePicture(goodFile(), {.maxExtent = 2});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, TooLarge);
 }
@@ -209,9 +216,9 @@ TEST(Bmp, EveryTruncationIsRefused) {
     for (std::size_t size = 0; size < file.size(); ++size) {
         // A copy of exactly that size, so that the sanitizer sees a read beyond its end.
         const Bytes cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
-        EXPECT_FALSE(decodeBmp(cut)) << size << " of " << file.size() << " bytes";
+        EXPECT_FALSE(decodePicture(cut)) << size << " of " << file.size() << " bytes";
     }
-    EXPECT_TRUE(decodeBmp(file));
+    EXPECT_TRUE(decodePicture(file));
 }
 
 TEST(Bmp, FlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
@@ -221,7 +228,7 @@ TEST(Bmp, FlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
         Bytes file = goodFile();
         for (int flips = 1 + static_cast<int>(random() % 4); flips > 0; --flips)
             file[random() % 54] ^= static_cast<std::byte>(1U << (random() % 8));
-        const Result<Image> image = decodeBmp(file);
+        const Result<Image> image = decodePicture(file);
         if (!image) {
             EXPECT_FALSE(image.error().message.empty());
             continue;

@@ -16,7 +16,7 @@ TEST(Registry, RowsAreCompleteAndUnique) {
     std::set<std::string_view> names;
     for (const CodecRow& row : codecRows()) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
-        EXPECT_TRUE(row.extension.starts_with(".")) << row.name;
+        EXPECT_TRUE(row.extensions.starts_with(".")) << row.name;
         EXPECT_FALSE(row.recognise({})) << row.name << " recognises an empty file";
         EXPECT_FALSE(row.decode({}, {})) << row.name << " decodes an empty file";
     }

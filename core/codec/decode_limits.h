@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+namespace texplorer {
+
+/// What a decoder accepts at most; a file that claims more is refused before anything is allocated. The
+/// defaults admit what OpenGL drivers do: 16384 x 16384 texels.
+struct DecodeLimits {
+    int maxExtent = 16384;                                     ///< along each axis
+    std::size_t maxPixels = std::size_t{16384} * 16384;        ///< of one level of one face, all slices
+    std::size_t maxBytes = std::size_t{16384} * 16384 * 4 * 2; ///< of everything that is decoded
+};
+
+} // namespace texplorer

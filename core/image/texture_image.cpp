@@ -1,0 +1,60 @@
+#include "core/image/texture_image.h"
+
+#include "core/s3tc/decode.h"
+
+#include <algorithm>
+
+namespace texplorer {
+
+int widthOf(const Surface& surface) {
+    return std::visit([](const auto& image) { return image.width; }, surface);
+}
+
+int heightOf(const Surface& surface) {
+    return std::visit([](const auto& image) { return image.height; }, surface);
+}
+
+int depthOf(const Surface& surface) {
+    return std::visit([](const auto& image) { return image.depth; }, surface);
+}
+
+std::size_t byteCount(const Surface& surface) {
+    if (const Image* image = std::get_if<Image>(&surface))
+        return image->pixels.size();
+    return std::get<BlockImage>(surface).blocks.size();
+}
+
+Image toImage(Surface surface) {
+    if (Image* image = std::get_if<Image>(&surface))
+        return std::move(*image);
+    return decodeBlocks(std::get<BlockImage>(surface));
+}
+
+void flipVertically(Image& image) {
+    const std::size_t row = image.rowBytes();
+    for (int z = 0; z < image.depth; ++z) {
+        std::byte* low = image.pixels.data() + image.offset(0, 0, z);
+        std::byte* high = image.pixels.data() + image.offset(0, image.height - 1, z);
+        for (; low < high; low += row, high -= row)
+            std::swap_ranges(low, low + row, high);
+    }
+}
+
+Image uprightImage(TextureImage texture) {
+    Image image = toImage(std::move(texture.surfaces.front()));
+    if (texture.topFirst)
+        flipVertically(image);
+    return image;
+}
+
+TextureImage textureOf(Image image, std::string_view format) {
+    TextureImage texture;
+    texture.format = format;
+    const bool hasAlpha = image.format == PixelFormat::Rgba8 ||
+                          image.format == PixelFormat::LuminanceAlpha8 || image.format == PixelFormat::Alpha8;
+    texture.alpha = hasAlpha ? AlphaMeaning::Straight : AlphaMeaning::None;
+    texture.surfaces.emplace_back(std::move(image));
+    return texture;
+}
+
+} // namespace texplorer

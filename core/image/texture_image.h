@@ -1,0 +1,58 @@
+#pragma once
+
+// Everything that an image file holds for a texture: one picture, or faces and mip levels, compressed or not.
+
+#include "core/image/image.h"
+#include "core/s3tc/block_image.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace texplorer {
+
+/// One level of one face.
+using Surface = std::variant<Image, BlockImage>;
+
+/// What a file says its fourth component means.
+enum class AlphaMeaning : std::uint8_t { None, Straight, Premultiplied, Unknown };
+
+/// All surfaces have the same pixel or block format. A value.
+struct TextureImage {
+    std::string_view format;       ///< of the file: "DDS"
+    int faces = 1;                 ///< 6 for a cube map: +x, -x, +y, -y, +z, -z
+    int levels = 1;                ///< that the file holds; fewer than a full chain is normal
+    std::vector<Surface> surfaces; ///< faces * levels, the levels of a face together, largest first
+    /// Whether row 0 of the surfaces is the top row (as DDS stores it). Decoders of pictures give the bottom
+    /// row first, because turning rows around while decoding costs nothing.
+    bool topFirst = false;
+    bool fileTopFirst = true; ///< what the file itself does: what a naive loader would have shown
+    bool srgb = false;
+    AlphaMeaning alpha = AlphaMeaning::None;
+    std::vector<std::string> notes; ///< sentences: what was odd about the file and was survived
+
+    [[nodiscard]] const Surface& surface(int face, int level) const {
+        return surfaces[static_cast<std::size_t>(face) * static_cast<std::size_t>(levels) +
+                        static_cast<std::size_t>(level)];
+    }
+};
+
+[[nodiscard]] int widthOf(const Surface& surface);
+[[nodiscard]] int heightOf(const Surface& surface);
+[[nodiscard]] int depthOf(const Surface& surface);
+[[nodiscard]] std::size_t byteCount(const Surface& surface);
+
+/// A surface as pixels, decompressed where it is compressed; rows in the order they have.
+[[nodiscard]] Image toImage(Surface surface);
+
+/// Turns every slice upside down, in place.
+void flipVertically(Image& image);
+
+/// Level 0 of face 0 as pixels, bottom row first: what a program wants that just shows the picture.
+[[nodiscard]] Image uprightImage(TextureImage texture);
+
+/// A picture as a TextureImage of one surface.
+[[nodiscard]] TextureImage textureOf(Image image, std::string_view format);
+
+} // namespace texplorer

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/s3tc/block_format.h"
+
+namespace texplorer {
+
+/// A compressed picture or volume: rows of ceil(width / 4) blocks, ceil(height / 4) rows, `depth` slices.
+/// Which way up the rows are is said by whoever holds it (TextureImage::topFirst).
+struct BlockImage {
+    BlockFormat format = BlockFormat::Dxt1;
+    int width = 0;
+    int height = 0;
+    int depth = 1;
+    Bytes blocks; ///< blockRowBytes() * blockRows() * depth bytes
+
+    [[nodiscard]] static BlockImage uninitialised(BlockFormat format, int width, int height, int depth = 1) {
+        BlockImage image{format, width, height, depth, {}};
+        image.blocks.resize(image.blockRowBytes() * image.blockRows() * static_cast<std::size_t>(depth));
+        return image;
+    }
+    [[nodiscard]] std::size_t blockRowBytes() const {
+        return (static_cast<std::size_t>(width) + 3) / 4 * bytesPerBlock(format);
+    }
+    [[nodiscard]] std::size_t blockRows() const { return (static_cast<std::size_t>(height) + 3) / 4; }
+
+    bool operator==(const BlockImage&) const = default;
+};
+
+} // namespace texplorer
