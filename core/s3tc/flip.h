@@ -1,5 +1,10 @@
 #pragma once
 
+// Turning a compressed picture around without decompressing it.
+//
+// A block row of texels is a field of bits of the same width in every block, so a flip moves fields and never
+// touches colours: what is flipped twice is byte for byte what it was.
+
 #include "core/base/result.h"
 #include "core/s3tc/block_image.h"
 
@@ -8,7 +13,11 @@ namespace texplorer {
 /// Turns a compressed image upside down in place without decompressing it: the blocks' rows are swapped, and
 /// the texel rows within each block. Lossless for height 1, 2 and every multiple of 4 (each slice of a
 /// volume). For every other height the rows of the last, partial block row would have to move between blocks:
-/// refused, nothing is changed.
+/// refused (ErrorCode::Unsupported), nothing is changed. Refused too (ErrorCode::Malformed) where `blocks`
+/// has not the size that the extents ask for.
+///
+/// Of height 1 nothing changes; of height 2 only the first two texel rows of each block move: the other two
+/// lie outside of the picture and keep their bits.
 [[nodiscard]] Result<void> flipVertically(BlockImage& image);
 
 /// Left to right, under the same rule for the width.

@@ -1,0 +1,53 @@
+#pragma once
+
+// How one block is turned around: the bit work behind core/s3tc/flip.h.
+
+#include "core/s3tc/block_format.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace texplorer {
+
+/// Swaps the bits under `low` with those `shift` places higher.
+struct FieldSwap {
+    std::uint64_t low = 0;
+    unsigned shift = 0;
+
+    [[nodiscard]] constexpr std::uint64_t operator()(std::uint64_t bits) const {
+        const std::uint64_t differing = (bits >> shift ^ bits) & low;
+        return bits ^ differing ^ differing << shift;
+    }
+};
+
+/// What turns a block around: up to two swaps for the rows and two for the columns, on each 8 bytes of a
+/// block. Blocks of 8 bytes have both halves alike, so 16 bytes are always flipped the same way. The swaps of
+/// a half can be done in any order.
+struct BlockFlip {
+    std::array<std::array<FieldSwap, 4>, 2> halves{};
+    std::size_t blockBytes = 8;
+
+    /// @param rows     how many texel rows are turned around: 1 (none), 2 (the first two) or 4
+    /// @param columns  the same for texel columns
+    BlockFlip(BlockFormat format, int rows, int columns);
+
+    [[nodiscard]] std::uint64_t operator()(std::uint64_t bits, std::size_t half) const {
+        for (const FieldSwap& swap : halves[half])
+            bits = swap(bits);
+        return bits;
+    }
+};
+
+/// Swaps two runs of blocks and flips each: first[i] becomes flip(second[i]) and the other way round. The two
+/// may be the same run, which then is flipped in place, but must not overlap otherwise. Takes the widest
+/// vectors that this processor has.
+void swapFlipped(const BlockFlip& flip, std::byte* first, std::byte* second, std::size_t bytes);
+
+/// The same in plain arithmetic: what processors without vectors run, and what tests compare with.
+void swapFlippedPlain(const BlockFlip& flip, std::byte* first, std::byte* second, std::size_t bytes);
+
+/// Reverses the order of a run of blocks and flips each.
+void reverseFlipped(const BlockFlip& flip, std::byte* blocks, std::size_t bytes);
+
+} // namespace texplorer

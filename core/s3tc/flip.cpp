@@ -1,0 +1,79 @@
+#include "core/s3tc/flip.h"
+
+#include "core/s3tc/block_flip.h"
+
+#include <algorithm>
+
+namespace texplorer {
+namespace {
+
+Result<void> checkExtent(const char* name, int extent) {
+    if (flipsWithoutLoss(extent))
+        return {};
+    return fail(ErrorCode::Unsupported,
+                std::string("a compressed picture of ") + name + " " + std::to_string(extent) +
+                    " can't be flipped without loss: expected 1, 2 or a multiple of 4");
+}
+
+Result<void> checkSize(const BlockImage& image) {
+    const bool positive = image.width > 0 && image.height > 0 && image.depth > 0;
+    const std::size_t needed =
+        positive ? image.blockRowBytes() * image.blockRows() * static_cast<std::size_t>(image.depth) : 0;
+    if (positive && image.blocks.size() == needed)
+        return {};
+    return fail(ErrorCode::Malformed, "a compressed picture of " + std::to_string(image.width) + " x " +
+                                          std::to_string(image.height) + " x " + std::to_string(image.depth) +
+                                          " texels needs " + std::to_string(needed) +
+                                          " bytes of blocks, there are " +
+                                          std::to_string(image.blocks.size()));
+}
+
+/// How many texels of a block are turned around along an axis of this extent.
+int turned(int extent) {
+    return std::min(extent, 4);
+}
+
+} // namespace
+
+Result<void> flipVertically(BlockImage& image) {
+    if (auto sound = checkSize(image).and_then([&] { return checkExtent("height", image.height); }); !sound)
+        return sound;
+    if (image.height == 1)
+        return {};
+    const BlockFlip flip(image.format, turned(image.height), 1);
+    const std::size_t rowBytes = image.blockRowBytes();
+    const std::size_t rows = image.blockRows();
+    std::byte* slice = image.blocks.data();
+    for (int z = 0; z < image.depth; ++z, slice += rows * rowBytes)
+        for (std::size_t low = 0, high = rows; low < high; ++low) {
+            --high; // where an odd number of rows meets, the two are the same
+            swapFlipped(flip, slice + low * rowBytes, slice + high * rowBytes, rowBytes);
+        }
+    return {};
+}
+
+Result<void> flipHorizontally(BlockImage& image) {
+    if (auto sound = checkSize(image).and_then([&] { return checkExtent("width", image.width); }); !sound)
+        return sound;
+    const BlockFlip flip(image.format, 1, turned(image.width));
+    const std::size_t rowBytes = image.blockRowBytes();
+    for (std::size_t at = 0; at < image.blocks.size(); at += rowBytes)
+        reverseFlipped(flip, image.blocks.data() + at, rowBytes);
+    return {};
+}
+
+Result<void> rotateHalfTurn(BlockImage& image) {
+    if (auto sound =
+            checkSize(image).and_then([&] { return checkExtent("height", image.height); }).and_then([&] {
+                return checkExtent("width", image.width);
+            });
+        !sound)
+        return sound;
+    const BlockFlip flip(image.format, turned(image.height), turned(image.width));
+    const std::size_t sliceBytes = image.blockRowBytes() * image.blockRows();
+    for (std::size_t at = 0; at < image.blocks.size(); at += sliceBytes)
+        reverseFlipped(flip, image.blocks.data() + at, sliceBytes);
+    return {};
+}
+
+} // namespace texplorer
