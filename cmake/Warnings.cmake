@@ -13,6 +13,7 @@ function(texplorer_warnings target)
         -Wformat=2            # printf formats that don't match or aren't literals
         -Wimplicit-fallthrough # a case that runs into the next
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # GCC 12's false alarm about "text" + std::string (PR 105651)
+        $<$<CXX_COMPILER_ID:Clang>:-Wno-double-promotion> # Clang warns even where the text says double{x}
     )
     if(TEXPLORER_WERROR)
         target_compile_options(${target} PRIVATE -Werror)

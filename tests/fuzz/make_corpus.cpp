@@ -1,0 +1,102 @@
+// make_corpus FOLDER: what the fuzzers begin with, written by our own writers. One subfolder a fuzzer; those
+// of the decoders are named for their rows, so that a new row brings its own.
+
+#include "core/base/file_io.h"
+#include "core/scene/json.h"
+#include "core/scene/params.h"
+#include "tests/support/sample_textures.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+namespace {
+
+using namespace texplorer;
+
+bool write(const std::filesystem::path& folder, const std::string& name, ByteView bytes) {
+    const Result<void> done = writeFileAtomically(folder / name, bytes);
+    if (!done)
+        std::fprintf(stderr, "make_corpus: %s\n", describe(done.error()).c_str());
+    return done.has_value();
+}
+
+bool writeAll(const std::filesystem::path& folder, std::string_view prefix, const std::vector<Bytes>& files) {
+    bool good = true;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        good = write(folder, std::string(prefix) + std::to_string(i), files[i]) && good;
+    return good;
+}
+
+/// Every enumerator and every parameter occurs in one of them.
+std::vector<Scene> sampleScenes() {
+    Scene full = defaultScene();
+    full.textures.resize(2);
+    full.textures[1].source = SourceKind::File;
+    full.textures[1].file = "wood.bmp";
+    for (Unit& unit : full.passes.front().units)
+        unit.matrix.resize(1);
+    Scene small;
+    Model quad;
+    quad.shape = Shape::Quad;
+    quad.texCoords[0] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}};
+    small.models = {quad};
+    return {defaultScene(), full, small};
+}
+
+/// A libFuzzer dictionary: the words of the parameter tables, which chance would hardly find.
+std::string dictionary(const Scene& scene) {
+    std::set<std::string> words{"true", "false", "1e38", "-0", "version"};
+    forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
+        words.insert(path);
+        words.emplace(row.key);
+        for (const EnumRow& choice : row.choices)
+            words.emplace(choice.name);
+    });
+    std::string text;
+    for (const std::string& word : words)
+        text += '"' + word + "\"\n";
+    return text;
+}
+
+bool makeCorpus(const std::filesystem::path& folder) {
+    std::error_code error; // whoever writes into a folder that isn't there says so
+    for (const CodecRow& row : codecRows())
+        std::filesystem::create_directories(folder / row.name, error);
+    for (const std::string_view name : {"codecs", "flip", "param", "scene"})
+        std::filesystem::create_directories(folder / name, error);
+    bool good = true;
+    for (const CodecRow& row : codecRows())
+        good = writeAll(folder / row.name, "", test::sampleFiles(row)) &&
+               writeAll(folder / "codecs", row.name, test::sampleFiles(row)) && good;
+    for (std::size_t format = 0; format < blockFormatRows.size(); ++format) // see fuzz_flip.cpp
+        for (const auto& [flip, width, height] : {std::tuple{0, 8, 12}, {1, 2, 4}, {2, 64, 1}, {0, 4, 6}}) {
+            std::string input{char(format), char(flip), char(width - 1), char(height - 1), char(format % 2)};
+            input += "sixteen bytes of a block";
+            const std::string name =
+                std::to_string(format) + "-" + std::to_string(flip) + "-" + std::to_string(height);
+            good = write(folder / "flip", name, viewBytes(input)) && good;
+        }
+    const std::vector<Scene> scenes = sampleScenes();
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        good = write(folder / "scene", std::to_string(i), viewBytes(writeScene(scenes[i]))) && good;
+        std::string lines;
+        forEachParam(scenes[i], [&](const std::string& path, const ParamRow& row, const Value& value) {
+            const std::string line = path + "=" + formatValue(row, value) + "\n";
+            if (row.kind == Kind::Enum || lines.size() < 512)
+                lines += line;
+        });
+        good = write(folder / "param", std::to_string(i), viewBytes(lines)) && good;
+    }
+    return write(folder, "words.dict", viewBytes(dictionary(scenes[1]))) && good;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fprintf(stderr, "usage: make_corpus FOLDER\n");
+        return 2;
+    }
+    return makeCorpus(arguments[1]) ? 0 : 1;
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/codec/registry.h"
+
+namespace texplorer::test {
+
+/// Tiny textures of every kind: each pixel format and block format, odd sizes, mip chains, a cube map, a
+/// volume; the same ones each time.
+[[nodiscard]] std::vector<TextureImage> sampleTextures();
+
+/// What a row's writer makes of them, in both ways of writing; those that it refuses are left out. Empty for
+/// a row without a writer.
+[[nodiscard]] std::vector<Bytes> sampleFiles(const CodecRow& row);
+
+/// Makes the checksums of a PNG's chunks right again, so that a changed file is refused for what it says
+/// rather than for its checksum. Other files are left as they are.
+void repairChecksums(std::span<std::byte> file);
+
+} // namespace texplorer::test
