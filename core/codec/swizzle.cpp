@@ -15,6 +15,15 @@ void swapRedBlueScalar(const std::byte* from, std::byte* to, std::size_t count) 
     }
 }
 
+void swapRedBlueAlphaScalar(const std::byte* from, std::byte* to, std::size_t count) {
+    for (const std::byte* end = from + 4 * count; from != end; from += 4, to += 4) {
+        to[0] = from[2];
+        to[1] = from[1];
+        to[2] = from[0];
+        to[3] = from[3];
+    }
+}
+
 #ifdef TEXPLORER_SSSE3
 
 namespace {
@@ -36,6 +45,18 @@ __attribute__((target("ssse3"))) void swapRedBlueSsse3(const std::byte* from, st
     swapRedBlueScalar(from, to, count);
 }
 
+// Four pixels a step, and nothing left over.
+__attribute__((target("ssse3"))) void swapRedBlueAlphaSsse3(const std::byte* from, std::byte* to,
+                                                            std::size_t count) {
+    const __m128i order = _mm_setr_epi8(2, 1, 0, 3, 6, 5, 4, 7, 10, 9, 8, 11, 14, 13, 12, 15);
+#pragma GCC unroll 4
+    for (; count >= 4; count -= 4, from += 16, to += 16) {
+        const __m128i pixels = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(pixels, order));
+    }
+    swapRedBlueAlphaScalar(from, to, count);
+}
+
 } // namespace
 
 void swapRedBlue(const std::byte* from, std::byte* to, std::size_t count) {
@@ -45,10 +66,21 @@ void swapRedBlue(const std::byte* from, std::byte* to, std::size_t count) {
         swapRedBlueScalar(from, to, count);
 }
 
+void swapRedBlueAlpha(const std::byte* from, std::byte* to, std::size_t count) {
+    if (__builtin_cpu_supports("ssse3"))
+        swapRedBlueAlphaSsse3(from, to, count);
+    else
+        swapRedBlueAlphaScalar(from, to, count);
+}
+
 #else
 
 void swapRedBlue(const std::byte* from, std::byte* to, std::size_t count) {
     swapRedBlueScalar(from, to, count);
+}
+
+void swapRedBlueAlpha(const std::byte* from, std::byte* to, std::size_t count) {
+    swapRedBlueAlphaScalar(from, to, count);
 }
 
 #endif

@@ -11,4 +11,9 @@ void swapRedBlue(const std::byte* from, std::byte* to, std::size_t count);
 /// The same one byte after the other: what the tests compare with.
 void swapRedBlueScalar(const std::byte* from, std::byte* to, std::size_t count);
 
+/// The same for pixels of four bytes, the fourth of which stays: blue-green-red-alpha to
+/// red-green-blue-alpha.
+void swapRedBlueAlpha(const std::byte* from, std::byte* to, std::size_t count);
+void swapRedBlueAlphaScalar(const std::byte* from, std::byte* to, std::size_t count);
+
 } // namespace texplorer

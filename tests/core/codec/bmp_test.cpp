@@ -1,5 +1,4 @@
 #include "core/codec/bmp.h"
-#include "core/codec/swizzle.h"
 #include "tests/support/python.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
@@ -239,25 +238,6 @@ TEST(Bmp, FlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
     }
     EXPECT_GT(decoded, 1000);
     EXPECT_LT(decoded, 19000);
-}
-
-TEST(Swizzle, AgreesWithItsScalarTwinForEveryLengthAndStaysInside) {
-    for (std::size_t count = 0; count < 70; ++count) {
-        Bytes from(3 * count);
-        for (std::size_t i = 0; i < from.size(); ++i)
-            from[i] = static_cast<std::byte>(i * 37 + 11);
-        Bytes expected(3 * count);
-        swapRedBlueScalar(from.data(), expected.data(), count);
-        for (std::size_t pixel = 0; pixel < count; ++pixel)
-            for (std::size_t c = 0; c < 3; ++c)
-                ASSERT_EQ(expected[3 * pixel + c], from[3 * pixel + 2 - c]);
-
-        Bytes to(3 * count + 16, std::byte{0x5A});
-        swapRedBlue(from.data(), to.data(), count);
-        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), to.begin())) << count << " pixels";
-        for (std::size_t i = 3 * count; i < to.size(); ++i)
-            ASSERT_EQ(to[i], std::byte{0x5A}) << "written behind the end of " << count << " pixels";
-    }
 }
 
 } // namespace
