@@ -1,6 +1,7 @@
 #include "core/codec/registry.h"
 
 #include "core/codec/bmp.h"
+#include "core/codec/tga.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,8 @@ bool beginsWith(ByteView file, std::string_view magic) {
 constexpr std::array rows{
     CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, nullptr,
              nullptr},
+    // Last, because it has no magic number.
+    CodecRow{"TGA", ".tga .vda .icb .vst", isTga, decodeTga, dissectTga, encodeTga},
 };
 
 // "89 50 4e 47", so that one can look up what it is.
