@@ -1,6 +1,7 @@
 #include "core/codec/registry.h"
 
 #include "core/codec/bmp.h"
+#include "core/codec/png.h"
 #include "core/codec/tga.h"
 
 #include <algorithm>
@@ -21,6 +22,8 @@ bool beginsWith(ByteView file, std::string_view magic) {
 constexpr std::array rows{
     CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, nullptr,
              nullptr},
+    CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
+             nullptr, encodePng},
     // Last, because it has no magic number.
     CodecRow{"TGA", ".tga .vda .icb .vst", isTga, decodeTga, dissectTga, encodeTga},
 };

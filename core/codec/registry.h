@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/codec/anatomy.h"
 #include "core/codec/decode_limits.h"
+#include "core/codec/write_options.h"
 #include "core/image/image.h"
 #include "core/image/texture_image.h"
 
@@ -13,12 +14,6 @@
 #include <vector>
 
 namespace texplorer {
-
-/// What a writer may be told; each takes what concerns it.
-struct WriteOptions {
-    bool small = false;          ///< PNG: smaller rather than faster
-    bool runLengthCoded = false; ///< TGA
-};
 
 /// One row per file format.
 struct CodecRow {

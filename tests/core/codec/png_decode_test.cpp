@@ -1,0 +1,268 @@
+#include "core/codec/png.h"
+#include "core/image/pattern.h"
+#include "tests/support/png_repair.h"
+#include "tests/support/python.h"
+#include "tests/support/raw_file.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <random>
+
+namespace texplorer {
+namespace {
+
+struct Expected {
+    const char* extension;
+    PixelFormat format;
+};
+
+constexpr Expected formats[] = {{".l", PixelFormat::Luminance8},
+                                {".la", PixelFormat::LuminanceAlpha8},
+                                {".rgb", PixelFormat::Rgb8},
+                                {".rgba", PixelFormat::Rgba8}};
+
+/// The files of make_png.py: every colour type, depth, interlacing and transparency.
+class PngFiles : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        const test::TempDir folder;
+        ASSERT_TRUE(test::runPython("fixtures/make_png.py", folder.path()));
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+            contents()[entry.path().filename().string()] = test::readRaw(entry.path());
+    }
+    static void TearDownTestSuite() { contents().clear(); }
+
+    static std::map<std::string, Bytes>& contents() {
+        static std::map<std::string, Bytes> files;
+        return files;
+    }
+    static std::vector<std::string> names(std::string_view ending) {
+        std::vector<std::string> found;
+        for (const auto& [name, file] : contents())
+            if (name.ends_with(ending))
+                found.push_back(name);
+        return found;
+    }
+};
+
+TEST_F(PngFiles, OfEveryVariantGiveThePixelsThatTheyHold) {
+    int decoded = 0;
+    for (const std::string& name : names(".png")) {
+        SCOPED_TRACE(name);
+        int width = 0;
+        int height = 0;
+        ASSERT_EQ(std::sscanf(name.c_str(), "%*[a-z0-9]_%dx%d", &width, &height), 2);
+        const Result<TextureImage> texture = decodePng(contents()[name]);
+        ASSERT_TRUE(texture) << texture.error().message;
+        EXPECT_EQ(texture->format, "PNG");
+        EXPECT_FALSE(texture->topFirst);
+        EXPECT_TRUE(texture->fileTopFirst);
+        EXPECT_THAT(texture->notes, testing::IsEmpty());
+        const Image image = toImage(texture->surfaces.at(0));
+        EXPECT_EQ(image.width, width);
+        EXPECT_EQ(image.height, height);
+        for (const Expected& expected : formats) {
+            const auto raw = contents().find(name.substr(0, name.size() - 4) + expected.extension);
+            if (raw == contents().end())
+                continue;
+            EXPECT_EQ(image.format, expected.format);
+            EXPECT_TRUE(image.pixels == raw->second);
+            ++decoded;
+        }
+    }
+    EXPECT_EQ(decoded, 2 * 4 * (2 * (5 + 2 + 4) + 2 + 2));
+}
+
+TEST_F(PngFiles, CutAtAnyByteAreRefused) {
+    for (const std::string& name : names("_9x7.png")) {
+        const Bytes& file = contents()[name];
+        for (std::size_t size = 0; size < file.size(); ++size) {
+            // A copy of exactly that size, so that the sanitizer sees a read beyond its end.
+            const Bytes cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
+            const Result<TextureImage> texture = decodePng(cut);
+            ASSERT_FALSE(texture) << name << ": " << size << " of " << file.size() << " bytes";
+            ASSERT_THAT(texture.error().message, testing::StartsWith("PNG: "));
+        }
+    }
+}
+
+// With the checksums made right again, or else hardly any damage would get further than to them.
+TEST_F(PngFiles, WithFlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
+    std::mt19937 random(7); // NOLINT: the same files each time
+    int decoded = 0;
+    int refused = 0;
+    for (const std::string& name : names("_9x7.png"))
+        for (int round = 0; round < 100; ++round) {
+            Bytes file = contents()[name];
+            for (int flips = 1 + static_cast<int>(random() % 3); flips > 0; --flips)
+                file[8 + random() % (file.size() - 8)] ^= static_cast<std::byte>(1U << (random() % 8));
+            if (round % 4 != 0)
+                test::repairPng(file);
+            const Result<TextureImage> texture = decodePng(file, {.maxExtent = 4096});
+            if (!texture) {
+                ++refused;
+                ASSERT_THAT(texture.error().message, testing::StartsWith("PNG: "));
+                continue;
+            }
+            ++decoded;
+            const Image& image = std::get<Image>(texture->surfaces.at(0));
+            ASSERT_EQ(image.pixels.size(), image.rowBytes() * static_cast<std::size_t>(image.height));
+        }
+    EXPECT_GT(decoded, 100);
+    EXPECT_GT(refused, 1000);
+}
+
+Bytes bytesOf(std::initializer_list<int> values) {
+    Bytes bytes;
+    for (const int value : values)
+        bytes.push_back(static_cast<std::byte>(value));
+    return bytes;
+}
+
+/// 2 x 3 pixels of RGB; the IHDR's data begins at 16.
+Bytes goodFile() {
+    Image image{PixelFormat::Rgb8, 2, 3, 1, {}};
+    for (int i = 0; i < 18; ++i)
+        image.pixels.push_back(static_cast<std::byte>(i));
+    return *encodePng(image);
+}
+
+void insertChunk(Bytes& file, std::size_t at, std::string_view type, const Bytes& data) {
+    Bytes chunk = bytesOf({0, 0, 0, static_cast<int>(data.size())});
+    for (const char c : type)
+        chunk.push_back(static_cast<std::byte>(c));
+    chunk.insert(chunk.end(), data.begin(), data.end());
+    chunk.resize(chunk.size() + 4);
+    file.insert(file.begin() + static_cast<std::ptrdiff_t>(at), chunk.begin(), chunk.end());
+    test::repairPng(file);
+}
+
+struct Refusal {
+    const char* name;
+    std::size_t offset;
+    std::vector<int> bytes; // written there, with the checksums made right
+    ErrorCode code;
+    const char* message;
+};
+
+class PngRefusals : public testing::TestWithParam<Refusal> {};
+
+TEST_P(PngRefusals, SayWhatWasExpectedAndWhatWasFound) {
+    Bytes file = goodFile();
+    for (std::size_t i = 0; i < GetParam().bytes.size(); ++i)
+        file.at(GetParam().offset + i) = static_cast<std::byte>(GetParam().bytes[i]);
+    test::repairPng(file);
+    const Result<TextureImage> texture = decodePng(file);
+    ASSERT_FALSE(texture);
+    EXPECT_THAT(texture.error().message, testing::MatchesRegex(GetParam().message));
+    EXPECT_EQ(texture.error().code, GetParam().code);
+}
+
+using enum ErrorCode;
+
+INSTANTIATE_TEST_SUITE_P(
+    All, PngRefusals,
+    testing::Values(
+        Refusal{
+            "Signature", 0, {'P'}, Malformed, "PNG: the file does not begin with PNG's signature of 8 bytes"},
+        Refusal{"FirstChunk", 12, {'J'}, Malformed, "PNG: the first chunk is not an IHDR of 13 bytes"},
+        Refusal{"WidthZero",
+                16,
+                {0, 0, 0, 0},
+                Malformed,
+                "PNG: a picture has at least 1 x 1 pixels, this one says 0 x 3 pixels"},
+        Refusal{"TooWide",
+                16,
+                {0, 1, 0x86, 0xA0},
+                TooLarge,
+                "PNG: at most 16384 x 16384 pixels are read, the file has 100000 x 3 pixels"},
+        Refusal{"Bomb",
+                16,
+                {0, 0, 0x40, 0, 0, 0, 0x40, 0},
+                Malformed,
+                "PNG: 16384 x 16384 pixels need 805322752 bytes, the file's [0-9]+ bytes of pixel data can "
+                "hold at most [0-9]+"},
+        Refusal{"Depth",
+                24,
+                {4},
+                Malformed,
+                "PNG: colour type 2 with 4 bits a sample is none of the format's 15 combinations"},
+        Refusal{"ColorType",
+                25,
+                {5},
+                Malformed,
+                "PNG: colour type 5 with 8 bits a sample is none of the format's 15 combinations"},
+        Refusal{"TooFewRows", 20, {0, 0, 0, 30}, Malformed, "PNG: .*[Nn]ot enough image data.*offset.*"},
+        Refusal{"NoPalette", 25, {3}, Malformed, "PNG: .*[Mm]issing PLTE.*offset.*"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(PngDecode, AnEmptyFileIsRefused) {
+    EXPECT_EQ(decodePng({}).error().message, "PNG: the file is empty");
+}
+
+TEST(PngDecode, AWrongChecksumOfPixelDataIsRefused) {
+    Bytes file = goodFile();
+    file[file.size() - 12 - 1] ^= std::byte{1}; // before IEND's 12 bytes
+    const Result<TextureImage> texture = decodePng(file);
+    ASSERT_FALSE(texture);
+    EXPECT_THAT(texture.error().message, testing::StartsWith("PNG: IDAT: CRC error"));
+}
+
+TEST(PngDecode, AnEarlyEndIsToldInBytes) {
+    Bytes file = goodFile();
+    const std::size_t whole = file.size();
+    file.resize(whole - 2);
+    EXPECT_EQ(decodePng(file).error().message,
+              "PNG: the file ends early: 4 more bytes were expected at offset " + std::to_string(whole - 4) +
+                  ", the file has " + std::to_string(whole - 2));
+}
+
+TEST(PngDecode, LimitsAreTheCallersToSay) {
+    const Bytes file = goodFile();
+    EXPECT_TRUE(decodePng(file, {.maxExtent = 3, .maxPixels = 6, .maxBytes = 18}));
+    EXPECT_EQ(decodePng(file, {.maxExtent = 2}).error().code, TooLarge);
+    EXPECT_EQ(decodePng(file, {.maxPixels = 5}).error().message,
+              "PNG: at most 5 pixels are read, the file has 6");
+    EXPECT_EQ(decodePng(file, {.maxBytes = 17}).error().message,
+              "PNG: at most 17 bytes of pixels are read, the file has 18");
+}
+
+TEST(PngDecode, GammaChangesNoPixel) {
+    Bytes file = goodFile();
+    insertChunk(file, 33, "gAMA", bytesOf({0, 0, 0x27, 0x10})); // 0.1
+    const Result<TextureImage> texture = decodePng(file);
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_FALSE(texture->srgb);
+    EXPECT_EQ(std::get<Image>(texture->surfaces[0]), std::get<Image>(decodePng(goodFile())->surfaces[0]));
+}
+
+TEST(PngDecode, AnSrgbChunkIsSaid) {
+    Bytes file = goodFile();
+    insertChunk(file, 33, "sRGB", bytesOf({0}));
+    EXPECT_TRUE(decodePng(file)->srgb);
+}
+
+TEST(PngDecode, WhatIsSurvivedIsNoted) {
+    Bytes file = goodFile();
+    insertChunk(file, 33, "acTL", bytesOf({0, 0, 0, 2, 0, 0, 0, 0}));
+    insertChunk(file, 33, "gAMA", bytesOf({0, 0, 0x27})); // a byte short
+    file.push_back(std::byte{0});
+    const Result<TextureImage> texture = decodePng(file);
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_THAT(texture->notes, testing::ElementsAre(testing::MatchesRegex("survived: gAMA: .*"),
+                                                     "the file is an animation; its first picture is read",
+                                                     "1 byte behind the end (IEND) left out"));
+}
+
+TEST(PngDecode, ReadsWhatTheEncoderWrites) {
+    const Image image = drawPattern(Pattern::Tree);
+    for (const bool small : {false, true})
+        EXPECT_EQ(std::get<Image>(decodePng(*encodePng(image, {.small = small}))->surfaces[0]), image);
+}
+
+} // namespace
+} // namespace texplorer
