@@ -1,6 +1,7 @@
 #include "core/codec/registry.h"
 
 #include "core/codec/bmp.h"
+#include "core/codec/dds.h"
 #include "core/codec/png.h"
 #include "core/codec/tga.h"
 
@@ -21,6 +22,8 @@ bool beginsWith(ByteView file, std::string_view magic) {
 
 constexpr std::array rows{
     CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, nullptr,
+             nullptr},
+    CodecRow{"DDS", ".dds", [](ByteView file) { return beginsWith(file, "DDS "); }, decodeDds, dissectDds,
              nullptr},
     CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
              nullptr, encodePng},

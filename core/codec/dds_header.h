@@ -1,0 +1,223 @@
+#pragma once
+
+// The header of a DDS file as it lies in the file, and the names of its bits. What it means is worked out in
+// dds_format.h and dds_layout.h. Source: Microsoft's "Programming Guide for DDS".
+
+#include "core/base/bytes.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texplorer::dds {
+
+inline constexpr std::size_t legacyEnd = 128;    ///< where the pixels begin
+inline constexpr std::size_t extendedEnd = 148;  ///< or here, where there is a DX10 header
+inline constexpr std::uint32_t headerSize = 124; ///< without the magic number
+inline constexpr std::uint32_t formatSize = 32;  ///< of the pixel format within it
+
+/// A four-character code as the number that is in the file.
+[[nodiscard]] constexpr std::uint32_t fourCC(const char (&text)[5]) {
+    std::uint32_t code = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        code |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) << (8 * i);
+    return code;
+}
+
+/// Where each field is, counted from the beginning of the file; also how a finding names its field.
+namespace at {
+inline constexpr std::size_t size = 4;
+inline constexpr std::size_t flags = 8;
+inline constexpr std::size_t height = 12;
+inline constexpr std::size_t width = 16;
+inline constexpr std::size_t pitchOrLinearSize = 20;
+inline constexpr std::size_t depth = 24;
+inline constexpr std::size_t mipMapCount = 28;
+inline constexpr std::size_t reserved = 32;
+inline constexpr std::size_t formatSize = 76;
+inline constexpr std::size_t formatFlags = 80;
+inline constexpr std::size_t fourCC = 84;
+inline constexpr std::size_t bitCount = 88;
+inline constexpr std::size_t masks = 92; ///< red, green, blue, alpha
+inline constexpr std::size_t caps = 108;
+inline constexpr std::size_t caps2 = 112;
+inline constexpr std::size_t caps3 = 116;
+inline constexpr std::size_t caps4 = 120;
+inline constexpr std::size_t reserved2 = 124;
+inline constexpr std::size_t dxgiFormat = 128;
+inline constexpr std::size_t dimension = 132;
+inline constexpr std::size_t miscFlag = 136;
+inline constexpr std::size_t arraySize = 140;
+inline constexpr std::size_t miscFlags2 = 144;
+} // namespace at
+
+struct Header {
+    std::uint32_t size = headerSize;
+    std::uint32_t flags = 0;
+    std::uint32_t height = 0;
+    std::uint32_t width = 0;
+    std::uint32_t pitchOrLinearSize = 0;
+    std::uint32_t depth = 0;
+    std::uint32_t mipMapCount = 0;
+
+    std::uint32_t formatSize = dds::formatSize;
+    std::uint32_t formatFlags = 0;
+    std::uint32_t fourCC = 0;
+    std::uint32_t bitCount = 0;
+    std::array<std::uint32_t, 4> masks{}; ///< red, green, blue, alpha
+
+    std::uint32_t caps = 0;
+    std::uint32_t caps2 = 0;
+
+    // The DX10 header; 0 where there is none.
+    std::uint32_t dxgiFormat = 0;
+    std::uint32_t dimension = 0;
+    std::uint32_t miscFlag = 0;
+    std::uint32_t arraySize = 0;
+    std::uint32_t miscFlags2 = 0;
+
+    /// Whether dwFourCC says what the pixels are: it is there, and is flagged or nothing else is.
+    [[nodiscard]] bool hasFourCC() const;
+    [[nodiscard]] bool extended() const; ///< whether a DX10 header follows
+    [[nodiscard]] std::size_t end() const { return extended() ? extendedEnd : legacyEnd; }
+};
+
+/// Fields beyond the end of the file are 0.
+[[nodiscard]] Header readHeader(ByteView file);
+
+/// The magic number and the headers: header.end() bytes.
+[[nodiscard]] Bytes writeHeader(const Header& header);
+
+/// Something that the header says and the rest of the file doesn't bear out, but that can be survived.
+struct Finding {
+    std::size_t offset; ///< of the field, as in `at`
+    std::string sentence;
+};
+using Findings = std::vector<Finding>;
+
+/// A bit, or a number where the field holds one of several.
+struct NameRow {
+    std::uint32_t value;
+    std::string_view name;
+    std::string_view meaning;
+};
+
+enum Flags : std::uint32_t {
+    flagCaps = 0x1,
+    flagHeight = 0x2,
+    flagWidth = 0x4,
+    flagPitch = 0x8,
+    flagPixelFormat = 0x1000,
+    flagMipMapCount = 0x20000,
+    flagLinearSize = 0x80000,
+    flagDepth = 0x800000,
+};
+
+inline constexpr std::array flagRows{
+    NameRow{flagCaps, "DDSD_CAPS", "dwCaps is set"},
+    NameRow{flagHeight, "DDSD_HEIGHT", "dwHeight is set"},
+    NameRow{flagWidth, "DDSD_WIDTH", "dwWidth is set"},
+    NameRow{flagPitch, "DDSD_PITCH", "dwPitchOrLinearSize is the bytes of a row"},
+    NameRow{flagPixelFormat, "DDSD_PIXELFORMAT", "ddspf is set"},
+    NameRow{flagMipMapCount, "DDSD_MIPMAPCOUNT", "dwMipMapCount is set"},
+    NameRow{flagLinearSize, "DDSD_LINEARSIZE", "dwPitchOrLinearSize is the bytes of level 0"},
+    NameRow{flagDepth, "DDSD_DEPTH", "dwDepth is set: a volume"},
+};
+
+enum FormatFlags : std::uint32_t {
+    formatAlphaPixels = 0x1,
+    formatAlpha = 0x2,
+    formatFourCC = 0x4,
+    formatPalette4 = 0x8,
+    formatPalette8 = 0x20,
+    formatRgb = 0x40,
+    formatYuv = 0x200,
+    formatLuminance = 0x20000,
+    formatBumpLuminance = 0x40000,
+    formatBump = 0x80000,
+};
+
+inline constexpr std::array formatFlagRows{
+    NameRow{formatAlphaPixels, "DDPF_ALPHAPIXELS", "pixels have alpha"},
+    NameRow{formatAlpha, "DDPF_ALPHA", "pixels are alpha alone"},
+    NameRow{formatFourCC, "DDPF_FOURCC", "dwFourCC names the format"},
+    NameRow{formatPalette4, "DDPF_PALETTEINDEXED4", "4-bit palette indices"},
+    NameRow{formatPalette8, "DDPF_PALETTEINDEXED8", "8-bit palette indices"},
+    NameRow{formatRgb, "DDPF_RGB", "the masks say where red, green and blue are"},
+    NameRow{formatYuv, "DDPF_YUV", "luma and chroma"},
+    NameRow{formatLuminance, "DDPF_LUMINANCE", "the red mask says where the luminance is"},
+    NameRow{formatBumpLuminance, "DDPF_BUMPLUMINANCE", "a bump map with luminance"},
+    NameRow{formatBump, "DDPF_BUMPDUDV", "a bump map of signed numbers"},
+};
+
+enum Caps : std::uint32_t { capsComplex = 0x8, capsTexture = 0x1000, capsMipMap = 0x400000 };
+
+inline constexpr std::array capsRows{
+    NameRow{capsComplex, "DDSCAPS_COMPLEX", "more than one surface"},
+    NameRow{capsTexture, "DDSCAPS_TEXTURE", "a texture"},
+    NameRow{capsMipMap, "DDSCAPS_MIPMAP", "mip levels"},
+};
+
+enum Caps2 : std::uint32_t {
+    caps2CubeMap = 0x200,
+    caps2AllFaces = 0xFC00,
+    caps2Volume = 0x200000,
+};
+
+inline constexpr std::array caps2Rows{
+    NameRow{caps2CubeMap, "DDSCAPS2_CUBEMAP", "a cube map"},
+    NameRow{0x400, "DDSCAPS2_CUBEMAP_POSITIVEX", "face +x"},
+    NameRow{0x800, "DDSCAPS2_CUBEMAP_NEGATIVEX", "face -x"},
+    NameRow{0x1000, "DDSCAPS2_CUBEMAP_POSITIVEY", "face +y"},
+    NameRow{0x2000, "DDSCAPS2_CUBEMAP_NEGATIVEY", "face -y"},
+    NameRow{0x4000, "DDSCAPS2_CUBEMAP_POSITIVEZ", "face +z"},
+    NameRow{0x8000, "DDSCAPS2_CUBEMAP_NEGATIVEZ", "face -z"},
+    NameRow{caps2Volume, "DDSCAPS2_VOLUME", "a volume"},
+};
+
+enum Dimension : std::uint32_t { dimension1D = 2, dimension2D = 3, dimension3D = 4 };
+
+inline constexpr std::array dimensionRows{
+    NameRow{0, "D3D10_RESOURCE_DIMENSION_UNKNOWN", "not said"},
+    NameRow{1, "D3D10_RESOURCE_DIMENSION_BUFFER", "no texture at all"},
+    NameRow{dimension1D, "D3D10_RESOURCE_DIMENSION_TEXTURE1D", "a line"},
+    NameRow{dimension2D, "D3D10_RESOURCE_DIMENSION_TEXTURE2D", "a picture or a cube map"},
+    NameRow{dimension3D, "D3D10_RESOURCE_DIMENSION_TEXTURE3D", "a volume"},
+};
+
+inline constexpr std::uint32_t miscTextureCube = 0x4;
+
+inline constexpr std::array miscRows{
+    NameRow{miscTextureCube, "DDS_RESOURCE_MISC_TEXTURECUBE", "a cube map"},
+};
+
+enum AlphaMode : std::uint32_t {
+    alphaUnknown = 0,
+    alphaStraight = 1,
+    alphaPremultiplied = 2,
+    alphaOpaque = 3,
+    alphaCustom = 4,
+};
+inline constexpr std::uint32_t alphaModeMask = 7; ///< the bits of miscFlags2 that hold it
+
+inline constexpr std::array alphaModeRows{
+    NameRow{alphaUnknown, "DDS_ALPHA_MODE_UNKNOWN", "what alpha means is not said"},
+    NameRow{alphaStraight, "DDS_ALPHA_MODE_STRAIGHT", "colours are as they are, whatever alpha is"},
+    NameRow{alphaPremultiplied, "DDS_ALPHA_MODE_PREMULTIPLIED", "colours are multiplied by alpha"},
+    NameRow{alphaOpaque, "DDS_ALPHA_MODE_OPAQUE", "alpha is 1 everywhere"},
+    NameRow{alphaCustom, "DDS_ALPHA_MODE_CUSTOM", "the fourth component is no alpha"},
+};
+
+/// "DDSD_CAPS | DDSD_WIDTH | 0x40"; "0" where no bit is set.
+[[nodiscard]] std::string spellBits(std::uint32_t bits, std::span<const NameRow> rows);
+
+/// "0x00FF0000"
+[[nodiscard]] std::string hex(std::uint32_t value);
+
+/// "DXT1" with its quotation marks where all four are printable, else hex.
+[[nodiscard]] std::string spellFourCC(std::uint32_t code);
+
+} // namespace texplorer::dds
