@@ -25,6 +25,13 @@
 // signed and 64-bit or wider uncompressed formats, BC6H and BC7, dwSize other than 124.
 //
 // Surfaces keep the file's order, top row first.
+//
+// Written: every format of a TextureImage, with its levels, faces or slices. The header is the old one, which
+// most programs read, except where only the DX10 header can say it: sRGB colours, premultiplied alpha outside
+// of DXT2 and DXT4, and DXT1 without alpha whose blocks use the code for transparent black. RGB8 and RGBA8
+// are stored as blue, green, red; sRGB ones as B8G8R8X8 and R8G8B8A8, greys widened to them, because DXGI has
+// no sRGB luminance. BC4, BC5 and Alpha8 have no sRGB variant and are written without. Unknown alpha and none
+// at all are straight in an old header, which has no word for them.
 
 #include "core/codec/anatomy.h"
 #include "core/codec/decode_limits.h"
@@ -33,6 +40,10 @@
 namespace texplorer {
 
 [[nodiscard]] Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits = {});
+
+/// A texture whose bottom row is first is turned over on the way; compressed levels are turned only where
+/// that loses nothing (core/s3tc/flip.h), and else refused. Levels that are no mip chain are refused, too.
+[[nodiscard]] Result<Bytes> encodeDds(const TextureImage& texture, const WriteOptions& options = {});
 
 /// Every field of the headers and every level of every face, for damaged files as far as they go.
 [[nodiscard]] Anatomy dissectDds(ByteView file);

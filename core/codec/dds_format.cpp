@@ -130,7 +130,7 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
     const DxgiRow* row = findDxgi(header.dxgiFormat);
     if (row == nullptr)
         return unsupported("DXGI format " + std::to_string(header.dxgiFormat) +
-                           " is not read; BC1 to BC5 and uncompressed formats of at most 32 bits are");
+                           " is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are");
     if (!row->isRead())
         return unsupported(std::string(row->name) +
                            " is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are");

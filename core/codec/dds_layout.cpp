@@ -234,7 +234,7 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
     if (fileSize >= layout.end()) {
         if (fileSize > layout.end())
             findings.push_back(
-                {layout.end(), count(fileSize - layout.end(), "byte") + " after the last level are ignored"});
+                {layout.end(), count(fileSize - layout.end(), "byte") + " after the last level: ignored"});
         return layout.levels;
     }
     const auto isWhole = [&](int face, int level) {

@@ -24,7 +24,7 @@ constexpr std::array rows{
     CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, nullptr,
              nullptr},
     CodecRow{"DDS", ".dds", [](ByteView file) { return beginsWith(file, "DDS "); }, decodeDds, dissectDds,
-             nullptr},
+             encodeDds},
     CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
              nullptr, encodePng},
     // Last, because it has no magic number.
