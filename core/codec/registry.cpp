@@ -2,6 +2,7 @@
 
 #include "core/codec/bmp.h"
 #include "core/codec/dds.h"
+#include "core/codec/jpeg.h"
 #include "core/codec/png.h"
 #include "core/codec/tga.h"
 
@@ -25,6 +26,8 @@ constexpr std::array rows{
              nullptr},
     CodecRow{"DDS", ".dds", [](ByteView file) { return beginsWith(file, "DDS "); }, decodeDds, dissectDds,
              encodeDds},
+    CodecRow{"JPEG", ".jpg .jpeg", [](ByteView file) { return beginsWith(file, "\xFF\xD8\xFF"); }, decodeJpeg,
+             nullptr, nullptr},
     CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
              nullptr, encodePng},
     // Last, because it has no magic number.

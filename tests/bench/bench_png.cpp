@@ -28,10 +28,10 @@ Image screenshot() {
             const std::span<std::byte> to = image.at(x, y);
             const int cell = x / 320 + 4 * (y / 240);
             const Image& from = patterns[static_cast<std::size_t>(cell % 4)];
-            const ByteView texel = from.at(x * 3 / 4 % from.width, y * 3 / 4 % from.height);
-            const int shade = cell >= 8 ? 100 + (x + 2 * y) % 240 * 2 / 3 : 256;
+            const ByteView texel = from.at(x % from.width, y % from.height);
+            const int shade = cell >= 8 ? 160 + y % 240 / 4 : 256;
             for (std::size_t i = 0; i < 3; ++i)
-                to[i] = cell % 3 == 0 ? std::byte{46}
+                to[i] = cell % 2 == 0 ? std::byte{46}
                                       : static_cast<std::byte>(std::to_integer<int>(texel[i]) * shade / 256);
         }
     return image;
