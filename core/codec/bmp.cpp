@@ -1,154 +1,229 @@
 #include "core/codec/bmp.h"
 
-#include "core/base/byte_reader.h"
+#include "core/codec/bmp_bitfields.h"
+#include "core/codec/bmp_header.h"
+#include "core/codec/bmp_palette.h"
+#include "core/codec/bmp_rle.h"
 #include "core/codec/swizzle.h"
 
 #include <algorithm>
-#include <array>
 #include <new>
-#include <string>
 
 namespace texplorer {
 
 namespace {
 
-// Offsets as in the file, little-endian. Headers longer than 40 bytes begin with the same fields.
-//
-//   0  "BM"        10  dataPos      18  width     28  bits a pixel   34  imageSize
-//   2  file size   14  header size  22  height    30  compression
-struct Header {
-    std::size_t dataPos;
-    std::uint32_t headerSize;
-    std::int32_t width;
-    std::int32_t height; // negative: the top row comes first
-    std::uint16_t bitsPerPixel;
-    std::uint32_t compression;
+using bmp::Header;
 
-    [[nodiscard]] bool topDown() const { return height < 0; }
-    [[nodiscard]] std::int64_t rows() const {
-        return height < 0 ? -std::int64_t{height} : std::int64_t{height};
+// Where row `y` of the file belongs.
+std::byte* placeOf(Image& image, const Header& header, std::size_t y) {
+    const auto height = static_cast<std::size_t>(image.height);
+    return image.pixels.data() + (header.topDown ? height - 1 - y : y) * image.rowBytes();
+}
+
+Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLimits& limits) {
+    const std::size_t bytes = static_cast<std::size_t>(header.width) *
+                              static_cast<std::size_t>(header.height) *
+                              static_cast<std::size_t>(bytesPerPixel(format));
+    if (bytes > limits.maxBytes)
+        return bmp::tooLarge("at most " + bmp::countOf(limits.maxBytes, "byte") +
+                             " of pixels are read, the picture has " + std::to_string(bytes));
+    return Image::uninitialised(format, static_cast<int>(header.width), static_cast<int>(header.height));
+}
+
+void copyTrueColor(ByteView data, const Header& header, Image& image) {
+    const std::size_t rowBytes = image.rowBytes();
+    const std::size_t stride = header.rowStride();
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    if (!header.topDown && stride == rowBytes)
+        return swapRedBlue(data.data(), image.pixels.data(), width * height);
+    for (std::size_t y = 0; y < height; ++y)
+        swapRedBlue(data.data() + y * stride, placeOf(image, header, y), width);
+}
+
+void copyBitFields(ByteView data, const Header& header, const bmp::BitFields& fields, Image& image) {
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+        fields.paint(data.data() + y * header.rowStride(), placeOf(image, header, y),
+                     static_cast<std::size_t>(image.width));
+}
+
+// One, two or four bits an index, the leftmost pixel in the highest bits.
+void unpackIndices(ByteView packed, unsigned bits, std::span<std::byte> to) {
+    const unsigned perByte = 8 / bits;
+    const auto mask = static_cast<std::byte>((1U << bits) - 1);
+    for (std::size_t x = 0; x < to.size(); ++x) {
+        const auto place = static_cast<unsigned>(x % perByte);
+        to[x] = packed[x / perByte] >> (8 - bits * (place + 1)) & mask;
     }
-    [[nodiscard]] std::size_t end() const { return 14 + std::size_t{headerSize}; }
+}
+
+void paintIndexed(ByteView data, const Header& header, bmp::Palette& palette, Image& image) {
+    Bytes indices(header.bitsPerPixel == 8 ? 0 : static_cast<std::size_t>(image.width));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+        const ByteView row = data.subspan(y * header.rowStride(), header.rowBytes());
+        if (header.bitsPerPixel != 8)
+            unpackIndices(row, header.bitsPerPixel, indices);
+        palette.paint(header.bitsPerPixel == 8 ? row : ByteView(indices), placeOf(image, header, y));
+    }
+}
+
+// Rows that the codes left out are painted when the next one arrives, so that every row is written once.
+class RowPainter : public bmp::RleRows {
+public:
+    RowPainter(const Header& header, bmp::Palette& palette, Image& image)
+        : header_(header)
+        , palette_(palette)
+        , image_(image)
+        , blank_(static_cast<std::size_t>(image.width), std::byte{0}) {}
+
+    void row(int y, ByteView indices) override {
+        fillTo(y);
+        palette_.paint(indices, placeOf(image_, header_, static_cast<std::size_t>(y)));
+        next_ = y + 1;
+    }
+    void fillTo(int end) {
+        for (; next_ < end; ++next_)
+            palette_.paint(blank_, placeOf(image_, header_, static_cast<std::size_t>(next_)));
+    }
+
+private:
+    const Header& header_;
+    bmp::Palette& palette_;
+    Image& image_;
+    Bytes blank_;
+    int next_ = 0;
 };
 
-constexpr std::uint32_t shortestHeader = 40;
-constexpr std::array headerSizes{shortestHeader, 52U, 56U, 64U, 108U, 124U};
-
-tl::unexpected<Error> malformed(const std::string& message) {
-    return fail(ErrorCode::Malformed, "BMP: " + message);
+// Codes can skip and end early, so that any two bytes are a whole picture. Of those that paint, two bytes are
+// 255 pixels at most: whoever claims more wants memory rather than a picture.
+Result<void> checkRleClaim(ByteView codes, const Header& header) {
+    constexpr std::size_t alwaysAdmitted = std::size_t{1024} * 1024;
+    const std::size_t pixels =
+        static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    const std::size_t most = std::max(alwaysAdmitted, codes.size() * 255);
+    if (pixels <= most)
+        return {};
+    return bmp::malformed(bmp::countOf(codes.size(), "byte") + " of run-length codes are good for at most " +
+                          std::to_string(most) + " pixels, the file says " + std::to_string(pixels));
 }
 
-tl::unexpected<Error> unsupported(const std::string& message) {
-    return fail(ErrorCode::Unsupported, "BMP: " + message);
-}
-
-std::string bytesOf(std::size_t size) {
-    return std::to_string(size) + (size == 1 ? " byte" : " bytes");
-}
-
-std::string knownHeaderSizes() {
-    std::string text;
-    for (const std::uint32_t size : headerSizes)
-        text.append(text.empty() ? "" : ", ").append(std::to_string(size));
-    return text;
-}
-
-std::string compressionName(std::uint32_t compression) {
-    constexpr std::array names{"none", "RLE8", "RLE4", "bit fields", "JPEG", "PNG", "bit fields with alpha"};
-    return compression < names.size() ? names[compression] : "number " + std::to_string(compression);
-}
-
-// Nothing that `imageSize` says is needed: where it is 0 the extents fill it in, where it isn't they are
-// still what the picture has.
-Result<Header> readHeader(ByteView file) {
-    ByteReader reader(file);
-    const ByteView magic = reader.take(2);
-    if (magic.empty() || magic[0] != std::byte{'B'} || magic[1] != std::byte{'M'})
-        return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
-
-    Header header{};
-    reader.skip(8);
-    header.dataPos = reader.u32();
-    header.headerSize = reader.u32();
-    header.width = reader.i32();
-    header.height = reader.i32();
-    reader.skip(2);
-    header.bitsPerPixel = reader.u16();
-    header.compression = reader.u32();
-    if (file.size() < 14 + shortestHeader)
-        return malformed("the headers need 54 bytes, the file has " + std::to_string(file.size()));
-    if (std::ranges::find(headerSizes, header.headerSize) == headerSizes.end())
-        return unsupported("headers of " + knownHeaderSizes() + " bytes are read, the file has one of " +
-                           std::to_string(header.headerSize));
-    if (header.dataPos == 0)
-        header.dataPos = header.end();
-    return header;
-}
-
-Result<void> checkHeader(const Header& header, ByteView file, const DecodeLimits& limits) {
-    if (header.bitsPerPixel != 24)
-        return unsupported("24 bits a pixel are read, the file has " + std::to_string(header.bitsPerPixel));
-    if (header.compression != 0)
-        return unsupported("uncompressed files are read, this one's compression is " +
-                           compressionName(header.compression));
-    const std::string extents =
-        std::to_string(header.width) + " x " + std::to_string(header.rows()) + " pixels";
-    if (header.width < 1 || header.rows() < 1)
-        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
-    if (header.width > limits.maxExtent || header.rows() > limits.maxExtent)
-        return fail(ErrorCode::TooLarge, "BMP: at most " + std::to_string(limits.maxExtent) + " x " +
-                                             std::to_string(limits.maxExtent) +
-                                             " pixels are read, the file has " + extents);
-    if (header.dataPos < header.end())
-        return malformed("pixel data begins at offset " + std::to_string(header.dataPos) +
-                         ", within the headers, which end at " + std::to_string(header.end()));
-    if (header.dataPos > file.size())
-        return malformed("pixel data begins at offset " + std::to_string(header.dataPos) + ", the file has " +
-                         bytesOf(file.size()));
+Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Image& image) {
+    RowPainter painter(header, palette, image);
+    const bmp::RleReport report =
+        bmp::decodeRle(codes, static_cast<int>(header.bitsPerPixel), image.width, image.height, painter);
+    painter.fillTo(image.height);
+    if (!report.ended)
+        return bmp::malformed("the run-length codes end at offset " +
+                              std::to_string(header.dataPos + report.consumed) + " within row " +
+                              std::to_string(report.row + 1) + " of " + std::to_string(image.height) +
+                              ", without an end-of-picture code");
+    if (report.clipped > 0)
+        header.notes.push_back(bmp::countOf(report.clipped, "run-length code") +
+                               " went on beyond a row's end and were cut off there");
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (report.painted < pixels)
+        header.notes.push_back("the run-length codes leave " +
+                               bmp::countOf(pixels - report.painted, "pixel") +
+                               " out; they have the palette's first colour");
+    if (header.topDown)
+        header.notes.emplace_back("run-length coded pictures should not be top-down");
     return {};
 }
 
-std::size_t paddedRow(std::size_t rowBytes) {
-    return (rowBytes + 3) / 4 * 4;
+// Without masks the fourth bytes are not used, but some writers keep alpha there.
+void noteUnusedAlpha(ByteView data, Header& header) {
+    if (header.bitsPerPixel != 32 || header.masksPos != 0)
+        return;
+    std::byte all{0xFF};
+    std::byte any{0};
+    const std::size_t size = header.pixelBytes();
+    for (std::size_t i = 3; i < size; i += 4) {
+        all &= data[i];
+        any |= data[i];
+    }
+    if (all != any)
+        header.notes.emplace_back("the fourth bytes of the pixels differ and may be meant as alpha; without "
+                                  "an alpha mask they are not used");
 }
 
-void copyRows(ByteView data, bool topDown, Image& image) {
-    const std::size_t rowBytes = image.rowBytes();
-    const std::size_t stride = paddedRow(rowBytes);
-    const auto width = static_cast<std::size_t>(image.width);
-    const auto height = static_cast<std::size_t>(image.height);
-    if (!topDown && stride == rowBytes)
-        return swapRedBlue(data.data(), image.pixels.data(), width * height);
-    for (std::size_t y = 0; y < height; ++y) {
-        const std::size_t row = topDown ? height - 1 - y : y;
-        swapRedBlue(data.data() + y * stride, image.pixels.data() + row * rowBytes, width);
+void noteOddMasks(Header& header) {
+    const bmp::Masks& masks = header.masks;
+    if (!std::ranges::all_of(masks, bmp::contiguous))
+        header.notes.emplace_back("the bits of a colour mask are not side by side");
+    std::uint32_t seen = 0;
+    bool overlap = false;
+    for (const std::uint32_t mask : masks) {
+        overlap = overlap || (seen & mask) != 0;
+        seen |= mask;
     }
+    if (overlap)
+        header.notes.emplace_back("colour masks overlap");
+    if (header.bitsPerPixel == 16 && seen > 0xFFFF)
+        header.notes.emplace_back("a colour mask has bits that a 16-bit pixel lacks; they are ignored");
+}
+
+Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& limits) {
+    const ByteView data = file.subspan(header.dataPos);
+    if (header.runLengthCoded())
+        if (const Result<void> claim = checkRleClaim(data, header); !claim)
+            return fail(claim.error());
+    bmp::Palette palette(file, header);
+    Result<Image> image = imageFor(header, palette.format(), limits);
+    if (!image)
+        return image;
+    if (header.runLengthCoded()) {
+        if (const Result<void> painted = paintRle(data, header, palette, *image); !painted)
+            return fail(painted.error());
+    } else {
+        paintIndexed(data, header, palette, *image);
+    }
+    if (palette.exceeded())
+        header.notes.push_back("a pixel has colour " + std::to_string(palette.highest()) +
+                               ", the palette has " + std::to_string(header.paletteEntries) +
+                               "; it is black");
+    return image;
+}
+
+Result<Image> decodeDirect(ByteView file, Header& header, const DecodeLimits& limits) {
+    const ByteView data = file.subspan(header.dataPos);
+    if (header.bitsPerPixel == 24) {
+        Result<Image> image = imageFor(header, PixelFormat::Rgb8, limits);
+        if (image)
+            copyTrueColor(data, header, *image);
+        return image;
+    }
+    noteOddMasks(header);
+    noteUnusedAlpha(data, header);
+    if (header.bitsPerPixel == 16)
+        for (std::uint32_t& mask : header.masks)
+            mask &= 0xFFFF;
+    const bmp::BitFields fields(header.masks, header.bitsPerPixel);
+    Result<Image> image =
+        imageFor(header, fields.hasAlpha() ? PixelFormat::Rgba8 : PixelFormat::Rgb8, limits);
+    if (image)
+        copyBitFields(data, header, fields, *image);
+    return image;
 }
 
 } // namespace
 
 Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
-    const Result<Header> header = readHeader(file);
+    Result<Header> header = bmp::readHeader(file, limits);
     if (!header)
         return fail(header.error());
-    if (const Result<void> checked = checkHeader(*header, file, limits); !checked)
-        return fail(checked.error());
-
-    const std::size_t needed =
-        paddedRow(3 * static_cast<std::size_t>(header->width)) * static_cast<std::size_t>(header->rows());
-    const ByteView data = file.subspan(header->dataPos);
-    if (data.size() < needed)
-        return malformed("pixel data needs " + bytesOf(needed) + " from offset " +
-                         std::to_string(header->dataPos) + ", the file has " + std::to_string(file.size()));
     try {
-        Image image =
-            Image::uninitialised(PixelFormat::Rgb8, header->width, static_cast<int>(header->rows()));
-        copyRows(data, header->topDown(), image);
-        TextureImage texture = textureOf(std::move(image), "BMP");
-        texture.fileTopFirst = header->topDown();
+        Result<Image> image = header->bitsPerPixel <= 8 ? decodeIndexed(file, *header, limits)
+                                                        : decodeDirect(file, *header, limits);
+        if (!image)
+            return fail(image.error());
+        TextureImage texture = textureOf(std::move(*image), "BMP");
+        texture.fileTopFirst = header->topDown;
+        texture.notes = std::move(header->notes);
         return texture;
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "BMP: there is no memory for " + bytesOf(needed));
+        return bmp::tooLarge("there is no memory for " + std::to_string(header->width) + " x " +
+                             std::to_string(header->height) + " pixels");
     }
 }
 

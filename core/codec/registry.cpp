@@ -22,8 +22,8 @@ bool beginsWith(ByteView file, std::string_view magic) {
 }
 
 constexpr std::array rows{
-    CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, nullptr,
-             nullptr},
+    CodecRow{"BMP", ".bmp", [](ByteView file) { return beginsWith(file, "BM"); }, decodeBmp, dissectBmp,
+             encodeBmp},
     CodecRow{"DDS", ".dds", [](ByteView file) { return beginsWith(file, "DDS "); }, decodeDds, dissectDds,
              encodeDds},
     CodecRow{"JPEG", ".jpg .jpeg", [](ByteView file) { return beginsWith(file, "\xFF\xD8\xFF"); }, decodeJpeg,
