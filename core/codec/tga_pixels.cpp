@@ -3,122 +3,167 @@
 #include "core/codec/swizzle.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
+#include <utility>
 
 namespace texplorer::tga {
 
 namespace {
 
-using Color = PixelReader::Color;
+using Packed = PixelReader::Packed;
 using ColorMap = PixelReader::ColorMap;
+
+constexpr Packed strayColor = 0xFF000000; // opaque black
+
+Packed u8(std::byte byte) {
+    return std::to_integer<Packed>(byte);
+}
+
+Packed u16(const std::byte* from) {
+    return u8(from[0]) | u8(from[1]) << 8;
+}
+
+/// The same bytes in memory on every machine.
+std::uint64_t littleEndian(std::uint64_t value) {
+    return std::endian::native == std::endian::little ? value : __builtin_bswap64(value);
+}
+
+template<std::size_t Size>
+void store(Packed pixel, std::byte* to) {
+    const std::uint64_t bytes = littleEndian(pixel);
+    std::memcpy(to, &bytes, Size);
+}
 
 // Five bits are worth v / 31 (OpenGL 2.1, section 3.6.4); of eight bits, the nearest value.
 constexpr auto fiveBits = [] {
-    std::array<std::byte, 32> table{};
-    for (unsigned v = 0; v < table.size(); ++v)
-        table[v] = static_cast<std::byte>((v * 255 * 2 + 31) / 62);
+    std::array<Packed, 32> table{};
+    for (Packed v = 0; v < table.size(); ++v)
+        table[v] = (v * 255 * 2 + 31) / 62;
     return table;
 }();
 
 //   bit   15      14-10   9-5     4-0
 //         alpha   red     green   blue
-template<bool WithAlpha>
-void convert16(ColorMap&, const std::byte* from, std::byte* to, std::size_t count) {
-    for (; count > 0; --count, from += 2, to += WithAlpha ? 4 : 3) {
-        const unsigned value = std::to_integer<unsigned>(from[0]) | std::to_integer<unsigned>(from[1]) << 8;
-        to[0] = fiveBits[value >> 10 & 31];
-        to[1] = fiveBits[value >> 5 & 31];
-        to[2] = fiveBits[value & 31];
-        if constexpr (WithAlpha)
-            to[3] = static_cast<std::byte>(value >> 15 != 0 ? 255 : 0);
+template<std::size_t To>
+struct Color16 {
+    static constexpr std::size_t from = 2;
+    static constexpr std::size_t to = To;
+    static Packed one(ColorMap&, const std::byte* in) {
+        const Packed value = u16(in);
+        const Packed color =
+            fiveBits[value >> 10 & 31] | fiveBits[value >> 5 & 31] << 8 | fiveBits[value & 31] << 16;
+        return value >> 15 != 0 ? color | 0xFF000000 : color;
+    }
+};
+
+struct Color24 {
+    static constexpr std::size_t from = 3;
+    static constexpr std::size_t to = 3;
+    static Packed one(ColorMap&, const std::byte* in) { return u8(in[2]) | u8(in[1]) << 8 | u8(in[0]) << 16; }
+    static void many(const std::byte* in, std::byte* out, std::size_t count) { swapRedBlue(in, out, count); }
+};
+
+struct Color32 {
+    static constexpr std::size_t from = 4;
+    static constexpr std::size_t to = 4;
+    static Packed one(ColorMap& map, const std::byte* in) { return Color24::one(map, in) | u8(in[3]) << 24; }
+    static void many(const std::byte* in, std::byte* out, std::size_t count) {
+        swapRedBlueAlpha(in, out, count);
+    }
+};
+
+template<std::size_t Size>
+struct Gray {
+    static constexpr std::size_t from = Size;
+    static constexpr std::size_t to = Size;
+    static Packed one(ColorMap&, const std::byte* in) { return Size == 1 ? u8(in[0]) : u16(in); }
+    static void many(const std::byte* in, std::byte* out, std::size_t count) {
+        std::memcpy(out, in, count * Size);
+    }
+};
+
+template<std::size_t From, std::size_t To>
+struct Index {
+    static constexpr std::size_t from = From;
+    static constexpr std::size_t to = To;
+    static Packed one(ColorMap& map, const std::byte* in) {
+        // An index below the first wraps around to one far beyond the last.
+        const std::size_t entry = std::size_t{From == 1 ? u8(in[0]) : u16(in)} - map.firstEntry;
+        if (entry < map.entries.size())
+            return map.entries[entry];
+        ++map.strays;
+        return strayColor;
+    }
+};
+
+template<class Format>
+void convert(ColorMap& map, const std::byte* in, std::byte* out, std::size_t count) {
+    if constexpr (requires { Format::many(in, out, count); }) {
+        Format::many(in, out, count);
+    } else {
+        for (; count > 0; --count, in += Format::from, out += Format::to)
+            store<Format::to>(Format::one(map, in), out);
     }
 }
 
+template<class Format>
+std::vector<Packed> readEntries(ByteView bytes) {
+    ColorMap none;
+    std::vector<Packed> entries(bytes.size() / Format::from);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        entries[i] = Format::one(none, bytes.data() + i * Format::from);
+    return entries;
+}
+
+ColorMap readMap(const Header& header, ByteView bytes) {
+    if (!header.mapped())
+        return {};
+    return {header.entryBits == 24   ? readEntries<Color24>(bytes)
+            : header.entryBits == 32 ? readEntries<Color32>(bytes)
+                                     : readEntries<Color16<4>>(bytes),
+            header.firstEntry, 0};
+}
+
+// An array would be put together in memory, and its load would wait for the two stores.
+using Block [[gnu::vector_size(16)]] = std::uint64_t;
+
+/// Sixteen bytes full of a pixel, in memory's order.
 template<std::size_t Size>
-void convertNothing(ColorMap&, const std::byte* from, std::byte* to, std::size_t count) {
-    std::memcpy(to, from, count * Size);
-}
-
-void convert24(ColorMap&, const std::byte* from, std::byte* to, std::size_t count) {
-    swapRedBlue(from, to, count);
-}
-
-void convert32(ColorMap&, const std::byte* from, std::byte* to, std::size_t count) {
-    swapRedBlueAlpha(from, to, count);
-}
-
-template<std::size_t IndexBytes, std::size_t Size>
-void convertIndex(ColorMap& map, const std::byte* from, std::byte* to, std::size_t count) {
-    for (; count > 0; --count, from += IndexBytes, to += Size) {
-        std::size_t index = std::to_integer<std::size_t>(from[0]);
-        if constexpr (IndexBytes == 2)
-            index |= std::to_integer<std::size_t>(from[1]) << 8;
-        index -= map.firstEntry; // below it: wraps around to far beyond the last
-        const bool stray = index >= map.entries.size();
-        std::memcpy(to, stray ? map.stray.data() : map.entries[index].data(), Size);
-        map.strays += stray ? 1 : 0;
+Block repeated(Packed pixel) {
+    const std::uint64_t p = pixel;
+    if constexpr (Size == 3) {
+        const std::uint64_t c = p & 0xFFFFFF;
+        return Block{littleEndian(c | c << 24 | c << 48), littleEndian(c >> 16 | c << 8 | c << 32 | c << 56)};
+    } else {
+        constexpr std::uint64_t ones = Size == 1   ? 0x0101010101010101
+                                       : Size == 2 ? 0x0001000100010001
+                                                   : 0x0000000100000001;
+        return Block{littleEndian(p * ones), littleEndian(p * ones)};
     }
 }
 
-PixelReader::Convert colorConversion(int bits, PixelFormat format) {
-    if (bits == 24)
-        return convert24;
-    if (bits == 32)
-        return convert32;
-    return format == PixelFormat::Rgba8 ? convert16<true> : convert16<false>;
-}
-
-PixelReader::Convert conversion(const Header& header, PixelFormat format) {
-    if (header.gray())
-        return header.pixelBits == 8 ? convertNothing<1> : convertNothing<2>;
-    if (!header.mapped())
-        return colorConversion(header.pixelBits, format);
-    if (format == PixelFormat::Rgba8)
-        return header.pixelBytes() == 1 ? convertIndex<1, 4> : convertIndex<2, 4>;
-    return header.pixelBytes() == 1 ? convertIndex<1, 3> : convertIndex<2, 3>;
-}
-
-ColorMap readMap(const Header& header, PixelFormat format, ByteView bytes) {
-    ColorMap map;
-    if (!header.mapped())
-        return map;
-    const PixelReader::Convert convert = colorConversion(header.entryBits, format);
-    map.entries.resize(bytes.size() / header.entryBytes());
-    for (std::size_t i = 0; i < map.entries.size(); ++i)
-        convert(map, bytes.data() + i * header.entryBytes(), map.entries[i].data(), 1);
-    map.firstEntry = header.firstEntry;
-    map.stray[3] = std::byte{255};
-    return map;
-}
-
+// `room`: how many bytes may be written from `to` on, if pixels that follow are written later.
 template<std::size_t Size>
-void repeat(const std::byte* pixel, std::byte* to, std::size_t count) {
-    // As many whole pixels as fit into 16 bytes are stored at once; the step is theirs alone, so that where
-    // 16 is no multiple of Size the next store begins within the last.
-    constexpr std::size_t together = 16 / Size;
-    std::array<std::byte, 16> block{};
-    for (std::size_t i = 0; i < block.size(); ++i)
-        block[i] = pixel[i % Size];
+void fill(Packed pixel, std::byte* to, std::size_t count, std::size_t room) {
+    const Block block = repeated<Size>(pixel);
+    constexpr std::size_t step =
+        16 / Size * Size; // whole pixels only: of three bytes, five and a byte too much
+    constexpr std::size_t stores = 13;
     std::byte* const end = to + count * Size;
-    for (; to + block.size() <= end; to += together * Size)
-        std::memcpy(to, block.data(), block.size());
-    std::memcpy(to, block.data(), static_cast<std::size_t>(end - to));
-}
-
-void repeatPixel(const std::byte* pixel, std::size_t size, std::byte* to, std::size_t count) {
-    switch (size) {
-    case 1:
-        std::memset(to, std::to_integer<int>(*pixel), count);
-        break;
-    case 2:
-        repeat<2>(pixel, to, count);
-        break;
-    case 3:
-        repeat<3>(pixel, to, count);
-        break;
-    default:
-        repeat<4>(pixel, to, count);
+    if (room >= count * Size + stores * sizeof block) {
+        // Runs of most lengths take the same path: a wrong guess of the processor costs more than the stores.
+        do {
+            for (std::size_t i = 0; i < stores; ++i)
+                std::memcpy(to + i * step, &block, sizeof block);
+            to += stores * step;
+        } while (to < end);
+        return;
     }
+    for (; static_cast<std::size_t>(end - to) >= sizeof block; to += step)
+        std::memcpy(to, &block, sizeof block);
+    std::memcpy(to, &block, static_cast<std::size_t>(end - to));
 }
 
 } // namespace
@@ -195,62 +240,87 @@ std::size_t leastDataBytes(const Header& header) {
 
 PixelReader::PixelReader(const Header& header, PixelFormat format, ByteView map, ByteView data)
     : runLengthCoded_(header.runLengthCoded())
-    , fromBytes_(header.pixelBytes())
-    , toBytes_(static_cast<std::size_t>(bytesPerPixel(format)))
     , rest_(data)
-    , map_(readMap(header, format, map))
-    , convert_(conversion(header, format)) {}
+    , map_(readMap(header, map))
+    , read_(choose(header, format)) {}
+
+PixelReader::Read PixelReader::choose(const Header& header, PixelFormat format) const {
+    const bool four = format == PixelFormat::Rgba8;
+    if (header.gray())
+        return header.pixelBytes() == 1 ? readerOf<Gray<1>>() : readerOf<Gray<2>>();
+    if (header.mapped() && header.pixelBytes() == 1)
+        return four ? readerOf<Index<1, 4>>() : readerOf<Index<1, 3>>();
+    if (header.mapped())
+        return four ? readerOf<Index<2, 4>>() : readerOf<Index<2, 3>>();
+    switch (header.pixelBytes()) {
+    case 4:
+        return readerOf<Color32>();
+    case 3:
+        return readerOf<Color24>();
+    default:
+        return four ? readerOf<Color16<4>>() : readerOf<Color16<3>>();
+    }
+}
+
+template<class Format>
+PixelReader::Read PixelReader::readerOf() const {
+    return runLengthCoded_ ? &PixelReader::readPackets<Format> : &PixelReader::readRaw<Format>;
+}
 
 bool PixelReader::read(std::byte* to, std::size_t count) {
-    if (runLengthCoded_)
-        return readPackets(to, count);
-    if (rest_.size() / fromBytes_ < count)
+    return (this->*read_)(to, count);
+}
+
+template<class Format>
+bool PixelReader::readRaw(std::byte* to, std::size_t count) {
+    if (rest_.size() / Format::from < count)
         return false;
-    convert_(map_, rest_.data(), to, count);
-    rest_ = rest_.subspan(count * fromBytes_);
+    convert<Format>(map_, rest_.data(), to, count);
+    rest_ = rest_.subspan(count * Format::from);
     return true;
 }
 
 //   bit   7            6-0           then
 //         1: a run     pixels - 1    one pixel, to be repeated
 //         0: raw       pixels - 1    as many pixels
-bool PixelReader::beginPacket() {
-    if (rest_.empty())
-        return false;
-    const auto head = std::to_integer<unsigned>(rest_[0]);
-    inPacket_ = (head & 127) + 1;
-    isRun_ = head >= 128;
-    rest_ = rest_.subspan(1);
-    if (!isRun_)
-        return true;
-    if (rest_.size() < fromBytes_)
-        return false;
-    const std::size_t strays = map_.strays;
-    convert_(map_, rest_.data(), run_.data(), 1);
-    runIsStray_ = map_.strays != strays;
-    map_.strays = strays;
-    rest_ = rest_.subspan(fromBytes_);
-    return true;
-}
-
+//
+// A single raw pixel is treated as a run of one, so that these two need not be told apart. Members are copied
+// into local variables, because the compiler can't know that the pixels don't overwrite them.
+template<class Format>
 bool PixelReader::readPackets(std::byte* to, std::size_t count) {
+    const std::byte* in = rest_.data();
+    const std::byte* const end = in + rest_.size();
+    Packet packet = packet_;
     while (count > 0) {
-        if (inPacket_ == 0 && !beginPacket())
-            return false;
-        const std::size_t pixels = std::min(inPacket_, count);
-        if (isRun_) {
-            repeatPixel(run_.data(), toBytes_, to, pixels);
-            map_.strays += runIsStray_ ? pixels : 0;
-        } else {
-            if (rest_.size() < pixels * fromBytes_)
+        if (packet.pixels == 0) {
+            if (static_cast<std::size_t>(end - in) < 1 + Format::from)
                 return false;
-            convert_(map_, rest_.data(), to, pixels);
-            rest_ = rest_.subspan(pixels * fromBytes_);
+            const auto head = std::to_integer<unsigned>(*in++);
+            packet.pixels = (head & 127) + 1;
+            packet.isRun = head >= 128 || head == 0;
+            if (packet.isRun) {
+                const std::size_t strays = std::exchange(map_.strays, 0);
+                packet.pixel = Format::one(map_, in);
+                packet.straysEach = std::exchange(map_.strays, strays);
+                in += Format::from;
+            }
         }
-        inPacket_ -= pixels;
+        const std::size_t pixels = std::min(packet.pixels, count);
+        if (packet.isRun) {
+            fill<Format::to>(packet.pixel, to, pixels, count * Format::to);
+            map_.strays += packet.straysEach * pixels;
+        } else {
+            if (static_cast<std::size_t>(end - in) < pixels * Format::from)
+                return false;
+            convert<Format>(map_, in, to, pixels);
+            in += pixels * Format::from;
+        }
+        packet.pixels -= pixels;
         count -= pixels;
-        to += pixels * toBytes_;
+        to += pixels * Format::to;
     }
+    rest_ = {in, end};
+    packet_ = packet;
     return true;
 }
 

@@ -5,7 +5,6 @@
 #include "core/codec/tga_format.h"
 #include "core/image/texture_image.h"
 
-#include <array>
 #include <vector>
 
 namespace texplorer::tga {
@@ -43,30 +42,39 @@ public:
     /// Adds a note where pixels named entries that the colour map doesn't have.
     void describeStrays(std::vector<std::string>& notes) const;
 
-    using Color = std::array<std::byte, 4>;
+    /// A pixel of `format` in a register: its first component in the lowest eight bits.
+    using Packed = std::uint32_t;
+
     struct ColorMap {
-        std::vector<Color> entries;
+        std::vector<Packed> entries;
         std::size_t firstEntry = 0;
-        Color stray{};          ///< for indices that name no entry
-        std::size_t strays = 0; ///< how many there were
+        std::size_t strays = 0; ///< pixels that named no entry
     };
-    using Convert = void (*)(ColorMap& map, const std::byte* from, std::byte* to, std::size_t count);
 
 private:
+    using Read = bool (PixelReader::*)(std::byte* to, std::size_t count);
+
+    // A Format says how many bytes a pixel takes here and there, and how one becomes the other.
+    template<class Format>
+    [[nodiscard]] Read readerOf() const;
+    template<class Format>
+    [[nodiscard]] bool readRaw(std::byte* to, std::size_t count);
+    template<class Format>
     [[nodiscard]] bool readPackets(std::byte* to, std::size_t count);
-    [[nodiscard]] bool beginPacket();
+    [[nodiscard]] Read choose(const Header& header, PixelFormat format) const;
 
     const bool runLengthCoded_;
-    const std::size_t fromBytes_; // a pixel
-    const std::size_t toBytes_;
     ByteView rest_;
     ColorMap map_;
-    Convert convert_;
+    Read read_;
 
-    std::size_t inPacket_ = 0; // pixels that the packet still has
-    bool isRun_ = false;
-    Color run_{};
-    bool runIsStray_ = false;
+    struct Packet {
+        std::size_t pixels = 0; // that it still has
+        bool isRun = false;
+        Packed pixel = 0;           // of a run
+        std::size_t straysEach = 0; // 1 where that pixel names no entry
+    };
+    Packet packet_;
 };
 
 } // namespace texplorer::tga
