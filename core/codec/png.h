@@ -2,6 +2,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/codec/anatomy.h"
 #include "core/codec/decode_limits.h"
 #include "core/codec/write_options.h"
 #include "core/image/texture_image.h"
@@ -21,6 +22,10 @@ namespace texplorer {
 /// - Survived, and noted: damage in other chunks, data behind IEND, animations (the first picture is read).
 /// - Memory: the image and a few rows. Text and profiles are skipped without being unpacked.
 [[nodiscard]] Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits = {});
+
+/// Signature and chunks: length, type, the fields of IHDR, checksums compared, order. Goes on to where the
+/// file ends; nothing is unpacked.
+[[nodiscard]] Anatomy dissectPng(ByteView file);
 
 /// A PNG of the first slice, upright (the bottom row is written last). The same image gives the same bytes.
 /// By default fast rather than small: each row has the Sub or the Up filter, and libdeflate packs them with

@@ -29,7 +29,7 @@ constexpr std::array rows{
     CodecRow{"JPEG", ".jpg .jpeg", [](ByteView file) { return beginsWith(file, "\xFF\xD8\xFF"); }, decodeJpeg,
              nullptr, nullptr},
     CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
-             nullptr, encodePng},
+             dissectPng, encodePng},
     // Last, because it has no magic number.
     CodecRow{"TGA", ".tga .vda .icb .vst", isTga, decodeTga, dissectTga, encodeTga},
 };

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <random>
@@ -256,6 +257,48 @@ TEST(PngDecode, WhatIsSurvivedIsNoted) {
     EXPECT_THAT(texture->notes, testing::ElementsAre(testing::MatchesRegex("survived: gAMA: .*"),
                                                      "the file is an animation; its first picture is read",
                                                      "1 byte behind the end (IEND) left out"));
+}
+
+const Field* fieldNamed(const Anatomy& anatomy, std::string_view name) {
+    for (const Field& field : anatomy.fields)
+        if (field.name == name)
+            return &field;
+    return nullptr;
+}
+
+TEST(PngAnatomy, NamesChunksAndTheFieldsOfTheHeader) {
+    const Bytes file = goodFile();
+    const Anatomy anatomy = dissectPng(file);
+    EXPECT_EQ(anatomy.damage, "");
+    for (const Field& field : anatomy.fields)
+        EXPECT_EQ(field.wrong, "") << field.name;
+    ASSERT_NE(fieldNamed(anatomy, "width"), nullptr);
+    EXPECT_EQ(fieldNamed(anatomy, "width")->offset, 16U);
+    EXPECT_EQ(fieldNamed(anatomy, "width")->value, "2");
+    EXPECT_EQ(fieldNamed(anatomy, "height")->value, "3");
+    EXPECT_EQ(fieldNamed(anatomy, "bit depth")->value, "8");
+    EXPECT_EQ(fieldNamed(anatomy, "colour type")->meaning, "RGB");
+    ASSERT_NE(fieldNamed(anatomy, "IEND"), nullptr);
+    EXPECT_EQ(fieldNamed(anatomy, "IEND")->offset, file.size() - 12);
+}
+
+TEST(PngAnatomy, SaysWhatLooksWrong) {
+    Bytes file = goodFile();
+    file[24] = std::byte{3};
+    insertChunk(file, 33, "IHDR", bytesOf({}));
+    file[29] ^= std::byte{1}; // of the first checksum
+    const Anatomy anatomy = dissectPng(file);
+    EXPECT_EQ(fieldNamed(anatomy, "bit depth")->wrong, "expected 1, 2, 4, 8 or 16");
+    EXPECT_THAT(fieldNamed(anatomy, "CRC")->wrong, testing::StartsWith("the bytes give 0x"));
+    EXPECT_TRUE(
+        std::ranges::any_of(anatomy.fields, [](const Field& f) { return f.wrong == "a second IHDR"; }));
+}
+
+TEST(PngAnatomy, GoesOnToWhereTheFileEnds) {
+    const Bytes file = goodFile();
+    EXPECT_EQ(dissectPng(ByteView(file).first(40)).damage, "the file ends at offset 40 without an IEND");
+    EXPECT_THAT(dissectPng(ByteView(file).first(file.size() - 1)).damage,
+                testing::HasSubstr("the chunk IEND at offset"));
 }
 
 TEST(PngDecode, ReadsWhatTheEncoderWrites) {
