@@ -1,7 +1,7 @@
 #include "core/s3tc/block_flip.h"
 
+#include <algorithm>
 #include <cassert>
-#include <cstring>
 
 namespace texplorer {
 namespace {
@@ -63,6 +63,15 @@ void addSwaps(HalfLayout layout, Axis axis, int extent, FieldSwap* swaps) {
     }
 }
 
+bool movesWholeBytes(const FieldSwap& swap) {
+    bool whole = swap.shift % 8 == 0;
+    for (unsigned i = 0; i < 64; i += 8) {
+        const std::uint64_t byte = swap.low >> i & 0xFF;
+        whole = whole && (byte == 0 || byte == 0xFF);
+    }
+    return whole;
+}
+
 std::uint64_t load(const std::byte* bytes) {
     std::uint64_t bits = 0;
     for (unsigned i = 0; i < 8; ++i) // compiles to one load
@@ -83,6 +92,19 @@ BlockFlip::BlockFlip(BlockFormat format, int rows, int columns)
     for (std::size_t half = 0; half < 2; ++half) {
         addSwaps(layouts[half], Axis::Rows, rows, &halves[half][0]);
         addSwaps(layouts[half], Axis::Columns, columns, &halves[half][2]);
+        std::uint64_t places = 0x0706050403020100; // follow the bytes to where the flip puts them
+        std::size_t part = 0;
+        for (const FieldSwap& swap : halves[half]) {
+            if (movesWholeBytes(swap)) {
+                places = swap(places);
+            } else {
+                parts[part].low[half] = swap.low;
+                parts[part].shift[half] = swap.shift;
+                partCount = std::max(partCount, ++part);
+            }
+        }
+        for (std::size_t i = 0; i < 8; ++i)
+            shuffle[8 * half + i] = static_cast<std::uint8_t>((places >> (8 * i) & 7) + 8 * half);
     }
 }
 
@@ -96,7 +118,8 @@ void swapFlippedPlain(const BlockFlip& flip, std::byte* first, std::byte* second
 }
 
 void swapFlipped(const BlockFlip& flip, std::byte* first, std::byte* second, std::size_t bytes) {
-    swapFlippedPlain(flip, first, second, bytes);
+    const std::size_t done = swapFlippedInVectors(flip, first, second, bytes);
+    swapFlippedPlain(flip, first + done, second + done, bytes - done);
 }
 
 void reverseFlipped(const BlockFlip& flip, std::byte* blocks, std::size_t bytes) {

@@ -28,6 +28,16 @@ struct BlockFlip {
     std::array<std::array<FieldSwap, 4>, 2> halves{};
     std::size_t blockBytes = 8;
 
+    /// The same for vectors: a shuffle of 16 bytes that does every swap of whole bytes, then the other swaps,
+    /// `partCount` of them, step by step for both halves.
+    struct PartSwaps {
+        std::array<std::uint64_t, 2> low{};
+        std::array<std::uint64_t, 2> shift{};
+    };
+    std::array<std::uint8_t, 16> shuffle{};
+    std::array<PartSwaps, 4> parts{};
+    std::size_t partCount = 0;
+
     /// @param rows     how many texel rows are turned around: 1 (none), 2 (the first two) or 4
     /// @param columns  the same for texel columns
     BlockFlip(BlockFormat format, int rows, int columns);
@@ -46,6 +56,10 @@ void swapFlipped(const BlockFlip& flip, std::byte* first, std::byte* second, std
 
 /// The same in plain arithmetic: what processors without vectors run, and what tests compare with.
 void swapFlippedPlain(const BlockFlip& flip, std::byte* first, std::byte* second, std::size_t bytes);
+
+/// The same for as many bytes as fill vectors; returns how many, which is none on processors without AVX2.
+[[nodiscard]] std::size_t swapFlippedInVectors(const BlockFlip& flip, std::byte* first, std::byte* second,
+                                               std::size_t bytes);
 
 /// Reverses the order of a run of blocks and flips each.
 void reverseFlipped(const BlockFlip& flip, std::byte* blocks, std::size_t bytes);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/result.h"
 #include "core/s3tc/block_format.h"
 
 namespace texplorer {
@@ -26,5 +27,8 @@ struct BlockImage {
 
     bool operator==(const BlockImage&) const = default;
 };
+
+/// Malformed where `blocks` has not the size that the extents ask for, or an extent is not positive.
+[[nodiscard]] Result<void> checkBlocks(const BlockImage& image);
 
 } // namespace texplorer

@@ -1,7 +1,10 @@
 #include "core/s3tc/decode.h"
 
+#include "core/s3tc/decode_rows.h"
+
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstring>
 
 namespace texplorer {
@@ -126,21 +129,79 @@ void decodeBlock(BlockFormat format, const std::byte* block, std::byte* rgba) {
     }
 }
 
-Image decodeBlocks(const BlockImage& image) {
-    Image pixels = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height, image.depth);
-    const std::byte* block = image.blocks.data();
+namespace {
+
+template<BlockFormat format>
+void decodeRowPlainly(const std::byte* blocks, std::size_t count, std::byte* rgba, std::size_t rowBytes) {
+    std::array<std::byte, 64> texels;
+    for (std::size_t i = 0; i < count; ++i) {
+        decodeBlock(format, blocks + i * bytesPerBlock(format), texels.data());
+        for (std::size_t row = 0; row < 4; ++row)
+            std::memcpy(rgba + row * rowBytes + 16 * i, texels.data() + 16 * row, 16);
+    }
+}
+
+} // namespace
+
+RowDecoder plainRowDecoder(BlockFormat format) {
+    switch (format) {
+    case BlockFormat::Dxt1:
+        return decodeRowPlainly<BlockFormat::Dxt1>;
+    case BlockFormat::Dxt1Alpha:
+        return decodeRowPlainly<BlockFormat::Dxt1Alpha>;
+    case BlockFormat::Dxt3:
+        return decodeRowPlainly<BlockFormat::Dxt3>;
+    case BlockFormat::Dxt5:
+        return decodeRowPlainly<BlockFormat::Dxt5>;
+    case BlockFormat::Bc4:
+        return decodeRowPlainly<BlockFormat::Bc4>;
+    case BlockFormat::Bc4Signed:
+        return decodeRowPlainly<BlockFormat::Bc4Signed>;
+    case BlockFormat::Bc5:
+        return decodeRowPlainly<BlockFormat::Bc5>;
+    case BlockFormat::Bc5Signed:
+        break;
+    }
+    return decodeRowPlainly<BlockFormat::Bc5Signed>;
+}
+
+void decodeBlocks(const BlockImage& image, std::span<std::byte> rgba) {
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    assert(image.blocks.size() ==
+           image.blockRowBytes() * image.blockRows() * static_cast<std::size_t>(image.depth));
+    assert(rgba.size() == 4 * width * height * static_cast<std::size_t>(image.depth));
+    const RowDecoder vectors = vectorRowDecoder(image.format);
+    const RowDecoder decode = vectors ? vectors : plainRowDecoder(image.format);
+    const std::size_t rowBytes = 4 * width;
+    const std::byte* blocks = image.blocks.data();
+    std::byte* pixels = rgba.data();
     std::array<std::byte, 64> texels;
     for (int z = 0; z < image.depth; ++z) {
-        for (int top = 0; top < image.height; top += 4) {
-            for (int left = 0; left < image.width; left += 4, block += bytesPerBlock(image.format)) {
-                decodeBlock(image.format, block, texels.data());
-                const auto bytes = static_cast<std::size_t>(std::min(4, image.width - left)) * 4;
-                for (int y = 0; y < std::min(4, image.height - top); ++y)
-                    std::memcpy(pixels.pixels.data() + pixels.offset(left, top + y, z),
-                                texels.data() + 16 * y, bytes);
+        for (std::size_t top = 0; top < height; top += 4, blocks += image.blockRowBytes()) {
+            const std::size_t rows = std::min<std::size_t>(4, height - top);
+            const auto decodeCut = [&](std::size_t left) {
+                decode(blocks + left / 4 * bytesPerBlock(image.format), 1, texels.data(), 16);
+                for (std::size_t y = 0; y < rows; ++y)
+                    std::memcpy(pixels + y * rowBytes + 4 * left, texels.data() + 16 * y,
+                                4 * std::min<std::size_t>(4, width - left));
+            };
+            if (rows == 4) {
+                decode(blocks, width / 4, pixels, rowBytes);
+                if (width % 4 != 0)
+                    decodeCut(width / 4 * 4);
+            } else {
+                for (std::size_t left = 0; left < width; left += 4)
+                    decodeCut(left);
             }
+            pixels += rows * rowBytes;
         }
     }
+}
+
+Image decodeBlocks(const BlockImage& image) {
+    Image pixels = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height, image.depth);
+    decodeBlocks(image, pixels.pixels);
     return pixels;
 }
 

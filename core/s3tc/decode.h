@@ -3,6 +3,8 @@
 #include "core/image/image.h"
 #include "core/s3tc/block_image.h"
 
+#include <span>
+
 namespace texplorer {
 
 /// Decompresses to Rgba8, rows in the order of the blocks. Colours of DXT1/3/5: 5 and 6 bits are widened by
@@ -10,6 +12,9 @@ namespace texplorer {
 /// as libsquish does it; the specification leaves the rounding open. BC4 becomes grey in red, green and blue;
 /// BC5 red and green with blue 0; signed values map -1..1 to 0..255. Single-threaded.
 [[nodiscard]] Image decodeBlocks(const BlockImage& image);
+
+/// The same into memory that is there already: width * height * depth texels of 4 bytes, without padding.
+void decodeBlocks(const BlockImage& image, std::span<std::byte> rgba);
 
 /// One block to 4 x 4 Rgba8 texels, row by row: the literal text of the specification, and decodeBlocks'
 /// oracle.

@@ -25,12 +25,19 @@ struct EnumTable<EncodeQuality> {
 
 static_assert(encodeQualityRows.size() == 3);
 
-/// Called now and then with the share that is done, 0 to 1, on the encoding thread.
+/// Called after rows of blocks with the share that is done, 0 to 1, on the thread that asked for the
+/// encoding.
 using Progress = std::function<void(float done)>;
 
-/// Compresses a picture of any size and pixel format (edge blocks repeat the edge). Signed formats and
-/// volumes are not encoded. A stop request ends it with ErrorCode::Cancelled.
+/// Compresses a picture of any size and pixel format (edge blocks repeat the edge). DXT1 ignores alpha; DXT1
+/// with 1-bit alpha makes alpha below 128 a hole; BC4 keeps red, BC5 red and green. Rows of blocks are
+/// encoded on several threads, `threads` of them (0: as many as the processor has); the result is the same
+/// with any number. Returns when it is done: whoever must not wait calls it on a thread of his own.
+///
+/// Errors: OutOfRange for a picture without pixels, Malformed where `pixels` has not the size that the
+/// extents ask for, Unsupported for signed formats and volumes, Cancelled after a stop request.
 [[nodiscard]] Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQuality quality,
-                                              const Progress& progress = {}, std::stop_token stop = {});
+                                              const Progress& progress = {}, std::stop_token stop = {},
+                                              unsigned threads = 0);
 
 } // namespace texplorer

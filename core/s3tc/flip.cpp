@@ -15,19 +15,6 @@ Result<void> checkExtent(const char* name, int extent) {
                     " can't be flipped without loss: expected 1, 2 or a multiple of 4");
 }
 
-Result<void> checkSize(const BlockImage& image) {
-    const bool positive = image.width > 0 && image.height > 0 && image.depth > 0;
-    const std::size_t needed =
-        positive ? image.blockRowBytes() * image.blockRows() * static_cast<std::size_t>(image.depth) : 0;
-    if (positive && image.blocks.size() == needed)
-        return {};
-    return fail(ErrorCode::Malformed, "a compressed picture of " + std::to_string(image.width) + " x " +
-                                          std::to_string(image.height) + " x " + std::to_string(image.depth) +
-                                          " texels needs " + std::to_string(needed) +
-                                          " bytes of blocks, there are " +
-                                          std::to_string(image.blocks.size()));
-}
-
 /// How many texels of a block are turned around along an axis of this extent.
 int turned(int extent) {
     return std::min(extent, 4);
@@ -36,7 +23,7 @@ int turned(int extent) {
 } // namespace
 
 Result<void> flipVertically(BlockImage& image) {
-    if (auto sound = checkSize(image).and_then([&] { return checkExtent("height", image.height); }); !sound)
+    if (auto sound = checkBlocks(image).and_then([&] { return checkExtent("height", image.height); }); !sound)
         return sound;
     if (image.height == 1)
         return {};
@@ -53,7 +40,7 @@ Result<void> flipVertically(BlockImage& image) {
 }
 
 Result<void> flipHorizontally(BlockImage& image) {
-    if (auto sound = checkSize(image).and_then([&] { return checkExtent("width", image.width); }); !sound)
+    if (auto sound = checkBlocks(image).and_then([&] { return checkExtent("width", image.width); }); !sound)
         return sound;
     const BlockFlip flip(image.format, 1, turned(image.width));
     const std::size_t rowBytes = image.blockRowBytes();
@@ -64,7 +51,7 @@ Result<void> flipHorizontally(BlockImage& image) {
 
 Result<void> rotateHalfTurn(BlockImage& image) {
     if (auto sound =
-            checkSize(image).and_then([&] { return checkExtent("height", image.height); }).and_then([&] {
+            checkBlocks(image).and_then([&] { return checkExtent("height", image.height); }).and_then([&] {
                 return checkExtent("width", image.width);
             });
         !sound)

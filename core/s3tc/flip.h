@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/s3tc/block_image.h"
+#include "core/s3tc/encode.h"
 
 namespace texplorer {
 
@@ -30,5 +31,14 @@ namespace texplorer {
 [[nodiscard]] constexpr bool flipsWithoutLoss(int extent) {
     return extent == 1 || extent == 2 || extent % 4 == 0;
 }
+
+enum class FlipAxis : std::uint8_t { Vertical, Horizontal, Both };
+
+/// The lossy way, for extents that the functions above refuse: decompresses, turns the pixels around and
+/// compresses them again. What is lost depends on `quality`. Errors are those of encodeBlocks: signed formats
+/// and volumes can't be turned around this way.
+[[nodiscard]] Result<BlockImage> decodeFlipEncode(const BlockImage& image, FlipAxis axis,
+                                                  EncodeQuality quality, const Progress& progress = {},
+                                                  std::stop_token stop = {});
 
 } // namespace texplorer
