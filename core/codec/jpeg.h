@@ -2,6 +2,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/codec/anatomy.h"
 #include "core/codec/decode_limits.h"
 #include "core/image/texture_image.h"
 
@@ -22,5 +23,8 @@ namespace texplorer {
 /// - Survived, and noted: bytes before a marker that belong to nothing, bytes behind the end.
 /// - Memory: the image and some rows; for progressive files also their coefficients, two bytes a sample.
 [[nodiscard]] Result<TextureImage> decodeJpeg(ByteView file, const DecodeLimits& limits = {});
+
+/// Markers and their segments, the fields of the frame header, Exif's orientation, the size of coded data.
+[[nodiscard]] Anatomy dissectJpeg(ByteView file);
 
 } // namespace texplorer

@@ -27,7 +27,7 @@ constexpr std::array rows{
     CodecRow{"DDS", ".dds", [](ByteView file) { return beginsWith(file, "DDS "); }, decodeDds, dissectDds,
              encodeDds},
     CodecRow{"JPEG", ".jpg .jpeg", [](ByteView file) { return beginsWith(file, "\xFF\xD8\xFF"); }, decodeJpeg,
-             nullptr, nullptr},
+             dissectJpeg, nullptr},
     CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
              dissectPng, encodePng},
     // Last, because it has no magic number.

@@ -163,6 +163,27 @@ TEST_F(JpegFiles, OfTwelveBitsOrWithoutLossAreRefusedByName) {
     EXPECT_THAT(decodeJpeg(file).error().message, testing::HasSubstr("0xc3"));
 }
 
+TEST_F(JpegFiles, AreDissectedToWhereTheyEnd) {
+    const Bytes& file = contents()["baseline420_7x5.jpg"];
+    const Anatomy anatomy = dissectJpeg(file);
+    EXPECT_EQ(anatomy.damage, "");
+    std::map<std::string, Field> fields;
+    for (const Field& field : anatomy.fields) {
+        EXPECT_EQ(field.wrong, "") << field.name;
+        fields[field.name] = field;
+    }
+    EXPECT_EQ(fields["SOI"].offset, 0U);
+    EXPECT_EQ(fields["width"].value, "7");
+    EXPECT_EQ(fields["height"].value, "5");
+    EXPECT_EQ(fields["width"].offset, offsetOf(file, jpegSof0) + 7);
+    EXPECT_EQ(fields["component 1"].value, "2 x 2");
+    EXPECT_EQ(fields["EOI"].offset, file.size() - 2);
+    EXPECT_EQ(dissectJpeg(ByteView(file).first(10)).damage,
+              "APP0 at offset 2 needs 18 bytes, the file has 10");
+    EXPECT_EQ(dissectJpeg(ByteView(file).first(file.size() - 2)).damage,
+              "the file ends at offset " + std::to_string(file.size() - 2) + " without an EOI");
+}
+
 TEST(Jpeg, WhatIsNoJpegIsRefused) {
     EXPECT_EQ(decodeJpeg({}).error().message, "JPEG: the file is empty");
     const std::array<std::byte, 3> start{std::byte{0xFF}, std::byte{0xD8}, std::byte{0xFF}};
