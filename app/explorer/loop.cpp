@@ -36,6 +36,8 @@ Result<void> runLoop(Window& window, ui::Session& session) {
     if (!stage)
         return fail(stage.error());
     const Input input(window.handle());
+    ui::Background background(Window::wake);
+    session.background = &background;
 
     int settling = settlingFrames;
     double last = window.now();
@@ -53,6 +55,8 @@ Result<void> runLoop(Window& window, ui::Session& session) {
             continue;
         }
 
+        if (ui::receiveFiles(session))
+            settling = settlingFrames;
         const double now = window.now();
         ui::advance(session, std::min(now - last, longestStep));
         last = now;

@@ -192,6 +192,10 @@ void Window::wait(double seconds) {
         glfwPollEvents();
 }
 
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+
 bool Window::isHidden() const {
     const render::Size pixels = framebuffer();
     return glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE || pixels.width < 1 ||

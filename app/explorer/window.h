@@ -42,6 +42,9 @@ public:
     /// Sleeps for `seconds`, or less where something happens. 0 or less: takes what is there and returns.
     void wait(double seconds);
 
+    /// Ends a wait, from any thread.
+    static void wake();
+
     [[nodiscard]] bool isHidden() const;            ///< minimised, or without a single pixel
     [[nodiscard]] render::Size size() const;        ///< in screen coordinates, in which the mouse is measured
     [[nodiscard]] render::Size framebuffer() const; ///< in pixels

@@ -1,5 +1,6 @@
 #include "app/stage/stage.h"
 
+#include "app/render/picture_cache.h"
 #include "app/ui/theme.h"
 
 #include <GL/glew.h>
@@ -51,6 +52,7 @@ struct Stage::State {
     render::Capabilities capabilities;
     render::FixedRenderer renderer;
     render::TexturePreview preview;
+    render::PictureCache pictures;
     Panels panels;
     std::vector<std::string> problems;
 
@@ -107,14 +109,18 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     if (feedInput)
         feedInput();
     ImGui::NewFrame();
-    ui::Requests requests =
-        ui::drawWorkbench(session, {frame, texture, setBlending}, state_->capabilities, layout);
+    ui::Requests requests = ui::drawWorkbench(
+        session,
+        {frame, texture, setBlending,
+         [this](const std::shared_ptr<const Image>& image) { return state_->pictures.show(image); }},
+        state_->capabilities, layout);
     ImGui::Render();
 
     glViewport(0, 0, surface.pixels.width, surface.pixels.height);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+    state_->pictures.endFrame();
     state_->problems = frame.problems;
     return requests;
 }

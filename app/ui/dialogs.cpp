@@ -48,6 +48,7 @@ void browse(Session& session, Dialog dialog, const char* title, std::vector<std:
             bool saving) {
     session.dialog = dialog;
     beginBrowsing(session.browser, title, std::move(extensions), saving, session.file);
+    session.browser.thumbnails = dialog == Dialog::OpenImage && session.background != nullptr;
 }
 
 void finishPending(Session& session) {
@@ -63,7 +64,13 @@ void finishPending(Session& session) {
         browse(session, Dialog::OpenScene, "Open a scene", {".json"}, false);
         break;
     case Pending::OpenFile:
-        report(session, openFile(session, session.pendingFile));
+        report(session, openFile(session, session.pendingFile), session.pendingFile);
+        break;
+    case Pending::ShowScene:
+        if (const std::shared_ptr<Load> ready = std::exchange(session.readyScene, nullptr)) {
+            ready->before = session.scene; // the user has answered
+            showLoadedScene(session, std::move(*ready));
+        }
         break;
     case Pending::Quit:
         session.quitConfirmed = true;
@@ -112,9 +119,10 @@ void drawDiscard(Session& session) {
         session.dialog = Dialog::None;
     }
     ImGui::EndPopup();
-    if (stay)
+    if (stay) {
         session.pending = Pending::None;
-    else if (drop)
+        session.readyScene.reset();
+    } else if (drop)
         finishPending(session);
     else if (keep)
         save(session);
@@ -173,10 +181,10 @@ void drawHelp(Session& session) {
     ImGui::EndPopup();
 }
 
-void drawBrowserDialog(Session& session) {
+void drawBrowserDialog(Session& session, const Pictures& pictures) {
     std::filesystem::path chosen;
     const Dialog dialog = session.dialog;
-    const Browsing browsing = drawFileBrowser(session, chosen);
+    const Browsing browsing = drawFileBrowser(session, pictures, chosen);
     if (browsing == Browsing::Open)
         return;
     session.dialog = Dialog::None;
@@ -193,7 +201,7 @@ void drawBrowserDialog(Session& session) {
         session.browser.focusName = true;
         return;
     }
-    session.notice.clear();
+    session.notice = {};
     if (dialog == Dialog::SaveScene)
         finishPending(session);
 }
@@ -222,7 +230,7 @@ void save(Session& session) {
     const Result<void> saved = saveScene(session, session.file);
     report(session, saved);
     if (saved) {
-        session.notice.clear();
+        session.notice = {};
         finishPending(session);
     } else {
         session.pending = Pending::None;
@@ -234,23 +242,23 @@ void requestQuit(Session& session) {
 }
 
 void requestOpen(Session& session, const std::filesystem::path& path) {
-    const Result<bool> image = holdsImage(path);
-    if (!image)
-        return report(session, tl::unexpected(image.error()));
+    const Result<bool> scene = holdsScene(path);
+    if (!scene)
+        return say(session, scene.error());
     session.pendingFile = path;
-    if (*image)
-        return report(session, importImage(session, path));
+    if (!*scene)
+        return report(session, importImage(session, path), path);
     askAboutChanges(session, Pending::OpenFile);
 }
 
-void drawDialogs(Session& session) {
+void drawDialogs(Session& session, const Pictures& pictures) {
     switch (session.dialog) {
     case Dialog::None:
         break;
     case Dialog::OpenScene:
     case Dialog::OpenImage:
     case Dialog::SaveScene:
-        drawBrowserDialog(session);
+        drawBrowserDialog(session, pictures);
         break;
     case Dialog::Discard:
         drawDiscard(session);

@@ -4,6 +4,8 @@
 #include "core/codec/registry.h"
 #include "core/scene/json.h"
 
+#include <algorithm>
+
 namespace texplorer::ui {
 namespace {
 
@@ -38,10 +40,13 @@ void replaceDocument(Session& session, Scene scene, ImageSource images, fs::path
     const Columns columns = session.columns;
     Probe* probe = session.probe;
     FileBrowser browser = session.browser;
+    Background* background = session.background;
+    cancelLoads(session);
     session = makeSession(std::move(scene), std::move(images), std::move(file));
     session.columns = columns;
     session.probe = probe;
     session.browser = std::move(browser);
+    session.background = background;
 }
 
 } // namespace
@@ -58,11 +63,21 @@ Result<void> openScene(Session& session, const fs::path& path) {
     if (!scene)
         return fail(scene.error().code, describe(scene.error()), path.string());
     const fs::path file = absolutePath(path);
-    ImageSource images(file.parent_path());
-    if (Result<void> loaded = images.load(*scene); !loaded)
-        return loaded;
-    replaceDocument(session, std::move(*scene), std::move(images), file);
-    return {};
+    return start(session, {.kind = Load::Kind::Scene,
+                           .path = file,
+                           .scene = std::move(*scene),
+                           .before = session.scene,
+                           .images = ImageSource(file.parent_path())});
+}
+
+void showLoadedScene(Session& session, Load load) {
+    const bool changedMeanwhile = session.scene != load.before && isDirty(session);
+    if (!changedMeanwhile)
+        return replaceDocument(session, std::move(load.scene), std::move(load.images), load.path);
+    load.before = session.scene; // the next answer is about this one
+    session.readyScene = std::make_shared<Load>(std::move(load));
+    session.pending = Pending::ShowScene;
+    session.dialog = Dialog::Discard;
 }
 
 Result<void> saveScene(Session& session, const fs::path& path) {
@@ -73,9 +88,9 @@ Result<void> saveScene(Session& session, const fs::path& path) {
     if (Result<void> written = writeFileAtomically(file, viewBytes(text)); !written)
         return written;
     if (absolutePath(session.images.directory()) != folder || session.file.empty()) {
-        // An image that has vanished since it was read is reported by the renderer; the scene is safe.
         ImageSource images(folder);
-        (void)images.load(scene);
+        for (std::size_t i = 0; i < scene.textures.size(); ++i)
+            images.share(scene.textures[i].file, session.images, session.scene.textures[i].file);
         session.images = std::move(images);
     }
     if (scene != session.scene) {
@@ -89,64 +104,54 @@ Result<void> saveScene(Session& session, const fs::path& path) {
 }
 
 Result<void> importImage(Session& session, const fs::path& path) {
-    Scene scene = session.scene;
-    Unit& unit = scene.passes[static_cast<std::size_t>(session.selection.pass)]
-                     .units[static_cast<std::size_t>(session.selection.unit)];
-    if (!boundTexture(session)) {
-        scene.textures.push_back({});
-        unit.texture = static_cast<int>(scene.textures.size()) - 1;
-    }
-    Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
-    texture.source = SourceKind::File;
-    texture.file = session.images.directory().empty() ? absolutePath(path).generic_string()
-                                                      : nameFrom(session.images.directory(), path);
-    unit.enabled = true;
-    if (Result<void> loaded = session.images.load(scene); !loaded)
-        return loaded;
-    session.scene = std::move(scene);
-    sealEdit(session);
-    recordEdit(session, "Open " + path.filename().string());
-    return {};
+    std::string file = session.images.directory().empty() ? absolutePath(path).generic_string()
+                                                          : nameFrom(session.images.directory(), path);
+    return start(session, {.kind = Load::Kind::Import,
+                           .path = path,
+                           .file = std::move(file),
+                           .pass = session.selection.pass,
+                           .unit = session.selection.unit});
 }
 
-Result<bool> holdsImage(const fs::path& path) {
-    const Result<Bytes> bytes = readFile(path);
-    if (!bytes)
-        return fail(bytes.error());
-    return recogniseImage(*bytes) != nullptr;
+Result<void> setFile(Session& session, int texture, std::string file) {
+    const fs::path path = session.images.directory() / file;
+    return start(session,
+                 {.kind = Load::Kind::SetFile, .path = path, .file = std::move(file), .texture = texture});
+}
+
+Result<bool> holdsScene(const fs::path& path) {
+    constexpr std::size_t enough = 4096;
+    const Result<Bytes> start = readFileStart(path, enough);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return false;
+    if (path.extension() == ".json")
+        return true;
+    const auto isSpace = [](std::byte each) {
+        return each == std::byte{' '} || each == std::byte{'\n'} || each == std::byte{'\r'} ||
+               each == std::byte{'\t'};
+    };
+    const auto first = std::ranges::find_if_not(*start, isSpace);
+    return first != start->end() && *first == std::byte{'{'};
 }
 
 Result<void> openFile(Session& session, const fs::path& path) {
-    const Result<Bytes> bytes = readFile(path);
-    if (!bytes)
-        return fail(bytes.error());
-    if (recogniseImage(*bytes))
-        return importImage(session, path);
-    const auto looksLikeScene = [&] {
-        for (const std::byte each : *bytes) {
-            const char c = static_cast<char>(each);
-            if (c != ' ' && c != '\n' && c != '\r' && c != '\t')
-                return c == '{';
-        }
-        return false;
-    };
-    if (path.extension() == ".json" || looksLikeScene())
-        return openScene(session, path);
-    const Result<Image> refused = decodeImage(*bytes);
-    if (refused) // a decoder without a recogniser is a programming mistake, and no reason to refuse the image
-        return importImage(session, path);
-    return fail(refused.error().code, refused.error().message, path.string());
+    const Result<bool> scene = holdsScene(path);
+    if (!scene)
+        return fail(scene.error());
+    return *scene ? openScene(session, path) : importImage(session, path);
 }
 
 Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
     std::vector<fs::path> images;
     for (const fs::path& file : files) {
-        const Result<bool> isImage = holdsImage(file);
-        if (!isImage)
-            return fail(isImage.error());
-        if (*isImage)
+        const Result<bool> scene = holdsScene(file);
+        if (!scene)
+            return fail(scene.error());
+        if (!*scene)
             images.push_back(file);
-        else if (Result<void> opened = openFile(session, file); !opened)
+        else if (Result<void> opened = openScene(session, file); !opened)
             return opened;
     }
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -177,9 +182,18 @@ Result<void> openArguments(Session& session, const std::vector<fs::path>& files)
     return {};
 }
 
-void report(Session& session, const Result<void>& result) {
+void say(Session& session, const Error& error, const fs::path& file) {
+    const bool contentIsWrong = error.code == ErrorCode::Malformed || error.code == ErrorCode::Unsupported;
+    session.notice = {describe(error), contentIsWrong ? file : fs::path{}};
+}
+
+void say(Session& session, std::string sentence) {
+    session.notice = {std::move(sentence), {}};
+}
+
+void report(Session& session, const Result<void>& result, const fs::path& file) {
     if (!result)
-        session.notice = describe(result.error());
+        say(session, result.error(), file);
 }
 
 } // namespace texplorer::ui

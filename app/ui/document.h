@@ -10,6 +10,9 @@ namespace texplorer::ui {
 
 void newScene(Session& session);
 
+// With a Background, images come later: what was asked for happens in `receiveFiles`, or the user is told why
+// it can't. The errors that are returned are then those that are seen at once.
+
 /// Reads a scene and every image that it names.
 [[nodiscard]] Result<void> openScene(Session& session, const std::filesystem::path& path);
 
@@ -19,6 +22,13 @@ void newScene(Session& session);
 /// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
 [[nodiscard]] Result<void> importImage(Session& session, const std::filesystem::path& path);
 
+/// Puts an image on one texture of the scene. `file` is spelled as in Texture::file.
+[[nodiscard]] Result<void> setFile(Session& session, int texture, std::string file);
+
+/// A scene that has been loaded takes the place of this one; asks first where the user has changed something
+/// meanwhile.
+void showLoadedScene(Session& session, Load load);
+
 /// A scene or an image, by its content.
 [[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
 
@@ -26,10 +36,13 @@ void newScene(Session& session);
 /// textures. The session begins with them: there is nothing to undo or to save.
 [[nodiscard]] Result<void> openArguments(Session& session, const std::vector<std::filesystem::path>& files);
 
-/// Whether a file holds an image that can be read, by its first bytes.
-[[nodiscard]] Result<bool> holdsImage(const std::filesystem::path& path);
+/// Whether a file is to be read as a scene, by its first bytes and its name; else as an image.
+[[nodiscard]] Result<bool> holdsScene(const std::filesystem::path& path);
 
+/// Tells the user. Where the content of `file` was the reason, it is offered to look into it.
+void say(Session& session, const Error& error, const std::filesystem::path& file = {});
+void say(Session& session, std::string sentence);
 /// Shows a failure to the user.
-void report(Session& session, const Result<void>& result);
+void report(Session& session, const Result<void>& result, const std::filesystem::path& file = {});
 
 } // namespace texplorer::ui

@@ -3,6 +3,7 @@
 #include "app/ui/keys.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
+#include "app/ui/workbench.h"
 
 #include <imgui_stdlib.h>
 
@@ -139,8 +140,30 @@ void breadcrumbs(Session& session, FileBrowser& browser) {
         enterFolder(browser, target);
 }
 
+/// The file's small picture in a square at the left of its line, once it is there.
+void drawThumbnail(Session& session, const FileBrowser& browser, const FileBrowser::Entry& entry,
+                   const Pictures& pictures, ImVec2 corner, float extent) {
+    if (!session.background)
+        return;
+    const std::shared_ptr<const Image> image =
+        session.background->thumbnails.find(browser.folder / entry.name, entry.modified);
+    if (!image || image->empty())
+        return;
+    noteItem(session, "thumbnail:" + entry.name);
+    const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
+    if (id == 0)
+        return;
+    const float scale = (extent - 2) / static_cast<float>(std::max(image->width, image->height));
+    const ImVec2 size(static_cast<float>(image->width) * std::min(scale, 4.0F),
+                      static_cast<float>(image->height) * std::min(scale, 4.0F));
+    const ImVec2 low(corner.x + (extent * 1.5F - size.x) / 2, corner.y + (extent - size.y) / 2);
+    // Row 0 is the bottom one.
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(id)), low,
+                                         {low.x + size.x, low.y + size.y}, {0, 1}, {1, 0});
+}
+
 /// True where an entry was double-clicked.
-bool entryList(Session& session, FileBrowser& browser, float height) {
+bool entryList(Session& session, FileBrowser& browser, const Pictures& pictures, float height) {
     bool chosen = false;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
     ImGui::BeginChild("entries", {0, height}, true);
@@ -153,21 +176,28 @@ bool entryList(Session& session, FileBrowser& browser, float height) {
         any = true;
         const std::string shown = entry.isFolder ? entry.name + "/" : entry.name;
         ImGui::PushID(i);
-        ImGui::PushStyleColor(ImGuiCol_Text, entry.isFolder ? color::text : color::text);
-        const bool pressed =
-            ImGui::Selectable("##entry", i == browser.marked, ImGuiSelectableFlags_AllowDoubleClick);
+        const float line = ImGui::GetTextLineHeight();
+        const bool pictured = browser.thumbnails && !entry.isFolder;
+        const float tall = pictured ? line * 2.6F : line;
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const bool pressed = ImGui::Selectable("##entry", i == browser.marked,
+                                               ImGuiSelectableFlags_AllowDoubleClick, {0, tall});
         noteItem(session, "entry:" + entry.name);
         if (i == browser.marked && browser.scrollToMarked) {
             ImGui::SetScrollHereY();
             browser.scrollToMarked = false;
         }
-        ImGui::SameLine(ImGui::GetStyle().FramePadding.x);
-        ImGui::TextUnformatted(shown.c_str());
-        ImGui::PopStyleColor();
+        if (pictured && ImGui::IsItemVisible())
+            drawThumbnail(session, browser, entry, pictures, corner, tall);
+        // Drawn, not laid out: the line is as tall as the selectable.
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const float top = corner.y + (tall - line) / 2;
+        const float indent = ImGui::GetStyle().FramePadding.x + (pictured ? tall * 1.5F : 0);
+        draw.AddText({corner.x + indent, top}, color::text, shown.c_str());
         if (!entry.isFolder) {
             const std::string bytes = sizeText(entry.bytes);
-            ImGui::SameLine(sizes - ImGui::CalcTextSize(bytes.c_str()).x);
-            ImGui::TextDisabled("%s", bytes.c_str());
+            draw.AddText({corner.x + sizes - ImGui::CalcTextSize(bytes.c_str()).x, top}, color::dim,
+                         bytes.c_str());
         }
         ImGui::PopID();
         if (pressed) {
@@ -210,7 +240,10 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
         std::error_code ignored;
         const bool isFolder = iterator->is_directory(ignored);
         const std::uintmax_t bytes = isFolder ? 0 : iterator->file_size(ignored);
-        entries.push_back({std::move(name), isFolder, ignored ? 0 : bytes});
+        const bool sized = !ignored;
+        const fs::file_time_type modified = iterator->last_write_time(ignored);
+        entries.push_back(
+            {std::move(name), isFolder, sized ? bytes : 0, ignored ? fs::file_time_type{} : modified});
     }
     std::ranges::sort(entries, [](const auto& a, const auto& b) {
         return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
@@ -239,7 +272,7 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
         browser.typed = startFile.empty() ? "scene.json" : startFile.filename().string();
 }
 
-Browsing drawFileBrowser(Session& session, fs::path& chosen) {
+Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& chosen) {
     FileBrowser& browser = session.browser;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
@@ -257,7 +290,7 @@ Browsing drawFileBrowser(Session& session, fs::path& chosen) {
     breadcrumbs(session, browser);
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float below = 2 * line + ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    if (entryList(session, browser, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
+    if (entryList(session, browser, pictures, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
         result = choose(browser, chosen);
 
     if (browser.error.empty())

@@ -6,6 +6,7 @@
 
 namespace texplorer::ui {
 
+struct Pictures;
 struct Session;
 
 /// A list of a folder's entries in which one chooses a file, or names one to be written.
@@ -14,12 +15,14 @@ struct FileBrowser {
         std::string name;
         bool isFolder = false;
         std::uintmax_t bytes = 0;
+        std::filesystem::file_time_type modified{};
     };
 
     std::string title;
     std::vector<std::string> extensions; ///< lower case, with the dot; others are hidden. Empty: everything
     bool saving = false;
-    bool showAll = false; ///< whether files with other extensions are listed too
+    bool thumbnails = false; ///< whether files have a small picture beside their name
+    bool showAll = false;    ///< whether files with other extensions are listed too
 
     std::filesystem::path folder;
     std::vector<Entry> entries;
@@ -42,6 +45,7 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
 enum class Browsing { Open, Chosen, Cancelled };
 
 /// Draws the browser as a modal window. `chosen` is set with Browsing::Chosen.
-[[nodiscard]] Browsing drawFileBrowser(Session& session, std::filesystem::path& chosen);
+[[nodiscard]] Browsing drawFileBrowser(Session& session, const Pictures& pictures,
+                                       std::filesystem::path& chosen);
 
 } // namespace texplorer::ui

@@ -12,14 +12,15 @@ void drawPlaybackControls(Session& session);
 void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout);
 void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);
 void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Layout& layout);
-void drawDetailsPanel(Session& session, const Layout& layout); ///< the tabs Vertices and Commands
+void drawDetailsPanel(Session& session, const Layout& layout); ///< the tabs Vertices, Commands and File
 /// A list of the scene's models; there must be one.
 void modelChoice(Session& session, float width);
 void drawVerticesTab(Session& session);
 void drawCommandsTab(Session& session);
+void drawFileTab(Session& session);
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
                    const Layout& layout);
-void drawDialogs(Session& session);
+void drawDialogs(Session& session, const Pictures& pictures);
 void handleShortcuts(Session& session, const Layout& layout);
 
 /// A window that fills a rectangle and can't be moved. To be closed with ImGui::End().

@@ -229,7 +229,7 @@ bool assign(Session& session, const Owner& owner, const ParamRow& row, const Val
     if (value == row.read(owner.values))
         return false;
     if (const Result<void> fits = checkValue(row, value); !fits) {
-        session.notice = std::string(row.label) + ": " + fits.error().message;
+        session.notice = {std::string(row.label) + ": " + fits.error().message, {}};
         return false;
     }
     if (owner.accepts && !owner.accepts(row, value))

@@ -1,3 +1,4 @@
+#include "app/ui/document.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -109,13 +110,12 @@ bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, con
     }
     if (row.key != "file")
         return true;
-    Scene probe;
-    probe.textures = {texture};
-    probe.textures.front().file = std::get<std::string>(value);
-    const Result<void> loaded = session.images.load(probe);
-    if (!loaded)
-        session.notice = describe(loaded.error());
-    return loaded.has_value();
+    const std::string& file = std::get<std::string>(value);
+    if (file.empty() || session.images.holds(file))
+        return !file.empty();
+    // It is written when the file has turned out to be an image, which may take a while.
+    report(session, setFile(session, selectedUnit(session).texture, file), session.images.directory() / file);
+    return false;
 }
 
 void textureSection(Session& session, const render::Capabilities& capabilities) {
@@ -175,7 +175,7 @@ void unitSection(Session& session) {
         const bool lacksTexture =
             row.key == "enabled" && std::get<bool>(value) && boundTexture(session) == nullptr;
         if (lacksTexture)
-            session.notice = "A unit needs a texture before it can be enabled: add one with +.";
+            say(session, "A unit needs a texture before it can be enabled: add one with +.");
         return !lacksTexture;
     };
     const Owner owner{&selectedUnit(session), &initial, unitPath(session), accepts};

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "app/ui/background.h"
 #include "app/ui/file_browser.h"
+#include "app/ui/file_view.h"
 #include "app/ui/layout.h"
+#include "app/ui/loads.h"
 #include "app/ui/probe.h"
 #include "core/base/result.h"
 #include "core/scene/history.h"
@@ -12,7 +15,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -33,13 +38,19 @@ struct Selection {
 enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help };
 
 /// What waits until the user has decided about unsaved changes.
-enum class Pending { None, NewScene, OpenScene, OpenFile, Quit };
+enum class Pending { None, NewScene, OpenScene, OpenFile, ShowScene, Quit };
 
 /// The visible part of the texture plane.
 struct Plane {
     float s = 0.5F; ///< the coordinates at the centre of the panel
     float t = 0.5F;
     float extent = 1.6F; ///< how much of the plane the panel's shorter side shows
+};
+
+/// A sentence for the user, in the status bar until it is dismissed.
+struct Notice {
+    std::string text;           ///< empty: nothing to say
+    std::filesystem::path file; ///< one that it may help to look into; empty: none
 };
 
 /// Everything that the window remembers beyond the scene, as plain values.
@@ -70,7 +81,13 @@ struct Session {
     FileBrowser browser;
     bool quitConfirmed = false;
 
-    std::string notice;               ///< a failure to tell the user; empty: none
+    Background* background = nullptr; ///< the host's; nullptr: files are read on the spot
+    std::vector<Load> loads;          ///< what is on its way, in the order in which it was asked for
+    std::set<std::string> damaged;    ///< files of `images` that changed and can't be read any more
+    std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
+    FileView fileView;
+
+    Notice notice;
     std::string lastChanged;          ///< the path of the parameter that was edited last
     std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
     std::array<int, 3> meshKey{-1, 0, 0};

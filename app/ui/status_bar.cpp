@@ -7,6 +7,46 @@
 
 namespace texplorer::ui {
 
+namespace {
+
+/// "Reading brick.bmp · 34 %", and a way out.
+void drawProgress(Session& session, const ImageLoader::Progress& progress) {
+    using Step = ImageLoader::Step;
+    if (ImGui::SmallButton("Cancel"))
+        cancelLoad(session, progress.ticket);
+    noteItem(session, "cancel load");
+    ImGui::SameLine();
+    std::string text = progress.step == Step::Decoding ? "Decoding " : "Reading ";
+    text += progress.path.filename().string();
+    if (progress.step == Step::Reading && progress.fileBytes > 0)
+        text += " · " + std::to_string(progress.bytesRead * 100 / progress.fileBytes) + " %";
+    ImGui::TextUnformatted(text.c_str());
+    noteItem(session, "loading");
+    helpTip(progress.path.string());
+}
+
+void drawNotice(Session& session) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    const bool dismissed = ImGui::SmallButton("✕");
+    noteItem(session, "dismiss notice");
+    ImGui::SameLine();
+    if (!session.notice.file.empty()) {
+        if (ImGui::SmallButton("Look inside"))
+            lookInto(session, session.notice.file);
+        noteItem(session, "look inside");
+        helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
+        ImGui::SameLine();
+    }
+    ImGui::TextUnformatted(session.notice.text.c_str());
+    ImGui::PopStyleColor();
+    noteItem(session, "notice");
+    helpTip(session.notice.text);
+    if (dismissed)
+        session.notice = {};
+}
+
+} // namespace
+
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
                    const Layout& layout) {
     const float em = ImGui::GetFontSize();
@@ -33,16 +73,11 @@ void drawStatusBar(Session& session, const Pictures& pictures, const render::Cap
     ImGui::SameLine();
     ImGui::TextDisabled("·");
     ImGui::SameLine();
-    if (!session.notice.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        if (ImGui::SmallButton("✕"))
-            session.notice.clear();
-        noteItem(session, "dismiss notice");
-        ImGui::SameLine();
-        ImGui::TextUnformatted(session.notice.c_str());
-        ImGui::PopStyleColor();
-        noteItem(session, "notice");
-        helpTip(session.notice);
+    const auto loading = session.background ? session.background->loader.progress() : std::nullopt;
+    if (loading) {
+        drawProgress(session, *loading);
+    } else if (!session.notice.text.empty()) {
+        drawNotice(session);
     } else if (!frame.problems.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         ImGui::TextUnformatted(frame.problems.front().c_str());

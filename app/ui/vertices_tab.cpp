@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -189,6 +190,13 @@ void drawDetailsPanel(Session& session, const Layout& layout) {
         noteItem(session, "tab:Commands");
         if (commands) {
             drawCommandsTab(session);
+            ImGui::EndTabItem();
+        }
+        const bool toFront = std::exchange(session.fileView.comesToFront, false);
+        const bool file = ImGui::BeginTabItem("File", nullptr, toFront ? ImGuiTabItemFlags_SetSelected : 0);
+        noteItem(session, "tab:File");
+        if (file) {
+            drawFileTab(session);
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();

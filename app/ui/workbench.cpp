@@ -85,7 +85,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     drawSeams(session, layout);
     if (!popup)
         handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
-    drawDialogs(session);
+    drawDialogs(session, pictures);
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
     const bool fading = dimmed > 0 && dimmed < 1;
     Requests requests{session.quitConfirmed, fading, windowTitle(session)};

@@ -7,6 +7,9 @@
 
 #include <imgui.h>
 
+#include <functional>
+#include <memory>
+
 namespace texplorer::ui {
 
 /// The GL textures that the panels show. The workbench makes no GL call itself.
@@ -17,6 +20,8 @@ struct Pictures {
     /// not let the window shine through. (ImDrawCallback_ResetRenderState won't do: the OpenGL2 backend of
     /// Dear ImGui 1.86 pushes its matrices once more with each.)
     ImDrawCallback setBlending = nullptr;
+    /// A GL texture that shows an image with its alpha, valid until the end of the frame; 0: none can be had.
+    std::function<unsigned(const std::shared_ptr<const Image>& image)> textureOf = {};
 };
 
 /// What the window asks of its host.

@@ -1,5 +1,6 @@
 #include "core/base/file_io.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -76,26 +77,58 @@ std::optional<std::size_t> readFully(int file, std::byte* to, std::size_t count)
     return done;
 }
 
-// `Buffer` is Bytes or std::string. The file's stated size is one read; whatever it has beyond that (it grew,
-// or it is one of /proc, whose files say 0) follows in blocks.
-template<class Buffer>
-Result<Buffer> readInto(const fs::path& path, std::size_t maxBytes) {
-    const std::string where = path.string();
+int openForReading(const fs::path& path) {
     // O_NONBLOCK: opening a pipe without a writer must not wait for one.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-    if (!file.valid())
-        return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), where);
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+}
+
+/// The size that the file system states. A file that is none is refused.
+Result<std::size_t> sizeOf(int file, const std::string& where) {
     struct stat info = {};
-    if (::fstat(file.get(), &info) != 0)
+    if (::fstat(file, &info) != 0)
         return fail(ErrorCode::Unreadable, "can't be examined: " + systemText(errno), where);
     if (!S_ISREG(info.st_mode))
         return fail(ErrorCode::Unreadable, std::string("is ") + kindName(info.st_mode) + ", not a file",
                     where);
-    const auto size = static_cast<std::size_t>(info.st_size);
+    return static_cast<std::size_t>(info.st_size);
+}
+
+// readFully in parts, between which somebody is asked whether to go on. `stopped` says that it was not.
+std::optional<std::size_t> readObserved(int file, std::byte* to, std::size_t count,
+                                        const ReadObserver& observer, bool& stopped) {
+    constexpr std::size_t part = std::size_t{4} << 20;
+    std::size_t done = 0;
+    for (;;) {
+        stopped = !observer(done, count);
+        if (stopped || done == count)
+            return done;
+        const std::size_t wanted = std::min(part, count - done);
+        const auto got = readFully(file, to + done, wanted);
+        if (!got)
+            return std::nullopt;
+        done += *got;
+        if (*got < wanted)
+            return done;
+    }
+}
+
+// `Buffer` is Bytes or std::string. The file's stated size is one read; whatever it has beyond that (it grew,
+// or it is one of /proc, whose files say 0) follows in blocks.
+template<class Buffer>
+Result<Buffer> readInto(const fs::path& path, std::size_t maxBytes, const ReadObserver& observer = {}) {
+    const std::string where = path.string();
+    const Descriptor file(openForReading(path));
+    if (!file.valid())
+        return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), where);
+    const Result<std::size_t> stated = sizeOf(file.get(), where);
+    if (!stated)
+        return fail(stated.error());
+    const std::size_t size = *stated;
     if (size > maxBytes)
         return tooLarge(size, maxBytes, where);
 
     Buffer buffer;
+    bool stopped = false;
     std::size_t filled = 0;
     constexpr std::size_t block = 4096;
     std::byte beyond[block];
@@ -103,7 +136,12 @@ Result<Buffer> readInto(const fs::path& path, std::size_t maxBytes) {
         buffer.resize(size);
         for (;;) {
             auto* to = reinterpret_cast<std::byte*>(buffer.data());
-            const auto got = readFully(file.get(), to + filled, buffer.size() - filled);
+            const bool first = filled == 0;
+            const auto got = observer && first
+                                 ? readObserved(file.get(), to, buffer.size(), observer, stopped)
+                                 : readFully(file.get(), to + filled, buffer.size() - filled);
+            if (stopped)
+                return fail(ErrorCode::Cancelled, "reading was cancelled", where);
             const auto more = got ? readFully(file.get(), beyond, block) : std::nullopt;
             if (!more)
                 return fail(ErrorCode::Unreadable, "can't be read: " + systemText(errno), where);
@@ -186,8 +224,23 @@ bool writeFully(int file, ByteView bytes) {
 
 } // namespace
 
-Result<Bytes> readFile(const fs::path& path, std::size_t maxBytes) {
-    return readInto<Bytes>(path, maxBytes);
+Result<Bytes> readFile(const fs::path& path, std::size_t maxBytes, const ReadObserver& observer) {
+    return readInto<Bytes>(path, maxBytes, observer);
+}
+
+Result<Bytes> readFileStart(const fs::path& path, std::size_t count) {
+    const Descriptor file(openForReading(path));
+    if (!file.valid())
+        return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), path.string());
+    if (const Result<std::size_t> size = sizeOf(file.get(), path.string()); !size)
+        return fail(size.error());
+    Bytes start;
+    start.resize(count);
+    const auto got = readFully(file.get(), start.data(), count);
+    if (!got)
+        return fail(ErrorCode::Unreadable, "can't be read: " + systemText(errno), path.string());
+    start.resize(*got);
+    return start;
 }
 
 Result<std::string> readText(const fs::path& path, std::size_t maxBytes) {

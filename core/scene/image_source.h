@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace texplorer {
 
@@ -32,6 +34,23 @@ public:
     /// The base level of a texture, or nullptr where its file is not loaded. The pointer stays the same as
     /// long as the content does, so it can key a cache.
     [[nodiscard]] std::shared_ptr<const Image> find(const Texture& texture) const;
+
+    /// Takes over what another source holds of a file, under the name that it has here.
+    void share(const std::string& file, const ImageSource& other, const std::string& nameThere) {
+        if (const auto found = other.files_.find(nameThere); found != other.files_.end())
+            files_[file] = found->second;
+    }
+
+    /// Whether a file is loaded; `file` is spelled as in Texture::file.
+    [[nodiscard]] bool holds(const std::string& file) const { return files_.contains(file); }
+
+    /// Every file that is loaded, whether a scene still names it or not.
+    [[nodiscard]] std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& [name, image] : files_)
+            names.push_back(name);
+        return names;
+    }
 
 private:
     std::filesystem::path directory_;

@@ -137,9 +137,9 @@ TEST_F(Document, ADroppedSceneAsksBeforeItReplacesChanges) {
 TEST_F(Document, ADroppedFileThatIsNothingIsReported) {
     write(folder / "notes.txt", "Hello");
     requestOpen(session, folder / "notes.txt");
-    EXPECT_THAT(session.notice, HasSubstr("notes.txt"));
+    EXPECT_THAT(session.notice.text, HasSubstr("notes.txt"));
     requestOpen(session, folder / "gone.bmp");
-    EXPECT_THAT(session.notice, HasSubstr("gone.bmp"));
+    EXPECT_THAT(session.notice.text, HasSubstr("gone.bmp"));
 }
 
 } // namespace

@@ -131,7 +131,7 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
     scrollTo("passes[0].units[0].enabled");
     click("passes[0].units[0].enabled");
     EXPECT_FALSE(unit().enabled);
-    EXPECT_FALSE(session->notice.empty());
+    EXPECT_FALSE(session->notice.text.empty());
     scrollTo("add texture");
     click("add texture");
     EXPECT_EQ(scene().textures.size(), 1U);

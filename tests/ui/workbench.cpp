@@ -2,6 +2,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/fixed_renderer.h"
+#include "app/render/picture_cache.h"
 #include "app/render/texture_preview.h"
 #include "app/ui/keys.h"
 #include "app/ui/theme.h"
@@ -45,6 +46,7 @@ struct Workbench::Drawing {
     render::Capabilities capabilities;
     render::FixedRenderer renderer;
     render::TexturePreview preview;
+    render::PictureCache pictures;
 };
 
 Workbench::Workbench() {
@@ -81,7 +83,10 @@ void Workbench::build(const render::Frame& frame, unsigned texture) {
     io.DeltaTime = frameSeconds;
     static const render::Capabilities madeUp = madeUpCapabilities();
     ImGui::NewFrame();
-    requests = drawWorkbench(*session, {frame, texture, setBlending},
+    const auto textureOf = [this](const std::shared_ptr<const Image>& image) {
+        return drawing_ && drawsPictures_ ? drawing_->pictures.show(image) : 0U;
+    };
+    requests = drawWorkbench(*session, {frame, texture, setBlending, textureOf},
                              drawing_ ? drawing_->capabilities : madeUp, layout);
     ImGui::Render();
     io.MouseWheel = 0;
@@ -89,6 +94,7 @@ void Workbench::build(const render::Frame& frame, unsigned texture) {
 
 void Workbench::frames(int count) {
     for (int i = 0; i < count; ++i) {
+        receiveFiles(*session);
         layout = layoutFor(width_, height_, scale_, session->columns);
         settle(*session, layout);
         build(render::Frame{0, {layout.picture.width, layout.picture.height}, 0, {}}, 0);
@@ -108,11 +114,14 @@ Image Workbench::picture() {
     const Texture* bound = boundTexture(std::as_const(*session));
     const unsigned texture = bound ? drawing_->preview.show(*bound, session->images) : 0;
     ImGui_ImplOpenGL2_NewFrame();
+    drawsPictures_ = true;
     build(frame, texture);
+    drawsPictures_ = false;
     glViewport(0, 0, width_, height_);
     glClearColor(1, 0, 1, 1); // what no panel covers is glaring
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+    drawing_->pictures.endFrame();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     Image image = Image::uninitialised(PixelFormat::Rgba8, width_, height_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());

@@ -68,6 +68,7 @@ private:
     int height_ = 800;
     float scale_ = 1;
     std::unique_ptr<Drawing> drawing_;
+    bool drawsPictures_ = false; // GL is only current, and asked, where a picture is wanted
 };
 
 constexpr int ctrl = 341; // GLFW's left control and shift keys

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/render/texture_object.h"
+#include "core/image/image.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+namespace texplorer::render {
+
+/// Textures of the small pictures that panels show: uploaded when a picture is first shown, gone when it no
+/// longer is. Belongs to the context that is current, on its thread, and must be destroyed before that.
+class PictureCache {
+public:
+    /// The name of a 2D texture of the image, filtered linearly; 0 where GL refused it. Stays valid until the
+    /// second `endFrame` from here.
+    [[nodiscard]] unsigned show(const std::shared_ptr<const Image>& image);
+
+    /// Forgets what was not shown since the last call.
+    void endFrame();
+
+private:
+    struct Slot {
+        TextureObject object;
+        std::uint64_t frame = 0; ///< in which it was shown last
+    };
+    std::map<std::shared_ptr<const Image>, Slot> slots_; // holds the images: an address stands for one
+    std::uint64_t frame_ = 0;
+};
+
+} // namespace texplorer::render

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/ui/thumbnails.h"
+#include "core/base/file_watch.h"
+#include "core/scene/image_loader.h"
+
+namespace texplorer::ui {
+
+/// What works beside the window, on threads of its own. The host makes one and lends it to the session;
+/// `wake` is called on those threads when there is news for the next frame.
+struct Background {
+    explicit Background(const std::function<void()>& wake = {})
+        : loader(wake)
+        , thumbnails(wake)
+        , watch(wake) {}
+
+    ImageLoader loader; ///< what the user wants to see
+    Thumbnails thumbnails;
+    FileWatch watch; ///< of every file that is loaded
+};
+
+} // namespace texplorer::ui

@@ -1,0 +1,254 @@
+#include "app/ui/loads.h"
+
+#include "app/ui/document.h"
+#include "app/ui/session.h"
+
+#include <algorithm>
+#include <set>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using Wanted = ImageLoader::Wanted;
+
+/// What a load needs of the images that are not there.
+std::set<std::string> missingFiles(const Session& session, const Load& load) {
+    if (load.kind == Load::Kind::Reload)
+        return {load.file};
+    if (load.kind != Load::Kind::Scene)
+        return session.images.holds(load.file) ? std::set<std::string>{} : std::set{load.file};
+    std::set<std::string> files;
+    for (const Texture& texture : load.scene.textures) {
+        if (texture.source == SourceKind::File)
+            files.insert(texture.file);
+    }
+    return files;
+}
+
+fs::path folderOf(const Session& session, const Load& load) {
+    return load.kind == Load::Kind::Scene ? load.images.directory() : session.images.directory();
+}
+
+/// The loaded files become part of a source. Pictures come upright.
+void putAll(ImageSource& images, Load& load) {
+    for (auto& [file, texture] : load.arrived)
+        images.put(file, uprightImage(std::move(texture)));
+}
+
+void finishImport(Session& session, const Load& load) {
+    Scene& scene = session.scene;
+    const auto pass = std::min(static_cast<std::size_t>(load.pass), scene.passes.size() - 1);
+    Unit& unit = scene.passes[pass].units[static_cast<std::size_t>(load.unit)];
+    const bool bound = unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size();
+    if (!bound) {
+        scene.textures.push_back({});
+        unit.texture = static_cast<int>(scene.textures.size()) - 1;
+    }
+    Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
+    texture.source = SourceKind::File;
+    texture.file = load.file;
+    unit.enabled = true;
+    sealEdit(session);
+    recordEdit(session, "Open " + load.path.filename().string());
+    sealEdit(session);
+}
+
+void finishSetFile(Session& session, const Load& load) {
+    const auto index = static_cast<std::size_t>(load.texture);
+    if (index >= session.scene.textures.size())
+        return; // it was removed meanwhile
+    session.scene.textures[index].file = load.file;
+    sealEdit(session);
+    recordEdit(session, "File", "textures[" + std::to_string(index) + "].file");
+    sealEdit(session);
+}
+
+void finishReload(Session& session, const Load& load) {
+    if (session.damaged.erase(load.file) > 0 && session.notice.file == session.images.directory() / load.file)
+        session.notice = {};
+}
+
+/// Everything has arrived. False: it has to wait for the user.
+bool finish(Session& session, Load& load) {
+    switch (load.kind) {
+    case Load::Kind::Import:
+        putAll(session.images, load);
+        finishImport(session, load);
+        return true;
+    case Load::Kind::SetFile:
+        putAll(session.images, load);
+        finishSetFile(session, load);
+        return true;
+    case Load::Kind::Reload:
+        putAll(session.images, load);
+        finishReload(session, load);
+        return true;
+    case Load::Kind::Scene:
+        if (session.dialog != Dialog::None)
+            return false;
+        putAll(load.images, load);
+        showLoadedScene(session, std::move(load));
+        return true;
+    }
+    return true;
+}
+
+/// Nothing is changed; the user is told. A file that was fine before keeps its old picture, and is mentioned
+/// once.
+void giveUp(Session& session, const Load& load, const std::string& file, const Error& error) {
+    const fs::path path = folderOf(session, load) / file;
+    if (load.kind != Load::Kind::Reload)
+        return say(session, error, path);
+    if (session.damaged.insert(file).second)
+        say(session,
+            {error.code, "has changed and can't be read now, its old picture stays: " + error.message,
+             path.string()},
+            path);
+}
+
+void finishInOrder(Session& session) {
+    while (!session.loads.empty() && session.loads.front().waits.empty()) {
+        Load load = std::move(session.loads.front());
+        session.loads.erase(session.loads.begin());
+        if (!finish(session, load)) {
+            session.loads.insert(session.loads.begin(), std::move(load));
+            return;
+        }
+    }
+}
+
+void cancelWaiting(Session& session, const Load& load) {
+    for (const auto& [ticket, file] : load.waits)
+        session.background->loader.cancel(ticket);
+}
+
+void receive(Session& session, ImageLoader::Loaded loaded) {
+    if (loaded.ticket == session.fileView.ticket)
+        return receiveView(session, std::move(loaded.content));
+    const auto load = std::ranges::find_if(
+        session.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
+    if (load == session.loads.end())
+        return;
+    const std::string file = load->waits.at(loaded.ticket);
+    load->waits.erase(loaded.ticket);
+    if (loaded.content) {
+        load->arrived[file] = std::get<TextureImage>(std::move(*loaded.content));
+    } else {
+        const Load failed = std::move(*load);
+        session.loads.erase(load);
+        cancelWaiting(session, failed);
+        giveUp(session, failed, file, loaded.content.error());
+    }
+}
+
+void reloadChanged(Session& session) {
+    std::set<std::string> files;
+    for (const std::string& file : session.images.files())
+        files.insert(file);
+    for (const Load& load : session.loads) { // what is being read may have changed after it was read
+        if (load.kind != Load::Kind::Scene)
+            files.insert(load.file);
+    }
+    for (const fs::path& changed : session.background->watch.changed()) {
+        if (changed == session.fileView.shown)
+            refreshView(session);
+        for (const std::string& file : files) {
+            if (session.images.directory() / file == changed)
+                (void)start(session, {.kind = Load::Kind::Reload, .path = changed, .file = file});
+        }
+    }
+}
+
+void watchFiles(Session& session) {
+    std::vector<fs::path> paths;
+    for (const std::string& file : session.images.files())
+        paths.push_back(session.images.directory() / file);
+    for (const Load& load : session.loads) {
+        if (load.kind != Load::Kind::Scene)
+            paths.push_back(session.images.directory() / load.file);
+    }
+    if (!session.fileView.shown.empty())
+        paths.push_back(session.fileView.shown);
+    session.background->watch.watch(std::move(paths));
+}
+
+Result<void> startNow(Session& session, Load& load) {
+    const fs::path folder = folderOf(session, load);
+    for (const std::string& file : missingFiles(session, load)) {
+        Result<ImageLoader::Content> content = loadNow(folder / file, Wanted::Texture);
+        if (!content)
+            return fail(content.error());
+        load.arrived[file] = std::get<TextureImage>(std::move(*content));
+    }
+    (void)finish(session, load);
+    return {};
+}
+
+} // namespace
+
+Result<void> start(Session& session, Load load) {
+    if (!session.background)
+        return startNow(session, load);
+    const fs::path folder = folderOf(session, load);
+    for (const std::string& file : missingFiles(session, load))
+        load.waits[session.background->loader.load(folder / file)] = file;
+    if (load.kind == Load::Kind::Scene) { // the last one that was asked for is the one that is wanted
+        std::erase_if(session.loads, [&](const Load& each) {
+            if (each.kind == Load::Kind::Scene)
+                cancelWaiting(session, each);
+            return each.kind == Load::Kind::Scene;
+        });
+    }
+    session.loads.push_back(std::move(load));
+    return {};
+}
+
+bool receiveFiles(Session& session) {
+    if (!session.background)
+        return false;
+    Background& background = *session.background;
+    bool news = background.thumbnails.receive();
+    for (ImageLoader::Loaded& loaded : background.loader.take()) {
+        receive(session, std::move(loaded));
+        news = true;
+    }
+    const std::size_t before = session.loads.size();
+    finishInOrder(session);
+    reloadChanged(session);
+    watchFiles(session);
+    return news || session.loads.size() != before;
+}
+
+void cancelLoad(Session& session, ImageLoader::Ticket ticket) {
+    if (!session.background)
+        return;
+    session.background->loader.cancel(ticket);
+    if (ticket == session.fileView.ticket) {
+        session.fileView.ticket = 0;
+        session.fileView.problem = "Reading was cancelled.";
+    }
+    std::erase_if(session.loads, [&](const Load& load) {
+        const bool given = load.waits.contains(ticket);
+        if (given)
+            cancelWaiting(session, load);
+        return given;
+    });
+}
+
+void cancelLoads(Session& session) {
+    session.loads.clear();
+    session.fileView.ticket = 0;
+    if (session.background)
+        session.background->loader.cancelAll();
+}
+
+void waitForFiles(Session& session) {
+    if (!session.background)
+        return;
+    session.background->loader.wait();
+    session.background->thumbnails.wait();
+    (void)receiveFiles(session);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/scene/image_loader.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace texplorer::ui {
+
+struct Session;
+
+/// Something that the user asked for and that waits for files. Loads are finished in the order in which they
+/// were asked for; each changes the scene at once, in one step of undo, or not at all.
+struct Load {
+    enum class Kind {
+        Import,  ///< an image for the texture that is bound to a unit
+        SetFile, ///< another file for a texture
+        Scene,   ///< a whole scene with its images
+        Reload,  ///< a file that has changed
+    };
+    Kind kind = Kind::Import;
+    std::filesystem::path path{};                       ///< what is opened
+    std::string file{};                                 ///< the same as the scene spells it, for images
+    std::map<ImageLoader::Ticket, std::string> waits{}; ///< the files that are still missing, as spelled
+    std::map<std::string, TextureImage> arrived{};      ///< those that are there
+    int pass = 0;                                       ///< Import
+    int unit = 0;                                       ///< Import
+    int texture = 0;                                    ///< SetFile: its index
+    Scene scene{};                                      ///< Scene: what is to be shown
+    Scene before{};                                     ///< Scene: what was shown when it was asked for
+    ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene
+};
+
+/// Starts to load; without a Background it is done on the spot, and the error is that of the load.
+[[nodiscard]] Result<void> start(Session& session, Load load);
+
+/// To be called between two frames: takes in what has been loaded, reloads files that have changed. True
+/// where the window has something new to show.
+bool receiveFiles(Session& session);
+
+/// Gives up whatever waits for this file.
+void cancelLoad(Session& session, ImageLoader::Ticket ticket);
+/// Gives up everything.
+void cancelLoads(Session& session);
+
+/// Sleeps until everything that was asked for is there, and takes it in. For programs without a user.
+void waitForFiles(Session& session);
+
+} // namespace texplorer::ui

@@ -1,0 +1,281 @@
+#include "app/ui/document.h"
+#include "app/ui/workbench.h"
+#include "tests/support/raw_file.h"
+#include "tests/support/small_bmp.h"
+#include "tests/support/temp_dir.h"
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+#include <condition_variable>
+#include <mutex>
+
+namespace texplorer::ui::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A window whose files are read on a thread of their own.
+class Loads : public Workbench {
+protected:
+    Loads() { session->background = &background; }
+    ~Loads() override {
+        open(true);
+        session->background = nullptr;
+    }
+
+    fs::path bmp(const std::string& name, char red) {
+        texplorer::test::writeRaw(folder / name, texplorer::test::onePixelBmp({0, 0, red}));
+        return folder / name;
+    }
+    void write(const std::string& name, const std::string& text) {
+        texplorer::test::writeRaw(folder / name, text);
+    }
+    /// Of the picture that is bound; -1: none, or a pattern.
+    int red() {
+        const Texture* bound = boundTexture(*session);
+        if (!bound || bound->source != SourceKind::File || !session->images.holds(bound->file))
+            return -1;
+        return std::to_integer<int>(session->images.find(*bound)->pixels[0]);
+    }
+    /// Lets the files be read, or holds them up.
+    void open(bool isOpen) {
+        const std::scoped_lock lock(mutex);
+        gateIsOpen = isOpen;
+        changed.notify_all();
+    }
+    /// Frames as long as the background has news, until something holds. Where it never does, the test's time
+    /// runs out.
+    void framesUntil(const std::function<bool()>& holds) {
+        while (true) {
+            frames(1);
+            if (holds())
+                return;
+            std::unique_lock lock(mutex);
+            changed.wait(lock, [this] { return news > 0; });
+            news = 0;
+        }
+    }
+
+    texplorer::test::TempDir folder;
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool gateIsOpen = true;
+    int news = 0;
+    Background background{[this] {
+        std::unique_lock lock(mutex);
+        ++news;
+        changed.notify_all();
+        changed.wait(lock, [this] { return gateIsOpen; });
+    }};
+};
+
+TEST_F(Loads, AnImageComesLaterInOneStepOfUndo) {
+    const Scene before = scene();
+    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->history.canUndo());
+    waitForFiles(*session);
+    EXPECT_EQ(red(), 50);
+    EXPECT_EQ(session->history.undoName(), "Open red.bmp");
+    undo(*session);
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+TEST_F(Loads, EditsInBetweenStay) {
+    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    texture().wrapS = Wrap::Clamp;
+    recordEdit(*session, "Wrap s");
+    waitForFiles(*session);
+    EXPECT_EQ(red(), 50);
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    undo(*session);
+    EXPECT_EQ(texture().source, SourceKind::Pattern);
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+}
+
+TEST_F(Loads, TheLastOneThatWasOpenedIsShown) {
+    ASSERT_TRUE(importImage(*session, bmp("a.bmp", 10)).has_value());
+    waitForFiles(*session);
+    ASSERT_TRUE(importImage(*session, bmp("b.bmp", 20)).has_value());
+    ASSERT_TRUE(importImage(*session, folder / "a.bmp").has_value()); // there already, but it waits its turn
+    EXPECT_EQ(red(), 10);
+    waitForFiles(*session);
+    EXPECT_EQ(red(), 10);
+    undo(*session);
+    EXPECT_EQ(red(), 20);
+}
+
+TEST_F(Loads, ADamagedImageChangesNothingAndCanBeLookedInto) {
+    const Scene before = scene();
+    write("half.bmp", texplorer::test::onePixelBmp({0, 0, 1}).substr(0, 40));
+    requestOpen(*session, folder / "half.bmp");
+    waitForFiles(*session);
+    frames(2);
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_THAT(session->notice.text, HasSubstr("half.bmp"));
+    click("look inside");
+    waitForFiles(*session);
+    frames(3);
+    ASSERT_TRUE(has("file:problem"));
+    EXPECT_TRUE(has("hex:0"));
+    EXPECT_EQ(session->fileView.shown, folder / "half.bmp");
+    click("file:back");
+    EXPECT_TRUE(has("file:none"));
+    click("dismiss notice");
+    EXPECT_FALSE(has("notice"));
+}
+
+TEST_F(Loads, AMissingImageIsSaidAtOnce) {
+    requestOpen(*session, folder / "gone.bmp");
+    EXPECT_THAT(session->notice.text, HasSubstr("gone.bmp"));
+    frames(2);
+    EXPECT_FALSE(has("look inside"));
+}
+
+TEST_F(Loads, TheStatusBarShowsWhatIsLoadedAndCancels) {
+    const Scene before = scene();
+    open(false);
+    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    frames(3);
+    ASSERT_TRUE(has("loading"));
+    click("cancel load");
+    EXPECT_FALSE(has("loading"));
+    EXPECT_TRUE(session->loads.empty());
+    open(true);
+    waitForFiles(*session);
+    EXPECT_EQ(scene(), before);
+    ASSERT_TRUE(importImage(*session, folder / "red.bmp").has_value());
+    waitForFiles(*session);
+    EXPECT_EQ(red(), 50);
+}
+
+TEST_F(Loads, ASceneComesWithAllItsImages) {
+    bmp("a.bmp", 10);
+    bmp("b.bmp", 20);
+    write("two.json", R"({"version": 1, "textures": [{"source": "file", "file": "a.bmp"},
+                                                     {"source": "file", "file": "b.bmp"}]})");
+    ASSERT_TRUE(openScene(*session, folder / "two.json").has_value());
+    EXPECT_TRUE(session->file.empty());
+    waitForFiles(*session);
+    EXPECT_EQ(session->file, folder / "two.json");
+    EXPECT_EQ(red(), 10);
+    EXPECT_TRUE(session->images.holds("b.bmp"));
+    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_EQ(session->background, &background);
+}
+
+TEST_F(Loads, ASceneWithAMissingImageChangesNothing) {
+    const Scene before = scene();
+    bmp("a.bmp", 10);
+    write("two.json", R"({"version": 1, "textures": [{"source": "file", "file": "gone.bmp"},
+                                                     {"source": "file", "file": "a.bmp"}]})");
+    ASSERT_TRUE(openScene(*session, folder / "two.json").has_value());
+    waitForFiles(*session);
+    EXPECT_EQ(scene(), before);
+    EXPECT_TRUE(session->file.empty());
+    EXPECT_TRUE(session->loads.empty());
+    EXPECT_THAT(session->notice.text, HasSubstr("gone.bmp"));
+}
+
+TEST_F(Loads, OfTwoScenesTheLaterOneIsOpened) {
+    bmp("a.bmp", 10);
+    const std::string text = R"({"version": 1, "textures": [{"source": "file", "file": "a.bmp"}]})";
+    write("one.json", text);
+    write("two.json", text);
+    ASSERT_TRUE(openScene(*session, folder / "one.json").has_value());
+    ASSERT_TRUE(openScene(*session, folder / "two.json").has_value());
+    EXPECT_EQ(session->loads.size(), 1U);
+    waitForFiles(*session);
+    EXPECT_EQ(session->file, folder / "two.json");
+}
+
+TEST_F(Loads, ChangesMadeMeanwhileAreNotLostUnasked) {
+    bmp("a.bmp", 10);
+    write("one.json", R"({"version": 1, "textures": [{"source": "file", "file": "a.bmp"}]})");
+    ASSERT_TRUE(openScene(*session, folder / "one.json").has_value());
+    texture().wrapS = Wrap::Clamp;
+    recordEdit(*session, "Wrap s");
+    waitForFiles(*session);
+    EXPECT_EQ(session->dialog, Dialog::Discard);
+    EXPECT_TRUE(session->file.empty());
+    frames(3);
+    click("discard:cancel");
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    ASSERT_TRUE(openScene(*session, folder / "one.json").has_value());
+    texture().wrapT = Wrap::Clamp;
+    recordEdit(*session, "Wrap t");
+    waitForFiles(*session);
+    frames(3);
+    click("discard:drop");
+    EXPECT_EQ(session->file, folder / "one.json");
+    EXPECT_EQ(red(), 10);
+}
+
+TEST_F(Loads, AChangedFileIsLoadedAgain) {
+    ASSERT_TRUE(importImage(*session, bmp("live.bmp", 10)).has_value());
+    waitForFiles(*session);
+    frames(1);
+    const Scene before = scene();
+    bmp("new.bmp", 20);
+    fs::rename(folder / "new.bmp", folder / "live.bmp"); // as editors save
+    framesUntil([&] { return red() == 20; });
+    bmp("live.bmp", 30);
+    framesUntil([&] { return red() == 30; });
+    EXPECT_EQ(scene(), before);
+    EXPECT_EQ(session->history.undoName(), "Open live.bmp") << "no step of undo";
+}
+
+TEST_F(Loads, ADamagedFileKeepsItsOldPictureAndIsMentionedOnce) {
+    ASSERT_TRUE(importImage(*session, bmp("live.bmp", 10)).has_value());
+    waitForFiles(*session);
+    frames(1);
+    write("live.bmp", "BM, and no more");
+    framesUntil([&] { return !session->notice.text.empty(); });
+    EXPECT_THAT(session->notice.text, HasSubstr("live.bmp"));
+    EXPECT_THAT(session->notice.text, HasSubstr("old picture"));
+    EXPECT_EQ(red(), 10);
+    session->notice = {};
+    lookInto(*session, folder / "live.bmp"); // shows when the file has been noticed once more
+    frames(3);
+    const std::string worse = "BM, and a little more, but not enough";
+    write("live.bmp", worse);
+    framesUntil([&] {
+        const auto& content = session->fileView.content;
+        return content && content->fileBytes == worse.size() && session->loads.empty();
+    });
+    EXPECT_EQ(session->notice.text, "");
+    bmp("live.bmp", 40);
+    framesUntil([&] { return red() == 40; });
+    EXPECT_TRUE(session->damaged.empty());
+}
+
+TEST_F(Loads, ANoticeGoesWhenTheFileIsWhole) {
+    ASSERT_TRUE(importImage(*session, bmp("live.bmp", 10)).has_value());
+    waitForFiles(*session);
+    frames(1);
+    write("live.bmp", "BM");
+    framesUntil([&] { return !session->notice.text.empty(); });
+    bmp("live.bmp", 40);
+    framesUntil([&] { return red() == 40; });
+    EXPECT_EQ(session->notice.text, "");
+}
+
+TEST_F(Loads, TheBrowserShowsSmallPictures) {
+    bmp("red.bmp", 50);
+    key('I', {ctrl});
+    ASSERT_EQ(session->dialog, Dialog::OpenImage);
+    enterFolder(session->browser, folder.path());
+    frames(3);
+    framesUntil([&] { return has("thumbnail:red.bmp"); });
+    doubleClickAt(place("entry:red.bmp"));
+    waitForFiles(*session);
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(red(), 50);
+}
+
+} // namespace
+} // namespace texplorer::ui::test
