@@ -176,7 +176,7 @@ FileWatch::~FileWatch() = default;
 void FileWatch::watch(std::vector<fs::path> files) {
     const std::scoped_lock lock(state_->mutex);
     std::ranges::sort(files);
-    const auto last = std::ranges::unique(files).begin();
+    const auto last = std::unique(files.begin(), files.end());
     files.erase(last, files.end());
     if (std::ranges::equal(files, state_->files, {}, {}, [](const auto& entry) { return entry.first; }))
         return;
