@@ -25,6 +25,9 @@ void addShot(CLI::App& app, Action& action);
 void addParams(CLI::App& app, Action& action);
 void addDecode(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
+void addFlip(CLI::App& app, Action& action);
+void addCompress(CLI::App& app, Action& action);
+void addConvert(CLI::App& app, Action& action);
 
 /// Prints "texshot: …" on standard error and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);

@@ -1,5 +1,5 @@
 #include "app/screenshot/command.h"
-#include "core/codec/image_file.h"
+#include "app/screenshot/texture_io.h"
 #include "core/codec/png.h"
 #include "core/image/mipmaps.h"
 
@@ -10,26 +10,62 @@ struct Options {
     std::string in;
     std::string out;
     int level = 0;
+    int face = 0;
+    int slice = 0;
+    bool noFlip = false;
 };
 
-Result<Bytes> decodeToPng(const Options& options) {
-    Result<ImageFile> file = readImageFile(options.in);
-    if (!file)
-        return fail(file.error());
-    Image& image = file->image;
-    if (options.level == 0)
-        return encodePng(image);
+tl::unexpected<Error> outOfRange(const Options& options, std::string_view what, int asked, int count,
+                                 std::string_view owner) {
+    return fail(ErrorCode::OutOfRange,
+                "there is no " + std::string(what) + " " + std::to_string(asked) + ": " + std::string(owner) +
+                    " has " + std::string(what) +
+                    (count == 1 ? " 0 alone" : "s 0 to " + std::to_string(count - 1)),
+                options.in);
+}
 
-    const int levels = mipLevelCount(image.width, image.height, image.depth);
-    if (options.level >= levels) {
-        return fail(ErrorCode::OutOfRange,
-                    "there is no level " + std::to_string(options.level) + ": " +
-                        std::to_string(image.width) + " x " + std::to_string(image.height) +
-                        " texels give levels 0 to " + std::to_string(levels - 1),
-                    options.in);
-    }
-    const MipChain chain = buildMipChain(std::move(image));
-    return encodePng(chain[static_cast<std::size_t>(options.level)]);
+Image sliceOf(Image volume, int slice) {
+    if (volume.depth == 1)
+        return volume;
+    const std::size_t bytes = volume.pixels.size() / static_cast<std::size_t>(volume.depth);
+    Image picture = Image::uninitialised(volume.format, volume.width, volume.height);
+    const auto first =
+        volume.pixels.begin() + static_cast<std::ptrdiff_t>(bytes * static_cast<std::size_t>(slice));
+    std::copy_n(first, bytes, picture.pixels.begin());
+    return picture;
+}
+
+/// The level that the file holds, or where it holds the base alone, the box-filtered one.
+Result<Image> levelOf(const TextureImage& texture, const Options& options) {
+    if (options.level < texture.levels)
+        return toImage(texture.surface(options.face, options.level));
+    const Surface& base = texture.surface(options.face, 0);
+    const int chain = mipLevelCount(widthOf(base), heightOf(base), depthOf(base));
+    if (texture.levels > 1 || options.level >= chain)
+        return outOfRange(options, "level", options.level, texture.levels > 1 ? texture.levels : chain,
+                          texture.levels > 1 ? "the file" : "its full chain");
+    return std::move(buildMipChain(toImage(base))[static_cast<std::size_t>(options.level)]);
+}
+
+Result<Bytes> decodeToPng(const Options& options) {
+    const Result<TextureImage> decoded = readTexture(options.in);
+    if (!decoded)
+        return fail(decoded.error());
+    const TextureImage& texture = *decoded;
+    if (options.face >= texture.faces)
+        return outOfRange(options, "face", options.face, texture.faces, "the file");
+    Result<Image> image = levelOf(texture, options);
+    if (!image)
+        return fail(image.error());
+    if (options.slice >= image->depth)
+        return outOfRange(options, "slice", options.slice, image->depth, "this level");
+    Image picture = sliceOf(*std::move(image), options.slice);
+    // Unflipped, the file's first row is at the bottom, as in a loader that hands its bytes to glTexImage2D.
+    const bool isTopFirst = texture.topFirst;
+    const bool shouldBeTopFirst = options.noFlip && texture.fileTopFirst;
+    if (isTopFirst != shouldBeTopFirst)
+        flipVertically(picture);
+    return encodePng(picture);
 }
 
 } // namespace
@@ -44,6 +80,14 @@ void addDecode(CLI::App& app, Action& action) {
             "--level", options->level,
             "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.")
         ->check(CLI::Range(0, 30));
+    command
+        ->add_option("--face", options->face, "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.")
+        ->check(CLI::Range(0, 5));
+    command->add_option("--slice", options->slice, "Which slice of a volume, 0 the first.")
+        ->check(CLI::Range(0, 16383));
+    command->add_flag("--no-flip", options->noFlip,
+                      "Put the file's first row at the bottom, as a loader does that hands its bytes to "
+                      "glTexImage2D: upside down for most formats.");
     command->callback([&action, options] {
         action = [options] {
             const Result<Bytes> png = decodeToPng(*options);

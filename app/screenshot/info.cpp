@@ -1,6 +1,6 @@
 #include "app/screenshot/command.h"
 #include "core/base/file_io.h"
-#include "core/codec/image_file.h"
+#include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
 
 #include <nlohmann/json.hpp>
@@ -8,36 +8,169 @@
 namespace texplorer::screenshot {
 namespace {
 
-std::string asText(const std::string& path, const ImageFile& file) {
-    const Image& image = file.image;
+constexpr std::size_t shownBytes = 16; // of a field's raw bytes
+
+std::string hex(ByteView bytes) {
+    constexpr char digits[] = "0123456789abcdef";
     std::string text;
-    const auto line = [&](std::string_view name, const std::string& value) {
-        text.append(name).append(14 - name.size(), ' ').append(value).append("\n");
+    for (const std::byte byte : bytes.first(std::min(bytes.size(), shownBytes))) {
+        const auto value = std::to_integer<unsigned>(byte);
+        text += text.empty() ? "" : " ";
+        text += digits[value >> 4];
+        text += digits[value & 15];
+    }
+    return bytes.size() > shownBytes ? text + " …" : text;
+}
+
+std::string_view encodingOf(const Surface& surface) {
+    if (const Image* image = std::get_if<Image>(&surface))
+        return rowOf(image->format).name;
+    return rowOf(std::get<BlockImage>(surface).format).label;
+}
+
+std::string_view nameOf(AlphaMeaning alpha) {
+    constexpr std::array<std::string_view, 4> names{"none", "straight", "premultiplied", "not said"};
+    return names[static_cast<std::size_t>(alpha)];
+}
+
+std::string extentOf(const Surface& surface) {
+    std::string text = std::to_string(widthOf(surface)) + " x " + std::to_string(heightOf(surface));
+    return depthOf(surface) == 1 ? text : text + " x " + std::to_string(depthOf(surface));
+}
+
+/// How many characters a terminal needs: UTF-8's continuation bytes take no place.
+std::size_t columnsOf(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, std::size_t width) {
+    const std::size_t columns = columnsOf(text);
+    return text.append(columns < width ? width - columns : 0, ' ');
+}
+
+std::string factsAsText(const std::string& path, const TextureImage& texture, std::size_t fileBytes) {
+    const Surface& base = texture.surface(0, 0);
+    std::string text;
+    const auto line = [&](std::string name, const std::string& value) {
+        text += padded(std::move(name), 14) + value + "\n";
     };
+    std::size_t surfaceBytes = 0;
+    for (const Surface& surface : texture.surfaces)
+        surfaceBytes += byteCount(surface);
     line("file", path);
-    line("format", std::string(file.format));
-    line("size", std::to_string(image.width) + " x " + std::to_string(image.height) + " texels");
-    line("pixels", std::string(rowOf(image.format).name));
-    line("file bytes", std::to_string(file.fileBytes));
-    line("pixel bytes", std::to_string(image.pixels.size()));
-    line("full chain", std::to_string(mipLevelCount(image.width, image.height, image.depth)) + " mip levels");
+    line("format", std::string(texture.format));
+    line("size", extentOf(base) + " texels");
+    line("pixels", std::string(encodingOf(base)) + (texture.srgb ? ", sRGB" : ""));
+    line("alpha", std::string(nameOf(texture.alpha)));
+    line("first row", texture.fileTopFirst ? "at the top" : "at the bottom");
+    if (texture.faces > 1)
+        line("faces", std::to_string(texture.faces));
+    line("levels", std::to_string(texture.levels) + " of " +
+                       std::to_string(mipLevelCount(widthOf(base), heightOf(base), depthOf(base))));
+    for (int level = 0; texture.levels > 1 && level < texture.levels; ++level)
+        line("  level " + std::to_string(level), extentOf(texture.surface(0, level)) + ", " +
+                                                     std::to_string(byteCount(texture.surface(0, level))) +
+                                                     " bytes");
+    line("file bytes", std::to_string(fileBytes));
+    line("pixel bytes", std::to_string(surfaceBytes));
+    for (const std::string& note : texture.notes)
+        line("note", note);
     return text;
 }
 
-std::string asJson(const std::string& path, const ImageFile& file) {
-    const Image& image = file.image;
-    const nlohmann::ordered_json json = {
-        {"file", path},
-        {"format", file.format},
-        {"width", image.width},
-        {"height", image.height},
-        {"depth", image.depth},
-        {"pixelFormat", rowOf(image.format).name},
-        {"fileBytes", file.fileBytes},
-        {"pixelBytes", image.pixels.size()},
-        {"mipLevels", mipLevelCount(image.width, image.height, image.depth)},
-    };
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+std::string anatomyAsText(const Anatomy& anatomy) {
+    std::size_t nameWidth = 4;
+    std::size_t valueWidth = 5;
+    for (const Field& field : anatomy.fields) {
+        nameWidth = std::max(nameWidth, columnsOf(field.name) + static_cast<std::size_t>(2 * field.depth));
+        valueWidth = std::max(valueWidth, std::min<std::size_t>(28, columnsOf(field.value)));
+    }
+    std::string text = "\n" + padded("offset", 10) + padded("bytes", 10) + padded("name", nameWidth + 2) +
+                       padded("value", valueWidth + 2) + "meaning\n";
+    for (const Field& field : anatomy.fields) {
+        text +=
+            padded(std::to_string(field.offset), 10) + padded(std::to_string(field.size), 10) +
+            padded(std::string(static_cast<std::size_t>(2 * field.depth), ' ') + field.name, nameWidth + 2) +
+            padded(field.value, valueWidth + 2) + field.meaning;
+        while (text.ends_with(' '))
+            text.pop_back();
+        text += field.wrong.empty() ? "\n" : "\n" + std::string(20, ' ') + "! " + field.wrong + "\n";
+    }
+    return anatomy.damage.empty() ? text : text + "! " + anatomy.damage + "\n";
+}
+
+nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t fileBytes) {
+    const Surface& base = texture.surface(0, 0);
+    nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+    std::size_t surfaceBytes = 0;
+    for (const Surface& surface : texture.surfaces)
+        surfaceBytes += byteCount(surface);
+    for (int level = 0; level < texture.levels; ++level) {
+        const Surface& surface = texture.surface(0, level);
+        levels.push_back({{"width", widthOf(surface)},
+                          {"height", heightOf(surface)},
+                          {"depth", depthOf(surface)},
+                          {"bytes", byteCount(surface)}});
+    }
+    return {{"format", texture.format},
+            {"width", widthOf(base)},
+            {"height", heightOf(base)},
+            {"depth", depthOf(base)},
+            {"pixelFormat", encodingOf(base)},
+            {"srgb", texture.srgb},
+            {"alpha", nameOf(texture.alpha)},
+            {"fileTopFirst", texture.fileTopFirst},
+            {"faces", texture.faces},
+            {"levels", levels},
+            {"fullChain", mipLevelCount(widthOf(base), heightOf(base), depthOf(base))},
+            {"fileBytes", fileBytes},
+            {"pixelBytes", surfaceBytes},
+            {"notes", texture.notes}};
+}
+
+nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
+    nlohmann::ordered_json fields = nlohmann::ordered_json::array();
+    for (const Field& field : anatomy.fields) {
+        fields.push_back({{"offset", field.offset},
+                          {"size", field.size},
+                          {"depth", field.depth},
+                          {"name", field.name},
+                          {"bytes", hex(bytesOf(field, bytes))},
+                          {"value", field.value},
+                          {"meaning", field.meaning},
+                          {"wrong", field.wrong}});
+    }
+    return {{"fields", fields}, {"damage", anatomy.damage}};
+}
+
+/// The anatomy is printed of a damaged file too: that is when people need it.
+ExitCode examine(const std::string& path, bool json) {
+    Result<Bytes> bytes = readFile(path);
+    if (!bytes)
+        return complain(bytes.error());
+    const Anatomy anatomy = dissect(*bytes);
+    const Result<TextureImage> texture = decodeTexture(*bytes);
+
+    std::string text;
+    if (json) {
+        nlohmann::ordered_json document = {{"file", path}};
+        if (texture)
+            document.update(factsAsJson(*texture, bytes->size()));
+        else
+            document["error"] = texture.error().message;
+        document["anatomy"] = anatomyAsJson(anatomy, *bytes);
+        if (texture || !anatomy.fields.empty())
+            text = document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    } else {
+        if (texture)
+            text = factsAsText(path, *texture, bytes->size());
+        if (!anatomy.fields.empty())
+            text += anatomyAsText(anatomy);
+    }
+    if (const auto written = writeOutput("-", viewBytes(text)); !written)
+        return complain(written.error());
+    return texture ? success : complain({texture.error().code, texture.error().message, path});
 }
 
 } // namespace
@@ -47,21 +180,13 @@ void addInfo(CLI::App& app, Action& action) {
         std::string in;
         bool json = false;
     };
-    CLI::App* command = app.add_subcommand("info", "What an image file holds.");
+    CLI::App* command = app.add_subcommand(
+        "info", "What an image file holds, field by field; of a damaged file, up to the damage.");
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
     command->add_flag("--json", options->json, "As JSON, for programs.");
-    command->callback([&action, options] {
-        action = [options] {
-            const Result<ImageFile> file = readImageFile(options->in);
-            if (!file)
-                return complain(file.error());
-            const std::string text = options->json ? asJson(options->in, *file) : asText(options->in, *file);
-            if (const auto written = writeOutput("-", viewBytes(text)); !written)
-                return complain(written.error());
-            return success;
-        };
-    });
+    command->callback(
+        [&action, options] { action = [options] { return examine(options->in, options->json); }; });
 }
 
 } // namespace texplorer::screenshot

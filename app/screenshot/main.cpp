@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
                "\"texshot COMMAND --help\" explains each command.");
 
     Action action;
-    for (const auto add : {addShot, addParams, addDecode, addInfo})
+    for (const auto add : {addShot, addParams, addDecode, addInfo, addConvert, addFlip, addCompress})
         add(app, action);
 
     // CLI11 would say only that a subcommand is missing.

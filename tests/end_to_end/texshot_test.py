@@ -3,10 +3,12 @@
 import io
 import json
 import os
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -217,6 +219,107 @@ class Files(Texshot):
         self.complains(1, "nowhere", "info", self.path / "nowhere")
         os.mkfifo(self.path / "pipe")
         self.complains(1, "pipe", "info", self.path / "pipe")
+
+
+class Textures(Texshot):
+    """Flip, compress and convert; Pillow reads what they write."""
+
+    def picture(self, width, height):
+        file = self.path / "in.bmp"
+        file.write_bytes(bmp(width, height, lambda x, y: (x * 255 // width, y * 255 // height, 60)))
+        return file
+
+    def difference(self, a, b):
+        """The root of the mean square over all channels."""
+        squares = [(p - q) ** 2 for p, q in zip(a.convert("RGB").tobytes(), b.convert("RGB").tobytes())]
+        return (sum(squares) / len(squares)) ** 0.5
+
+    def test_convert_keeps_every_pixel(self):
+        source = self.picture(13, 7)
+        wanted = Image.open(source).convert("RGB").tobytes()
+        for name, options in [("out.png", []), ("small.PNG", ["--small"]), ("out.tga", []), ("rle.tga", ["--rle"]),
+                              ("out.bmp", []), ("out.dds", [])]:
+            with self.subTest(name):
+                self.succeeds("convert", source, self.path / name, *options)
+                self.assertEqual(Image.open(self.path / name).convert("RGB").tobytes(), wanted)
+
+    def test_compress_writes_what_pillow_reads(self):
+        source = self.picture(32, 16)
+        for name, quality in [("dxt1", "fast"), ("dxt1", "best"), ("dxt3", "normal"), ("dxt5", "normal")]:
+            with self.subTest(name + " " + quality):
+                out = self.path / (name + ".dds")
+                self.succeeds("compress", source, out, "--format", name, "--quality", quality)
+                self.assertLess(self.difference(Image.open(out), Image.open(source)), 8)
+                self.assertEqual(len(json.loads(self.succeeds("info", out, "--json"))["levels"]), 6)
+        self.succeeds("compress", source, out, "--format", "dxt1", "--mips", "none")
+        self.assertEqual(out.stat().st_size, 128 + 32 * 16 // 2)
+
+    def test_flip_is_its_own_inverse_and_loses_nothing(self):
+        plain, flipped, back = (self.path / name for name in ("plain.dds", "flipped.dds", "back.dds"))
+        self.succeeds("compress", self.picture(16, 8), plain, "--format", "dxt5")
+        for option, turn in [([], Image.Transpose.FLIP_TOP_BOTTOM),
+                             (["--horizontal"], Image.Transpose.FLIP_LEFT_RIGHT),
+                             (["--half-turn"], Image.Transpose.ROTATE_180)]:
+            with self.subTest(option):
+                self.succeeds("flip", plain, flipped, *option)
+                self.assertEqual(Image.open(flipped).convert("RGBA").tobytes(),
+                                 Image.open(plain).convert("RGBA").transpose(turn).tobytes())
+                self.succeeds("flip", flipped, back, *option)
+                self.assertEqual(back.read_bytes(), plain.read_bytes())
+
+    def test_flip_refuses_what_would_lose(self):
+        self.succeeds("compress", self.picture(8, 6), self.path / "odd.dds", "--format", "dxt1", "--mips", "none")
+        self.complains(1, "level 0", "flip", self.path / "odd.dds", self.path / "out.dds")
+
+    def test_decode_chooses_level_and_direction(self):
+        file = self.path / "in.dds"
+        self.succeeds("compress", self.picture(16, 16), file, "--format", "dxt1")
+        upright = Image.open(io.BytesIO(self.succeeds("decode", file, "-"))).convert("RGB")
+        self.assertEqual(upright.tobytes(), Image.open(file).convert("RGB").tobytes())
+        naive = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--no-flip"))).convert("RGB")
+        self.assertEqual(naive.tobytes(), upright.transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes())
+        level = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--level", "3")))
+        self.assertEqual(level.size, (2, 2))
+        for expected, options in [("levels 0 to 4", ["--level", "5"]), ("face 0 alone", ["--face", "1"]),
+                                  ("slice 0 alone", ["--slice", "1"])]:
+            with self.subTest(options):
+                self.complains(1, expected, "decode", file, "-", *options)
+
+    def test_info_dissects_a_damaged_file_up_to_the_damage(self):
+        file = self.path / "cut.bmp"
+        file.write_bytes(bmp(8, 8, lambda x, y: (x, y, 0))[:100])
+        result = texshot("info", file)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"biBitCount", result.stdout)
+        self.assertIn(b"cut.bmp", result.stderr)
+        document = json.loads(texshot("info", file, "--json").stdout)
+        self.assertTrue(document["error"])
+        self.assertTrue(document["anatomy"]["fields"])
+
+    def test_wrong_calls(self):
+        source = self.picture(4, 4)
+        for expected, arguments in [
+            (".dds", ["convert", source, self.path / "out.xyz"]),
+            (".dds", ["convert", source, self.path / "out"]),
+            ("--format", ["compress", source, self.path / "out.dds"]),
+            ("dxt9", ["compress", source, self.path / "out.dds", "--format", "dxt9"]),
+            ("--half-turn", ["flip", source, self.path / "out.dds", "--half-turn", "--horizontal"]),
+        ]:
+            with self.subTest(arguments[0] + expected):
+                self.complains(2, expected, *arguments)
+
+    def test_an_interrupt_leaves_no_file(self):
+        source = self.path / "large.bmp"
+        source.write_bytes(bmp(1024, 1024, lambda x, y: (x * y & 255, x & 255, y & 255)))
+        before = sorted(os.listdir(self.path))
+        work = subprocess.Popen([TEXSHOT, "compress", source, self.path / "out.dds", "--format", "dxt5", "--quality",
+                                 "best"], stderr=subprocess.PIPE)
+        time.sleep(0.3)
+        work.send_signal(signal.SIGINT)
+        said = work.communicate(timeout=60)[1].decode()
+        self.assertEqual(sorted(os.listdir(self.path)), before)
+        self.assertEqual(work.returncode, 130)
+        self.assertIn("interrupted", said)
 
 
 class Params(Texshot):
