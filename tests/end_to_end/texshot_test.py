@@ -214,7 +214,9 @@ class Files(Texshot):
                 file = self.path / name
                 file.write_bytes(content)
                 self.complains(1, name, "decode", file, self.path / "out.png")
-                self.complains(1, name, "info", file)
+                told = texshot("info", file)
+                self.assertEqual(told.returncode, 1)
+                self.assertIn(name, told.stderr.decode())
         self.complains(1, "director", "info", self.path)
         self.complains(1, "nowhere", "info", self.path / "nowhere")
         os.mkfifo(self.path / "pipe")
