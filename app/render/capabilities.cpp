@@ -16,6 +16,7 @@ constexpr const char* neededVersion = "GL_VERSION_2_1";
 constexpr std::array neededFramebuffers{"GL_VERSION_3_0", "GL_ARB_framebuffer_object"};
 constexpr const char* anisotropy = "GL_EXT_texture_filter_anisotropic";
 constexpr const char* s3tc = "GL_EXT_texture_compression_s3tc";
+constexpr std::array rgtc{"GL_VERSION_3_0", "GL_ARB_texture_compression_rgtc"};
 
 /// GLEW wants all of a string's names; any one of ours is enough.
 bool has(const char* name) {
@@ -61,6 +62,7 @@ Result<Capabilities> loadCapabilities() {
                     std::string(needs) + offer + " without GL_ARB_framebuffer_object");
 
     capabilities.s3tc = has(s3tc);
+    capabilities.rgtc = std::ranges::any_of(rgtc, has);
     capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);

@@ -15,7 +15,8 @@ struct Capabilities {
     int max3DTextureSize = 0;
     int textureUnits = 0;    ///< of the fixed-function pipeline
     float maxAnisotropy = 1; ///< 1 where GL_EXT_texture_filter_anisotropic is missing
-    bool s3tc = false;
+    bool s3tc = false;       ///< DXT1, DXT3, DXT5
+    bool rgtc = false;       ///< BC4, BC5
 };
 
 /// Loads the GL entry points of the current context and asks it. An error names what Texplorer needs

@@ -42,10 +42,10 @@ struct FixedRenderer::State {
         , textures(given) {}
 
     void drawScene(const Scene& scene, const ImageSource& images, double time, Size size);
-    std::array<bool, maxUnits> applyUnits(const Scene& scene, std::size_t passIndex,
-                                          const ImageSource& images, double time);
-    GLuint textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
-                     const ImageSource& images);
+    std::array<CoordUse, maxUnits> applyUnits(const Scene& scene, std::size_t passIndex,
+                                              const ImageSource& images, double time);
+    BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
+                           const ImageSource& images);
 
     Capabilities capabilities;
     Size limit;
@@ -109,7 +109,7 @@ void FixedRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
         const std::string where = "passes[" + std::to_string(i) + "]";
         applyPass(scene.passes[i]);
         errors.check(where + ": glDepthFunc, glAlphaFunc, glBlendFunc");
-        const std::array<bool, maxUnits> units = applyUnits(scene, i, images, time);
+        const std::array<CoordUse, maxUnits> units = applyUnits(scene, i, images, time);
         glMatrixMode(GL_MODELVIEW);
         for (std::size_t m = 0; m < scene.models.size(); ++m) {
             const Model& model = scene.models[m];
@@ -123,41 +123,55 @@ void FixedRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     }
 }
 
-std::array<bool, maxUnits> FixedRenderer::State::applyUnits(const Scene& scene, std::size_t passIndex,
-                                                            const ImageSource& images, double time) {
-    std::array<bool, maxUnits> active{};
+std::array<CoordUse, maxUnits> FixedRenderer::State::applyUnits(const Scene& scene, std::size_t passIndex,
+                                                                const ImageSource& images, double time) {
+    std::array<CoordUse, maxUnits> uses{};
     const Pass& pass = scene.passes[passIndex];
     for (int i = 0; i < maxUnits; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const Unit& unit = pass.units[at];
         const std::string where =
             "passes[" + std::to_string(passIndex) + "].units[" + std::to_string(i) + "]";
-        const GLuint texture = unit.enabled ? textureOf(scene, unit, i, where, images) : 0;
-        active[at] = texture != 0;
-        if (active[at])
+        const BoundTexture texture = unit.enabled ? textureOf(scene, unit, i, where, images) : BoundTexture{};
+        if (texture.name != 0) {
+            uses[at] = texture.lateFlip == LateFlip::Coordinates ? CoordUse::Flipped : CoordUse::AsGiven;
             applyUnit(i, unit, texture, time);
-        else if (i < capabilities.textureUnits)
+        } else if (i < capabilities.textureUnits)
             switchUnitOff(i);
         errors.check(where + ": glTexEnv");
     }
-    return active;
+    return uses;
 }
 
-GLuint FixedRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
-                                       const std::string& where, const ImageSource& images) {
+BoundTexture FixedRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
+                                             const std::string& where, const ImageSource& images) {
     if (unitIndex >= capabilities.textureUnits) {
         errors.add(where + ": the driver has " + std::to_string(capabilities.textureUnits) +
                    " texture units; drawn without this one");
-        return 0;
+        return {};
     }
     if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
         errors.add(where + ": there is no texture " + std::to_string(unit.texture) + ", the scene has " +
                    std::to_string(scene.textures.size()) + "; drawn without it");
-        return 0;
+        return {};
     }
     // Preparing binds the texture: on its own unit, or it would take the place of another's.
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
     return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, errors);
+}
+
+Result<std::vector<TextureLevel>> FixedRenderer::readTexture(std::size_t index, Target target) {
+    const TextureObject* object = state_->textures.find(index, target);
+    if (!object)
+        return fail(ErrorCode::NotFound, "it has not been drawn as " + std::string(rowOf(target).name),
+                    "textures[" + std::to_string(index) + "]");
+    try {
+        const StateGuard guard;
+        static_cast<void>(GlErrors().check("before the texture was read"));
+        return object->read();
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the levels of the texture");
+    }
 }
 
 Result<Image> FixedRenderer::read() {

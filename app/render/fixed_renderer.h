@@ -6,6 +6,7 @@
 #include "core/image/image.h"
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
+#include "core/scene/texture_levels.h"
 
 #include <memory>
 
@@ -26,6 +27,11 @@ public:
     /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
     /// does not end the drawing: it is reported in Frame::problems.
     [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size);
+
+    /// The levels of one of the textures that the last scene was drawn with, as the driver holds them: what
+    /// it compressed is read back as blocks. Refused where the texture was not drawn with this target.
+    [[nodiscard]] Result<std::vector<TextureLevel>> readTexture(std::size_t index,
+                                                                Target target = Target::Texture2D);
 
     /// Reads the last picture back: Rgba8, bottom row first.
     [[nodiscard]] Result<Image> read();

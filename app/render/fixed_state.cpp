@@ -68,16 +68,21 @@ void switchUnitOff(int index) {
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
 }
 
-void applyUnit(int index, const Unit& unit, unsigned textureName, double time) {
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time) {
     switchUnitOff(index); // a pass before this one may have used another target, which could take precedence
     const auto target = static_cast<GLenum>(unit.target);
-    glBindTexture(target, textureName);
+    glBindTexture(target, texture.name);
     glEnable(target);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.envMode));
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(unit.envColor));
     glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unit.lodBias);
     glMatrixMode(GL_TEXTURE);
-    glLoadMatrixf(glm::value_ptr(textureMatrix(unit.matrix, time)));
+    glLoadIdentity();
+    if (texture.lateFlip == LateFlip::Matrix) {
+        glTranslatef(0, 1, 0);
+        glScalef(1, -1, 1);
+    }
+    glMultMatrixf(glm::value_ptr(textureMatrix(unit.matrix, time)));
 }
 
 } // namespace texplorer::render

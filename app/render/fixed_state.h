@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/texture_cache.h"
 #include "core/scene/scene.h"
 
 namespace texplorer::render {
@@ -13,8 +14,9 @@ void applyLightAndMaterial(const Light& light, const Material& material);
 /// Lighting on or off and the per-fragment operations of a pass.
 void applyPass(const Pass& pass);
 
-/// The texture bound to one unit, its environment and its matrix at `time`.
-void applyUnit(int index, const Unit& unit, unsigned textureName, double time);
+/// The texture bound to one unit, its environment and its matrix at `time`; with LateFlip::Matrix the matrix
+/// begins with t -> 1 - t.
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time);
 
 void switchUnitOff(int index);
 

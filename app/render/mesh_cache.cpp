@@ -53,7 +53,7 @@ MeshCache::MeshSlot& MeshCache::meshOf(const MeshKey& key) {
     return slot;
 }
 
-void MeshCache::bind(const Model& model, std::size_t index, const std::array<bool, maxUnits>& units) {
+void MeshCache::bind(const Model& model, std::size_t index, const std::array<CoordUse, maxUnits>& units) {
     const MeshKey key = keyOf(model);
     const MeshSlot& slot = meshOf(key);
     bound_ = &slot;
@@ -65,28 +65,36 @@ void MeshCache::bind(const Model& model, std::size_t index, const std::array<boo
     glEnableClientState(GL_NORMAL_ARRAY);
     glNormalPointer(GL_FLOAT, sizeof(Vertex), offsetInBuffer(offsetof(Vertex, normal)));
     for (int unit = 0; unit < maxUnits; ++unit) {
-        if (!units[static_cast<std::size_t>(unit)])
+        const CoordUse use = units[static_cast<std::size_t>(unit)];
+        if (use == CoordUse::Off)
             continue;
         glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-        bindCoords(model, key, {index, unit});
+        bindCoords(model, key, {index, unit}, use);
     }
 }
 
-void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey) {
+void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey,
+                           CoordUse use) {
     const MeshSlot& mesh = meshOf(meshKey);
     const TexCoords& list = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
-    if (list.empty()) {
+    if (list.empty() && use == CoordUse::AsGiven) {
         glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
         glTexCoordPointer(4, GL_FLOAT, sizeof(Vertex), offsetInBuffer(offsetof(Vertex, texCoord)));
         return;
     }
     auto [found, isNew] = coords_.try_emplace(coordKey);
     CoordSlot& slot = found->second;
-    if (isNew || slot.list != list || slot.mesh != meshKey) {
+    if (isNew || slot.list != list || slot.mesh != meshKey || slot.use != use) {
         slot.list = list;
         slot.mesh = meshKey;
-        slot.buffer = makeBuffer(GL_ARRAY_BUFFER, effectiveTexCoords(model, mesh.mesh, coordKey.unit));
+        slot.use = use;
+        TexCoords coords = effectiveTexCoords(model, mesh.mesh, coordKey.unit);
+        if (use == CoordUse::Flipped) {
+            for (glm::vec4& coord : coords)
+                coord.t = coord.q - coord.t;
+        }
+        slot.buffer = makeBuffer(GL_ARRAY_BUFFER, coords);
     }
     slot.used = true;
     glBindBuffer(GL_ARRAY_BUFFER, slot.buffer.name());

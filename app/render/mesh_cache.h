@@ -9,6 +9,13 @@
 
 namespace texplorer::render {
 
+/// What a texture unit wants of a model's coordinates.
+enum class CoordUse : std::uint8_t {
+    Off,
+    AsGiven,
+    Flipped, ///< t becomes q - t, so that t / q becomes 1 - t / q
+};
+
 /// The vertex and index buffers of a scene's models. They are filled when a shape or a texture coordinate
 /// changed.
 class MeshCache {
@@ -16,9 +23,9 @@ public:
     /// Begins a frame: what was not drawn in the one before it is forgotten.
     void beginFrame();
 
-    /// Points the vertex arrays at the model with this index in the scene. `units` says for each texture unit
-    /// whether it needs coordinates.
-    void bind(const Model& model, std::size_t index, const std::array<bool, maxUnits>& units);
+    /// Points the vertex arrays at the model with this index in the scene. `units` says what each texture
+    /// unit needs.
+    void bind(const Model& model, std::size_t index, const std::array<CoordUse, maxUnits>& units);
 
     /// Draws the model that is bound.
     void draw() const;
@@ -44,13 +51,14 @@ private:
     struct CoordSlot {
         TexCoords list;
         MeshKey mesh;
+        CoordUse use = CoordUse::AsGiven;
         BufferHandle buffer;
         bool used = true;
     };
 
     static MeshKey keyOf(const Model& model);
     MeshSlot& meshOf(const MeshKey& key);
-    void bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey);
+    void bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey, CoordUse use);
 
     std::map<MeshKey, MeshSlot> meshes_;
     std::map<CoordKey, CoordSlot> coords_;

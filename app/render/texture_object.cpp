@@ -45,8 +45,7 @@ GLenum pixelFormat(PixelFormat format) {
 }
 
 /// Returns the name of the call, for a message.
-const char* uploadLevel(Target target, GLint level, BaseFormat format, const Image& image) {
-    const GLint stored = sizedFormat(format);
+const char* uploadImage(Target target, GLint level, GLint stored, const Image& image) {
     const GLenum given = pixelFormat(image.format);
     switch (target) {
     case Target::Texture1D:
@@ -65,20 +64,29 @@ const char* uploadLevel(Target target, GLint level, BaseFormat format, const Ima
     return "";
 }
 
+const char* uploadBlocks(GLint level, const BlockImage& image) {
+    glCompressedTexImage2D(GL_TEXTURE_2D, level, static_cast<GLenum>(image.format), image.width, image.height,
+                           0, static_cast<GLsizei>(image.blocks.size()), image.blocks.data());
+    return "glCompressedTexImage2D";
+}
+
 GLint enumerant(auto value) {
     return static_cast<GLint>(value);
 }
 
 } // namespace
 
-TextureObject::TextureObject(Target target, BaseFormat format, const MipChain& chain, std::string_view where,
-                             GlErrors& errors)
+TextureObject::TextureObject(Target target, BaseFormat format, const TextureLevels& levels,
+                             std::string_view where, GlErrors& errors)
     : handle_(TextureHandle::create())
     , target_(static_cast<GLenum>(target)) {
     glBindTexture(target_, handle_.name());
-    for (std::size_t level = 0; level < chain.size(); ++level) {
-        const char* call = uploadLevel(target, static_cast<GLint>(level), format, chain[level]);
-        errors.check(std::string(where) + ": " + call + " level " + std::to_string(level));
+    const GLint stored = levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(format);
+    for (const auto& [number, surface] : levels.levels) {
+        const Image* image = std::get_if<Image>(&surface);
+        const char* call = image ? uploadImage(target, number, stored, *image)
+                                 : uploadBlocks(number, std::get<BlockImage>(surface));
+        errors.check(std::string(where) + ": " + call + " level " + std::to_string(number));
     }
 }
 
@@ -105,6 +113,51 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
                         std::clamp(texture.maxAnisotropy, 1.0F, maxAnisotropy));
     applyErrors_.check(std::string(where) + ": glTexParameter");
     errors.add(applyErrors_.sentences());
+}
+
+Result<std::vector<TextureLevel>> TextureObject::read() const {
+    GLint largest = 0;
+    glGetIntegerv(target_ == GL_TEXTURE_3D ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &largest);
+    const int mostLevels = mipLevelCount(largest, 1); // to ask for a level beyond is an error
+    std::vector<TextureLevel> levels;
+    glBindTexture(target_, handle_.name());
+    const auto ask = [this](GLint level, GLenum what) {
+        GLint value = 0;
+        glGetTexLevelParameteriv(target_, level, what, &value);
+        return value;
+    };
+    for (GLint level = 0; level < mostLevels; ++level) {
+        const int width = ask(level, GL_TEXTURE_WIDTH);
+        if (width == 0)
+            continue;
+        const int height = ask(level, GL_TEXTURE_HEIGHT);
+        const int depth = ask(level, GL_TEXTURE_DEPTH);
+        if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE) {
+            Image image =
+                Image::uninitialised(PixelFormat::Rgba8, width, std::max(height, 1), std::max(depth, 1));
+            glGetTexImage(target_, level, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+            levels.push_back({level, std::move(image)});
+            continue;
+        }
+        const auto format = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
+        const EnumRow* row = findRow(blockFormatRows, format);
+        if (!row)
+            return fail(ErrorCode::Unsupported, "the driver holds level " + std::to_string(level) +
+                                                    " in a compressed format that Texplorer does not know: " +
+                                                    std::to_string(format));
+        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(format), width, height);
+        const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
+        if (size != image.blocks.size())
+            return fail(ErrorCode::Driver, "level " + std::to_string(level) + " should have " +
+                                               std::to_string(image.blocks.size()) +
+                                               " bytes of blocks, the driver says " + std::to_string(size));
+        glGetCompressedTexImage(target_, level, image.blocks.data());
+        levels.push_back({level, std::move(image)});
+    }
+    GlErrors errors;
+    if (!errors.check("glGetTexImage, glGetCompressedTexImage"))
+        return fail(ErrorCode::Driver, errors.sentences().front());
+    return levels;
 }
 
 } // namespace texplorer::render

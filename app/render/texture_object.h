@@ -2,8 +2,8 @@
 
 #include "app/render/gl_errors.h"
 #include "app/render/gl_handle.h"
-#include "core/image/image.h"
 #include "core/scene/scene.h"
+#include "core/scene/texture_levels.h"
 
 #include <optional>
 #include <string_view>
@@ -15,9 +15,9 @@ class TextureObject {
 public:
     TextureObject() = default;
 
-    /// Uploads every level of a chain to a new texture object of 8 bits a component. GL errors are reported
-    /// as `where`.
-    TextureObject(Target target, BaseFormat format, const MipChain& chain, std::string_view where,
+    /// Uploads every level to a new texture object: blocks as they are, pixels with 8 bits a component of
+    /// `format`, or compressed by the driver where the levels ask for it. GL errors are reported as `where`.
+    TextureObject(Target target, BaseFormat format, const TextureLevels& levels, std::string_view where,
                   GlErrors& errors);
 
     /// The one place where a Texture becomes glTexParameter calls; none where nothing changed. What GL
@@ -25,6 +25,10 @@ public:
     void apply(const Texture& texture, float maxAnisotropy, std::string_view where, GlErrors& errors);
 
     [[nodiscard]] GLuint name() const { return handle_.name(); }
+
+    /// The levels as the driver holds them: blocks where they are compressed, else Rgba8; those that are
+    /// missing are left out. Binds the texture.
+    [[nodiscard]] Result<std::vector<TextureLevel>> read() const;
 
 private:
     TextureHandle handle_;

@@ -9,8 +9,9 @@
 
 namespace texplorer::render {
 
-/// A texture's base level as a picture in a panel: its internal format as in the scene, nearest filtering,
-/// edges clamped. Belongs to the context that is current, on its thread, and must be destroyed before that.
+/// A texture's base level as a picture in a panel: its internal format and transparency as in the scene, not
+/// compressed again, nearest filtering, edges clamped; upright, unless the scene flips nothing. Belongs to
+/// the context that is current, on its thread, and must be destroyed before that.
 class TexturePreview {
 public:
     /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
@@ -18,8 +19,8 @@ public:
     [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images);
 
 private:
-    std::shared_ptr<const Image> image_; // held, so that no other image can come to have this address
-    BaseFormat format_{};
+    std::shared_ptr<const TextureImage> image_; // held, so that no other can come to have this address
+    Texture settings_;
     TextureObject object_;
 };
 

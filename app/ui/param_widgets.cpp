@@ -33,6 +33,12 @@ float textWidth(std::string_view words) {
     return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
 }
 
+/// "since OpenGL 1.4", or the extension that has it.
+std::string originOf(const EnumRow& choice) {
+    const bool extension = choice.since.starts_with("GL_");
+    return (extension ? "from " : "since OpenGL ") + std::string(choice.since);
+}
+
 void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
     if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
@@ -48,7 +54,7 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
         if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
             dimText(std::string(choice->label) + ": " + std::string(choice->help));
             if (!choice->since.empty())
-                dimText(std::string(choice->name) + ", since OpenGL " + std::string(choice->since));
+                dimText(std::string(choice->name) + ", " + originOf(*choice));
         }
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
@@ -73,7 +79,7 @@ void choiceTip(const EnumRow& choice) {
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
     text(choice.help);
     if (!choice.since.empty())
-        dimText("Since OpenGL " + std::string(choice.since));
+        dimText(originOf(choice));
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -357,6 +363,16 @@ bool isRelevant(const Owner& owner, const ParamRow& row) {
         return static_cast<const Texture*>(owner.values)->source == SourceKind::Pattern;
     if (row.key == "file")
         return static_cast<const Texture*>(owner.values)->source == SourceKind::File;
+    if (row.key == "stencilColor")
+        return static_cast<const Texture*>(owner.values)->transparency == Transparency::Stencil;
+    if (row.key == "compressedFormat")
+        return static_cast<const Texture*>(owner.values)->compression == Compression::Driver;
+    if (row.key == "mipFilter" || row.key == "mipGamma") {
+        const MipPolicy mipmaps = static_cast<const Texture*>(owner.values)->mipmaps;
+        return mipmaps == MipPolicy::Generated || mipmaps == MipPolicy::Missing;
+    }
+    if (row.key == "npot")
+        return static_cast<const Texture*>(owner.values)->mipmaps != MipPolicy::FromFile;
     if (row.key == "slices" || row.key == "stacks")
         return static_cast<const Model*>(owner.values)->shape == Shape::Sphere;
     if (row.key == "angle" || row.key == "angleRate")

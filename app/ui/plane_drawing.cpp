@@ -18,9 +18,12 @@ constexpr std::size_t mostFineEdges =
 constexpr std::size_t mostEdges = 4000; // beyond, only the chosen faces are drawn
 constexpr int tilesAround = 2;          // copies of the image beyond the vertices
 
-bool hasAlpha(const Image& image) {
-    return image.format == PixelFormat::Alpha8 || image.format == PixelFormat::LuminanceAlpha8 ||
-           image.format == PixelFormat::Rgba8;
+bool hasAlpha(const Surface& surface) {
+    if (const auto* blocks = std::get_if<BlockImage>(&surface))
+        return isS3tc(blocks->format) && blocks->format != BlockFormat::Dxt1;
+    const PixelFormat format = std::get<Image>(surface).format;
+    return format == PixelFormat::Rgba8 || format == PixelFormat::LuminanceAlpha8 ||
+           format == PixelFormat::Alpha8;
 }
 
 /// A board behind what is transparent.
@@ -73,7 +76,7 @@ Bounds boundsOf(const TexCoords& coords) {
     return bounds;
 }
 
-void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Image& image,
+void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
                unsigned id, const Bounds& used) {
     const glm::vec2 seenLow = canvas.toCoord({canvas.low.x, canvas.high.y});
     const glm::vec2 seenHigh = canvas.toCoord({canvas.high.x, canvas.low.y});
@@ -93,8 +96,8 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
         drawBoard(draw, canvas.low, canvas.high, ImGui::GetFontSize() * 0.8F);
     for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
         for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
-            const auto s = tileSpan(texture.wrapS, i, image.width);
-            const auto t = tileSpan(texture.wrapT, j, image.height);
+            const auto s = tileSpan(texture.wrapS, i, widthOf(image));
+            const auto t = tileSpan(texture.wrapT, j, heightOf(image));
             const ImVec2 low = canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1));
             const ImVec2 high = canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j));
             if (s && t)

@@ -43,7 +43,7 @@ struct Bounds {
 [[nodiscard]] Bounds boundsOf(const TexCoords& coords);
 
 /// The image, tiled as its wrap modes say, around `used`. `id` is the GL texture that shows it.
-void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Image& image,
+void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
                unsigned id, const Bounds& used);
 
 /// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.

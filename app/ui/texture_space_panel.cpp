@@ -132,9 +132,9 @@ void drawCanvas(Session& session, const Pictures& pictures) {
     draw.PushClipRect(canvas.low, canvas.high, true);
     draw.AddRectFilled(canvas.low, canvas.high, color::ground);
     const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const Image> image = texture ? session.images.find(*texture) : nullptr;
+    const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
     if (image && pictures.texture != 0)
-        drawTiles(draw, canvas, *texture, *image, pictures.texture, boundsOf(coords));
+        drawTiles(draw, canvas, *texture, image->surfaces.front(), pictures.texture, boundsOf(coords));
     drawAxes(draw, canvas);
     drawMesh(draw, canvas, mesh, coords, session.selection.vertex, under);
     draw.PopClipRect();
@@ -154,9 +154,10 @@ void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Lay
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Texture space");
     const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const Image> image = texture ? session.images.find(*texture) : nullptr;
+    const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
     const std::string what = "unit " + std::to_string(session.selection.unit) + " · " +
-                             (image ? std::to_string(image->width) + " × " + std::to_string(image->height)
+                             (image ? std::to_string(widthOf(image->surfaces.front())) + " × " +
+                                          std::to_string(heightOf(image->surfaces.front()))
                                     : std::string("no texture"));
     const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();

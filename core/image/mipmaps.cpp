@@ -1,6 +1,8 @@
 #include "core/image/mipmaps.h"
 
+#include "core/image/linear_light.h"
 #include "core/image/pattern.h"
+#include "core/image/resample.h"
 
 #include <algorithm>
 #include <array>
@@ -49,8 +51,40 @@ struct Axis {
     }
 };
 
+// What is added up: the stored values, or the light that they stand for. Alpha is no light: it is widened to
+// the same 16 bits.
+struct StoredValues {
+    explicit StoredValues(PixelFormat /*format*/) {}
+    [[nodiscard]] std::uint64_t expand(std::byte value, std::size_t /*index*/) const {
+        return std::to_integer<std::uint64_t>(value);
+    }
+    [[nodiscard]] std::byte reduce(std::uint64_t value, std::size_t /*component*/) const {
+        return static_cast<std::byte>(value);
+    }
+};
+
+struct LightValues {
+    explicit LightValues(PixelFormat format)
+        : components(static_cast<std::size_t>(bytesPerPixel(format)))
+        , alpha(alphaComponent(format) < 0 ? components : static_cast<std::size_t>(alphaComponent(format))) {}
+
+    [[nodiscard]] std::uint64_t expand(std::byte value, std::size_t index) const {
+        const auto stored = std::to_integer<std::size_t>(value);
+        return index % components == alpha ? stored * 257 : table.light[stored];
+    }
+    [[nodiscard]] std::byte reduce(std::uint64_t value, std::size_t component) const {
+        return static_cast<std::byte>(component == alpha ? (value + 128) / 257 : table.stored[value]);
+    }
+
+    std::size_t components;
+    std::size_t alpha;
+    const LinearLight& table = LinearLight::table();
+};
+
 // Adds the rows that make one row of the next level, weighted, into `sums`.
-void gatherRows(const Image& from, const Taps& rows, const Taps& slices, std::vector<std::uint64_t>& sums) {
+template<class Values>
+void gatherRows(const Image& from, const Taps& rows, const Taps& slices, const Values& values,
+                std::vector<std::uint64_t>& sums) {
     std::ranges::fill(sums, 0U);
     for (int z = 0; z < slices.count; ++z)
         for (int y = 0; y < rows.count; ++y) {
@@ -58,11 +92,12 @@ void gatherRows(const Image& from, const Taps& rows, const Taps& slices, std::ve
                 slices.weights[static_cast<std::size_t>(z)] * rows.weights[static_cast<std::size_t>(y)];
             const std::byte* row = from.pixels.data() + from.offset(0, rows.first + y, slices.first + z);
             for (std::size_t i = 0; i < sums.size(); ++i)
-                sums[i] += weight * std::to_integer<std::uint64_t>(row[i]);
+                sums[i] += weight * values.expand(row[i], i);
         }
 }
 
-// Any size, any format. The largest sum, 255 * 16384^3, stays below 2^50.
+// Any size, any format. The largest sum, 65535 * 16384^3, stays below 2^58.
+template<class Values>
 Image averageByCoverage(const Image& from) {
     Image to = Image::uninitialised(from.format, half(from.width), half(from.height), half(from.depth));
     const Axis axisX(from.width);
@@ -70,12 +105,13 @@ Image averageByCoverage(const Image& from) {
     const Axis axisZ(from.depth);
     const std::uint64_t total = axisX.total * axisY.total * axisZ.total;
     const auto components = static_cast<std::size_t>(bytesPerPixel(from.format));
+    const Values values(from.format);
 
     std::vector<std::uint64_t> sums(from.rowBytes());
     std::byte* out = to.pixels.data();
     for (int z = 0; z < to.depth; ++z)
         for (int y = 0; y < to.height; ++y) {
-            gatherRows(from, axisY.taps(y), axisZ.taps(z), sums);
+            gatherRows(from, axisY.taps(y), axisZ.taps(z), values, sums);
             for (int x = 0; x < to.width; ++x) {
                 const Taps columns = axisX.taps(x);
                 const std::uint64_t* texel =
@@ -84,7 +120,7 @@ Image averageByCoverage(const Image& from) {
                     std::uint64_t sum = total / 2;
                     for (std::size_t i = 0; i < static_cast<std::size_t>(columns.count); ++i)
                         sum += columns.weights[i] * texel[i * components + c];
-                    *out++ = static_cast<std::byte>(sum / total);
+                    *out++ = values.reduce(sum / total, c);
                 }
             }
         }
@@ -120,9 +156,14 @@ Image averageEvenRgba(const Image& from) {
     return to;
 }
 
-Image nextLevel(const Image& from) {
+Image nextLevel(const Image& from, const MipOptions& options) {
+    if (options.filter != MipFilter::Box && from.depth == 1)
+        return scaleFiltered(from, half(from.width), half(from.height), options.filter, options.linearLight);
+    if (options.linearLight)
+        return averageByCoverage<LightValues>(from);
     const bool even = from.width % 2 == 0 && from.height % 2 == 0 && from.depth == 1;
-    return even && from.format == PixelFormat::Rgba8 ? averageEvenRgba(from) : averageByCoverage(from);
+    return even && from.format == PixelFormat::Rgba8 ? averageEvenRgba(from)
+                                                     : averageByCoverage<StoredValues>(from);
 }
 
 Image flatLevel(const Image& above, int level) {
@@ -132,6 +173,10 @@ Image flatLevel(const Image& above, int level) {
     for (std::size_t i = 0; i < flat.pixels.size(); ++i)
         flat.pixels[i] = std::byte{color[i % color.size()]};
     return flat;
+}
+
+Image scaledBase(Image base, const MipOptions& options) {
+    return options.npot == NpotPolicy::PowerOfTwo ? toPowerOfTwo(std::move(base)) : std::move(base);
 }
 
 template<class MakeLevel>
@@ -154,22 +199,25 @@ int mipLevelCount(int width, int height, int depth) {
     return smallest < 1 ? 0 : static_cast<int>(std::bit_width(static_cast<unsigned>(largest)));
 }
 
-MipChain buildMipChain(Image base) {
-    return chain(std::move(base), [](const Image& above, int) { return nextLevel(above); });
+MipChain buildMipChain(Image base, const MipOptions& options) {
+    return chain(scaledBase(std::move(base), options),
+                 [&](const Image& above, int) { return nextLevel(above, options); });
 }
 
-MipChain applyMipPolicy(MipPolicy policy, Image base) {
+MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options) {
     switch (policy) {
     case MipPolicy::Generated:
-        return buildMipChain(std::move(base));
+    case MipPolicy::Missing:
+        return buildMipChain(std::move(base), options);
     case MipPolicy::Colored:
-        return chain(std::move(base), flatLevel);
+        return chain(scaledBase(std::move(base), options), flatLevel);
     case MipPolicy::None:
+    case MipPolicy::FromFile:
         break;
     }
     MipChain alone;
     if (!base.empty())
-        alone.push_back(std::move(base));
+        alone.push_back(scaledBase(std::move(base), options));
     return alone;
 }
 

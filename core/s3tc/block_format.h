@@ -50,6 +50,12 @@ struct EnumTable<BlockFormat> {
 
 static_assert(blockFormatRows.size() == 8);
 
+/// DXT1, DXT3 and DXT5, as against the formats of one and two channels (RGTC).
+[[nodiscard]] constexpr bool isS3tc(BlockFormat format) {
+    return format == BlockFormat::Dxt1 || format == BlockFormat::Dxt1Alpha || format == BlockFormat::Dxt3 ||
+           format == BlockFormat::Dxt5;
+}
+
 /// 8 for DXT1 and BC4, else 16.
 [[nodiscard]] constexpr std::size_t bytesPerBlock(BlockFormat format) {
     return format == BlockFormat::Dxt1 || format == BlockFormat::Dxt1Alpha || format == BlockFormat::Bc4 ||

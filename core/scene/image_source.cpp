@@ -1,6 +1,7 @@
 #include "core/scene/image_source.h"
 
-#include "core/codec/image_file.h"
+#include "core/base/file_io.h"
+#include "core/codec/registry.h"
 #include "core/image/pattern.h"
 
 #include <array>
@@ -11,11 +12,28 @@ namespace texplorer {
 
 namespace {
 
+/// A picture of ours: there is no file whose first row could be the top one.
+TextureImage madeHere(Image image) {
+    TextureImage texture = textureOf(std::move(image), {});
+    texture.fileTopFirst = false;
+    return texture;
+}
+
+Result<TextureImage> readTexture(const std::filesystem::path& path) {
+    const Result<Bytes> file = readFile(path);
+    if (!file)
+        return fail(file.error());
+    Result<TextureImage> texture = decodeTexture(*file);
+    if (!texture)
+        return fail(texture.error().code, texture.error().message, path.string());
+    return texture;
+}
+
 // Patterns are constants that are worked out when they are first asked for; every source shares them.
-std::shared_ptr<const Image> sharedPattern(Pattern pattern) {
+std::shared_ptr<const TextureImage> sharedPattern(Pattern pattern) {
     struct Constant {
         std::once_flag drawn;
-        std::shared_ptr<const Image> image;
+        std::shared_ptr<const TextureImage> image;
     };
     static std::array<Constant, patternRows.size()> constants;
 
@@ -23,8 +41,9 @@ std::shared_ptr<const Image> sharedPattern(Pattern pattern) {
     if (index >= constants.size())
         return nullptr;
     Constant& constant = constants[index];
-    std::call_once(constant.drawn,
-                   [&] { constant.image = std::make_shared<const Image>(drawPattern(pattern)); });
+    std::call_once(constant.drawn, [&] {
+        constant.image = std::make_shared<const TextureImage>(madeHere(drawPattern(pattern)));
+    });
     return constant.image;
 }
 
@@ -45,18 +64,22 @@ Result<void> ImageSource::load(const Scene& scene) {
                                      "textures[" + std::to_string(i) + "].file"});
             continue;
         }
-        Result<ImageFile> file = readImageFile(directory_ / texture.file);
-        if (file)
-            put(texture.file, std::move(file->image));
+        Result<TextureImage> image = readTexture(directory_ / texture.file);
+        if (image)
+            put(texture.file, *std::move(image));
         else
-            first = first.value_or(file.error());
+            first = first.value_or(image.error());
     }
     if (first)
         return fail(*std::move(first));
     return {};
 }
 
-std::shared_ptr<const Image> ImageSource::find(const Texture& texture) const {
+void ImageSource::put(const std::string& file, Image image) {
+    put(file, madeHere(std::move(image)));
+}
+
+std::shared_ptr<const TextureImage> ImageSource::find(const Texture& texture) const {
     if (texture.source == SourceKind::Pattern)
         return sharedPattern(texture.pattern);
     const auto found = files_.find(texture.file);

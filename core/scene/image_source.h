@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/image/image.h"
+#include "core/image/texture_image.h"
 #include "core/scene/scene.h"
 
 #include <filesystem>
@@ -12,8 +12,9 @@
 
 namespace texplorer {
 
-/// Where the pixels of a Texture come from. Renderers ask `find`, which never touches a file; whoever edits
-/// the scene calls `load` for its file textures first. Copying is cheap: images are shared and never change.
+/// Where the images of a Texture come from: all that a file holds, levels and compressed blocks as they are.
+/// Renderers ask `find`, which never touches a file; whoever edits the scene calls `load` for its file
+/// textures first. Copying is cheap: images are shared and never change.
 class ImageSource {
 public:
     /// Relative paths are resolved against `directory` (that of the scene file; empty: the current one).
@@ -27,13 +28,15 @@ public:
 
     /// The content of a file, from somewhere else than a file: decoded elsewhere, or made up. `file` is
     /// spelled as in Texture::file; what was there before is replaced.
-    void put(const std::string& file, Image image) {
-        files_[file] = std::make_shared<const Image>(std::move(image));
+    void put(const std::string& file, TextureImage image) {
+        files_[file] = std::make_shared<const TextureImage>(std::move(image));
     }
+    /// A picture, upright as images are.
+    void put(const std::string& file, Image image);
 
-    /// The base level of a texture, or nullptr where its file is not loaded. The pointer stays the same as
+    /// All that there is of a texture, or nullptr where its file is not loaded. The pointer stays the same as
     /// long as the content does, so it can key a cache.
-    [[nodiscard]] std::shared_ptr<const Image> find(const Texture& texture) const;
+    [[nodiscard]] std::shared_ptr<const TextureImage> find(const Texture& texture) const;
 
     /// Takes over what another source holds of a file, under the name that it has here.
     void share(const std::string& file, const ImageSource& other, const std::string& nameThere) {
@@ -54,7 +57,7 @@ public:
 
 private:
     std::filesystem::path directory_;
-    std::map<std::string, std::shared_ptr<const Image>> files_;
+    std::map<std::string, std::shared_ptr<const TextureImage>> files_;
 };
 
 } // namespace texplorer

@@ -13,10 +13,26 @@ constexpr std::array rows{
                              "Which built-in image, where that is the source."),
     param<&Texture::file>("file", "Image", "File", "",
                           "The path of an image, relative to the scene file, where a file is the source."),
+    param<&Texture::flip>(
+        "flip", "Image", "Flip", "",
+        "How a picture whose file begins at the top gets upright: OpenGL's first row is the "
+        "bottom one."),
+    param<&Texture::transparency>("transparency", "Image", "Transparency", "",
+                                  "Where the image's alpha comes from: its file, or its colours."),
+    color<&Texture::stencilColor>("stencilColor", "Image", "Stencil colour", "",
+                                  "The colour that the stencil makes invisible; its alpha says nothing."),
     param<&Texture::internalFormat>(
         "internalFormat", "Image", "Internal format",
         "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, 0, format, GL_UNSIGNED_BYTE, pixels)",
         "Which components the texture keeps of the image; the environment treats each format differently."),
+    param<&Texture::compression>(
+        "compression", "Compression", "Compression", "",
+        "Whether four by four texels share one small block, and who makes the blocks. A compressed texture "
+        "has its own internal format."),
+    param<&Texture::compressedFormat>(
+        "compressedFormat", "Compression", "Format",
+        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, 0, format, GL_UNSIGNED_BYTE, pixels)",
+        "What it is compressed to, by the driver or at run time; a file that is compressed has its own."),
     param<&Texture::magFilter>(
         "magFilter", "Filter", "Magnification", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {})",
         "How a colour is found where a texel covers more than a pixel: seen from close by."),
@@ -36,6 +52,14 @@ constexpr std::array rows{
         "What GL_CLAMP_TO_BORDER shows outside of the image, and half of GL_CLAMP's edge."),
     param<&Texture::mipmaps>("mipmaps", "Mipmaps", "Mipmaps", "",
                              "Where the smaller copies of the image come from, each half as wide and high."),
+    param<&Texture::mipFilter>("mipFilter", "Mipmaps", "Mip filter", "",
+                               "How a generated level is averaged from the one before it: sharper filters "
+                               "ring, softer ones blur."),
+    param<&Texture::mipGamma>("mipGamma", "Mipmaps", "Average as light", "",
+                              "Whether colours are averaged as light, by sRGB's curve: black and white then "
+                              "give 188, not 128."),
+    param<&Texture::npot>("npot", "Mipmaps", "Other sizes", "",
+                          "What is done with a size that is no power of two before levels are made."),
     param<&Texture::baseLevel>(
         "baseLevel", "Mipmaps", "Base level", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, {})",
         "The largest mip level that is used; 0 is the image itself.", {0, 1000, 0.05F, {}}),
@@ -60,7 +84,7 @@ constexpr std::array rows{
         "priority", "Residency", "Priority", "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_PRIORITY, {})",
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
-static_assert(rows.size() == 17 && rows.size() == build::memberCount<Texture>());
+static_assert(rows.size() == 25 && rows.size() == build::memberCount<Texture>());
 
 } // namespace
 

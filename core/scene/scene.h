@@ -10,7 +10,9 @@
 #include "core/gl/sampling.h"
 #include "core/image/mipmaps.h"
 #include "core/image/pattern.h"
+#include "core/image/transparency.h"
 #include "core/mesh/mesh.h"
+#include "core/scene/texture_options.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -90,8 +92,16 @@ struct Texture {
     SourceKind source = SourceKind::Pattern;
     Pattern pattern = Pattern::Checker;
     std::string file{}; ///< path of an image; relative to the scene file
-    BaseFormat internalFormat = BaseFormat::Rgba;
+    FlipMode flip = FlipMode::Blocks;
+    Transparency transparency = Transparency::File;
+    glm::vec4 stencilColor{0, 0, 0, 1};           ///< for Transparency::Stencil; its alpha says nothing
+    BaseFormat internalFormat = BaseFormat::Rgba; ///< of a texture that is not compressed
+    Compression compression = Compression::FromFile;
+    CompressedFormat compressedFormat = CompressedFormat::Dxt1;
     MipPolicy mipmaps = MipPolicy::None;
+    MipFilter mipFilter = MipFilter::Box;
+    bool mipGamma = false;
+    NpotPolicy npot = NpotPolicy::Keep;
     MagFilter magFilter = MagFilter::Linear;
     MinFilter minFilter = MinFilter::NearestMipmapLinear;
     Wrap wrapS = Wrap::Repeat;

@@ -90,7 +90,7 @@ private:
         GLuint texture = 0;
         glGenTextures(1, &texture);
         glBindTexture(GL_TEXTURE_2D, texture);
-        const MipChain chain = buildMipChain(*ImageSource().find(scene_.textures[0]));
+        const MipChain chain = buildMipChain(uprightImage(*ImageSource().find(scene_.textures[0])));
         for (std::size_t level = 0; level < chain.size(); ++level)
             glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA8, chain[level].width,
                          chain[level].height, 0, GL_RGBA, GL_UNSIGNED_BYTE, chain[level].pixels.data());

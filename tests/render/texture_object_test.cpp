@@ -1,7 +1,6 @@
 // Each parameter of a Texture is what glGetTexParameter answers afterwards.
 
 #include "app/render/texture_object.h"
-#include "core/image/mipmaps.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 
@@ -16,10 +15,12 @@ using namespace testing_support;
 class TextureParameters : public RenderTest, public testing::WithParamInterface<Target> {
 protected:
     TextureObject make(MipPolicy mipmaps) {
+        Texture texture;
+        texture.mipmaps = mipmaps;
         return TextureObject(
             GetParam(), BaseFormat::Rgba,
-            applyMipPolicy(mipmaps, plainImage(8, GetParam() == Target::Texture1D ? 1 : 8, {10, 20, 30, 40})),
-            "test", errors);
+            *prepareLevels(texture, textureOf(plainImage(8, 8, {10, 20, 30, 40}), {}), GetParam()), "test",
+            errors);
     }
     float parameter(GLenum name) const {
         GLfloat value = -1;
@@ -123,7 +124,8 @@ class TextureFormat : public RenderTest, public testing::WithParamInterface<Form
 
 TEST_P(TextureFormat, StoresEightBitsOfWhatTheBaseFormatHas) {
     GlErrors errors;
-    const TextureObject object(Target::Texture2D, GetParam().format, {plainImage(2, 2, {1, 2, 3, 4})}, "test",
+    const TextureObject object(Target::Texture2D, GetParam().format,
+                               *prepareLevels({}, textureOf(plainImage(2, 2, {1, 2, 3, 4}), {})), "test",
                                errors);
     glBindTexture(GL_TEXTURE_2D, object.name());
     constexpr std::array sizes{GL_TEXTURE_RED_SIZE,   GL_TEXTURE_GREEN_SIZE,     GL_TEXTURE_BLUE_SIZE,

@@ -39,7 +39,7 @@ TEST_F(Document, AnImageBecomesTheBoundTexture) {
     EXPECT_EQ(texture.source, SourceKind::File);
     const auto image = session.images.find(texture);
     ASSERT_NE(image, nullptr);
-    EXPECT_EQ(image->width, 1);
+    EXPECT_EQ(widthOf(image->surfaces.front()), 1);
     EXPECT_EQ(session.history.undoName(), "Open red.bmp");
     undo(session);
     EXPECT_EQ(session.scene.textures[0].source, SourceKind::Pattern);

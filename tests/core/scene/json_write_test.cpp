@@ -68,7 +68,12 @@ TEST(WriteScene, ReadsLikeThis) {
       "file": "a \"b\"\n)"
                                  "\xC3\xA9"
                                  R"(.png",
+      "flip": "blocks",
+      "transparency": "file",
+      "stencilColor": [0, 0, 0, 1],
       "internalFormat": "GL_RGBA",
+      "compression": "file",
+      "compressedFormat": "GL_COMPRESSED_RGB_S3TC_DXT1_EXT",
       "magFilter": "GL_LINEAR",
       "minFilter": "GL_NEAREST_MIPMAP_LINEAR",
       "wrapS": "GL_REPEAT",
@@ -76,6 +81,9 @@ TEST(WriteScene, ReadsLikeThis) {
       "wrapR": "GL_REPEAT",
       "borderColor": [0, 0, 0, 0],
       "mipmaps": "none",
+      "mipFilter": "box",
+      "mipGamma": false,
+      "npot": "keep",
       "baseLevel": 0,
       "maxLevel": 1000,
       "minLod": -1000,

@@ -175,7 +175,7 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(), 7U + 7 + 4 + 12 + 17 + 9 + 4 * (6 + 5));
+    ASSERT_EQ(rows.size(), 7U + 7 + 4 + 12 + 25 + 9 + 4 * (6 + 5));
 
     for (const auto& [path, row] : rows) {
         for (const Value& value : valuesOf(*row)) {

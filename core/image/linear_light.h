@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/image/pixel_format.h"
+
+#include <array>
+#include <vector>
+
+namespace texplorer {
+
+/// Which of a pixel's components is alpha, or -1.
+[[nodiscard]] constexpr int alphaComponent(PixelFormat format) {
+    switch (format) {
+    case PixelFormat::Alpha8:
+        return 0;
+    case PixelFormat::LuminanceAlpha8:
+        return 1;
+    case PixelFormat::Rgba8:
+        return 3;
+    case PixelFormat::Luminance8:
+    case PixelFormat::Rgb8:
+        break;
+    }
+    return -1;
+}
+
+/// The curve of sRGB (IEC 61966-2-1) between stored values of 8 bits and light of 16 bits, both ways. Every
+/// stored value comes back as itself.
+struct LinearLight {
+    std::array<std::uint16_t, 256> light{};
+    std::vector<std::uint8_t> stored; ///< 65536, for every amount of light
+
+    static const LinearLight& table(); ///< made when it is first asked for
+};
+
+} // namespace texplorer

@@ -1,0 +1,247 @@
+#include "core/scene/texture_levels.h"
+
+#include "core/s3tc/decode.h"
+#include "core/s3tc/flip.h"
+#include "core/scene/target_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+namespace texplorer {
+
+namespace {
+
+std::string number(int value) {
+    return std::to_string(value);
+}
+
+std::string extentsOf(const Surface& surface) {
+    return number(widthOf(surface)) + " x " + number(heightOf(surface));
+}
+
+bool isPowerOfTwo(const Surface& surface) {
+    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
+    return power(widthOf(surface)) && power(heightOf(surface)) && power(depthOf(surface));
+}
+
+std::array<std::uint8_t, 3> stencil(const Texture& texture) {
+    const auto byte = [&](int i) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(texture.stencilColor[i], 0.0F, 1.0F)));
+    };
+    return {byte(0), byte(1), byte(2)};
+}
+
+/// The slice that stands for a volume where a picture is wanted: that of imageForTarget.
+BlockImage middleSlice(const BlockImage& from) {
+    BlockImage slice = BlockImage::uninitialised(from.format, from.width, from.height);
+    const auto first = static_cast<std::ptrdiff_t>(slice.blocks.size()) * (from.depth / 2);
+    std::copy_n(from.blocks.begin() + first, slice.blocks.size(), slice.blocks.begin());
+    return slice;
+}
+
+class Preparation {
+public:
+    Preparation(const Texture& texture, const TextureImage& image, Target target)
+        : texture_(texture)
+        , image_(image)
+        , target_(target)
+        , turn_(fileOrder() ? image.topFirst != image.fileTopFirst : image.topFirst) {}
+
+    Result<TextureLevels> run();
+
+private:
+    /// Whether rows are wanted as a naive loader gives them to OpenGL: the file's first row first.
+    [[nodiscard]] bool fileOrder() const {
+        return texture_.flip == FlipMode::Coordinates || texture_.flip == FlipMode::Matrix ||
+               texture_.flip == FlipMode::None;
+    }
+    [[nodiscard]] bool generates() const {
+        return texture_.mipmaps == MipPolicy::Generated || texture_.mipmaps == MipPolicy::Colored ||
+               texture_.mipmaps == MipPolicy::Missing;
+    }
+    [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }
+
+    [[nodiscard]] int levelCount() const;
+    [[nodiscard]] bool keepsBlocks();
+    [[nodiscard]] Result<void> takeBlocks();
+    [[nodiscard]] Image pixels(const Surface& surface) const;
+    void takePixels();
+    void compress();
+    void leaveOneOut();
+    void note(std::string sentence) { out_.notes.push_back(std::move(sentence)); }
+
+    const Texture& texture_;
+    const TextureImage& image_;
+    Target target_;
+    bool turn_; ///< whether the rows have to change places before the upload
+    TextureLevels out_;
+};
+
+/// How many levels of the file are taken.
+int Preparation::levelCount() const {
+    if (texture_.mipmaps != MipPolicy::FromFile)
+        return 1;
+    const int full = mipLevelCount(widthOf(base()), target_ == Target::Texture1D ? 1 : heightOf(base()),
+                                   target_ == Target::Texture3D ? depthOf(base()) : 1);
+    return std::min(image_.levels, full);
+}
+
+bool Preparation::keepsBlocks() {
+    if (!std::holds_alternative<BlockImage>(base()) || texture_.compression != Compression::FromFile)
+        return false;
+    if (target_ != Target::Texture2D) {
+        note("OpenGL has compressed pictures only: decompressed for " + std::string(rowOf(target_).name));
+        return false;
+    }
+    if (generates()) {
+        note("the mip levels are made of pixels, so the compressed image was decompressed; mipmaps=" +
+             std::string(rowOf(MipPolicy::FromFile).name) + " keeps the file's blocks");
+        return false;
+    }
+    if (texture_.npot == NpotPolicy::PowerOfTwo && texture_.mipmaps == MipPolicy::None &&
+        !isPowerOfTwo(base())) {
+        note("scaling " + extentsOf(base()) + " to powers of two needs pixels: decompressed");
+        return false;
+    }
+    if (texture_.transparency != Transparency::File) {
+        note("another transparency than that of the file needs pixels: decompressed");
+        return false;
+    }
+    if (!turn_)
+        return true;
+    if (texture_.flip == FlipMode::Pixels)
+        return false;
+    for (int level = 0; level < levelCount(); ++level) {
+        const Surface& surface = image_.surface(0, level);
+        if (flipsWithoutLoss(heightOf(surface)))
+            continue;
+        note("level " + number(level) + " has " + extentsOf(surface) +
+             " texels: its blocks can't be turned around without loss, for which a height must be 1, 2 or a "
+             "multiple of 4; the texture was decompressed and its pixels flipped");
+        return false;
+    }
+    return true;
+}
+
+Result<void> Preparation::takeBlocks() {
+    for (int level = 0; level < levelCount(); ++level) {
+        const auto& from = std::get<BlockImage>(image_.surface(0, level));
+        BlockImage blocks = from.depth > 1 ? middleSlice(from) : from;
+        if (turn_) {
+            if (const Result<void> flipped = flipVertically(blocks); !flipped)
+                return fail(flipped.error());
+        }
+        out_.levels.push_back({level, std::move(blocks)});
+    }
+    return {};
+}
+
+/// One surface's part for the target, the right way up.
+Image Preparation::pixels(const Surface& surface) const {
+    // A line is the middle row of the picture as it is uploaded: it is taken after the flip.
+    const Target picked = target_ == Target::Texture1D ? Target::Texture2D : target_;
+    Image part;
+    if (const Image* image = std::get_if<Image>(&surface))
+        part = imageForTarget(*image, picked);
+    else {
+        const auto& blocks = std::get<BlockImage>(surface);
+        part = decodeBlocks(picked == Target::Texture2D && blocks.depth > 1 ? middleSlice(blocks) : blocks);
+    }
+    if (turn_)
+        flipVertically(part);
+    if (texture_.transparency != Transparency::File)
+        part = applyTransparency(std::move(part), texture_.transparency, stencil(texture_));
+    return target_ == Target::Texture1D ? imageForTarget(part, target_) : part;
+}
+
+void Preparation::takePixels() {
+    MipChain chain;
+    if (texture_.mipmaps == MipPolicy::FromFile) {
+        for (int level = 0; level < levelCount(); ++level)
+            chain.push_back(pixels(image_.surface(0, level)));
+    } else {
+        chain = applyMipPolicy(texture_.mipmaps, pixels(base()),
+                               {texture_.mipFilter, texture_.mipGamma, texture_.npot});
+    }
+    for (Image& level : chain)
+        out_.levels.push_back({static_cast<int>(out_.levels.size()), std::move(level)});
+}
+
+void Preparation::compress() {
+    if (texture_.compression != Compression::Driver)
+        return;
+    if (target_ == Target::Texture2D)
+        out_.driverFormat = blockFormat(texture_.compressedFormat);
+    else
+        note("OpenGL has compressed pictures only: not compressed for " + std::string(rowOf(target_).name));
+}
+
+void Preparation::leaveOneOut() {
+    const int missing = missingLevel(static_cast<int>(out_.levels.size()));
+    if (missing < 0)
+        return note("there is only a base level: none can be left out");
+    out_.levels.erase(out_.levels.begin() + missing);
+    if (!out_.source.empty())
+        out_.source.erase(out_.source.begin() + missing);
+}
+
+Result<TextureLevels> Preparation::run() {
+    if (image_.faces > 1)
+        note("the file is a cube map of " + number(image_.faces) + " faces; its first, +x, is drawn");
+    if (fileOrder() && texture_.flip != FlipMode::None && image_.fileTopFirst)
+        out_.lateFlip = texture_.flip == FlipMode::Coordinates ? LateFlip::Coordinates : LateFlip::Matrix;
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        out_.lastLevel = levelCount() - 1;
+
+    if (keepsBlocks()) {
+        if (const Result<void> taken = takeBlocks(); !taken)
+            return fail(taken.error());
+    } else {
+        takePixels();
+        compress();
+    }
+    if (texture_.mipmaps == MipPolicy::Missing)
+        leaveOneOut();
+    return std::move(out_);
+}
+
+} // namespace
+
+Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image, Target target) {
+    if (image.surfaces.empty() || byteCount(image.surfaces.front()) == 0)
+        return fail(ErrorCode::Malformed, "the image is empty");
+    try {
+        return Preparation(texture, image, target).run();
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the levels of an image of " +
+                                             extentsOf(image.surfaces.front()) + " texels");
+    }
+}
+
+void decompress(TextureLevels& levels) {
+    for (TextureLevel& level : levels.levels)
+        level.surface = toImage(std::move(level.surface));
+    levels.driverFormat.reset();
+}
+
+Texture imageSettings(const Texture& texture) {
+    const Texture initial;
+    Texture settings = texture;
+    settings.magFilter = initial.magFilter;
+    settings.minFilter = initial.minFilter;
+    settings.wrapS = initial.wrapS;
+    settings.wrapT = initial.wrapT;
+    settings.wrapR = initial.wrapR;
+    settings.borderColor = initial.borderColor;
+    settings.baseLevel = initial.baseLevel;
+    settings.maxLevel = initial.maxLevel;
+    settings.minLod = initial.minLod;
+    settings.maxLod = initial.maxLod;
+    settings.maxAnisotropy = initial.maxAnisotropy;
+    settings.priority = initial.priority;
+    return settings;
+}
+
+} // namespace texplorer

@@ -1,0 +1,79 @@
+#pragma once
+
+// From what a file holds to what is uploaded: the one place where flip, compression and mipmaps of a Texture
+// take effect. Every renderer starts from its result.
+
+#include "core/base/result.h"
+#include "core/image/mipmaps.h"
+#include "core/image/texture_image.h"
+#include "core/scene/scene.h"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer {
+
+/// What is left to do about a picture that is upside down when it is uploaded.
+enum class LateFlip : std::uint8_t { None, Coordinates, Matrix };
+
+struct TextureLevel {
+    int number = 0; ///< GL's: 0 is the base
+    Surface surface;
+};
+
+struct TextureLevels {
+    std::vector<TextureLevel> levels; ///< ascending; row 0 goes to t = 0
+    /// The last level of a file that holds fewer than a full chain: GL_TEXTURE_MAX_LEVEL must not exceed it.
+    int lastLevel = 1000;
+    LateFlip lateFlip = LateFlip::None;
+    std::optional<BlockFormat> driverFormat; ///< what the driver shall compress the levels to
+    /// What compressed levels were made of, in the same order: what their loss is measured against. Empty
+    /// where nothing was compressed here.
+    MipChain source;
+    std::vector<std::string> notes; ///< sentences: what was done otherwise than asked for, and why
+};
+
+/// Applies `texture`'s flip, compression, mipmaps and power-of-two choices to the part of `image` that a
+/// target takes: face 0; of a volume the middle slice, unless the target is 3D; of a picture the middle row
+/// for 1D. OpenGL compresses pictures only, so that lines and volumes are uploaded decompressed. Errors: an
+/// image without surfaces; no memory.
+[[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image,
+                                                  Target target = Target::Texture2D);
+
+/// Every level as pixels: for a driver without S3TC. The rest stays as it is.
+void decompress(TextureLevels& levels);
+
+/// The texture with everything that prepareLevels ignores at its initial value: two textures whose settings
+/// are equal have equal levels.
+[[nodiscard]] Texture imageSettings(const Texture& texture);
+
+struct LevelReport {
+    int number = 0;
+    int width = 0;
+    int height = 0;
+    int depth = 1;
+    std::size_t bytes = 0;
+    /// Peak signal-to-noise ratio against the source, in dB over all of red, green, blue and alpha; infinite
+    /// where both are equal, none where there is no source to compare with.
+    std::optional<double> psnr;
+};
+
+struct TextureReport {
+    std::vector<LevelReport> levels;
+    std::size_t bytes = 0;   ///< of all levels
+    double ratioToBase = 0;  ///< tends to 4/3 for a full chain of a picture
+    double shareOfRgba8 = 0; ///< of the bytes that the same levels would take with 4 bytes a texel
+    double shareOfRgb8 = 0;  ///< and with 3
+};
+
+[[nodiscard]] TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& source = {});
+[[nodiscard]] inline TextureReport reportOn(const TextureLevels& levels) {
+    return reportOn(levels.levels, levels.source);
+}
+
+/// The report as a small table, a line a level and one for the sum.
+[[nodiscard]] std::string describe(const TextureReport& report);
+
+} // namespace texplorer

@@ -1,0 +1,372 @@
+// What is uploaded: flip, levels and compression of a texture, checked against pictures turned by hand.
+
+#include "core/s3tc/decode.h"
+#include "core/scene/texture_levels.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace texplorer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Image randomImage(int width, int height, int depth = 1, PixelFormat format = PixelFormat::Rgba8) {
+    Image made = Image::uninitialised(format, width, height, depth);
+    std::mt19937 random(11); // NOLINT: the same picture each time
+    std::ranges::generate(made.pixels, [&] { return static_cast<std::byte>(random() >> 24); });
+    return made;
+}
+
+BlockImage randomBlocks(BlockFormat format, int width, int height, int depth = 1) {
+    BlockImage made = BlockImage::uninitialised(format, width, height, depth);
+    std::mt19937 random(12); // NOLINT
+    std::ranges::generate(made.blocks, [&] { return static_cast<std::byte>(random() >> 24); });
+    return made;
+}
+
+/// As a DDS file is: top row first.
+TextureImage blockTexture(int width, int height, int levels, BlockFormat format = BlockFormat::Dxt5) {
+    TextureImage texture;
+    texture.format = "DDS";
+    texture.topFirst = true;
+    texture.levels = levels;
+    for (int level = 0; level < levels; ++level)
+        texture.surfaces.emplace_back(
+            randomBlocks(format, std::max(1, width >> level), std::max(1, height >> level)));
+    return texture;
+}
+
+/// Upside down, row by row.
+Image upsideDown(const Image& image) {
+    Image turned = image;
+    for (int z = 0; z < image.depth; ++z)
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                std::ranges::copy(image.at(x, image.height - 1 - y, z), turned.at(x, y, z).begin());
+    return turned;
+}
+
+Image pixels(const TextureLevel& level) {
+    return toImage(level.surface);
+}
+
+bool isBlocks(const TextureLevel& level) {
+    return std::holds_alternative<BlockImage>(level.surface);
+}
+
+Texture with(FlipMode flip, MipPolicy mipmaps = MipPolicy::FromFile) {
+    Texture texture;
+    texture.flip = flip;
+    texture.mipmaps = mipmaps;
+    return texture;
+}
+
+std::vector<int> numbers(const TextureLevels& levels) {
+    std::vector<int> found;
+    for (const TextureLevel& level : levels.levels)
+        found.push_back(level.number);
+    return found;
+}
+
+TEST(PreparedBlocks, AreTurnedAroundWithoutDecompressing) {
+    const TextureImage file = blockTexture(16, 8, 5);
+    const auto levels = prepareLevels(with(FlipMode::Blocks), file);
+    ASSERT_TRUE(levels) << describe(levels.error());
+    ASSERT_EQ(levels->levels.size(), 5U);
+    for (const TextureLevel& level : levels->levels) {
+        ASSERT_TRUE(isBlocks(level));
+        EXPECT_EQ(pixels(level), upsideDown(toImage(file.surface(0, level.number)))) << level.number;
+    }
+    EXPECT_EQ(levels->lateFlip, LateFlip::None);
+    EXPECT_THAT(levels->notes, IsEmpty());
+    EXPECT_THAT(levels->source, IsEmpty());
+}
+
+TEST(PreparedBlocks, OfAHeightThatCannotBeTurnedAreDecompressedAndSaidSo) {
+    const TextureImage file = blockTexture(24, 12, 4); // heights 12, 6, 3, 1
+    const auto levels = prepareLevels(with(FlipMode::Blocks), file);
+    ASSERT_TRUE(levels);
+    ASSERT_EQ(levels->levels.size(), 4U);
+    for (const TextureLevel& level : levels->levels) {
+        EXPECT_FALSE(isBlocks(level)) << "all levels of a texture have one format";
+        EXPECT_EQ(pixels(level), upsideDown(toImage(file.surface(0, level.number))));
+    }
+    EXPECT_THAT(levels->notes, ElementsAre(HasSubstr("level 1 has 12 x 6 texels")));
+}
+
+TEST(PreparedBlocks, StayAsTheFileHasThemWhereTheFlipComesLater) {
+    const TextureImage file = blockTexture(24, 12, 4);
+    const std::array<std::pair<FlipMode, LateFlip>, 3> modes{{{FlipMode::Coordinates, LateFlip::Coordinates},
+                                                              {FlipMode::Matrix, LateFlip::Matrix},
+                                                              {FlipMode::None, LateFlip::None}}};
+    for (const auto& [flip, late] : modes) {
+        const auto levels = prepareLevels(with(flip), file);
+        ASSERT_TRUE(levels);
+        EXPECT_EQ(levels->lateFlip, late) << rowOf(flip).name;
+        EXPECT_THAT(levels->notes, IsEmpty());
+        for (const TextureLevel& level : levels->levels)
+            EXPECT_EQ(std::get<BlockImage>(level.surface),
+                      std::get<BlockImage>(file.surface(0, level.number)));
+    }
+}
+
+TEST(PreparedBlocks, AreDecompressedForAFlipOfPixels) {
+    const TextureImage file = blockTexture(8, 8, 4);
+    const auto levels = prepareLevels(with(FlipMode::Pixels), file);
+    ASSERT_TRUE(levels);
+    for (const TextureLevel& level : levels->levels) {
+        EXPECT_FALSE(isBlocks(level));
+        EXPECT_EQ(pixels(level), upsideDown(toImage(file.surface(0, level.number))));
+    }
+}
+
+TEST(PreparedBlocks, AreDecompressedWhereTheSceneSaysSo) {
+    Texture texture = with(FlipMode::Blocks);
+    texture.compression = Compression::None;
+    const TextureImage file = blockTexture(8, 8, 4);
+    const auto levels = prepareLevels(texture, file);
+    ASSERT_TRUE(levels);
+    EXPECT_FALSE(isBlocks(levels->levels[0]));
+    EXPECT_EQ(pixels(levels->levels[0]), upsideDown(toImage(file.surface(0, 0))));
+    EXPECT_THAT(levels->notes, IsEmpty());
+}
+
+TEST(PreparedBlocks, AreDecompressedForWhatNeedsPixelsAndSaidSo) {
+    Texture generated = with(FlipMode::Blocks, MipPolicy::Generated);
+    Texture scaled = with(FlipMode::Blocks, MipPolicy::None);
+    scaled.npot = NpotPolicy::PowerOfTwo;
+    Texture stencil = with(FlipMode::Blocks);
+    stencil.transparency = Transparency::Stencil;
+    const TextureImage file = blockTexture(24, 16, 1);
+    for (const auto& [texture, words] : {std::pair{generated, "mip levels are made of pixels"},
+                                         {scaled, "24 x 16 to powers of two"},
+                                         {stencil, "transparency"}}) {
+        const auto levels = prepareLevels(texture, file);
+        ASSERT_TRUE(levels);
+        EXPECT_FALSE(isBlocks(levels->levels[0]));
+        EXPECT_THAT(levels->notes, ElementsAre(HasSubstr(words)));
+    }
+    EXPECT_EQ(widthOf(prepareLevels(scaled, file)->levels[0].surface), 32); // 24 is 16 * 1.5: it goes up
+}
+
+TEST(PreparedBlocks, AreForPicturesOnly) {
+    const TextureImage file = blockTexture(8, 4, 1);
+    const Image upright = upsideDown(toImage(file.surface(0, 0)));
+    const auto line = prepareLevels(with(FlipMode::Blocks), file, Target::Texture1D);
+    ASSERT_TRUE(line);
+    const Image row = pixels(line->levels[0]);
+    EXPECT_EQ(row.height, 1);
+    EXPECT_TRUE(std::ranges::equal(row.at(3, 0), upright.at(3, 2)))
+        << "the middle row of the upright picture";
+    EXPECT_THAT(line->notes, ElementsAre(HasSubstr("GL_TEXTURE_1D")));
+    const auto volume = prepareLevels(with(FlipMode::Blocks), file, Target::Texture3D);
+    ASSERT_TRUE(volume);
+    EXPECT_EQ(pixels(volume->levels[0]), upright);
+}
+
+TEST(PreparedBlocks, OfAVolumeAreItsMiddleSlice) {
+    TextureImage file;
+    file.topFirst = true;
+    file.surfaces.emplace_back(randomBlocks(BlockFormat::Dxt1, 8, 8, 4));
+    const auto levels = prepareLevels(with(FlipMode::Blocks), file);
+    ASSERT_TRUE(levels);
+    ASSERT_TRUE(isBlocks(levels->levels[0]));
+    const Image all = toImage(file.surface(0, 0));
+    const Image found = pixels(levels->levels[0]);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            ASSERT_TRUE(std::ranges::equal(found.at(x, y), all.at(x, 7 - y, 2)));
+}
+
+struct OrderCase {
+    const char* name;
+    bool topFirst;     // as decoded
+    bool fileTopFirst; // in the file
+    FlipMode flip;
+    bool turned; // against what was decoded
+    LateFlip late;
+};
+
+class RowOrder : public testing::TestWithParam<OrderCase> {};
+
+TEST_P(RowOrder, FollowsTheFlip) {
+    TextureImage file = textureOf(randomImage(5, 3), "test");
+    file.topFirst = GetParam().topFirst;
+    file.fileTopFirst = GetParam().fileTopFirst;
+    const auto levels = prepareLevels(with(GetParam().flip), file);
+    ASSERT_TRUE(levels);
+    const Image decoded = toImage(file.surface(0, 0));
+    EXPECT_EQ(pixels(levels->levels[0]), GetParam().turned ? upsideDown(decoded) : decoded);
+    EXPECT_EQ(levels->lateFlip, GetParam().late);
+}
+
+using F = FlipMode;
+using L = LateFlip;
+
+INSTANTIATE_TEST_SUITE_P(All, RowOrder,
+                         testing::Values(
+                             // A PNG: begins at the top, decoded bottom row first.
+                             OrderCase{"PngBlocks", false, true, F::Blocks, false, L::None},
+                             OrderCase{"PngPixels", false, true, F::Pixels, false, L::None},
+                             OrderCase{"PngCoordinates", false, true, F::Coordinates, true, L::Coordinates},
+                             OrderCase{"PngMatrix", false, true, F::Matrix, true, L::Matrix},
+                             OrderCase{"PngNone", false, true, F::None, true, L::None},
+                             // A bottom-up BMP is upright for OpenGL by itself: nothing is left to flip.
+                             OrderCase{"BmpBlocks", false, false, F::Blocks, false, L::None},
+                             OrderCase{"BmpCoordinates", false, false, F::Coordinates, false, L::None},
+                             OrderCase{"BmpMatrix", false, false, F::Matrix, false, L::None},
+                             OrderCase{"BmpNone", false, false, F::None, false, L::None},
+                             // An uncompressed DDS: top first in both.
+                             OrderCase{"DdsBlocks", true, true, F::Blocks, true, L::None},
+                             OrderCase{"DdsCoordinates", true, true, F::Coordinates, false, L::Coordinates},
+                             OrderCase{"DdsNone", true, true, F::None, false, L::None}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(PreparedLevels, OfAFileEndWhereTheFileEnds) {
+    const auto whole = prepareLevels(with(FlipMode::Blocks), blockTexture(16, 16, 5));
+    EXPECT_EQ(whole->lastLevel, 4);
+    const auto part = prepareLevels(with(FlipMode::Blocks), blockTexture(16, 16, 3));
+    EXPECT_EQ(part->lastLevel, 2);
+    EXPECT_THAT(numbers(*part), ElementsAre(0, 1, 2));
+    const auto picture = prepareLevels(with(FlipMode::Blocks), textureOf(randomImage(16, 16), "PNG"));
+    EXPECT_EQ(picture->lastLevel, 0) << "one level, complete by GL_TEXTURE_MAX_LEVEL";
+    const auto base = prepareLevels(with(FlipMode::Blocks, MipPolicy::None), blockTexture(16, 16, 5));
+    EXPECT_THAT(numbers(*base), ElementsAre(0));
+    EXPECT_EQ(base->lastLevel, 1000) << "incomplete for a filter with mipmaps";
+}
+
+TEST(PreparedLevels, LackOneOnPurpose) {
+    const auto levels =
+        prepareLevels(with(FlipMode::Blocks, MipPolicy::Missing), textureOf(randomImage(16, 16), "PNG"));
+    EXPECT_THAT(numbers(*levels), ElementsAre(0, 1, 3, 4));
+    EXPECT_EQ(levels->lastLevel, 1000);
+    const auto two =
+        prepareLevels(with(FlipMode::Blocks, MipPolicy::Missing), textureOf(randomImage(2, 1), "PNG"));
+    EXPECT_THAT(numbers(*two), ElementsAre(0));
+    const auto one =
+        prepareLevels(with(FlipMode::Blocks, MipPolicy::Missing), textureOf(randomImage(1, 1), "PNG"));
+    EXPECT_THAT(numbers(*one), ElementsAre(0));
+    EXPECT_THAT(one->notes, ElementsAre(HasSubstr("only a base level")));
+}
+
+TEST(PreparedLevels, AreCompressedByTheDriverWhereTheSceneSaysSo) {
+    Texture texture = with(FlipMode::Blocks, MipPolicy::Generated);
+    texture.compression = Compression::Driver;
+    texture.compressedFormat = CompressedFormat::Dxt3;
+    const TextureImage picture = textureOf(randomImage(8, 8), "PNG");
+    const auto levels = prepareLevels(texture, picture);
+    EXPECT_EQ(levels->driverFormat, BlockFormat::Dxt3);
+    EXPECT_FALSE(isBlocks(levels->levels[0]));
+    const auto line = prepareLevels(texture, picture, Target::Texture1D);
+    EXPECT_EQ(line->driverFormat, std::nullopt);
+    EXPECT_THAT(line->notes, ElementsAre(HasSubstr("GL_TEXTURE_1D")));
+}
+
+TEST(PreparedLevels, HaveTheTransparencyThatTheSceneChooses) {
+    Image image = Image::uninitialised(PixelFormat::Rgb8, 2, 1);
+    std::ranges::transform(std::array{255, 0, 255, 1, 2, 3}, image.pixels.begin(),
+                           [](int c) { return static_cast<std::byte>(c); });
+    Texture texture;
+    texture.transparency = Transparency::Stencil;
+    texture.stencilColor = {1, 0, 1, 0.5F};
+    const Image cut = pixels(prepareLevels(texture, textureOf(image, "PNG"))->levels[0]);
+    ASSERT_EQ(cut.format, PixelFormat::Rgba8);
+    EXPECT_EQ(cut.at(0, 0)[3], std::byte{0});
+    EXPECT_EQ(cut.at(1, 0)[3], std::byte{255});
+}
+
+TEST(PreparedLevels, OfACubeMapAreItsFirstFaceAndSaidSo) {
+    TextureImage cube = blockTexture(4, 4, 1);
+    cube.faces = 6;
+    for (int face = 1; face < 6; ++face)
+        cube.surfaces.emplace_back(BlockImage::uninitialised(BlockFormat::Dxt5, 4, 4));
+    const auto levels = prepareLevels(with(FlipMode::None), cube);
+    ASSERT_EQ(levels->levels.size(), 1U);
+    EXPECT_EQ(levels->levels[0].surface, cube.surfaces[0]);
+    EXPECT_THAT(levels->notes, ElementsAre(HasSubstr("6 faces")));
+}
+
+TEST(PreparedLevels, OfNothingAreRefused) {
+    EXPECT_FALSE(prepareLevels(Texture{}, TextureImage{}));
+    EXPECT_FALSE(prepareLevels(Texture{}, textureOf(Image{}, "PNG")));
+}
+
+TEST(PreparedLevels, CanBeDecompressedForADriverWithoutS3tc) {
+    auto levels = prepareLevels(with(FlipMode::Blocks), blockTexture(8, 8, 4));
+    ASSERT_TRUE(levels);
+    const Image before = pixels(levels->levels[0]);
+    decompress(*levels);
+    EXPECT_FALSE(isBlocks(levels->levels[0]));
+    EXPECT_EQ(pixels(levels->levels[0]), before);
+}
+
+TEST(ImageSettings, IgnoreSamplingAndNothingElse) {
+    Texture sampled;
+    sampled.magFilter = MagFilter::Nearest;
+    sampled.minFilter = MinFilter::Nearest;
+    sampled.wrapS = sampled.wrapT = sampled.wrapR = Wrap::Clamp;
+    sampled.borderColor = glm::vec4(1);
+    sampled.baseLevel = sampled.maxLevel = 3;
+    sampled.minLod = sampled.maxLod = 1;
+    sampled.maxAnisotropy = 2;
+    sampled.priority = 0;
+    EXPECT_EQ(imageSettings(sampled), Texture{});
+    Texture made;
+    made.flip = FlipMode::None;
+    made.mipGamma = true;
+    made.internalFormat = BaseFormat::Rgb;
+    EXPECT_EQ(imageSettings(made), made);
+}
+
+// 4/3 to within the last level: 1 + 1/4 + 1/16 + ... + 1/4^8 = (4 - 1/4^8) / 3.
+TEST(Report, OfAFullChainIsFourThirdsOfTheBase) {
+    const auto levels =
+        prepareLevels(with(FlipMode::Blocks, MipPolicy::Generated), textureOf(randomImage(256, 256), "PNG"));
+    const TextureReport report = reportOn(*levels);
+    ASSERT_EQ(report.levels.size(), 9U);
+    EXPECT_EQ(report.levels[0].bytes, 256U * 256 * 4);
+    EXPECT_EQ(report.levels[8].bytes, 4U);
+    EXPECT_EQ(report.bytes, 349524U);
+    EXPECT_NEAR(report.ratioToBase, 4.0 / 3, 1e-5);
+    EXPECT_EQ(report.shareOfRgba8, 1);
+    EXPECT_NEAR(report.shareOfRgb8, 4.0 / 3, 1e-12);
+    EXPECT_FALSE(report.levels[0].psnr);
+}
+
+// Blocks of 16 texels: 8 bytes against 64 and 48. A level below 4 x 4 still takes a whole block.
+TEST(Report, OfBlocksComparesThemWithPixels) {
+    const TextureReport one = reportOn(
+        *prepareLevels(with(FlipMode::None, MipPolicy::None), blockTexture(64, 64, 1, BlockFormat::Dxt1)));
+    EXPECT_DOUBLE_EQ(one.shareOfRgba8, 1.0 / 8);
+    EXPECT_DOUBLE_EQ(one.shareOfRgb8, 1.0 / 6);
+    const TextureReport chain =
+        reportOn(*prepareLevels(with(FlipMode::None), blockTexture(8, 8, 4, BlockFormat::Dxt5)));
+    EXPECT_EQ(chain.bytes, 64U + 16 + 16 + 16);
+    EXPECT_DOUBLE_EQ(chain.ratioToBase, 1.75);
+    EXPECT_DOUBLE_EQ(chain.shareOfRgba8, 112.0 / (4 * 85));
+    EXPECT_THAT(describe(chain), HasSubstr("112 bytes, 1.750 times the base"));
+}
+
+// One component of eight off by 10: the mean square is 100 / 8, 10 log10(255^2 / 12.5) = 37.16 dB.
+TEST(Report, GivesThePeakSignalToNoiseRatio) {
+    Image source = randomImage(2, 1);
+    source.pixels[0] = std::byte{100};
+    Image stored = source;
+    stored.pixels[0] = std::byte{110};
+    const TextureReport report = reportOn({{0, stored}, {1, source}}, {source, source});
+    ASSERT_TRUE(report.levels[0].psnr);
+    EXPECT_NEAR(*report.levels[0].psnr, 37.16, 0.005);
+    ASSERT_TRUE(report.levels[1].psnr);
+    EXPECT_TRUE(std::isinf(*report.levels[1].psnr));
+    EXPECT_THAT(describe(report), HasSubstr("37.2 dB"));
+    EXPECT_THAT(describe(report), HasSubstr("exact"));
+}
+
+} // namespace
+} // namespace texplorer
