@@ -18,8 +18,8 @@ unsigned PictureCache::show(const std::shared_ptr<const Image>& image) {
             Texture plain;
             plain.minFilter = MinFilter::Linear;
             plain.wrapS = plain.wrapT = Wrap::ClampToEdge;
-            MipChain base;
-            base.push_back(*image);
+            TextureLevels base;
+            base.levels.push_back({0, *image});
             TextureObject object(Target::Texture2D, BaseFormat::Rgba, base, "picture", errors);
             object.apply(plain, 1, "picture", errors);
             if (errors.sentences().empty())

@@ -30,10 +30,10 @@ fs::path folderOf(const Session& session, const Load& load) {
     return load.kind == Load::Kind::Scene ? load.images.directory() : session.images.directory();
 }
 
-/// The loaded files become part of a source. Pictures come upright.
+/// The loaded files become part of a source, with all that they hold.
 void putAll(ImageSource& images, Load& load) {
     for (auto& [file, texture] : load.arrived)
-        images.put(file, uprightImage(std::move(texture)));
+        images.put(file, std::move(texture));
 }
 
 void finishImport(Session& session, const Load& load) {

@@ -37,7 +37,7 @@ protected:
         const Texture* bound = boundTexture(*session);
         if (!bound || bound->source != SourceKind::File || !session->images.holds(bound->file))
             return -1;
-        return std::to_integer<int>(session->images.find(*bound)->pixels[0]);
+        return std::to_integer<int>(uprightImage(*session->images.find(*bound)).pixels[0]);
     }
     /// Lets the files be read, or holds them up.
     void open(bool isOpen) {
