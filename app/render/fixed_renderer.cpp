@@ -52,7 +52,8 @@ struct FixedRenderer::State {
     RenderTarget target;
     TextureCache textures;
     MeshCache meshes;
-    GlErrors errors; // of the frame that is being drawn
+    LevelsSource* levels = nullptr; // of the frame that is being drawn
+    GlErrors errors;                // of the frame that is being drawn
 };
 
 FixedRenderer::FixedRenderer(std::unique_ptr<State> state)
@@ -65,7 +66,8 @@ Result<FixedRenderer> FixedRenderer::create(const Capabilities& capabilities) {
     return FixedRenderer(std::make_unique<State>(capabilities));
 }
 
-Result<Frame> FixedRenderer::draw(const Scene& scene, const ImageSource& images, double time, Size size) {
+Result<Frame> FixedRenderer::draw(const Scene& scene, const ImageSource& images, double time, Size size,
+                                  LevelsSource* levels) {
     State& state = *state_;
     if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
         size.height > state.limit.height)
@@ -73,6 +75,7 @@ Result<Frame> FixedRenderer::draw(const Scene& scene, const ImageSource& images,
                     "a picture has 1 x 1 to " + asText(state.limit) + " pixels, not " + asText(size));
     const auto begin = std::chrono::steady_clock::now();
     state.errors = {};
+    state.levels = levels;
     state.errors.check("before the scene was drawn"); // somebody else's, but nobody has reported it
     try {
         const StateGuard guard;
@@ -85,7 +88,8 @@ Result<Frame> FixedRenderer::draw(const Scene& scene, const ImageSource& images,
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return Frame{state.target.texture(), size, elapsed.count(), state.errors.sentences()};
+    return Frame{state.target.texture(), size, elapsed.count(), state.errors.sentences(),
+                 state.textures.isUploading()};
 }
 
 void FixedRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {
@@ -157,7 +161,8 @@ BoundTexture FixedRenderer::State::textureOf(const Scene& scene, const Unit& uni
     }
     // Preparing binds the texture: on its own unit, or it would take the place of another's.
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
-    return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, errors);
+    return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, levels,
+                            errors);
 }
 
 Result<std::vector<TextureLevel>> FixedRenderer::readTexture(std::size_t index, Target target) {

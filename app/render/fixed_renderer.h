@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/scene/image_source.h"
+#include "core/scene/levels_source.h"
 #include "core/scene/scene.h"
 #include "core/scene/texture_levels.h"
 
@@ -25,8 +26,10 @@ public:
     ~FixedRenderer();
 
     /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
-    /// does not end the drawing: it is reported in Frame::problems.
-    [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size);
+    /// does not end the drawing: it is reported in Frame::problems. Without `levels` the textures are made
+    /// and uploaded before the drawing; with it, a texture is what it was before until they are.
+    [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size,
+                                     LevelsSource* levels = nullptr);
 
     /// The levels of one of the textures that the last scene was drawn with, as the driver holds them: what
     /// it compressed is read back as blocks. Refused where the texture was not drawn with this target.

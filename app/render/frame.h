@@ -23,7 +23,8 @@ struct Frame {
     Size size;
     double milliseconds = 0; ///< wall time of the draw call, without waiting for the GPU
     std::vector<std::string>
-        problems; ///< sentences: GL errors named with their call, textures that are missing
+        problems;            ///< sentences: GL errors named with their call, textures that are missing
+    bool unfinished = false; ///< textures are still being uploaded: draw again
 };
 
 } // namespace texplorer::render

@@ -2,12 +2,11 @@
 
 #include "app/render/capabilities.h"
 #include "app/render/gl_errors.h"
-#include "app/render/texture_object.h"
+#include "app/render/live_texture.h"
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 
 #include <map>
-#include <memory>
 
 namespace texplorer::render {
 
@@ -26,9 +25,10 @@ public:
 
     /// The texture object, up to date; its name is 0 where it can't be drawn: then a sentence in `errors`
     /// says why. What was done otherwise than asked for is said there, too. `index` must be one of the
-    /// scene's textures.
+    /// scene's textures. With `levels` it may be what it was before, or 0, until its levels are made and
+    /// uploaded.
     [[nodiscard]] BoundTexture prepare(const Scene& scene, std::size_t index, Target target,
-                                       const ImageSource& images, GlErrors& errors);
+                                       const ImageSource& images, LevelsSource* levels, GlErrors& errors);
 
     /// What `prepare` made last, or nullptr.
     [[nodiscard]] const TextureObject* find(std::size_t index, Target target) const;
@@ -36,23 +36,12 @@ public:
     /// Forgets the texture objects of textures that a scene with `count` textures does not have.
     void keepFirst(std::size_t count);
 
+    /// Whether an upload has to go on with the next frame.
+    [[nodiscard]] bool isUploading() const;
+
 private:
-    struct Slot {
-        std::shared_ptr<const TextureImage> image; // held, so that no other can come to have this address
-        Texture settings;                          // those of imageSettings
-        TextureObject object;
-        int lastLevel = 1000;
-        LateFlip lateFlip = LateFlip::None;
-        GlErrors uploadErrors; // repeated with every frame, for as long as the texture is like this
-        bool usable = false;
-    };
-
-    void upload(Slot& slot, Target target, std::string_view where) const;
-
-    void decompressForDriver(TextureLevels& levels, std::string_view where, GlErrors& errors) const;
-
     Capabilities capabilities_;
-    std::map<std::pair<std::size_t, Target>, Slot> slots_;
+    std::map<std::pair<std::size_t, Target>, LiveTexture> slots_;
 };
 
 } // namespace texplorer::render

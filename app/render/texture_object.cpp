@@ -3,6 +3,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace texplorer::render {
@@ -44,24 +45,44 @@ GLenum pixelFormat(PixelFormat format) {
     return GL_RGBA;
 }
 
-/// Returns the name of the call, for a message.
-const char* uploadImage(Target target, GLint level, GLint stored, const Image& image) {
+/// How many times slower the driver compresses than it copies.
+constexpr std::size_t driverSlowness = 16;
+
+/// Returns the name of the call, for a message. Without `pixels` the level is made, but has no content yet.
+const char* uploadImage(Target target, GLint level, GLint stored, const Image& image,
+                        const std::byte* pixels) {
     const GLenum given = pixelFormat(image.format);
     switch (target) {
     case Target::Texture1D:
-        glTexImage1D(GL_TEXTURE_1D, level, stored, image.width, 0, given, GL_UNSIGNED_BYTE,
-                     image.pixels.data());
+        glTexImage1D(GL_TEXTURE_1D, level, stored, image.width, 0, given, GL_UNSIGNED_BYTE, pixels);
         return "glTexImage1D";
     case Target::Texture2D:
         glTexImage2D(GL_TEXTURE_2D, level, stored, image.width, image.height, 0, given, GL_UNSIGNED_BYTE,
-                     image.pixels.data());
+                     pixels);
         return "glTexImage2D";
     case Target::Texture3D:
         glTexImage3D(GL_TEXTURE_3D, level, stored, image.width, image.height, image.depth, 0, given,
-                     GL_UNSIGNED_BYTE, image.pixels.data());
+                     GL_UNSIGNED_BYTE, pixels);
         return "glTexImage3D";
     }
     return "";
+}
+
+const char* uploadImage(Target target, GLint level, GLint stored, const Image& image) {
+    return uploadImage(target, level, stored, image, image.pixels.data());
+}
+
+/// Some rows of a picture, or slices of a volume.
+const char* uploadRows(Target target, GLint level, const Image& image, int first, int count) {
+    const GLenum given = pixelFormat(image.format);
+    if (target == Target::Texture3D) {
+        glTexSubImage3D(GL_TEXTURE_3D, level, 0, 0, first, image.width, image.height, count, given,
+                        GL_UNSIGNED_BYTE, image.pixels.data() + image.offset(0, 0, first));
+        return "glTexSubImage3D";
+    }
+    glTexSubImage2D(GL_TEXTURE_2D, level, 0, first, image.width, count, given, GL_UNSIGNED_BYTE,
+                    image.pixels.data() + image.offset(0, first, 0));
+    return "glTexSubImage2D";
 }
 
 const char* uploadBlocks(GLint level, const BlockImage& image) {
@@ -76,18 +97,56 @@ GLint enumerant(auto value) {
 
 } // namespace
 
+TextureObject::TextureObject(Target target)
+    : handle_(TextureHandle::create())
+    , target_(static_cast<GLenum>(target)) {}
+
 TextureObject::TextureObject(Target target, BaseFormat format, const TextureLevels& levels,
                              std::string_view where, GlErrors& errors)
-    : handle_(TextureHandle::create())
-    , target_(static_cast<GLenum>(target)) {
+    : TextureObject(target) {
+    UploadCursor cursor{format, 0, 0};
+    static_cast<void>(upload(levels, cursor, std::numeric_limits<std::size_t>::max(), where, errors));
+}
+
+bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, std::size_t bytes,
+                           std::string_view where, GlErrors& errors) {
+    const auto target = static_cast<Target>(target_);
+    const GLint stored = levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(cursor.format);
+    const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
+    std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
-    const GLint stored = levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(format);
-    for (const auto& [number, surface] : levels.levels) {
+    while (left > 0 && cursor.level < levels.levels.size()) {
+        const auto& [number, surface] = levels.levels[cursor.level];
         const Image* image = std::get_if<Image>(&surface);
-        const char* call = image ? uploadImage(target, number, stored, *image)
-                                 : uploadBlocks(number, std::get<BlockImage>(surface));
+        const int rows = !image                        ? 1
+                         : target == Target::Texture3D ? image->depth
+                         : target == Target::Texture2D ? image->height
+                                                       : 1;
+        const std::size_t all = byteCount(surface);
+        const char* call = nullptr;
+        if (cursor.row == 0 && (all <= left || rows == 1)) {
+            call = image ? uploadImage(target, number, stored, *image)
+                         : uploadBlocks(number, std::get<BlockImage>(surface));
+            left -= std::min(left, all);
+            ++cursor.level;
+        } else {
+            if (cursor.row == 0)
+                uploadImage(target, number, stored, *image, nullptr);
+            const std::size_t perRow = std::max<std::size_t>(1, all / static_cast<std::size_t>(rows));
+            // Four rows at least, and a multiple of four: blocks can't be uploaded in part.
+            const int fitting = static_cast<int>(std::min<std::size_t>(left / perRow, 1U << 20)) / 4 * 4;
+            const int count = std::min(std::max(4, fitting), rows - cursor.row);
+            call = uploadRows(target, number, *image, cursor.row, count);
+            left -= std::min(left, perRow * static_cast<std::size_t>(count));
+            cursor.row += count;
+            if (cursor.row == rows) {
+                cursor.row = 0;
+                ++cursor.level;
+            }
+        }
         errors.check(std::string(where) + ": " + call + " level " + std::to_string(number));
     }
+    return cursor.level == levels.levels.size();
 }
 
 void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::string_view where,

@@ -24,34 +24,29 @@ Texture baseSettings(const Texture& texture) {
 
 } // namespace
 
-unsigned TexturePreview::show(const Texture& texture, const ImageSource& images) {
+unsigned TexturePreview::show(const Texture& texture, const ImageSource& images, LevelsSource* levels) {
     std::shared_ptr<const TextureImage> image = images.find(texture);
     if (!image)
         return 0;
-    Texture settings = baseSettings(texture);
-    if (image != image_ || settings != settings_) {
-        image_ = std::move(image);
-        settings_ = std::move(settings);
-        object_ = TextureObject();
-        GlErrors errors; // the renderer reports the same ones about the texture itself
+    const LevelsRequest request{std::move(image), baseSettings(texture), Target::Texture2D};
+    if (!live_.shows(request)) {
         try {
-            const Result<TextureLevels> levels = prepareLevels(settings_, *image_);
-            if (!levels)
-                return 0;
             const StateGuard guard;
+            live_.follow(request, nullptr, levels, "preview");
             Texture plain;
             plain.magFilter = MagFilter::Nearest;
             plain.minFilter = MinFilter::Nearest;
             plain.wrapS = plain.wrapT = Wrap::ClampToEdge;
-            TextureObject object(Target::Texture2D, settings_.internalFormat, *levels, "preview", errors);
-            object.apply(plain, 1, "preview", errors);
-            if (errors.sentences().empty())
-                object_ = std::move(object);
+            GlErrors errors;
+            if (live_.object().name() != 0)
+                live_.object().apply(plain, 1, "preview", errors);
         } catch (const std::bad_alloc&) {
             return 0;
         }
     }
-    return object_.name();
+    // The renderer reports the same errors about the texture itself.
+    const bool usable = live_.isCancelled() || live_.errors().sentences().empty();
+    return usable ? live_.object().name() : 0;
 }
 
 } // namespace texplorer::render

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "app/render/texture_object.h"
+#include "app/render/live_texture.h"
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 
-#include <memory>
 #include <string>
 
 namespace texplorer::render {
@@ -16,12 +15,15 @@ class TexturePreview {
 public:
     /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
     /// refused it. Uploads only what changed. Of a volume it shows the middle slice.
-    [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images);
+    /// With `levels` it may be the picture of before, or 0, until it is made and uploaded.
+    [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images,
+                                LevelsSource* levels = nullptr);
+
+    /// Whether an upload has to go on with the next frame.
+    [[nodiscard]] bool isUploading() const { return live_.isUploading(); }
 
 private:
-    std::shared_ptr<const TextureImage> image_; // held, so that no other can come to have this address
-    Texture settings_;
-    TextureObject object_;
+    LiveTexture live_;
 };
 
 } // namespace texplorer::render

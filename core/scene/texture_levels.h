@@ -69,9 +69,8 @@ struct TextureReport {
 };
 
 [[nodiscard]] TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& source = {});
-[[nodiscard]] inline TextureReport reportOn(const TextureLevels& levels) {
-    return reportOn(levels.levels, levels.source);
-}
+/// Where the driver is to compress them, the bytes are those that its blocks will have.
+[[nodiscard]] TextureReport reportOn(const TextureLevels& levels);
 
 /// The report as a small table, a line a level and one for the sum.
 [[nodiscard]] std::string describe(const TextureReport& report);

@@ -69,6 +69,28 @@ std::string psnrText(const std::optional<double>& psnr) {
 
 } // namespace
 
+TextureReport reportOn(const TextureLevels& levels) {
+    TextureReport report = reportOn(levels.levels, levels.source);
+    if (!levels.driverFormat || report.levels.empty())
+        return report;
+    // The levels are still pixels: what will become of them is known.
+    const std::size_t before = report.bytes;
+    report.bytes = 0;
+    for (LevelReport& level : report.levels) {
+        const auto blocks = [](int extent) { return (static_cast<std::size_t>(extent) + 3) / 4; };
+        level.bytes = blocks(level.width) * blocks(level.height) * static_cast<std::size_t>(level.depth) *
+                      bytesPerBlock(*levels.driverFormat);
+        report.bytes += level.bytes;
+    }
+    if (before == 0)
+        return report;
+    const double change = static_cast<double>(report.bytes) / static_cast<double>(before);
+    report.ratioToBase = static_cast<double>(report.bytes) / static_cast<double>(report.levels.front().bytes);
+    report.shareOfRgba8 *= change;
+    report.shareOfRgb8 *= change;
+    return report;
+}
+
 TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& source) {
     TextureReport report;
     double texels = 0;

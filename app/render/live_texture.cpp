@@ -1,0 +1,118 @@
+#include "app/render/live_texture.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace texplorer::render {
+
+namespace {
+
+/// So that a frame with an upload is no slower than one can bear: about ten milliseconds on llvmpipe.
+constexpr std::size_t bytesPerFrame = std::size_t{8} << 20;
+
+/// "64", "64 x 32" or "64 x 32 x 8": as many axes as the target has.
+std::string extents(const Surface& surface, Target target) {
+    std::string text = std::to_string(widthOf(surface));
+    if (target != Target::Texture1D)
+        text += " x " + std::to_string(heightOf(surface));
+    if (target == Target::Texture3D)
+        text += " x " + std::to_string(depthOf(surface));
+    return text;
+}
+
+/// Why a driver can't take these levels as they are; empty: it can.
+std::string lackingFormat(const TextureLevels& levels, const Capabilities& capabilities) {
+    std::optional<BlockFormat> format = levels.driverFormat;
+    if (const auto* blocks = std::get_if<BlockImage>(&levels.levels.front().surface))
+        format = blocks->format;
+    if (!format || (isS3tc(*format) ? capabilities.s3tc : capabilities.rgtc))
+        return {};
+    const EnumRow& row = rowOf(*format);
+    return "the driver has no " + std::string(row.name) +
+           (row.since.starts_with("GL_") ? " (" + std::string(row.since) + ")" : "") +
+           "; uploaded decompressed";
+}
+
+} // namespace
+
+void LiveTexture::follow(const LevelsRequest& request, const Capabilities* capabilities, LevelsSource* source,
+                         std::string_view where) {
+    cancelled_ = false;
+    if (shown_ == request)
+        return next_.reset();
+    if (!next_ || next_->request != request) {
+        next_.reset();
+        std::shared_ptr<const PreparedLevels> levels =
+            source ? source->prepare(request)
+                   : std::make_shared<const PreparedLevels>(
+                         prepareLevels(request.settings, *request.image, request.target));
+        if (!levels)
+            return;
+        begin(request, std::move(levels), capabilities, where);
+        if (!next_)
+            return;
+    }
+    const std::size_t budget =
+        source && source->isLive() ? bytesPerFrame : std::numeric_limits<std::size_t>::max();
+    if (next_->object.upload(**next_->levels, next_->cursor, budget, where, next_->errors))
+        finish(source);
+}
+
+/// There is nothing to show, and why.
+void LiveTexture::refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence) {
+    *this = LiveTexture();
+    shown_ = request;
+    errors_.add(std::string(where) + ": " + sentence + "; drawn without it");
+}
+
+void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
+                        const Capabilities* capabilities, std::string_view where) {
+    if (!*levels) {
+        const Error& error = levels->error();
+        if (error.code != ErrorCode::Cancelled)
+            return refuse(request, where, describe(error));
+        cancelled_ = true;
+        cancelledErrors_ = {};
+        return cancelledErrors_.add(std::string(where) + ": " + error.message +
+                                    "; what was drawn before stays");
+    }
+    GlErrors errors;
+    for (const std::string& note : (*levels)->notes)
+        errors.add(std::string(where) + ": " + note);
+    if (capabilities) {
+        const Surface& base = (*levels)->levels.front().surface;
+        const int limit = request.target == Target::Texture3D ? capabilities->max3DTextureSize
+                                                              : capabilities->maxTextureSize;
+        if (std::max({widthOf(base), heightOf(base), depthOf(base)}) > limit)
+            return refuse(request, where,
+                          extents(base, request.target) + " texels exceed the driver's " +
+                              std::to_string(limit) + " for " + std::string(rowOf(request.target).name));
+        if (const std::string lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
+            errors.add(std::string(where) + ": " + lack);
+            TextureLevels pixels = **levels;
+            decompress(pixels);
+            levels = std::make_shared<const PreparedLevels>(std::move(pixels));
+        }
+    }
+    next_.emplace(Next{request, std::move(levels), TextureObject(request.target), {}, std::move(errors)});
+    next_->cursor.format = request.settings.internalFormat;
+}
+
+/// The next levels take the place of those that were shown.
+void LiveTexture::finish(LevelsSource* source) {
+    Next next = std::move(*next_);
+    next_.reset();
+    const TextureLevels& levels = **next.levels;
+    lastLevel_ = levels.lastLevel;
+    lateFlip_ = levels.lateFlip;
+    object_ = std::move(next.object);
+    errors_ = std::move(next.errors);
+    if (source && levels.driverFormat) {
+        if (Result<std::vector<TextureLevel>> made = object_.read())
+            source->driverMade(next.request, next.levels, std::move(*made));
+    }
+    shown_ = std::move(next.request);
+}
+
+} // namespace texplorer::render
