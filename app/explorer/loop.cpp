@@ -2,6 +2,7 @@
 
 #include "app/explorer/input.h"
 #include "app/stage/stage.h"
+#include "app/ui/document.h"
 
 #include <imgui.h>
 
@@ -31,13 +32,14 @@ void pace(Window& window, bool moving, bool settling, double lastFrame) {
 
 } // namespace
 
-Result<void> runLoop(Window& window, ui::Session& session) {
+Result<void> runLoop(Window& window, ui::Session& session, const std::vector<std::filesystem::path>& files) {
     Result<stage::Stage> stage = stage::Stage::create(window.contentScale());
     if (!stage)
         return fail(stage.error());
     const Input input(window.handle());
     ui::Background background(Window::wake);
     session.background = &background;
+    ui::report(session, ui::openArguments(session, files));
 
     int settling = settlingFrames;
     double last = window.now();
@@ -72,7 +74,7 @@ Result<void> runLoop(Window& window, ui::Session& session) {
         window.swap();
         if (requests.quit)
             return {};
-        if (requests.fading)
+        if (requests.fading || requests.unfinished)
             settling = settlingFrames;
 
         settling = std::max(0, settling - 1);

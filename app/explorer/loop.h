@@ -5,8 +5,9 @@
 
 namespace texplorer::explorer {
 
-/// Draws and edits the session in the window until the user closes it. Sleeps while nothing moves and nothing
-/// is touched. The error says what the driver lacks.
-[[nodiscard]] Result<void> runLoop(Window& window, ui::Session& session);
+/// Opens `files` and draws and edits the session in the window until the user closes it. Sleeps while nothing
+/// moves and nothing is touched. The error says what the driver lacks.
+[[nodiscard]] Result<void> runLoop(Window& window, ui::Session& session,
+                                   const std::vector<std::filesystem::path>& files);
 
 } // namespace texplorer::explorer

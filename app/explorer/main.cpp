@@ -22,15 +22,16 @@ int complain(const std::string& sentence) {
 }
 
 int run(const std::vector<std::string>& files) {
+    const std::vector<std::filesystem::path> paths(files.begin(), files.end());
+    if (const Result<void> known = ui::checkArguments(paths); !known)
+        return complain(describe(known.error()));
     ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
-    if (const Result<void> opened = ui::openArguments(session, {files.begin(), files.end()}); !opened)
-        return complain(describe(opened.error()));
     Result<explorer::Window> window = explorer::Window::open(startSize, ui::windowTitle(session));
     if (!window)
         return complain(
             describe(window.error()) +
             ". Without a display, texshot draws the same window: texshot shot --ui -o window.png");
-    if (const Result<void> ended = explorer::runLoop(*window, session); !ended)
+    if (const Result<void> ended = explorer::runLoop(*window, session, paths); !ended)
         return complain(describe(ended.error()));
     return 0;
 }

@@ -46,6 +46,7 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     ui::Session session = ui::makeSession(drawing.scene, drawing.images, drawing.file);
     session.playback.time = drawing.time;
     session.showsFrameTime = false;
+    session.wantedTab = drawing.tab;
     for (int frame = 0; frame < settlingFrames; ++frame)
         stage->draw(session, {drawing.size, drawing.size, 1});
 

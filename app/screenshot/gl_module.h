@@ -4,6 +4,7 @@
 // everything that needs GL lives in a module that is loaded only when something is drawn.
 
 #include "app/render/frame.h"
+#include "app/ui/details_tabs.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/scene/image_source.h"
@@ -14,10 +15,11 @@ namespace texplorer::screenshot {
 struct Drawing {
     Scene scene;
     ImageSource images;
-    std::filesystem::path file; ///< of the scene; empty: none
-    double time = 0;            ///< seconds
-    render::Size size;          ///< of the picture, in pixels
-    bool window = false;        ///< the whole window with its panels, not just the scene
+    std::filesystem::path file;      ///< of the scene; empty: none
+    double time = 0;                 ///< seconds
+    render::Size size;               ///< of the picture, in pixels
+    bool window = false;             ///< the whole window with its panels, not just the scene
+    ui::Tab tab = ui::Tab::Vertices; ///< of the window
 };
 
 struct Picture {

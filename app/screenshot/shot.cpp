@@ -6,6 +6,7 @@
 #include "core/scene/json.h"
 #include "core/scene/params.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -22,6 +23,7 @@ struct Options {
     std::string size = "1280x800";
     std::string time = "0";
     bool window = false;
+    std::string tab;
     std::string out;
 };
 
@@ -55,6 +57,23 @@ Result<double> parseTime(std::string_view text) {
                 "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
 }
 
+std::string tabNames() {
+    std::string names;
+    for (const ui::TabRow& row : ui::tabRows)
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    return names;
+}
+
+Result<ui::Tab> parseTab(std::string_view name) {
+    if (name.empty())
+        return ui::Tab::Vertices;
+    const auto found = std::ranges::find(ui::tabRows, name, &ui::TabRow::name);
+    if (found != ui::tabRows.end())
+        return found->tab;
+    return fail(ErrorCode::OutOfRange,
+                "expected one of " + tabNames() + ", found \"" + std::string(name) + "\"", "--tab");
+}
+
 Result<void> assign(Scene& scene, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos)
@@ -72,7 +91,11 @@ ExitCode shoot(const Options& options) {
     if (!time)
         return complain(time.error(), wrongCall);
 
-    Drawing drawing{defaultScene(), ImageSource{}, options.sceneFile, *time, *size, options.window};
+    const Result<ui::Tab> tab = parseTab(options.tab);
+    if (!tab)
+        return complain(tab.error(), wrongCall);
+
+    Drawing drawing{defaultScene(), ImageSource{}, options.sceneFile, *time, *size, options.window, *tab};
     if (!options.sceneFile.empty()) {
         const Result<std::string> text = readText(options.sceneFile, maxSceneBytes);
         if (!text)
@@ -121,7 +144,12 @@ void addShot(CLI::App& app, Action& action) {
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
     command->add_option("--time", options->time, "Seconds on the scene's clock, for what moves.")
         ->capture_default_str();
-    command->add_flag("--ui", options->window, "Draw the whole window with its panels.");
+    CLI::Option* window =
+        command->add_flag("--ui", options->window, "Draw the whole window with its panels.");
+    command
+        ->add_option("--tab", options->tab,
+                     "With --ui: the tab at the lower right, one of " + tabNames() + ".")
+        ->needs(window);
     command->add_option("-o,--out", options->out, "The PNG to write; - for standard output.")->required();
     command->callback([&action, options] { action = [options] { return shoot(*options); }; });
 }

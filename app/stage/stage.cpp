@@ -95,12 +95,13 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
     };
     const render::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
+    LevelsWorker& levels = ui::levelsOf(session);
     Result<render::Frame> drawn =
-        state_->renderer.draw(session.scene, session.images, session.playback.time, picture);
+        state_->renderer.draw(session.scene, session.images, session.playback.time, picture, &levels);
     const render::Frame frame =
-        drawn ? std::move(*drawn) : render::Frame{0, picture, 0, {describe(drawn.error())}};
+        drawn ? std::move(*drawn) : render::Frame{0, picture, 0, {describe(drawn.error())}, false};
     const Texture* bound = ui::boundTexture(std::as_const(session));
-    const unsigned texture = bound ? state_->preview.show(*bound, session.images) : 0;
+    const unsigned texture = bound ? state_->preview.show(*bound, session.images, &levels) : 0;
 
     ImGui_ImplOpenGL2_NewFrame();
     ImGui::GetIO().DisplaySize = {static_cast<float>(surface.size.width),
@@ -114,6 +115,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
         {frame, texture, setBlending,
          [this](const std::shared_ptr<const Image>& image) { return state_->pictures.show(image); }},
         state_->capabilities, layout);
+    requests.unfinished = frame.unfinished || state_->preview.isUploading();
     ImGui::Render();
 
     glViewport(0, 0, surface.pixels.width, surface.pixels.height);

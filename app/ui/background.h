@@ -3,6 +3,7 @@
 #include "app/ui/thumbnails.h"
 #include "core/base/file_watch.h"
 #include "core/scene/image_loader.h"
+#include "core/scene/levels_worker.h"
 
 namespace texplorer::ui {
 
@@ -10,11 +11,13 @@ namespace texplorer::ui {
 /// `wake` is called on those threads when there is news for the next frame.
 struct Background {
     explicit Background(const std::function<void()>& wake = {})
-        : loader(wake)
+        : levels(LevelsWorker::When::WhenReady, wake)
+        , loader(wake)
         , thumbnails(wake)
         , watch(wake) {}
 
-    ImageLoader loader; ///< what the user wants to see
+    LevelsWorker levels; ///< of the scene's textures
+    ImageLoader loader;  ///< what the user wants to see
     Thumbnails thumbnails;
     FileWatch watch; ///< of every file that is loaded
 };

@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t maxSceneBytes = std::size_t{64} << 20;
+constexpr std::size_t recognisedBytes = 4096; // enough of a file to tell what it is
 
 fs::path absolutePath(const fs::path& path) {
     std::error_code failed;
@@ -24,6 +25,22 @@ std::string nameFrom(const fs::path& directory, const fs::path& file) {
     const fs::path relative = absolutePath(file).lexically_relative(absolutePath(directory));
     const bool below = !relative.empty() && *relative.begin() != "..";
     return below ? relative.generic_string() : absolutePath(file).generic_string();
+}
+
+/// The same of a file that becomes one of a source's images; absolute while the scene was never saved.
+std::string nameIn(const ImageSource& images, const fs::path& file) {
+    return images.directory().empty() ? absolutePath(file).generic_string()
+                                      : nameFrom(images.directory(), file);
+}
+
+Result<Scene> readScene(const fs::path& path) {
+    const Result<std::string> text = readText(path, maxSceneBytes);
+    if (!text)
+        return fail(text.error());
+    Result<Scene> scene = parseScene(*text);
+    if (!scene)
+        return fail(scene.error().code, describe(scene.error()), path.string());
+    return scene;
 }
 
 /// The same scene, with its image files named from another folder.
@@ -51,17 +68,28 @@ void replaceDocument(Session& session, Scene scene, ImageSource images, fs::path
 
 } // namespace
 
+void bindFile(Scene& scene, int pass, int unit, std::string file) {
+    const auto at = std::min(static_cast<std::size_t>(pass), scene.passes.size() - 1);
+    Unit& shown = scene.passes[at].units[static_cast<std::size_t>(unit)];
+    const bool bound = shown.texture >= 0 && static_cast<std::size_t>(shown.texture) < scene.textures.size();
+    if (!bound) {
+        scene.textures.push_back({});
+        shown.texture = static_cast<int>(scene.textures.size()) - 1;
+    }
+    Texture& texture = scene.textures[static_cast<std::size_t>(shown.texture)];
+    texture.source = SourceKind::File;
+    texture.file = std::move(file);
+    shown.enabled = true;
+}
+
 void newScene(Session& session) {
     replaceDocument(session, defaultScene(), ImageSource{}, {});
 }
 
 Result<void> openScene(Session& session, const fs::path& path) {
-    const Result<std::string> text = readText(path, maxSceneBytes);
-    if (!text)
-        return fail(text.error());
-    Result<Scene> scene = parseScene(*text);
+    Result<Scene> scene = readScene(path);
     if (!scene)
-        return fail(scene.error().code, describe(scene.error()), path.string());
+        return fail(scene.error());
     const fs::path file = absolutePath(path);
     return start(session, {.kind = Load::Kind::Scene,
                            .path = file,
@@ -104,8 +132,7 @@ Result<void> saveScene(Session& session, const fs::path& path) {
 }
 
 Result<void> importImage(Session& session, const fs::path& path) {
-    std::string file = session.images.directory().empty() ? absolutePath(path).generic_string()
-                                                          : nameFrom(session.images.directory(), path);
+    std::string file = nameIn(session.images, path);
     return start(session, {.kind = Load::Kind::Import,
                            .path = path,
                            .file = std::move(file),
@@ -120,8 +147,7 @@ Result<void> setFile(Session& session, int texture, std::string file) {
 }
 
 Result<bool> holdsScene(const fs::path& path) {
-    constexpr std::size_t enough = 4096;
-    const Result<Bytes> start = readFileStart(path, enough);
+    const Result<Bytes> start = readFileStart(path, recognisedBytes);
     if (!start)
         return fail(start.error());
     if (recogniseImage(*start))
@@ -143,43 +169,65 @@ Result<void> openFile(Session& session, const fs::path& path) {
     return *scene ? openScene(session, path) : importImage(session, path);
 }
 
+Result<void> checkArguments(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) {
+        const Result<bool> scene = holdsScene(file);
+        if (!scene)
+            return fail(scene.error());
+        if (*scene) {
+            if (const Result<Scene> parsed = readScene(file); !parsed)
+                return fail(parsed.error());
+            continue;
+        }
+        const Result<Bytes> start = readFileStart(file, recognisedBytes);
+        if (!start)
+            return fail(start.error());
+        if (recogniseImage(*start))
+            continue;
+        const Result<TextureImage> refused = decodeTexture(*start);
+        if (!refused)
+            return fail(refused.error().code, refused.error().message, file.string());
+    }
+    return {};
+}
+
 Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
+    Load load{.kind = Load::Kind::Scene, .scene = session.scene, .before = session.scene};
+    load.images = ImageSource(session.images.directory());
     std::vector<fs::path> images;
     for (const fs::path& file : files) {
         const Result<bool> scene = holdsScene(file);
         if (!scene)
             return fail(scene.error());
-        if (!*scene)
+        if (!*scene) {
             images.push_back(file);
-        else if (Result<void> opened = openScene(session, file); !opened)
-            return opened;
-    }
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        if (i == 0) {
-            if (Result<void> imported = importImage(session, images[i]); !imported)
-                return imported;
             continue;
         }
-        if (session.scene.textures.size() >= maxTextures)
+        Result<Scene> parsed = readScene(file);
+        if (!parsed)
+            return fail(parsed.error());
+        load.scene = std::move(*parsed);
+        load.path = absolutePath(file);
+        load.images = ImageSource(load.path.parent_path());
+    }
+    Scene& scene = load.scene;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        std::string name = nameIn(load.images, images[i]);
+        if (i == 0) {
+            bindFile(scene, 0, 0, std::move(name));
+            continue;
+        }
+        if (scene.textures.size() >= maxTextures)
             return fail(ErrorCode::TooLarge,
                         "a scene has at most " + std::to_string(maxTextures) + " textures",
                         images[i].string());
-        Scene scene = session.scene;
         Texture texture;
         texture.source = SourceKind::File;
         texture.mipmaps = MipPolicy::Generated;
-        texture.file = absolutePath(images[i]).generic_string();
+        texture.file = std::move(name);
         scene.textures.push_back(std::move(texture));
-        if (Result<void> loaded = session.images.load(scene); !loaded)
-            return loaded;
-        session.scene = std::move(scene);
     }
-    if (!images.empty()) {
-        session.saved = session.scene;
-        session.history = History(session.scene);
-        session.lastChanged.clear();
-    }
-    return {};
+    return files.empty() ? Result<void>{} : start(session, std::move(load));
 }
 
 void say(Session& session, const Error& error, const fs::path& file) {

@@ -22,6 +22,9 @@ void newScene(Session& session);
 /// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
 [[nodiscard]] Result<void> importImage(Session& session, const std::filesystem::path& path);
 
+/// A unit shows a file, with the texture that is bound to it, or with a new one; the unit is switched on.
+void bindFile(Scene& scene, int pass, int unit, std::string file);
+
 /// Puts an image on one texture of the scene. `file` is spelled as in Texture::file.
 [[nodiscard]] Result<void> setFile(Session& session, int texture, std::string file);
 
@@ -31,6 +34,10 @@ void showLoadedScene(Session& session, Load load);
 
 /// A scene or an image, by its content.
 [[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
+
+/// Whether what the command line names is there and is something that can be opened, by the beginning of each
+/// file: what can be said before there is a window.
+[[nodiscard]] Result<void> checkArguments(const std::vector<std::filesystem::path>& files);
 
 /// What the command line names: at most one scene, and images; the first one is shown, the others wait as
 /// textures. The session begins with them: there is nothing to undo or to save.

@@ -1,5 +1,6 @@
 // The tab "File": what is where in a texture's file, as a table of fields and as bytes.
 
+#include "app/ui/fitted_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -38,6 +39,10 @@ void fieldTip(const Field& field) {
     ImGui::EndTooltip();
 }
 
+std::string indented(const Field& field) {
+    return std::string(static_cast<std::size_t>(std::clamp(field.depth, 0, 8)) * 2, ' ') + field.name;
+}
+
 void fieldRow(Session& session, std::size_t index, int digits, std::optional<std::size_t>& hovered) {
     FileView& view = session.fileView;
     const Field& field = view.content->anatomy.fields[index];
@@ -58,17 +63,24 @@ void fieldRow(Session& session, std::size_t index, int digits, std::optional<std
     ImGui::PushFont(codeFont());
     ImGui::TextDisabled("%s", hexNumber(field.offset, digits).c_str());
     ImGui::PopFont();
-    ImGui::PushStyleColor(ImGuiCol_Text, field.wrong.empty() ? color::text : color::problem);
+    const bool fine = field.wrong.empty();
     ImGui::TableNextColumn();
-    const std::string indent(static_cast<std::size_t>(std::clamp(field.depth, 0, 8)) * 2, ' ');
-    ImGui::TextUnformatted((indent + field.name).c_str());
+    fittedText(indented(field), fine ? color::text : color::problem);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(field.value.c_str());
-    ImGui::PopStyleColor();
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, field.wrong.empty() ? color::dim : color::problem);
-    ImGui::TextUnformatted(field.wrong.empty() ? field.meaning.c_str() : field.wrong.c_str());
-    ImGui::PopStyleColor();
+    if (!field.value.empty()) {
+        fittedText(field.value, fine ? color::text : color::problem);
+        ImGui::SameLine(0, ImGui::GetFontSize() * 0.7F);
+    }
+    if (ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 2)
+        fittedText(fine ? field.meaning : field.wrong, fine ? color::dim : color::problem);
+}
+
+/// So that the first names fit, but no more than a good third of the panel.
+float nameWidth(const std::vector<Field>& fields) {
+    float width = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 64); ++i)
+        width = std::max(width, ImGui::CalcTextSize(indented(fields[i]).c_str()).x);
+    return std::min(width, ImGui::GetContentRegionAvail().x * 0.38F);
 }
 
 void fieldTable(Session& session, float height, std::optional<std::size_t>& hovered) {
@@ -77,7 +89,7 @@ void fieldTable(Session& session, float height, std::optional<std::size_t>& hove
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings |
                                       ImGuiTableFlags_RowBg;
-    if (!ImGui::BeginTable("fields", 4, flags, {0, height}))
+    if (!ImGui::BeginTable("fields", 3, flags, {0, height}))
         return;
     const int digits = offsetDigits(view.content->fileBytes);
     ImGui::PushFont(codeFont());
@@ -85,9 +97,8 @@ void fieldTable(Session& session, float height, std::optional<std::size_t>& hove
     ImGui::PopFont();
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Offset", ImGuiTableColumnFlags_WidthFixed, offsets);
-    ImGui::TableSetupColumn("Field", ImGuiTableColumnFlags_WidthStretch, 1.15F);
-    ImGui::TableSetupColumn("Value", ImGuiTableColumnFlags_WidthStretch, 0.9F);
-    ImGui::TableSetupColumn("Meaning", ImGuiTableColumnFlags_WidthStretch, 1.5F);
+    ImGui::TableSetupColumn("Field", ImGuiTableColumnFlags_WidthFixed, nameWidth(fields));
+    ImGui::TableSetupColumn("Value and meaning", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
     if (view.revealInTable) {
         const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;

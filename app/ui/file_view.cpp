@@ -87,7 +87,7 @@ void followFile(Session& session) {
 
 void lookInto(Session& session, fs::path file) {
     session.fileView.chosen = std::move(file);
-    session.fileView.comesToFront = true;
+    session.wantedTab = Tab::File;
 }
 
 } // namespace texplorer::ui

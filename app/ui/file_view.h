@@ -36,7 +36,6 @@ struct FileView {
     std::optional<std::size_t> hovered; ///< the field under the mouse, in the table or in the bytes
     std::optional<std::size_t> revealInTable;
     std::optional<std::size_t> revealInBytes;
-    bool comesToFront = false;
 };
 
 /// Opens the tab with a file, be it an image or damaged.

@@ -37,18 +37,7 @@ void putAll(ImageSource& images, Load& load) {
 }
 
 void finishImport(Session& session, const Load& load) {
-    Scene& scene = session.scene;
-    const auto pass = std::min(static_cast<std::size_t>(load.pass), scene.passes.size() - 1);
-    Unit& unit = scene.passes[pass].units[static_cast<std::size_t>(load.unit)];
-    const bool bound = unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size();
-    if (!bound) {
-        scene.textures.push_back({});
-        unit.texture = static_cast<int>(scene.textures.size()) - 1;
-    }
-    Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
-    texture.source = SourceKind::File;
-    texture.file = load.file;
-    unit.enabled = true;
+    bindFile(session.scene, load.pass, load.unit, load.file);
     sealEdit(session);
     recordEdit(session, "Open " + load.path.filename().string());
     sealEdit(session);
@@ -205,10 +194,11 @@ Result<void> start(Session& session, Load load) {
 }
 
 bool receiveFiles(Session& session) {
+    bool news = levelsOf(session).receive();
     if (!session.background)
-        return false;
+        return news;
     Background& background = *session.background;
-    bool news = background.thumbnails.receive();
+    news |= background.thumbnails.receive();
     for (ImageLoader::Loaded& loaded : background.loader.take()) {
         receive(session, std::move(loaded));
         news = true;

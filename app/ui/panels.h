@@ -12,12 +12,13 @@ void drawPlaybackControls(Session& session);
 void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout);
 void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);
 void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Layout& layout);
-void drawDetailsPanel(Session& session, const Layout& layout); ///< the tabs Vertices, Commands and File
+void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& layout); ///< the tabs
 /// A list of the scene's models; there must be one.
 void modelChoice(Session& session, float width);
 void drawVerticesTab(Session& session);
 void drawCommandsTab(Session& session);
 void drawFileTab(Session& session);
+void drawMemoryTab(Session& session, const Pictures& pictures);
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
                    const Layout& layout);
 void drawDialogs(Session& session, const Pictures& pictures);

@@ -39,7 +39,7 @@ std::string originOf(const EnumRow& choice) {
     return (extension ? "from " : "since OpenGL ") + std::string(choice.since);
 }
 
-void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
+void paramTip(const ParamRow& row, const Value& value, const Value& initial, const std::string& inert) {
     if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
     ImGui::BeginTooltip();
@@ -59,6 +59,11 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial) {
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
         dimText("Drag it, or double-click to type a number.");
+    if (!inert.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        text("No effect now: " + inert);
+        ImGui::PopStyleColor();
+    }
     if (value != initial) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
         text("Initially " + formatValue(row, initial) + "; a right click resets it.");
@@ -89,6 +94,7 @@ bool enumWidget(Session& session, const ParamRow& row, EnumValue& value, const s
     const std::string preview(current ? current->label : "?");
     bool changed = false;
     if (ImGui::BeginCombo("##value", preview.c_str(), ImGuiComboFlags_HeightLarge)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
         float names = 0;
         for (const EnumRow& choice : row.choices)
             names = std::max(names, textWidth(choice.label));
@@ -110,6 +116,7 @@ bool enumWidget(Session& session, const ParamRow& row, EnumValue& value, const s
                 ImGui::PopFont();
             }
         }
+        ImGui::PopStyleColor();
         ImGui::EndCombo();
     }
     return changed;
@@ -299,6 +306,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     Value value = row.read(owner.values);
     const Value initial = row.read(owner.initial);
     const bool changed = value != initial;
+    const std::string inert = owner.inert ? owner.inert(row) : std::string();
 
     ImGui::PushID(path.c_str());
     const float em = ImGui::GetFontSize();
@@ -311,12 +319,12 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
-    if (changed)
-        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+    ImGui::PushStyleColor(ImGuiCol_Text, !inert.empty() ? color::dim
+                                         : changed      ? color::changed
+                                                        : color::text);
     text(row.label);
-    if (changed)
-        ImGui::PopStyleColor();
-    paramTip(row, value, initial);
+    ImGui::PopStyleColor();
+    paramTip(row, value, initial, inert);
     bool reset = changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     float controlWidth = full - resetWidth;
     if (!ownLine) {
@@ -324,12 +332,16 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
         controlWidth -= labelWidth;
     }
     ImGui::SetNextItemWidth(controlWidth);
+    ImGui::PushStyleColor(ImGuiCol_Text, inert.empty() ? color::text : color::dim);
     bool edited = control(session, row, value, path);
+    ImGui::PopStyleColor();
     if (!isWide(row.kind)) {
         noteItem(session, path);
         sealAfterItem(session);
     }
-    paramTip(row, value, initial);
+    if (!inert.empty())
+        noteItem(session, path + "#inert");
+    paramTip(row, value, initial, inert);
     reset |= changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (row.kind == Kind::Color)
         edited |= colorPopup(session, std::get<glm::vec4>(value), path);

@@ -17,6 +17,8 @@ struct Owner {
     std::string path; ///< "textures[0]"; empty for the scene itself
     /// Asked before a value is written; false leaves everything as it was.
     std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
+    /// Why a row's value changes nothing at present, as a sentence: it is shown dim then. Empty: it matters.
+    std::function<std::string(const ParamRow& row)> inert = {};
 
     [[nodiscard]] std::string pathOf(const ParamRow& row) const {
         return path.empty() ? std::string(row.key) : path + "." + std::string(row.key);

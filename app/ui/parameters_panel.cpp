@@ -118,6 +118,42 @@ bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, con
     return false;
 }
 
+bool isPowerOfTwo(const Surface& surface) {
+    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
+    return power(widthOf(surface)) && power(heightOf(surface)) && power(depthOf(surface));
+}
+
+/// Why a value of the bound texture changes nothing at present.
+std::string inertReason(Session& session, const Texture& texture, const ParamRow& row) {
+    const Target target = selectedUnit(session).target;
+    const std::shared_ptr<const TextureImage> image = session.images.find(texture);
+    const bool hasImage = image && !image->surfaces.empty();
+    const auto showsBorder = [&](Wrap wrap) { return wrap == Wrap::Clamp || wrap == Wrap::ClampToBorder; };
+    if (row.key == "flip" && texture.source == SourceKind::Pattern)
+        return "a built-in pattern is upright.";
+    if (row.key == "flip" && image && !image->fileTopFirst)
+        return "the file begins with the bottom row, as OpenGL does.";
+    if (row.key == "internalFormat" && image) {
+        const auto summary = levelsOf(session).summary({image, imageSettings(texture), target});
+        if (summary && summary->compressed)
+            return "a compressed texture has a format of its own.";
+    }
+    if (row.key == "npot" && hasImage && isPowerOfTwo(image->surfaces.front()))
+        return "the image's size is a power of two.";
+    if (row.key == "wrapR" && target != Target::Texture3D)
+        return "only a 3D texture has r; the unit's target is " + std::string(rowOf(target).label) + ".";
+    if (row.key == "wrapT" && target == Target::Texture1D)
+        return "a 1D texture has only s.";
+    if (row.key == "borderColor" && !showsBorder(texture.wrapS) && !showsBorder(texture.wrapT) &&
+        !(target == Target::Texture3D && showsBorder(texture.wrapR)))
+        return "no wrap mode shows the border.";
+    const bool samplesMipmaps =
+        texture.minFilter != MinFilter::Nearest && texture.minFilter != MinFilter::Linear;
+    if ((row.key == "mipFilter" || row.key == "mipGamma" || row.key == "maxLevel") && !samplesMipmaps)
+        return "the minification filter reads no mipmaps.";
+    return {};
+}
+
 void textureSection(Session& session, const render::Capabilities& capabilities) {
     textureChoice(session);
     Texture* texture = boundTexture(session);
@@ -126,10 +162,12 @@ void textureSection(Session& session, const render::Capabilities& capabilities) 
         return;
     }
     static const Texture initial;
-    const Owner owner{texture, &initial, indexed("textures", selectedUnit(session).texture),
-                      [&](const ParamRow& row, const Value& value) {
-                          return acceptsTexture(session, *texture, row, value);
-                      }};
+    const Owner owner{
+        texture, &initial, indexed("textures", selectedUnit(session).texture),
+        [&](const ParamRow& row, const Value& value) {
+            return acceptsTexture(session, *texture, row, value);
+        },
+        [&session, texture](const ParamRow& row) { return inertReason(session, *texture, row); }};
     paramRows(session, owner, textureTable());
     if (texture->maxAnisotropy > capabilities.maxAnisotropy) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);

@@ -19,7 +19,8 @@ Session::Session(Scene start, ImageSource source)
     : scene(start)
     , history(start)
     , saved(std::move(start))
-    , images(std::move(source)) {}
+    , images(std::move(source))
+    , levelsAtOnce(std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce)) {}
 
 Session makeSession(Scene scene, ImageSource images, std::filesystem::path file) {
     Session session(std::move(scene), std::move(images));
@@ -92,6 +93,10 @@ bool isDirty(const Session& session) {
 std::string windowTitle(const Session& session) {
     const std::string name = session.file.empty() ? "Untitled" : session.file.filename().string();
     return name + (isDirty(session) ? " • Texplorer" : " - Texplorer");
+}
+
+LevelsWorker& levelsOf(Session& session) {
+    return session.background ? session.background->levels : *session.levelsAtOnce;
 }
 
 Model* selectedModel(Session& session) {

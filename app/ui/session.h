@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/background.h"
+#include "app/ui/details_tabs.h"
 #include "app/ui/file_browser.h"
 #include "app/ui/file_view.h"
 #include "app/ui/layout.h"
@@ -86,6 +87,8 @@ struct Session {
     std::set<std::string> damaged;    ///< files of `images` that changed and can't be read any more
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
     FileView fileView;
+    std::optional<Tab> wantedTab;               ///< comes to the front with the next frame
+    std::shared_ptr<LevelsWorker> levelsAtOnce; ///< where there is no Background
 
     Notice notice;
     std::string lastChanged;          ///< the path of the parameter that was edited last
@@ -123,6 +126,9 @@ void redo(Session& session);
 
 /// "earth.json • Texplorer": the bullet says that there are unsaved changes.
 [[nodiscard]] std::string windowTitle(const Session& session);
+
+/// Who makes the levels of the textures: the Background's worker, or one that makes them at once.
+[[nodiscard]] LevelsWorker& levelsOf(Session& session);
 
 // What the panels show.
 [[nodiscard]] Model* selectedModel(Session& session);

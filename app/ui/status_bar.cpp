@@ -1,3 +1,4 @@
+#include "app/ui/fitted_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -25,6 +26,17 @@ void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     helpTip(progress.path.string());
 }
 
+/// The same for levels that are made of an image that is there already.
+void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
+    if (ImGui::SmallButton("Cancel"))
+        levelsOf(session).cancel(progress.ticket);
+    noteItem(session, "cancel levels");
+    ImGui::SameLine();
+    ImGui::TextUnformatted(("Making the levels of " + progress.what).c_str());
+    noteItem(session, "making levels");
+    helpTip("What was drawn before stays until they are there.");
+}
+
 void drawNotice(Session& session) {
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
     const bool dismissed = ImGui::SmallButton("✕");
@@ -37,7 +49,7 @@ void drawNotice(Session& session) {
         helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
         ImGui::SameLine();
     }
-    ImGui::TextUnformatted(session.notice.text.c_str());
+    fittedText(session.notice.text, color::problem);
     ImGui::PopStyleColor();
     noteItem(session, "notice");
     helpTip(session.notice.text);
@@ -74,14 +86,18 @@ void drawStatusBar(Session& session, const Pictures& pictures, const render::Cap
     ImGui::TextDisabled("·");
     ImGui::SameLine();
     const auto loading = session.background ? session.background->loader.progress() : std::nullopt;
+    const auto making = levelsOf(session).progress();
     if (loading) {
         drawProgress(session, *loading);
+    } else if (making) {
+        drawProgress(session, *making);
     } else if (!session.notice.text.empty()) {
         drawNotice(session);
     } else if (!frame.problems.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextUnformatted(frame.problems.front().c_str());
-        ImGui::PopStyleColor();
+        const std::size_t count = frame.problems.size();
+        const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
+        fittedText(more + frame.problems.front(), color::problem);
+        noteItem(session, "problem");
         std::string all;
         for (const std::string& each : frame.problems)
             all += (all.empty() ? "" : "\n") + each;

@@ -177,31 +177,4 @@ void drawVerticesTab(Session& session) {
     ImGui::EndChild();
 }
 
-void drawDetailsPanel(Session& session, const Layout& layout) {
-    beginPanel("Details", layout.details, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    if (ImGui::BeginTabBar("tabs")) {
-        const bool vertices = ImGui::BeginTabItem("Vertices");
-        noteItem(session, "tab:Vertices");
-        if (vertices) {
-            drawVerticesTab(session);
-            ImGui::EndTabItem();
-        }
-        const bool commands = ImGui::BeginTabItem("Commands");
-        noteItem(session, "tab:Commands");
-        if (commands) {
-            drawCommandsTab(session);
-            ImGui::EndTabItem();
-        }
-        const bool toFront = std::exchange(session.fileView.comesToFront, false);
-        const bool file = ImGui::BeginTabItem("File", nullptr, toFront ? ImGuiTabItemFlags_SetSelected : 0);
-        noteItem(session, "tab:File");
-        if (file) {
-            drawFileTab(session);
-            ImGui::EndTabItem();
-        }
-        ImGui::EndTabBar();
-    }
-    ImGui::End();
-}
-
 } // namespace texplorer::ui

@@ -80,7 +80,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     settle(session, layout);
     drawViewPanel(session, pictures, layout);
     drawTextureSpacePanel(session, pictures, layout);
-    drawDetailsPanel(session, layout);
+    drawDetailsPanel(session, pictures, layout);
     drawStatusBar(session, pictures, capabilities, layout);
     drawSeams(session, layout);
     if (!popup)
@@ -88,7 +88,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     drawDialogs(session, pictures);
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
     const bool fading = dimmed > 0 && dimmed < 1;
-    Requests requests{session.quitConfirmed, fading, windowTitle(session)};
+    Requests requests{session.quitConfirmed, fading, false, windowTitle(session)};
     session.quitConfirmed = false;
     // Arrows, Enter and Escape work in an open menu or list. Elsewhere Space plays, and dialogs have their
     // own keys.

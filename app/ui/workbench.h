@@ -27,7 +27,8 @@ struct Pictures {
 /// What the window asks of its host.
 struct Requests {
     bool quit = false;
-    bool fading = false; ///< the next frame differs without any input: the window darkens behind a dialog
+    bool fading = false;     ///< the next frame differs without any input: the window darkens behind a dialog
+    bool unfinished = false; ///< textures are still being uploaded: the next frame differs, too
     std::string title;
 };
 

@@ -111,6 +111,19 @@ class Shot(Texshot):
         left = picture.crop((0, 40, 300, 760))
         self.assertGreater(len(left.getcolors(300 * 720)), 20, "the left panel holds text, so it has many greys")
 
+    def test_each_tab_can_be_shown(self):
+        size = (1280, 800)
+        corner = (910, 440, 1280, 770)  # the tabs
+        plain = self.shot("--ui", "--size", "%dx%d" % size)
+        seen = {plain.crop(corner).tobytes()}
+        for tab in ("commands", "file", "memory"):
+            with self.subTest(tab):
+                picture = self.shot("--ui", "--size", "%dx%d" % size, "--tab", tab)
+                self.assertEqual(picture.crop((0, 0, 900, 800)).tobytes(), plain.crop((0, 0, 900, 800)).tobytes())
+                seen.add(picture.crop(corner).tobytes())
+        self.assertEqual(len(seen), 4)
+        self.assertEqual(self.shot("--ui", "--tab", "vertices").tobytes(), plain.tobytes())
+
     def test_an_existing_picture_survives_a_failure(self):
         out = self.path / "out.png"
         self.succeeds("shot", "--size", "16x16", "-o", out)
@@ -136,6 +149,8 @@ class Shot(Texshot):
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
+            ("one of vertices, commands, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("--ui", ["--tab", "file"]),
             ("--nonsense", ["--nonsense"]),
         ]:
             with self.subTest(arguments):

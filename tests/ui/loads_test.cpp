@@ -264,6 +264,39 @@ TEST_F(Loads, ANoticeGoesWhenTheFileIsWhole) {
     EXPECT_EQ(session->notice.text, "");
 }
 
+TEST_F(Loads, TheCommandLinesFilesComeLaterAllAtOnce) {
+    const fs::path a = bmp("a.bmp", 10);
+    const fs::path b = bmp("b.bmp", 20);
+    write("scene.json", R"({"version": 1, "textures": [{"wrapS": "GL_CLAMP"}]})");
+    open(false);
+    ASSERT_TRUE(openArguments(*session, {a, folder / "scene.json", b}).has_value());
+    frames(3);
+    EXPECT_TRUE(has("loading"));
+    EXPECT_EQ(red(), -1);
+    EXPECT_TRUE(session->file.empty());
+    open(true);
+    waitForFiles(*session);
+    EXPECT_EQ(red(), 10);
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    EXPECT_EQ(session->file, folder / "scene.json");
+    ASSERT_EQ(scene().textures.size(), 2U);
+    EXPECT_TRUE(session->images.holds(scene().textures[1].file));
+    EXPECT_FALSE(isDirty(*session));
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+TEST_F(Loads, ADamagedFileOfTheCommandLineIsSaidInTheWindow) {
+    write("half.bmp", texplorer::test::onePixelBmp({0, 0, 1}).substr(0, 40));
+    EXPECT_TRUE(checkArguments({folder / "half.bmp"}).has_value()) << "it begins as a BMP does";
+    ASSERT_TRUE(openArguments(*session, {folder / "half.bmp"}).has_value());
+    waitForFiles(*session);
+    frames(2);
+    EXPECT_TRUE(has("look inside"));
+    write("text.bmp", "Hello");
+    EXPECT_FALSE(checkArguments({folder / "text.bmp"}).has_value());
+    EXPECT_FALSE(checkArguments({folder / "gone.bmp"}).has_value());
+}
+
 TEST_F(Loads, TheBrowserShowsSmallPictures) {
     bmp("red.bmp", 50);
     key('I', {ctrl});

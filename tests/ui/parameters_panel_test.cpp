@@ -217,6 +217,24 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     EXPECT_TRUE(has("texture choice"));
 }
 
+TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
+    const auto inert = [&](const char* key) { return has("textures[0]." + std::string(key) + "#inert"); };
+    EXPECT_TRUE(inert("flip")) << "a pattern is upright";
+    EXPECT_TRUE(inert("npot")) << "a pattern's size is a power of two";
+    EXPECT_TRUE(inert("wrapR")) << "the target is 2D";
+    EXPECT_TRUE(inert("borderColor"));
+    choose("textures[0].wrapS", "GL_CLAMP_TO_BORDER");
+    EXPECT_FALSE(inert("borderColor"));
+    EXPECT_FALSE(inert("internalFormat"));
+    choose("textures[0].compression", "driver");
+    EXPECT_TRUE(inert("internalFormat"));
+    EXPECT_FALSE(inert("mipFilter"));
+    choose("textures[0].minFilter", "GL_LINEAR");
+    EXPECT_TRUE(inert("mipFilter"));
+    choose("textures[0].wrapR", "GL_CLAMP"); // it can be edited all the same
+    EXPECT_EQ(texture().wrapR, Wrap::Clamp);
+}
+
 TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
     struct Size {
         int width, height;

@@ -97,7 +97,7 @@ void Workbench::frames(int count) {
         receiveFiles(*session);
         layout = layoutFor(width_, height_, scale_, session->columns);
         settle(*session, layout);
-        build(render::Frame{0, {layout.picture.width, layout.picture.height}, 0, {}}, 0);
+        build(render::Frame{0, {layout.picture.width, layout.picture.height}, 0, {}, false}, 0);
     }
 }
 
@@ -108,11 +108,11 @@ Image Workbench::picture() {
     settle(*session, layout);
     const render::Frame frame = drawing_->renderer
                                     .draw(session->scene, session->images, session->playback.time,
-                                          {layout.picture.width, layout.picture.height})
+                                          {layout.picture.width, layout.picture.height}, &levelsOf(*session))
                                     .value();
     EXPECT_EQ(frame.problems, std::vector<std::string>{});
     const Texture* bound = boundTexture(std::as_const(*session));
-    const unsigned texture = bound ? drawing_->preview.show(*bound, session->images) : 0;
+    const unsigned texture = bound ? drawing_->preview.show(*bound, session->images, &levelsOf(*session)) : 0;
     ImGui_ImplOpenGL2_NewFrame();
     drawsPictures_ = true;
     build(frame, texture);
