@@ -1,0 +1,68 @@
+#include "core/reference/completeness.h"
+
+#include "core/reference/lod.h"
+
+#include <algorithm>
+
+namespace texplorer::reference {
+
+namespace {
+
+std::string number(int value) {
+    return std::to_string(value);
+}
+
+std::string extents(glm::ivec3 size, int axes) {
+    std::string text = number(size.x);
+    for (int axis = 1; axis < axes; ++axis)
+        text += " x " + number(size[axis]);
+    return text;
+}
+
+} // namespace
+
+Completeness checkCompleteness(const SampledTexture& texture) {
+    using Rule = CompletenessRule;
+    const int axes = axesOf(texture.target);
+    const int first = texture.baseLevel;
+    const Level* base = texture.level(first);
+    if (!base)
+        return {Rule::BaseLevelMissing, first,
+                "the texture is incomplete: its base level is " + number(first) +
+                    ", and there is no such level"};
+    if (!wantsMipmaps(texture.minFilter))
+        return {};
+
+    const std::string filter(rowOf(texture.minFilter).name);
+    if (first > texture.maxLevel)
+        return {Rule::BaseAboveMaxLevel, first,
+                "the texture is incomplete: its base level " + number(first) + " exceeds its maximal level " +
+                    number(texture.maxLevel) + ", and " + filter + " uses the levels between them"};
+    const int last = lastMipLevel(texture);
+    for (int at = first + 1; at <= last; ++at) {
+        const Level* level = texture.level(at);
+        if (!level)
+            return {Rule::LevelMissing, at,
+                    "the texture is incomplete: " + filter + " needs the levels " + number(first) + " to " +
+                        number(last) + ", and level " + number(at) +
+                        " is missing; generate mipmaps, or choose " +
+                        std::string(rowOf(MinFilter::Linear).name)};
+        glm::ivec3 expected(1);
+        for (int axis = 0; axis < axes; ++axis)
+            expected[axis] = std::max(1, base->size()[axis] >> (at - first));
+        glm::ivec3 found = level->size();
+        for (int axis = axes; axis < 3; ++axis)
+            found[axis] = 1;
+        if (found != expected)
+            return {Rule::LevelSize, at,
+                    "the texture is incomplete: level " + number(at) + " should have " +
+                        extents(expected, axes) + " texels and has " + extents(found, axes)};
+        if (level->border != base->border)
+            return {Rule::LevelBorder, at,
+                    "the texture is incomplete: level " + number(at) + " has a border of " +
+                        number(level->border) + " and the base level one of " + number(base->border)};
+    }
+    return {};
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,20 @@
+#pragma once
+
+// The literal text of OpenGL 2.1's texture filtering (sections 3.8.7 to 3.8.9), written to be read;
+// fast_sampler.h is the same for a whole picture.
+
+#include "core/reference/sample_record.h"
+
+namespace texplorer::reference {
+
+/// The filtered colour (a texture source colour, table 3.20) at `coords` = (s, t, r), already divided by q.
+/// A texture without the levels that are needed, an incomplete one, gives opaque black, as in GLSL: see
+/// completeness.h.
+[[nodiscard]] glm::vec4 sample(const SampledTexture& texture, glm::vec3 coords,
+                               const Derivatives& derivatives, const SampleOptions& options = {});
+
+/// The same, with everything that it was made of.
+[[nodiscard]] SampleRecord explainSample(const SampledTexture& texture, glm::vec3 coords,
+                                         const Derivatives& derivatives, const SampleOptions& options = {});
+
+} // namespace texplorer::reference
