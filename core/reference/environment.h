@@ -1,0 +1,46 @@
+#pragma once
+
+// What a texture unit makes of the incoming colour and the filtered one: OpenGL 2.1, section 3.8.13.
+
+#include "core/gl/environment.h"
+
+#include <glm/vec4.hpp>
+
+#include <string>
+#include <vector>
+
+namespace texplorer::reference {
+
+/// The colours that an environment can see, each clamped to [0, 1].
+struct EnvironmentInputs {
+    glm::vec4 previous{1}; ///< Cp, Ap: of the unit before; of unit 0 the primary colour (Cf, Af)
+    glm::vec4 source{1};   ///< Cs, As: the texture source colour (table 3.20)
+    glm::vec4 constant{0}; ///< Cc, Ac: GL_TEXTURE_ENV_COLOR
+    glm::vec4 primary{1};  ///< Cf, Af: seen by COMBINE alone
+};
+
+struct EnvironmentResult {
+    glm::vec4 color{0};
+    /// The specification leaves this combination undefined: the incoming colour is passed on.
+    bool undefined = false;
+};
+
+/// Tables 3.21 (REPLACE, MODULATE, DECAL) and 3.22 (BLEND, ADD).
+[[nodiscard]] EnvironmentResult evaluate(EnvMode mode, BaseFormat format, const EnvironmentInputs& inputs);
+
+/// One line of an equation, for a reader: "Cv = Cp * Cs" and, for red, "0.5 * 0.4 = 0.2".
+struct Equation {
+    std::string symbols;
+    std::vector<std::string> numbers; ///< one for each component that the line computes: 3 or 1
+};
+
+/// The equations of the colour and of alpha; with their numbers.
+struct EnvironmentEquations {
+    Equation color;
+    Equation alpha;
+    bool undefined = false;
+};
+[[nodiscard]] EnvironmentEquations equationsOf(EnvMode mode, BaseFormat format,
+                                               const EnvironmentInputs& inputs);
+
+} // namespace texplorer::reference

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace texplorer::reference {
+
+struct Operand {
+    std::string_view symbol;
+    float value;
+};
+
+/// The equation with every symbol replaced by its value. Symbols stand in words of their own: "Cp * (1 -
+/// Cs)".
+[[nodiscard]] std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands);
+
+/// "0.25", "1", "0.3333": at most four digits after the point.
+[[nodiscard]] std::string shortNumber(float value);
+
+} // namespace texplorer::reference

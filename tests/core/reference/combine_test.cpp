@@ -1,0 +1,100 @@
+// Tables 3.23 to 3.25 of the OpenGL 2.1 specification, worked out by hand for
+//
+//   texture   (0.6, 0.2, 0.8, 0.4)    previous  (0.2, 0.4, 0.6, 0.8)
+//   constant  (0.4, 0.8, 0.2, 0.5)    primary   (0.9, 0.1, 0.3, 0.7)    unit 2  (0.25, 0.5, 0.75, 1)
+
+#include "core/reference/combine.h"
+#include "tests/core/reference/textures.h"
+
+namespace texplorer::reference {
+namespace {
+
+using namespace testing_support;
+
+using Fn = CombineFunction;
+using Src = CombineSource;
+using Op = CombineOperand;
+
+const EnvironmentInputs inputs{.previous = {0.2F, 0.4F, 0.6F, 0.8F},
+                               .source = {0.6F, 0.2F, 0.8F, 0.4F},
+                               .constant = {0.4F, 0.8F, 0.2F, 0.5F},
+                               .primary = {0.9F, 0.1F, 0.3F, 0.7F}};
+const glm::vec4 unit2{0.25F, 0.5F, 0.75F, 1};
+const std::array<const glm::vec4*, 4> textures{&inputs.source, nullptr, &unit2, nullptr};
+
+/// With the same function, sources and scale for the colour and for alpha.
+Combine with(Fn function, std::array<Src, 3> sources = {Src::Texture, Src::Previous, Src::Constant},
+             float scale = 1) {
+    Combine combine;
+    combine.rgb = combine.alpha = function;
+    for (std::size_t i = 0; i < 3; ++i) {
+        combine.rgbArguments[i] = {sources[i], Op::SrcColor};
+        combine.alphaArguments[i] = {sources[i], Op::SrcAlpha};
+    }
+    combine.rgbScale = combine.alphaScale = scale;
+    return combine;
+}
+
+Combine withOperand(Op color, Op alpha) {
+    Combine combine = with(Fn::Replace);
+    combine.rgbArguments[0].operand = color;
+    combine.alphaArguments[0].operand = alpha;
+    return combine;
+}
+
+Combine dot(Fn function, float scale = 1) {
+    Combine combine;
+    combine.rgb = function;
+    combine.rgbScale = scale;
+    combine.alpha = Fn::Replace;
+    combine.alphaArguments[0] = {Src::Constant, Op::SrcAlpha};
+    return combine;
+}
+
+struct Case {
+    const char* name;
+    Combine combine;
+    glm::vec4 expected;
+    bool undefined = false;
+};
+class CombineRule : public testing::TestWithParam<Case> {};
+
+TEST_P(CombineRule, GivesTheNumberOfTheTable) {
+    const EnvironmentResult found = evaluate(GetParam().combine, inputs, textures);
+    EXPECT_EQ(found.undefined, GetParam().undefined);
+    EXPECT_TRUE(isNear(found.color, GetParam().expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CombineRule,
+    testing::Values(
+        Case{"Initial", {}, {0.12F, 0.08F, 0.48F, 0.32F}}, Case{"Replace", with(Fn::Replace), inputs.source},
+        Case{"Modulate", with(Fn::Modulate), {0.12F, 0.08F, 0.48F, 0.32F}},
+        Case{"Add", with(Fn::Add), {0.8F, 0.6F, 1, 1}},
+        Case{"AddSigned", with(Fn::AddSigned), {0.3F, 0.1F, 0.9F, 0.7F}},
+        // first * third + second * (1 - third)
+        Case{"Interpolate", with(Fn::Interpolate), {0.36F, 0.24F, 0.64F, 0.6F}},
+        Case{"Subtract", with(Fn::Subtract), {0.4F, 0, 0.2F, 0}},
+        // 4 (0.1 * -0.3 + -0.3 * -0.1 + 0.3 * 0.1) = 0.12
+        Case{"Dot3Rgb", dot(Fn::Dot3Rgb), {0.12F, 0.12F, 0.12F, 0.5F}},
+        Case{"Dot3Rgba", dot(Fn::Dot3Rgba, 4), {0.48F, 0.48F, 0.48F, 0.48F}},
+        Case{"OneMinusColor",
+             withOperand(Op::OneMinusSrcColor, Op::OneMinusSrcAlpha),
+             {0.4F, 0.8F, 0.2F, 0.6F}},
+        Case{"Alpha", withOperand(Op::SrcAlpha, Op::SrcAlpha), {0.4F, 0.4F, 0.4F, 0.4F}},
+        Case{"OneMinusAlpha", withOperand(Op::OneMinusSrcAlpha, Op::SrcAlpha), {0.6F, 0.6F, 0.6F, 0.4F}},
+        Case{"Primary", with(Fn::Replace, {Src::PrimaryColor, Src::Texture, Src::Texture}), inputs.primary},
+        Case{"Constant", with(Fn::Replace, {Src::Constant, Src::Texture, Src::Texture}), inputs.constant},
+        Case{"Crossbar", with(Fn::Replace, {Src::Texture2, Src::Texture, Src::Texture}), unit2},
+        Case{"Scale2", with(Fn::Replace, {Src::Texture, Src::Texture, Src::Texture}, 2), {1, 0.4F, 1, 0.8F}},
+        Case{"Scale4", with(Fn::Subtract, {Src::Texture, Src::Previous, Src::Texture}, 4), {1, 0, 0.8F, 0}},
+        Case{"UnitThatIsOff", with(Fn::Replace, {Src::Texture1, Src::Texture, Src::Texture}), inputs.previous,
+             true},
+        Case{"UnitThatIsOffButNotRead", with(Fn::Replace, {Src::Texture, Src::Texture1, Src::Texture}),
+             inputs.source},
+        Case{"DotProductForAlpha", with(Fn::Dot3Rgb), inputs.previous, true},
+        Case{"ColourOperandForAlpha", withOperand(Op::SrcColor, Op::SrcColor), inputs.previous, true}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+} // namespace
+} // namespace texplorer::reference
