@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace texplorer::render {
 
@@ -39,6 +40,7 @@ std::string lackingFormat(const TextureLevels& levels, const Capabilities& capab
 void LiveTexture::follow(const LevelsRequest& request, const Capabilities* capabilities, LevelsSource* source,
                          std::string_view where) {
     cancelled_ = false;
+    giveBack(source); // a frame later: to read them takes its time, as the last part of an upload does
     if (shown_ == request)
         return next_.reset();
     if (!next_ || next_->request != request) {
@@ -55,8 +57,11 @@ void LiveTexture::follow(const LevelsRequest& request, const Capabilities* capab
     }
     const std::size_t budget =
         source && source->isLive() ? bytesPerFrame : std::numeric_limits<std::size_t>::max();
-    if (next_->object.upload(**next_->levels, next_->cursor, budget, where, next_->errors))
-        finish(source);
+    if (next_->object.upload(**next_->levels, next_->cursor, budget, where, next_->errors)) {
+        finish();
+        if (!source || !source->isLive())
+            giveBack(source);
+    }
 }
 
 /// There is nothing to show, and why.
@@ -100,7 +105,7 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
 }
 
 /// The next levels take the place of those that were shown.
-void LiveTexture::finish(LevelsSource* source) {
+void LiveTexture::finish() {
     Next next = std::move(*next_);
     next_.reset();
     const TextureLevels& levels = **next.levels;
@@ -108,11 +113,22 @@ void LiveTexture::finish(LevelsSource* source) {
     lateFlip_ = levels.lateFlip;
     object_ = std::move(next.object);
     errors_ = std::move(next.errors);
-    if (source && levels.driverFormat) {
-        if (Result<std::vector<TextureLevel>> made = object_.read())
-            source->driverMade(next.request, next.levels, std::move(*made));
+    shown_ = next.request;
+    given_.emplace(Given{std::move(next.request), std::move(next.levels)});
+}
+
+void LiveTexture::giveBack(LevelsSource* source) {
+    if (!given_)
+        return;
+    Given given = *std::exchange(given_, std::nullopt);
+    if (!source)
+        return;
+    std::vector<TextureLevel> made;
+    if ((*given.levels)->driverFormat) {
+        if (Result<std::vector<TextureLevel>> read = object_.read())
+            made = std::move(*read);
     }
-    shown_ = std::move(next.request);
+    source->uploaded(given.request, std::move(given.levels), std::move(made));
 }
 
 } // namespace texplorer::render

@@ -37,9 +37,14 @@ public:
     [[nodiscard]] bool isCancelled() const { return cancelled_; }
 
     /// Whether an upload has to go on with the next frame.
-    [[nodiscard]] bool isUploading() const { return next_.has_value(); }
+    [[nodiscard]] bool isUploading() const { return next_.has_value() || given_.has_value(); }
 
 private:
+    /// Levels that are uploaded, until their source gets them back.
+    struct Given {
+        LevelsRequest request;
+        std::shared_ptr<const PreparedLevels> levels;
+    };
     struct Next {
         LevelsRequest request;
         std::shared_ptr<const PreparedLevels> levels;
@@ -51,7 +56,8 @@ private:
     void begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
                const Capabilities* capabilities, std::string_view where);
     void refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence);
-    void finish(LevelsSource* source);
+    void finish();
+    void giveBack(LevelsSource* source);
 
     std::optional<LevelsRequest> shown_;
     TextureObject object_;
@@ -61,6 +67,7 @@ private:
     bool cancelled_ = false;
     GlErrors cancelledErrors_; ///< instead of errors_, while it is
     std::optional<Next> next_;
+    std::optional<Given> given_;
 };
 
 } // namespace texplorer::render

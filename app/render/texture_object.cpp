@@ -46,7 +46,7 @@ GLenum pixelFormat(PixelFormat format) {
 }
 
 /// How many times slower the driver compresses than it copies.
-constexpr std::size_t driverSlowness = 16;
+constexpr std::size_t driverSlowness = 8;
 
 /// Returns the name of the call, for a message. Without `pixels` the level is made, but has no content yet.
 const char* uploadImage(Target target, GLint level, GLint stored, const Image& image,

@@ -29,7 +29,7 @@ unsigned TexturePreview::show(const Texture& texture, const ImageSource& images,
     if (!image)
         return 0;
     const LevelsRequest request{std::move(image), baseSettings(texture), Target::Texture2D};
-    if (!live_.shows(request)) {
+    if (!live_.shows(request) || live_.isUploading()) {
         try {
             const StateGuard guard;
             live_.follow(request, nullptr, levels, "preview");

@@ -324,11 +324,12 @@ Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& c
     }
 
     if (!browser.extensions.empty()) {
-        std::string label = "All files, not just";
+        std::string all = "Lists every file, not just";
         for (const std::string& extension : browser.extensions)
-            label += " " + extension;
-        ImGui::Checkbox(label.c_str(), &browser.showAll);
+            all += " " + extension;
+        ImGui::Checkbox("All files", &browser.showAll);
         noteItem(session, "browser:all");
+        helpTip(all);
     }
     const float button = em * 6;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);

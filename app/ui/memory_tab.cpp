@@ -107,7 +107,7 @@ void drawSum(Session& session, const Texture& texture, const LevelsSummary& summ
         noteItem(session, name);
         helpTip(help);
     };
-    fact(decimal(report.ratioToBase, 3), " × the base level", "memory:ratio",
+    fact(decimal(report.ratioToBase, 3), " × base", "memory:ratio",
          "Each level of a picture has a quarter of the texels of the one before: the sum of a full chain "
          "tends to 4/3 of its base level.");
     fact(decimal(100 * report.shareOfRgba8, 1) + " %", " of RGBA8", "memory:rgba8",

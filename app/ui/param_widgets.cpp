@@ -50,6 +50,8 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, con
         ImGui::PopFont();
     }
     text(row.help);
+    if (row.kind == Kind::Text && !std::get<std::string>(value).empty())
+        dimText(std::get<std::string>(value)); // the field shows the beginning
     if (row.kind == Kind::Enum) {
         if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
             dimText(std::string(choice->label) + ": " + std::string(choice->help));

@@ -36,9 +36,10 @@ public:
     /// Whether a user waits: then an upload may take several frames.
     [[nodiscard]] virtual bool isLive() const = 0;
 
-    /// What the driver holds of levels that it was asked to compress.
-    virtual void driverMade(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> from,
-                            std::vector<TextureLevel> made) = 0;
+    /// The levels are uploaded: they are given back, because to free so much memory takes its time, too.
+    /// `made`: what the driver holds, where it was asked to compress them; else empty.
+    virtual void uploaded(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
+                          std::vector<TextureLevel> made) = 0;
 };
 
 } // namespace texplorer

@@ -94,7 +94,8 @@ struct LevelsWorker::State {
     struct Job {
         Ticket ticket = 0;
         LevelsRequest request;
-        std::shared_ptr<const PreparedLevels> from; ///< measure `made` against this; nullptr: make levels
+        /// Measure `made` against this, or free it where there is none; nullptr: make levels.
+        std::shared_ptr<const PreparedLevels> from;
         std::vector<TextureLevel> made;
     };
     struct Done {
@@ -127,7 +128,7 @@ struct LevelsWorker::State {
     }
     Entry& entryOf(const LevelsRequest& request);
     void ask(Entry& entry);
-    void give(Entry& entry, Job job);
+    void give(Job job);
     void drop(Ticket ticket);
     void run(const std::stop_token& stop);
     Done work(const Job& job) const;
@@ -146,7 +147,7 @@ LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& re
 
 LevelsWorker::State::Done LevelsWorker::State::work(const Job& job) const {
     if (job.from)
-        return {job.ticket, nullptr, measure(*job.from, job.made)};
+        return {job.ticket, nullptr, job.made.empty() ? nullptr : measure(*job.from, job.made)};
     auto levels = std::make_shared<const PreparedLevels>(make(job.request));
     auto summary = summarise(*levels);
     return {job.ticket, std::move(levels), std::move(summary)};
@@ -157,16 +158,17 @@ void LevelsWorker::State::ask(Entry& entry) {
     if (entry.ticket != 0 || entry.cancelled)
         return;
     Job job{++lastTicket, entry.request, {}, {}};
-    if (when == When::WhenReady && !isQuick(entry.request))
-        return give(entry, std::move(job));
+    if (when == When::WhenReady && !isQuick(entry.request)) {
+        entry.ticket = job.ticket;
+        return give(std::move(job));
+    }
     Done made = work(job);
     entry.levels = std::move(made.levels);
     entry.summary = std::move(made.summary);
     entry.readyFrame = frame;
 }
 
-void LevelsWorker::State::give(Entry& entry, Job job) {
-    entry.ticket = job.ticket;
+void LevelsWorker::State::give(Job job) {
     {
         const std::scoped_lock lock(mutex);
         waiting.push_back(std::move(job));
@@ -221,7 +223,7 @@ void LevelsWorker::State::run(const std::stop_token& stop) {
         }
         {
             const std::scoped_lock lock(mutex);
-            if (!dropsCurrent)
+            if (!dropsCurrent && made.summary)
                 done.push_back(std::move(made));
             current = 0;
         }
@@ -249,15 +251,26 @@ bool LevelsWorker::isLive() const {
     return state_->when == When::WhenReady;
 }
 
-void LevelsWorker::driverMade(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> from,
-                              std::vector<TextureLevel> made) {
-    State::Entry& entry = state_->entryOf(request);
-    if (!from || !*from || made.empty() || entry.ticket != 0)
+void LevelsWorker::uploaded(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
+                            std::vector<TextureLevel> made) {
+    if (!levels || !*levels)
         return;
-    State::Job job{++state_->lastTicket, request, std::move(from), std::move(made)};
-    if (state_->when == When::WhenReady && !isQuick(request))
-        return state_->give(entry, std::move(job));
-    entry.summary = state_->work(job).summary;
+    const bool later = isLive() && !isQuick(request);
+    State::Job job{++state_->lastTicket, request, std::move(levels), std::move(made)};
+    if (job.made.empty()) { // only to be freed, which `run` does
+        if (later)
+            state_->give(std::move(job));
+        return;
+    }
+    State::Entry& entry = state_->entryOf(request);
+    if (entry.ticket != 0)
+        return;
+    if (!later) {
+        entry.summary = state_->work(job).summary;
+        return;
+    }
+    entry.ticket = job.ticket;
+    state_->give(std::move(job));
 }
 
 std::shared_ptr<const LevelsSummary> LevelsWorker::summary(const LevelsRequest& request) {

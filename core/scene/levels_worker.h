@@ -35,8 +35,8 @@ public:
 
     [[nodiscard]] std::shared_ptr<const PreparedLevels> prepare(const LevelsRequest& request) override;
     [[nodiscard]] bool isLive() const override;
-    void driverMade(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> from,
-                    std::vector<TextureLevel> made) override;
+    void uploaded(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
+                  std::vector<TextureLevel> made) override;
 
     /// The numbers, as far as they are known; nullptr: not yet. Makes the levels where nobody has.
     [[nodiscard]] std::shared_ptr<const LevelsSummary> summary(const LevelsRequest& request);

@@ -105,7 +105,7 @@ TEST(LevelsWorker, WhatTheDriverWillCompressCountsAsBlocks) {
     // A driver that loses nothing.
     const auto levels = worker.prepare(request);
     ASSERT_NE(levels, nullptr);
-    worker.driverMade(request, levels, (*levels)->levels);
+    worker.uploaded(request, levels, (*levels)->levels);
     EXPECT_EQ(worker.summary(request)->report.levels[0].psnr, std::numeric_limits<double>::infinity());
 }
 
