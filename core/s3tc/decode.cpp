@@ -58,12 +58,15 @@ void decodeColors(const std::byte* block, bool threeColorsAllowed, bool punchThr
 std::array<int, 16> decodeValues(const std::byte* block, bool isSigned) {
     const auto read = [&](int index) {
         const int value = byteAt(block, index);
-        return isSigned ? std::max(-127, value < 128 ? value : value - 256) : value;
+        return isSigned && value > 127 ? value - 256 : value;
     };
-    const int a = read(0);
-    const int b = read(1);
+    // Compared as they are stored, though -127 and -128 both stand for -1: the specification leaves that pair
+    // undefined, and so it is -1 all over.
+    const bool eightValues = read(0) > read(1);
+    const int a = std::max(-127, read(0));
+    const int b = std::max(-127, read(1));
     std::array<int, 8> palette{a, b};
-    if (a > b) {
+    if (eightValues) {
         for (int i = 1; i <= 6; ++i)
             palette[static_cast<std::size_t>(i) + 1] = ((7 - i) * a + i * b) / 7;
     } else {

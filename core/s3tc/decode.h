@@ -10,11 +10,16 @@ namespace texplorer {
 /// Decompresses to Rgba8, rows in the order of the blocks. Colours of DXT1/3/5: 5 and 6 bits are widened by
 /// repeating their top bits; the colours between are (2a + b) / 3 and (a + b) / 2 in integers, rounded down,
 /// as libsquish does it; the specification leaves the rounding open. BC4 becomes grey in red, green and blue;
-/// BC5 red and green with blue 0; signed values map -1..1 to 0..255. Single-threaded.
+/// BC5 red and green with blue 0; signed values map -1..1 to 0..255, and -128 counts as -127, as
+/// ARB_texture_compression_rgtc says; of -127 and -128 the first is larger (it leaves that undefined,
+/// llvmpipe does the same). What lies between two values is cut off towards 0. Single-threaded.
 ///
-/// Mesa's llvmpipe rounds what lies between the ends otherwise. Measured on random blocks: its colours differ
-/// by at most 1, the alphas of DXT5 and the values of BC4 and BC5 by at most 2, signed ones by at most 3 but
-/// for rare blocks where it overflows (tests/render/s3tc_test.cpp).
+/// Mesa's llvmpipe, read with glGetTexImage, gives the ends as we do, and what lies between them otherwise.
+/// Colours differ by at most 1: halves it rounds up, and its thirds fall a little short of the second colour,
+/// as do the values of DXT5, BC4 and BC5. Those it makes as a + ((b - a) * w >> 8) with w = 255 * share of b,
+/// cut off: divided by 256 where it should be 255, and the shift rounds down whatever the sign. So 255 and 46
+/// with code 7, exactly 75.9, are 75 here and 77 there. Over all pairs of values that is at most 2, and 3 for
+/// signed ones, where we cut off towards 0 from both sides (tests/render/s3tc_test.cpp).
 [[nodiscard]] Image decodeBlocks(const BlockImage& image);
 
 /// The same into memory that is there already: width * height * depth texels of 4 bytes, without padding.

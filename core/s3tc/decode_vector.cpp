@@ -117,16 +117,18 @@ TEXPLORER_SSSE3 Vector unsignedPalette(const std::byte* block) {
 
 /// The same for -127 to 127, which become 0 to 255: divisions that round towards zero are plain arithmetic's.
 TEXPLORER_SSSE3 Vector signedPalette(const std::byte* block) {
-    const int a = std::max(-127, static_cast<int>(static_cast<std::int8_t>(block[0])));
-    const int b = std::max(-127, static_cast<int>(static_cast<std::int8_t>(block[1])));
-    const ValueWeights& weights = valueWeights[a > b ? 1 : 0];
-    const int divisor = a > b ? 7 : 5;
+    const int first = static_cast<std::int8_t>(block[0]);
+    const int second = static_cast<std::int8_t>(block[1]);
+    const int a = std::max(-127, first);
+    const int b = std::max(-127, second);
+    const ValueWeights& weights = valueWeights[first > second ? 1 : 0];
+    const int divisor = first > second ? 7 : 5;
     alignas(16) std::array<std::uint8_t, 16> palette{};
     for (std::size_t i = 0; i < 8; ++i) {
         const int value = (a * weights.first[i] + b * weights.second[i]) / divisor;
         palette[i] = static_cast<std::uint8_t>(((value + 127) * 255 + 127) / 254);
     }
-    if (a <= b) {
+    if (first <= second) {
         palette[6] = 0;
         palette[7] = 255;
     }

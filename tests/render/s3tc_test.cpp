@@ -1,5 +1,6 @@
 // The driver decompresses the same blocks.
 
+#include "app/render/gl_handle.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
 #include "tests/support/render_fixture.h"
@@ -7,6 +8,7 @@
 #include <GL/glew.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <random>
@@ -102,6 +104,24 @@ TEST_P(CompressedTexture, IsDecompressedLikeByTheDriver) {
     }
 }
 
+/// 65536 blocks with every pair of values, in both halves of those of 16 bytes, and every code.
+BlockImage everyPairOfValues(BlockFormat format) {
+    BlockImage image = BlockImage::uninitialised(format, 4 * 256, 4 * 256);
+    const std::size_t size = bytesPerBlock(format);
+    for (std::size_t at = 0; at < image.blocks.size(); ++at) {
+        const std::size_t pair = at / size;
+        const std::array<std::size_t, 8> bytes{pair & 255, pair >> 8, 0x88, 0xC6, 0xFA, 0x88, 0xC6, 0xFA};
+        image.blocks[at] = static_cast<std::byte>(bytes[at % 8]);
+    }
+    return image;
+}
+
+TEST_P(CompressedTexture, IsDecompressedLikeByTheDriverForEveryPairOfValues) {
+    const BlockImage image = everyPairOfValues(format());
+    EXPECT_EQ(largestDifference(decodeBlocks(image), decompressedByTheDriver(image)),
+              allowedDifference(format()));
+}
+
 TEST_P(CompressedTexture, IsUpsideDownForTheDriverWhenItsBlocksAreFlipped) {
     for (const auto& [width, height] : {std::pair{64, 32}, {5, 4}, {2, 2}, {1, 1}}) {
         BlockImage image = randomBlocks(width, height);
@@ -114,6 +134,48 @@ TEST_P(CompressedTexture, IsUpsideDownForTheDriverWhenItsBlocksAreFlipped) {
                 << width << " x " << height << ", row " << y;
     }
 }
+
+/// One channel of a block, worked out by hand.
+struct Between {
+    const char* name;
+    BlockFormat format;
+    int first, second, code;
+    int ours;   ///< what decode.h promises, of 255
+    int driver; ///< a + ((b - a) * w >> 8), of 255, or of 127 where it is signed
+};
+
+class ValuesBetween : public testing_support::RenderTest, public testing::WithParamInterface<Between> {};
+
+TEST_P(ValuesBetween, DifferAsTheHeaderSays) {
+    const Between& row = GetParam();
+    BlockImage image = BlockImage::uninitialised(row.format, 1, 1);
+    const std::array bytes{row.first, row.second, row.code, 0, 0, 0, 0, 0};
+    std::ranges::transform(bytes, image.blocks.begin(), [](int v) { return static_cast<std::byte>(v); });
+    EXPECT_EQ(std::to_integer<int>(decodeBlocks(image).pixels[0]), row.ours);
+
+    const TextureHandle texture = TextureHandle::create();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glCompressedTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLenum>(row.format), 1, 1, 0, 8,
+                           image.blocks.data());
+    std::array<std::byte, 4> rgba{};
+    const bool isSigned = row.format == BlockFormat::Bc4Signed;
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, isSigned ? GL_BYTE : GL_UNSIGNED_BYTE, rgba.data());
+    EXPECT_EQ(isSigned ? static_cast<int>(static_cast<std::int8_t>(rgba[0])) : std::to_integer<int>(rgba[0]),
+              row.driver);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, ValuesBetween,
+    testing::Values(
+        // (255 + 6 * 46) / 7 = 75.86; w = 218, 255 + (-209 * 218 >> 8) = 255 - 178.
+        Between{"TwoBelow", BlockFormat::Bc4, 255, 46, 7, 75, 77},
+        // (0 + 4 * 197) / 5 = 157.6; w = 204, 197 * 204 >> 8 = 156.
+        Between{"OneAbove", BlockFormat::Bc4, 0, 197, 5, 157, 156},
+        // (2 * -53 + 3 * 34) / 5 = -0.8, cut off to 0, is 127.5 of 255; w = 153, -53 + (87 * 153 >> 8) = -2.
+        Between{"AcrossZero", BlockFormat::Bc4Signed, 256 - 53, 34, 4, 128, -2},
+        // -127 > -128, so there are values between them and not the ends of the range; all are -1.
+        Between{"BothAreMinusOne", BlockFormat::Bc4Signed, 0x81, 0x80, 7, 0, -127}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Rows, CompressedTexture, testing::ValuesIn(blockFormatRows),
                          [](const auto& test) { return std::string(test.param.name); });

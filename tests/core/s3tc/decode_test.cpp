@@ -83,6 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Bc4SignedLow", BlockFormat::Bc4Signed, {0x81, 0x7F, 0, 0, 0, 0, 0, 0}, 0, {0, 0, 0, 255}},
         Case{
             "Bc4SignedHigh", BlockFormat::Bc4Signed, {0x81, 0x7F, 1, 0, 0, 0, 0, 0}, 0, {255, 255, 255, 255}},
+        // -127 and -128 are both -1, but as numbers the first is larger: code 7 lies between them.
+        Case{"Bc4SignedMinusOneTwice",
+             BlockFormat::Bc4Signed,
+             {0x81, 0x80, 7, 0, 0, 0, 0, 0},
+             0,
+             {0, 0, 0, 255}},
         Case{"Bc5",
              BlockFormat::Bc5,
              {240, 16, 2, 0, 0, 0, 0, 0, 16, 240, 5, 0, 0, 0, 0, 0},
