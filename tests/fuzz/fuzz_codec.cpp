@@ -3,7 +3,7 @@
 
 #include "tests/fuzz/broken.h"
 #include "tests/support/codec_promises.h"
-#include "tests/support/sample_textures.h"
+#include "tests/support/png_repair.h"
 
 #include <algorithm>
 #include <cstring>
@@ -64,6 +64,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                unsigned seed) {
     const std::size_t mutated = LLVMFuzzerMutate(data, size, maxSize);
     if (seed % 16 != 0) // wrong checksums are worth an input, too
-        test::repairChecksums(std::as_writable_bytes(std::span(data, mutated)));
+        test::repairPng(std::as_writable_bytes(std::span(data, mutated)));
     return mutated;
 }

@@ -2,7 +2,9 @@
 
 #include "core/base/bytes.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace texplorer::test {
 
@@ -17,19 +19,20 @@ namespace texplorer::test {
     return ~crc;
 }
 
-/// Makes the checksums of all whole chunks right, so that damage in a file gets past them.
-inline void repairPng(Bytes& file) {
-    const auto number = [&](std::size_t at) {
-        std::uint32_t value = 0;
+/// Makes the checksums of all whole chunks of a PNG right again, so that a changed file is refused for what
+/// it says rather than for its checksum. Other files are left as they are.
+inline void repairPng(std::span<std::byte> file) {
+    constexpr std::size_t signature = 8;
+    if (file.size() < signature || file[0] != std::byte{0x89} || file[1] != std::byte{'P'})
+        return;
+    // |length: 4, big-endian|type: 4|data: length|CRC of type and data: 4, big-endian|
+    for (std::size_t at = signature; file.size() - at >= 12;) {
+        std::size_t length = 0;
         for (std::size_t i = 0; i < 4; ++i)
-            value = value << 8 | std::to_integer<std::uint32_t>(file[at + i]);
-        return value;
-    };
-    for (std::size_t at = 8; at + 12 <= file.size();) {
-        const std::size_t length = number(at);
+            length = length << 8 | std::to_integer<std::size_t>(file[at + i]);
         if (length > file.size() - at - 12)
             return;
-        const std::uint32_t crc = pngCrc(ByteView(file).subspan(at + 4, length + 4));
+        const std::uint32_t crc = pngCrc(file.subspan(at + 4, 4 + length));
         for (std::size_t i = 0; i < 4; ++i)
             file[at + 8 + length + i] = static_cast<std::byte>(crc >> (24 - 8 * i));
         at += 12 + length;

@@ -12,8 +12,4 @@ namespace texplorer::test {
 /// a row without a writer.
 [[nodiscard]] std::vector<Bytes> sampleFiles(const CodecRow& row);
 
-/// Makes the checksums of a PNG's chunks right again, so that a changed file is refused for what it says
-/// rather than for its checksum. Other files are left as they are.
-void repairChecksums(std::span<std::byte> file);
-
 } // namespace texplorer::test

@@ -1,6 +1,7 @@
 #include "tests/support/watched_heap.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -20,6 +21,15 @@
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
                                                          void (*freed)(const volatile void*));
 extern "C" std::size_t __sanitizer_get_allocated_size(const volatile void* place);
+#else
+// glibc's own, for programs that put something in front of them
+extern "C" {
+void* __libc_malloc(std::size_t bytes);
+void* __libc_calloc(std::size_t count, std::size_t bytes);
+void* __libc_realloc(void* place, std::size_t bytes);
+void* __libc_memalign(std::size_t alignment, std::size_t bytes);
+void __libc_free(void* place);
+}
 #endif
 
 namespace texplorer::test {
@@ -39,23 +49,27 @@ void count(std::int64_t bytes) {
     highest = std::max(highest, held);
 }
 
-#ifdef TEXPLORER_UNDER_ASAN
-void allocated(const volatile void*, std::size_t bytes) {
+void allocated(const volatile void* /*place*/, std::size_t bytes) {
     count(static_cast<std::int64_t>(bytes));
 }
 
+#ifdef TEXPLORER_UNDER_ASAN
 void freed(const volatile void* place) {
     if (watching && place)
         count(-static_cast<std::int64_t>(__sanitizer_get_allocated_size(place)));
 }
 
 const int installed = __sanitizer_install_malloc_and_free_hooks(allocated, freed);
-
-void countNew(void*, std::int64_t) {}
 #else
-void countNew(void* place, std::int64_t sign) {
+void* counted(void* place) {
     if (watching && place)
-        count(sign * static_cast<std::int64_t>(malloc_usable_size(place)));
+        allocated(place, malloc_usable_size(place));
+    return place;
+}
+
+void freed(void* place) {
+    if (watching && place)
+        count(-static_cast<std::int64_t>(malloc_usable_size(place)));
 }
 #endif
 
@@ -65,15 +79,9 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
                       : std::malloc(std::max<std::size_t>(bytes, 1));
     if (!place)
         throw std::bad_alloc();
-    countNew(place, 1);
     if (heapFill)
         std::memset(place, std::to_integer<int>(*heapFill), bytes);
     return place;
-}
-
-void release(void* place) noexcept {
-    countNew(place, -1);
-    std::free(place);
 }
 
 } // namespace
@@ -94,8 +102,42 @@ std::size_t HeapWatch::peak() const {
 
 } // namespace texplorer::test
 
+#ifndef TEXPLORER_UNDER_ASAN
+using texplorer::test::counted;
+using texplorer::test::freed;
+
+extern "C" {
+void* malloc(std::size_t bytes) noexcept {
+    return counted(__libc_malloc(bytes));
+}
+void* calloc(std::size_t count, std::size_t bytes) noexcept {
+    return counted(__libc_calloc(count, bytes));
+}
+void* realloc(void* place, std::size_t bytes) noexcept {
+    freed(place);
+    return counted(__libc_realloc(place, bytes));
+}
+void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept {
+    return counted(__libc_memalign(alignment, bytes));
+}
+void* memalign(std::size_t alignment, std::size_t bytes) noexcept {
+    return counted(__libc_memalign(alignment, bytes));
+}
+int posix_memalign(void** place, std::size_t alignment, std::size_t bytes) noexcept {
+    void* made = counted(__libc_memalign(alignment, bytes));
+    if (!made)
+        return ENOMEM;
+    *place = made;
+    return 0;
+}
+void free(void* place) noexcept {
+    freed(place);
+    __libc_free(place);
+}
+}
+#endif
+
 using texplorer::test::allocate;
-using texplorer::test::release;
 
 void* operator new(std::size_t bytes) {
     return allocate(bytes, 1);
@@ -120,32 +162,32 @@ void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
     return operator new(bytes, std::nothrow);
 }
 void operator delete(void* place) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete[](void* place) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete(void* place, std::size_t) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete[](void* place, std::size_t) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete(void* place, std::align_val_t) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete[](void* place, std::align_val_t) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete[](void* place, std::size_t, std::align_val_t) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete(void* place, const std::nothrow_t&) noexcept {
-    release(place);
+    std::free(place);
 }
 void operator delete[](void* place, const std::nothrow_t&) noexcept {
-    release(place);
+    std::free(place);
 }

@@ -1,18 +1,17 @@
 #pragma once
 
-// Replaces operator new of the program that links watched_heap.cpp: counts what a thread holds, and fills
-// what it gets.
+// Stands in front of malloc and operator new of the program that links watched_heap.cpp: counts what a thread
+// holds, libraries written in C included, and fills what operator new gives it.
 
 #include <cstddef>
 #include <optional>
 
 namespace texplorer::test {
 
-/// The byte that fills new memory of this thread; without one it stays as it was.
+/// The byte that fills what operator new gives this thread; without one it stays as it was.
 extern thread_local std::optional<std::byte> heapFill;
 
-/// While it exists: how many bytes this thread has allocated and not freed, at the highest. Under
-/// AddressSanitizer malloc is counted too, so that libraries written in C are.
+/// While it exists: how many bytes this thread has allocated and not freed, at the highest.
 class HeapWatch {
 public:
     HeapWatch();

@@ -1,8 +1,6 @@
 #include "core/codec/jpeg.h"
 #include "core/codec/jpeg_markers.h"
-#include "tests/support/python.h"
-#include "tests/support/raw_file.h"
-#include "tests/support/temp_dir.h"
+#include "tests/support/made_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,27 +13,9 @@ namespace texplorer {
 namespace {
 
 /// The files of make_jpeg.py.
-class JpegFiles : public testing::Test {
+class JpegFiles : public test::MadeFiles {
 protected:
-    static void SetUpTestSuite() {
-        const test::TempDir folder;
-        ASSERT_TRUE(test::runPython("fixtures/make_jpeg.py", folder.path()));
-        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-            contents()[entry.path().filename().string()] = test::readRaw(entry.path());
-    }
-    static void TearDownTestSuite() { contents().clear(); }
-
-    static std::map<std::string, Bytes>& contents() {
-        static std::map<std::string, Bytes> files;
-        return files;
-    }
-    static std::vector<std::string> names(std::string_view ending) {
-        std::vector<std::string> found;
-        for (const auto& [name, file] : contents())
-            if (name.ends_with(ending))
-                found.push_back(name);
-        return found;
-    }
+    static void SetUpTestSuite() { make("fixtures/make_jpeg.py"); }
     static std::size_t offsetOf(const Bytes& file, std::uint8_t marker) {
         JpegSegments segments(file);
         while (const std::optional<JpegSegment> segment = segments.next())
@@ -78,38 +58,22 @@ TEST_F(JpegFiles, GiveThePixelsThatPillowReads) {
 
 TEST_F(JpegFiles, CutAtAnyByteAreRefused) {
     for (const std::string& name : names("_7x5.jpg")) {
-        const Bytes& file = contents()[name];
-        for (std::size_t size = 0; size < file.size(); ++size) {
-            // A copy of exactly that size, so that the sanitizer sees a read beyond its end.
-            const Bytes cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
-            const Result<TextureImage> texture = decodeJpeg(cut);
-            ASSERT_FALSE(texture) << name << ": " << size << " of " << file.size() << " bytes";
-            ASSERT_THAT(texture.error().message, testing::StartsWith("JPEG: "));
-        }
+        SCOPED_TRACE(name);
+        test::expectRefusedWhenCut(*codecForExtension(".jpg"), contents()[name]);
     }
 }
 
 TEST_F(JpegFiles, WithFlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
     std::mt19937 random(11); // NOLINT: the same files each time
-    int decoded = 0;
-    int refused = 0;
+    test::Outcomes outcomes;
     for (const std::string& name : names("_65x33.jpg"))
         for (int round = 0; round < 100; ++round) {
             Bytes file = contents()[name];
-            for (int flips = 1 + static_cast<int>(random() % 3); flips > 0; --flips)
-                file[2 + random() % (file.size() - 2)] ^= static_cast<std::byte>(1U << (random() % 8));
-            const Result<TextureImage> texture = decodeJpeg(file, {.maxExtent = 1024});
-            if (!texture) {
-                ++refused;
-                ASSERT_THAT(texture.error().message, testing::StartsWith("JPEG: "));
-                continue;
-            }
-            ++decoded;
-            const Image& image = std::get<Image>(texture->surfaces.at(0));
-            ASSERT_EQ(image.pixels.size(), image.rowBytes() * static_cast<std::size_t>(image.height));
+            test::flipBits(file, 2, random);
+            test::countOutcome(*codecForExtension(".jpg"), file, outcomes);
         }
-    EXPECT_GT(decoded, 100);
-    EXPECT_GT(refused, 100);
+    EXPECT_GT(outcomes.decoded, 100);
+    EXPECT_GT(outcomes.refused, 100);
 }
 
 TEST_F(JpegFiles, WhoseExtentsLieAreRefusedBeforeAnythingIsAllocated) {

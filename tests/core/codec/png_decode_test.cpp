@@ -1,16 +1,13 @@
 #include "core/codec/png.h"
 #include "core/image/pattern.h"
+#include "tests/support/made_files.h"
 #include "tests/support/png_repair.h"
-#include "tests/support/python.h"
-#include "tests/support/raw_file.h"
-#include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <random>
 
 namespace texplorer {
@@ -27,27 +24,9 @@ constexpr Expected formats[] = {{".l", PixelFormat::Luminance8},
                                 {".rgba", PixelFormat::Rgba8}};
 
 /// The files of make_png.py: every colour type, depth, interlacing and transparency.
-class PngFiles : public testing::Test {
+class PngFiles : public test::MadeFiles {
 protected:
-    static void SetUpTestSuite() {
-        const test::TempDir folder;
-        ASSERT_TRUE(test::runPython("fixtures/make_png.py", folder.path()));
-        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-            contents()[entry.path().filename().string()] = test::readRaw(entry.path());
-    }
-    static void TearDownTestSuite() { contents().clear(); }
-
-    static std::map<std::string, Bytes>& contents() {
-        static std::map<std::string, Bytes> files;
-        return files;
-    }
-    static std::vector<std::string> names(std::string_view ending) {
-        std::vector<std::string> found;
-        for (const auto& [name, file] : contents())
-            if (name.ends_with(ending))
-                found.push_back(name);
-        return found;
-    }
+    static void SetUpTestSuite() { make("fixtures/make_png.py"); }
 };
 
 TEST_F(PngFiles, OfEveryVariantGiveThePixelsThatTheyHold) {
@@ -80,41 +59,25 @@ TEST_F(PngFiles, OfEveryVariantGiveThePixelsThatTheyHold) {
 
 TEST_F(PngFiles, CutAtAnyByteAreRefused) {
     for (const std::string& name : names("_9x7.png")) {
-        const Bytes& file = contents()[name];
-        for (std::size_t size = 0; size < file.size(); ++size) {
-            // A copy of exactly that size, so that the sanitizer sees a read beyond its end.
-            const Bytes cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
-            const Result<TextureImage> texture = decodePng(cut);
-            ASSERT_FALSE(texture) << name << ": " << size << " of " << file.size() << " bytes";
-            ASSERT_THAT(texture.error().message, testing::StartsWith("PNG: "));
-        }
+        SCOPED_TRACE(name);
+        test::expectRefusedWhenCut(*codecForExtension(".png"), contents()[name]);
     }
 }
 
 // With the checksums made right again, or else hardly any damage would get further than to them.
 TEST_F(PngFiles, WithFlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
     std::mt19937 random(7); // NOLINT: the same files each time
-    int decoded = 0;
-    int refused = 0;
+    test::Outcomes outcomes;
     for (const std::string& name : names("_9x7.png"))
         for (int round = 0; round < 100; ++round) {
             Bytes file = contents()[name];
-            for (int flips = 1 + static_cast<int>(random() % 3); flips > 0; --flips)
-                file[8 + random() % (file.size() - 8)] ^= static_cast<std::byte>(1U << (random() % 8));
+            test::flipBits(file, 8, random);
             if (round % 4 != 0)
                 test::repairPng(file);
-            const Result<TextureImage> texture = decodePng(file, {.maxExtent = 4096});
-            if (!texture) {
-                ++refused;
-                ASSERT_THAT(texture.error().message, testing::StartsWith("PNG: "));
-                continue;
-            }
-            ++decoded;
-            const Image& image = std::get<Image>(texture->surfaces.at(0));
-            ASSERT_EQ(image.pixels.size(), image.rowBytes() * static_cast<std::size_t>(image.height));
+            test::countOutcome(*codecForExtension(".png"), file, outcomes);
         }
-    EXPECT_GT(decoded, 100);
-    EXPECT_GT(refused, 1000);
+    EXPECT_GT(outcomes.decoded, 100);
+    EXPECT_GT(outcomes.refused, 1000);
 }
 
 Bytes bytesOf(std::initializer_list<int> values) {

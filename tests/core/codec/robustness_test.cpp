@@ -3,6 +3,7 @@
 
 #include "core/codec/registry.h"
 #include "tests/support/codec_promises.h"
+#include "tests/support/png_repair.h"
 #include "tests/support/sample_textures.h"
 #include "tests/support/watched_heap.h"
 
@@ -58,7 +59,7 @@ TEST_P(Robustness, AnyBytesMayBeOthers) {
             for (std::size_t changes = 1 + below(4); changes > 0; --changes)
                 file[below(end)] ^= static_cast<std::byte>(random_() % 2 ? 1U << below(8) : random_());
             if (round % 4 != 0)
-                test::repairChecksums(file);
+                test::repairPng(file);
             keepsItsPromises(file);
         }
     }
@@ -71,7 +72,7 @@ TEST_P(Robustness, TwoFilesMayBeSpliced) {
         Bytes file(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(below(first.size())));
         file.insert(file.end(), second.begin() + static_cast<std::ptrdiff_t>(below(second.size())),
                     second.end());
-        test::repairChecksums(file);
+        test::repairPng(file);
         keepsItsPromises(file);
     }
 }
@@ -107,7 +108,7 @@ TEST_P(Robustness, AHeaderThatLiesAboutTheSizeCostsNoMemory) {
                     continue;
                 claim(file, first, step, bigEndian, large);
                 claim(file, first + step, step, bigEndian, large);
-                test::repairChecksums(file);
+                test::repairPng(file);
                 const test::HeapWatch heap;
                 static_cast<void>(row_.decode(file, {}));
                 if (row_.dissect)
