@@ -9,7 +9,7 @@ namespace texplorer {
 enum class FlipMode : std::uint32_t { Blocks, Pixels, Coordinates, Matrix, None };
 
 inline constexpr std::array flipModeRows{
-    row(FlipMode::Blocks, "blocks", "Blocks, without loss",
+    row(FlipMode::Blocks, "blocks", "Blocks, lossless",
         "When it is loaded: compressed blocks are turned around without decompressing them, pixels where the "
         "file isn't compressed. Where a level's height makes that impossible, the texture is decompressed."),
     row(FlipMode::Pixels, "pixels", "Pixels",
