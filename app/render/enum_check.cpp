@@ -1,10 +1,12 @@
 // The core writes GL's numbers down without a GL header. Here the compiler proves that each row of each table
 // has the number and the name of the GL macro, and that no row is left out.
 
+#include "core/gl/combine.h"
 #include "core/gl/environment.h"
 #include "core/gl/error.h"
 #include "core/gl/fragment.h"
 #include "core/gl/sampling.h"
+#include "core/gl/tex_gen.h"
 
 #include <GL/glew.h>
 
@@ -43,7 +45,24 @@ static_assert(agrees<Wrap>({TEXPLORER_GL(GL_REPEAT), TEXPLORER_GL(GL_MIRRORED_RE
 static_assert(agrees<Target>({TEXPLORER_GL(GL_TEXTURE_1D), TEXPLORER_GL(GL_TEXTURE_2D),
                               TEXPLORER_GL(GL_TEXTURE_3D)}));
 static_assert(agrees<EnvMode>({TEXPLORER_GL(GL_REPLACE), TEXPLORER_GL(GL_MODULATE), TEXPLORER_GL(GL_DECAL),
-                               TEXPLORER_GL(GL_BLEND), TEXPLORER_GL(GL_ADD)}));
+                               TEXPLORER_GL(GL_BLEND), TEXPLORER_GL(GL_ADD), TEXPLORER_GL(GL_COMBINE)}));
+static_assert(agrees<CombineRgb>({TEXPLORER_GL(GL_REPLACE), TEXPLORER_GL(GL_MODULATE), TEXPLORER_GL(GL_ADD),
+                                  TEXPLORER_GL(GL_ADD_SIGNED), TEXPLORER_GL(GL_INTERPOLATE),
+                                  TEXPLORER_GL(GL_SUBTRACT), TEXPLORER_GL(GL_DOT3_RGB),
+                                  TEXPLORER_GL(GL_DOT3_RGBA)}));
+static_assert(agrees<CombineAlpha>({TEXPLORER_GL(GL_REPLACE), TEXPLORER_GL(GL_MODULATE), TEXPLORER_GL(GL_ADD),
+                                    TEXPLORER_GL(GL_ADD_SIGNED), TEXPLORER_GL(GL_INTERPOLATE),
+                                    TEXPLORER_GL(GL_SUBTRACT)}));
+static_assert(agrees<CombineSource>({TEXPLORER_GL(GL_TEXTURE), TEXPLORER_GL(GL_CONSTANT),
+                                     TEXPLORER_GL(GL_PRIMARY_COLOR), TEXPLORER_GL(GL_PREVIOUS),
+                                     TEXPLORER_GL(GL_TEXTURE0), TEXPLORER_GL(GL_TEXTURE1),
+                                     TEXPLORER_GL(GL_TEXTURE2), TEXPLORER_GL(GL_TEXTURE3)}));
+static_assert(agrees<OperandRgb>({TEXPLORER_GL(GL_SRC_COLOR), TEXPLORER_GL(GL_ONE_MINUS_SRC_COLOR),
+                                  TEXPLORER_GL(GL_SRC_ALPHA), TEXPLORER_GL(GL_ONE_MINUS_SRC_ALPHA)}));
+static_assert(agrees<OperandAlpha>({TEXPLORER_GL(GL_SRC_ALPHA), TEXPLORER_GL(GL_ONE_MINUS_SRC_ALPHA)}));
+static_assert(agrees<TexGenMode>({TEXPLORER_GL(GL_EYE_LINEAR), TEXPLORER_GL(GL_OBJECT_LINEAR),
+                                  TEXPLORER_GL(GL_SPHERE_MAP), TEXPLORER_GL(GL_NORMAL_MAP),
+                                  TEXPLORER_GL(GL_REFLECTION_MAP)}));
 static_assert(agrees<BaseFormat>({TEXPLORER_GL(GL_ALPHA), TEXPLORER_GL(GL_LUMINANCE),
                                   TEXPLORER_GL(GL_LUMINANCE_ALPHA), TEXPLORER_GL(GL_INTENSITY),
                                   TEXPLORER_GL(GL_RGB), TEXPLORER_GL(GL_RGBA)}));

@@ -113,6 +113,7 @@ void FixedRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
         const std::string where = "passes[" + std::to_string(i) + "]";
         applyPass(scene.passes[i]);
         errors.check(where + ": glDepthFunc, glAlphaFunc, glBlendFunc");
+        loadMatrix(GL_MODELVIEW, glm::mat4(1));
         const std::array<CoordUse, maxUnits> units = applyUnits(scene, i, images, time);
         glMatrixMode(GL_MODELVIEW);
         for (std::size_t m = 0; m < scene.models.size(); ++m) {
@@ -142,7 +143,7 @@ std::array<CoordUse, maxUnits> FixedRenderer::State::applyUnits(const Scene& sce
             applyUnit(i, unit, texture, time);
         } else if (i < capabilities.textureUnits)
             switchUnitOff(i);
-        errors.check(where + ": glTexEnv");
+        errors.check(where + ": glTexEnv, glTexGen");
     }
     return uses;
 }

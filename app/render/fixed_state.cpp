@@ -13,11 +13,58 @@ namespace {
 
 constexpr auto targets = std::to_array<GLenum>({GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D});
 
+struct GeneratedCoordinate {
+    GLenum coordinate;
+    GLenum enable;
+    TexGen Unit::*state;
+};
+
+constexpr auto generatedCoordinates = std::to_array<GeneratedCoordinate>({
+    {GL_S, GL_TEXTURE_GEN_S, &Unit::texGenS},
+    {GL_T, GL_TEXTURE_GEN_T, &Unit::texGenT},
+    {GL_R, GL_TEXTURE_GEN_R, &Unit::texGenR},
+    {GL_Q, GL_TEXTURE_GEN_Q, &Unit::texGenQ},
+});
+
 void setEnabled(GLenum what, bool on) {
     if (on)
         glEnable(what);
     else
         glDisable(what);
+}
+
+/// One environment parameter that is an enumerator.
+template<class E>
+void setEnv(GLenum name, E value) {
+    glTexEnvi(GL_TEXTURE_ENV, name, static_cast<GLint>(value));
+}
+
+void applyCombine(const Combine& combine) {
+    setEnv(GL_COMBINE_RGB, combine.rgb);
+    setEnv(GL_SRC0_RGB, combine.source0Rgb);
+    setEnv(GL_OPERAND0_RGB, combine.operand0Rgb);
+    setEnv(GL_SRC1_RGB, combine.source1Rgb);
+    setEnv(GL_OPERAND1_RGB, combine.operand1Rgb);
+    setEnv(GL_SRC2_RGB, combine.source2Rgb);
+    setEnv(GL_OPERAND2_RGB, combine.operand2Rgb);
+    setEnv(GL_RGB_SCALE, combine.rgbScale);
+    setEnv(GL_COMBINE_ALPHA, combine.alpha);
+    setEnv(GL_SRC0_ALPHA, combine.source0Alpha);
+    setEnv(GL_OPERAND0_ALPHA, combine.operand0Alpha);
+    setEnv(GL_SRC1_ALPHA, combine.source1Alpha);
+    setEnv(GL_OPERAND1_ALPHA, combine.operand1Alpha);
+    setEnv(GL_SRC2_ALPHA, combine.source2Alpha);
+    setEnv(GL_OPERAND2_ALPHA, combine.operand2Alpha);
+    setEnv(GL_ALPHA_SCALE, combine.alphaScale);
+}
+
+void applyTexGen(const GeneratedCoordinate& row, const TexGen& generated) {
+    setEnabled(row.enable, generated.enabled);
+    if (!generated.enabled)
+        return;
+    glTexGeni(row.coordinate, GL_TEXTURE_GEN_MODE, static_cast<GLint>(generated.mode));
+    glTexGenfv(row.coordinate, GL_OBJECT_PLANE, glm::value_ptr(generated.objectPlane));
+    glTexGenfv(row.coordinate, GL_EYE_PLANE, glm::value_ptr(generated.eyePlane));
 }
 
 } // namespace
@@ -73,9 +120,13 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
     const auto target = static_cast<GLenum>(unit.target);
     glBindTexture(target, texture.name);
     glEnable(target);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.envMode));
+    setEnv(GL_TEXTURE_ENV_MODE, unit.envMode);
+    if (unit.envMode == EnvMode::Combine)
+        applyCombine(unit.combine);
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(unit.envColor));
     glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unit.lodBias);
+    for (const GeneratedCoordinate& row : generatedCoordinates)
+        applyTexGen(row, unit.*row.state);
     glMatrixMode(GL_TEXTURE);
     glLoadIdentity();
     if (texture.lateFlip == LateFlip::Matrix) {

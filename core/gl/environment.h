@@ -1,6 +1,7 @@
 #pragma once
 
-// What a texture unit does with the filtered colour: OpenGL 2.1, section 3.8.13, tables 3.21 and 3.22.
+// What a texture unit does with the filtered colour: OpenGL 2.1, section 3.8.13, tables 3.21 and 3.22. What
+// GL_COMBINE says beyond its mode is in combine.h.
 
 #include "core/gl/enum_row.h"
 
@@ -12,6 +13,7 @@ enum class EnvMode : std::uint32_t {
     Decal = 0x2101,
     Blend = 0x0BE2,
     Add = 0x0104,
+    Combine = 0x8570,
 };
 
 /// The six base internal formats of section 3.8.1: they decide which components a texture has.
@@ -36,6 +38,8 @@ inline constexpr std::array envModeRows{
     row(EnvMode::Add, "GL_ADD", "Add",
         "Fragment colour plus texture colour, clamped to 1; alpha is multiplied, except for INTENSITY.",
         "1.3"),
+    row(EnvMode::Combine, "GL_COMBINE", "Combine",
+        "A function of up to three arguments that one chooses, for colour and alpha apart.", "1.3"),
 };
 
 inline constexpr std::array baseFormatRows{
@@ -61,6 +65,6 @@ struct EnumTable<BaseFormat> {
     static constexpr std::span<const EnumRow> rows = baseFormatRows;
 };
 
-static_assert(envModeRows.size() == 5 && baseFormatRows.size() == 6);
+static_assert(envModeRows.size() == 6 && baseFormatRows.size() == 6);
 
 } // namespace texplorer

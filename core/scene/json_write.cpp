@@ -49,6 +49,10 @@ private:
         for (const ParamRow& row : table.params)
             param(row, owner);
         for (const ChildRow& child : table.children) {
+            // What a file leaves out of an element of a list reads as its default; out of the scene itself,
+            // as the scene that one begins with has it.
+            if (!child.indexed && &table != &sceneTable() && child.isDefault(owner, 0))
+                continue;
             member(child.key);
             if (child.indexed)
                 list(child, owner);

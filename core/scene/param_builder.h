@@ -106,10 +106,9 @@ constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::
     return {key, group, label, help, glCall, Kind::TexCoordList, {}, {}, readList, writeList};
 }
 
-/// A member that is one struct.
+/// A member that is one struct. Its initial value is the one that its owner gives it.
 template<auto Member>
 ChildRow single(std::string_view key, std::string_view label, const StructTable& table) {
-    using T = Type<Member>;
     return {key,
             label,
             &table,
@@ -120,9 +119,9 @@ ChildRow single(std::string_view key, std::string_view label, const StructTable&
             [](void* owner, std::size_t) -> void* { return &get<Member>(owner); },
             [](void* owner, std::size_t count) {
                 if (count == 0)
-                    get<Member>(owner) = T{};
+                    get<Member>(owner) = Owner<Member>{}.*Member;
             },
-            [](const void* owner, std::size_t) { return get<Member>(owner) == T{}; }};
+            [](const void* owner, std::size_t) { return get<Member>(owner) == Owner<Member>{}.*Member; }};
 }
 
 /// A member that is a vector or an array of structs.

@@ -81,6 +81,9 @@ struct StructTable {
 [[nodiscard]] const StructTable& passTable();
 [[nodiscard]] const StructTable& unitTable();
 [[nodiscard]] const StructTable& matrixStepTable();
+[[nodiscard]] const StructTable& combineTable();
+/// For one of the coordinates s, t, r and q: 0 to 3. They differ in the modes that OpenGL accepts.
+[[nodiscard]] const StructTable& texGenTable(std::size_t coordinate);
 
 /// The longest Text that is accepted, in bytes.
 inline constexpr std::size_t maxTextBytes = 4096;

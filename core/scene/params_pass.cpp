@@ -3,7 +3,6 @@
 namespace texplorer {
 namespace {
 
-using build::color;
 using build::param;
 
 constexpr std::array passRows{
@@ -28,56 +27,7 @@ constexpr std::array passRows{
                            "What the stored colour is multiplied by before both are added."),
 };
 
-constexpr std::array unitRows{
-    param<&Unit::enabled>("enabled", "Unit", "Enabled", "glEnable(target)",
-                          "Whether this unit applies its texture to the result of the units before it."),
-    param<&Unit::target>("target", "Unit", "Target", "glEnable({})",
-                         "Whether the texture is a line, a picture or a volume."),
-    param<&Unit::texture>("texture", "Unit", "Texture", "glBindTexture(target, textures[{}])",
-                          "Which of the scene's textures is bound, counted from 0.",
-                          {0, static_cast<float>(maxTextures - 1), 0.05F, {}}),
-    param<&Unit::envMode>("envMode", "Environment", "Mode",
-                          "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {})",
-                          "How the texture's colour and the fragment's colour become one."),
-    color<&Unit::envColor>("envColor", "Environment", "Environment colour",
-                           "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {})",
-                           "The constant colour that GL_BLEND mixes in; the other modes ignore it."),
-    param<&Unit::lodBias>("lodBias", "Level of detail", "LOD bias",
-                          "glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {})",
-                          "Added to the level of detail: above 0 blurs, below 0 sharpens and aliases.",
-                          {-16, 16, 0.02F, "levels"}),
-};
-
-constexpr std::array matrixStepRows{
-    param<&MatrixStep::op>("op", "Step", "Operation", "", "What this step does to the texture coordinates."),
-    param<&MatrixStep::amount>("amount", "Step", "Amount", "",
-                               "The offset, the factors, or the axis of the rotation, at time 0.",
-                               {-1000, 1000, 0.01F, {}}),
-    param<&MatrixStep::angle>("angle", "Step", "Angle", "glRotatef({}, x, y, z)",
-                              "How far a rotation turns at time 0; translating and scaling ignore it.",
-                              {-360, 360, 0.5F, "deg"}),
-    param<&MatrixStep::rate>("rate", "Animation", "Rate", "", "Added to the amount every second.",
-                             {-1000, 1000, 0.01F, "/s"}),
-    param<&MatrixStep::angleRate>("angleRate", "Animation", "Angle rate", "",
-                                  "Added to the angle every second.", {-3600, 3600, 0.5F, "deg/s"}),
-};
-static_assert(matrixStepRows.size() == 5 && matrixStepRows.size() == build::memberCount<MatrixStep>());
-
 } // namespace
-
-const StructTable& matrixStepTable() {
-    static const StructTable table{"MatrixStep", matrixStepRows, {}};
-    return table;
-}
-
-const StructTable& unitTable() {
-    static const std::array children{
-        build::many<&Unit::matrix>("matrix", "Matrix step", matrixStepTable(), 0, maxMatrixSteps),
-    };
-    static_assert(unitRows.size() == 6 && unitRows.size() + children.size() == build::memberCount<Unit>());
-    static const StructTable table{"Unit", unitRows, children};
-    return table;
-}
 
 const StructTable& passTable() {
     static const std::array children{

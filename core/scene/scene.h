@@ -5,9 +5,11 @@
 // tables). What GL keeps in the texture object and what it keeps in the texture unit is kept apart in the
 // same way.
 
+#include "core/gl/combine.h"
 #include "core/gl/environment.h"
 #include "core/gl/fragment.h"
 #include "core/gl/sampling.h"
+#include "core/gl/tex_gen.h"
 #include "core/image/mipmaps.h"
 #include "core/image/pattern.h"
 #include "core/image/transparency.h"
@@ -129,6 +131,39 @@ struct MatrixStep {
     bool operator==(const MatrixStep&) const = default;
 };
 
+/// What GL_COMBINE computes, for colour and alpha apart.
+struct Combine {
+    CombineRgb rgb = CombineRgb::Modulate;
+    CombineSource source0Rgb = CombineSource::Texture;
+    OperandRgb operand0Rgb = OperandRgb::SrcColor;
+    CombineSource source1Rgb = CombineSource::Previous;
+    OperandRgb operand1Rgb = OperandRgb::SrcColor;
+    CombineSource source2Rgb = CombineSource::Constant;
+    OperandRgb operand2Rgb = OperandRgb::SrcAlpha;
+    CombineScale rgbScale = CombineScale::One;
+    CombineAlpha alpha = CombineAlpha::Modulate;
+    CombineSource source0Alpha = CombineSource::Texture;
+    OperandAlpha operand0Alpha = OperandAlpha::SrcAlpha;
+    CombineSource source1Alpha = CombineSource::Previous;
+    OperandAlpha operand1Alpha = OperandAlpha::SrcAlpha;
+    CombineSource source2Alpha = CombineSource::Constant;
+    OperandAlpha operand2Alpha = OperandAlpha::SrcAlpha;
+    CombineScale alphaScale = CombineScale::One;
+
+    bool operator==(const Combine&) const = default;
+};
+
+/// How one of s, t, r and q is generated. The eye plane is given while the modelview matrix is the identity,
+/// so that it is in eye coordinates as it stands here.
+struct TexGen {
+    bool enabled = false;
+    TexGenMode mode = TexGenMode::EyeLinear;
+    glm::vec4 objectPlane{0};
+    glm::vec4 eyePlane{0};
+
+    bool operator==(const TexGen&) const = default;
+};
+
 /// A texture unit: which texture is bound, and the environment that applies it.
 struct Unit {
     bool enabled = false;
@@ -137,6 +172,11 @@ struct Unit {
     EnvMode envMode = EnvMode::Modulate;
     glm::vec4 envColor{0, 0, 0, 0};
     float lodBias = 0;
+    Combine combine{}; ///< for EnvMode::Combine
+    TexGen texGenS{.objectPlane = {1, 0, 0, 0}, .eyePlane = {1, 0, 0, 0}};
+    TexGen texGenT{.objectPlane = {0, 1, 0, 0}, .eyePlane = {0, 1, 0, 0}};
+    TexGen texGenR{};                 ///< has no sphere map
+    TexGen texGenQ{};                 ///< has eye and object planes alone
     std::vector<MatrixStep> matrix{}; ///< multiplied in this order, as successive GL calls are
 
     bool operator==(const Unit&) const = default;

@@ -130,6 +130,23 @@ TEST(WriteScene, ReadsLikeThis) {
     EXPECT_EQ(parseScene(writeScene(scene)).value(), scene);
 }
 
+TEST(WriteScene, LeavesOutTheStateOfAUnitThatNobodyTouched) {
+    Scene scene;
+    scene.passes[0].units[0].texGenT.enabled = true;
+    scene.passes[0].units[1].combine.rgbScale = CombineScale::Two;
+    const std::string text = writeScene(scene);
+    const auto count = [&](std::string_view key) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1))
+            ++found;
+        return found;
+    };
+    EXPECT_EQ(count("\"texGenT\""), 1U);
+    EXPECT_EQ(count("\"texGenS\""), 0U);
+    EXPECT_EQ(count("\"combine\""), 1U);
+    EXPECT_EQ(parseScene(text).value(), scene);
+}
+
 TEST(WriteScene, LeavesOutCoordinatesThatDoNotFitTheirMesh) {
     Scene scene;
     scene.models = {Model{.shape = Shape::Sphere}};

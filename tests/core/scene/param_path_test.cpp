@@ -45,6 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
                 R"(textures[-1]: expected a number in the brackets, found "-1")"},
         Refusal{"IndexEmpty", "textures[].minFilter", "GL_LINEAR",
                 R"(textures[]: expected a number in the brackets, found "")"},
+        Refusal{"ModeThatTheCoordinateLacks", "passes[0].units[0].texGenQ.mode", "GL_SPHERE_MAP",
+                "passes[0].units[0].texGenQ.mode: expected one of GL_EYE_LINEAR, GL_OBJECT_LINEAR, found "
+                "\"GL_SPHERE_MAP\""},
         Refusal{"IndexOfUnits", "passes[0].units[4].envMode", "GL_ADD",
                 "passes[0].units[4]: expected the number of one that exists, counted from 0; the pass has 4"},
         Refusal{"IndexOfMatrix", "passes[0].units[0].matrix[0].op", "scale",
@@ -122,7 +125,7 @@ TEST(ParamPath, VisitsInTableOrder) {
     forEachParam(defaultScene(),
                  [&](const std::string& path, const ParamRow&, const Value&) { paths.push_back(path); });
     EXPECT_EQ(paths.front(), "view.azimuth");
-    EXPECT_EQ(paths.back(), "passes[0].units[3].lodBias");
+    EXPECT_EQ(paths.back(), "passes[0].units[3].texGenQ.eyePlane");
     EXPECT_EQ(std::ranges::count(paths, "models[1].texCoords3"), 1);
 }
 

@@ -152,13 +152,17 @@ TEST_P(ParamTables, ListsHaveALimit) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ParamTables,
-                         testing::Values(Table{"Scene", sceneTable}, Table{"View", viewTable},
-                                         Table{"Light", lightTable}, Table{"Material", materialTable},
-                                         Table{"Model", modelTable}, Table{"Texture", textureTable},
-                                         Table{"Pass", passTable}, Table{"Unit", unitTable},
-                                         Table{"MatrixStep", matrixStepTable}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, ParamTables,
+    testing::Values(Table{"Scene", sceneTable}, Table{"View", viewTable}, Table{"Light", lightTable},
+                    Table{"Material", materialTable}, Table{"Model", modelTable},
+                    Table{"Texture", textureTable}, Table{"Pass", passTable}, Table{"Unit", unitTable},
+                    Table{"MatrixStep", matrixStepTable}, Table{"Combine", combineTable},
+                    Table{"TexGenS", []() -> const StructTable& { return texGenTable(0); }},
+                    Table{"TexGenT", []() -> const StructTable& { return texGenTable(1); }},
+                    Table{"TexGenR", []() -> const StructTable& { return texGenTable(2); }},
+                    Table{"TexGenQ", []() -> const StructTable& { return texGenTable(3); }}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Params, EveryDefaultIsAccepted) {
     for (const Scene& scene : {fullScene(), defaultScene()})
@@ -175,7 +179,7 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(), 7U + 7 + 4 + 12 + 25 + 9 + 4 * (6 + 5));
+    ASSERT_EQ(rows.size(), 7U + 7 + 4 + 12 + 25 + 9 + 4 * (6 + 16 + 4 * 4 + 5));
 
     for (const auto& [path, row] : rows) {
         for (const Value& value : valuesOf(*row)) {
