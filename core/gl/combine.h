@@ -1,6 +1,6 @@
 #pragma once
 
-// The vocabulary of GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25.
+// GL_COMBINE's vocabulary and state: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25 and 6.20.
 
 #include "core/gl/enum_row.h"
 
@@ -49,6 +49,28 @@ enum class OperandAlpha : std::uint32_t { SrcAlpha = 0x0302, OneMinusSrcAlpha = 
 
 /// GL_RGB_SCALE and GL_ALPHA_SCALE: nothing else is accepted.
 enum class CombineScale : std::uint32_t { One = 1, Two = 2, Four = 4 };
+
+/// What a unit in GL_COMBINE computes, for colour and alpha apart, with GL's initial values.
+struct Combine {
+    CombineRgb rgb = CombineRgb::Modulate;
+    CombineSource source0Rgb = CombineSource::Texture;
+    OperandRgb operand0Rgb = OperandRgb::SrcColor;
+    CombineSource source1Rgb = CombineSource::Previous;
+    OperandRgb operand1Rgb = OperandRgb::SrcColor;
+    CombineSource source2Rgb = CombineSource::Constant;
+    OperandRgb operand2Rgb = OperandRgb::SrcAlpha;
+    CombineScale rgbScale = CombineScale::One;
+    CombineAlpha alpha = CombineAlpha::Modulate;
+    CombineSource source0Alpha = CombineSource::Texture;
+    OperandAlpha operand0Alpha = OperandAlpha::SrcAlpha;
+    CombineSource source1Alpha = CombineSource::Previous;
+    OperandAlpha operand1Alpha = OperandAlpha::SrcAlpha;
+    CombineSource source2Alpha = CombineSource::Constant;
+    OperandAlpha operand2Alpha = OperandAlpha::SrcAlpha;
+    CombineScale alphaScale = CombineScale::One;
+
+    bool operator==(const Combine&) const = default;
+};
 
 inline constexpr std::array combineRgbRows{
     row(CombineRgb::Replace, "GL_REPLACE", "Replace", "Arg0 alone.", "1.3"),

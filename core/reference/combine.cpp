@@ -4,8 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <optional>
 
 namespace texplorer::reference {
@@ -35,51 +34,67 @@ std::optional<glm::vec4> sourceOf(CombineSource source, const EnvironmentInputs&
     return *textures[unit];
 }
 
-/// OPERANDn: a component of the source, or of its complement.
-glm::vec4 operandOf(CombineOperand operand, glm::vec4 source) {
+/// An argument: where it comes from and OPERANDn, which of it is taken. Alpha's operands are two of the
+/// colour's, with the same numbers.
+struct Argument {
+    CombineSource source;
+    OperandRgb operand;
+};
+using Arguments = std::array<Argument, 3>;
+
+Arguments rgbArguments(const Combine& combine) {
+    return {{{combine.source0Rgb, combine.operand0Rgb},
+             {combine.source1Rgb, combine.operand1Rgb},
+             {combine.source2Rgb, combine.operand2Rgb}}};
+}
+
+Arguments alphaArguments(const Combine& combine) {
+    const auto asRgb = [](OperandAlpha operand) { return static_cast<OperandRgb>(operand); };
+    return {{{combine.source0Alpha, asRgb(combine.operand0Alpha)},
+             {combine.source1Alpha, asRgb(combine.operand1Alpha)},
+             {combine.source2Alpha, asRgb(combine.operand2Alpha)}}};
+}
+
+glm::vec4 operandOf(OperandRgb operand, glm::vec4 source) {
     switch (operand) {
-    case CombineOperand::SrcColor:
+    case OperandRgb::SrcColor:
         return source;
-    case CombineOperand::OneMinusSrcColor:
+    case OperandRgb::OneMinusSrcColor:
         return 1.0F - source;
-    case CombineOperand::SrcAlpha:
+    case OperandRgb::SrcAlpha:
         return glm::vec4(source.a);
-    case CombineOperand::OneMinusSrcAlpha:
+    case OperandRgb::OneMinusSrcAlpha:
         return glm::vec4(1 - source.a);
     }
     return source;
 }
 
-/// Table 3.23: how many of the three arguments a function reads.
-int argumentCount(CombineFunction function) {
-    return function == CombineFunction::Replace ? 1 : function == CombineFunction::Interpolate ? 3 : 2;
-}
-
-glm::vec4 applyFunction(CombineFunction function, const std::array<glm::vec4, 3>& arguments) {
+/// Table 3.23; alpha's functions are six of these, with the same numbers.
+glm::vec4 applyFunction(CombineRgb function, const std::array<glm::vec4, 3>& arguments) {
     const auto& [first, second, third] = arguments;
     switch (function) {
-    case CombineFunction::Replace:
+    case CombineRgb::Replace:
         return first;
-    case CombineFunction::Modulate:
+    case CombineRgb::Modulate:
         return first * second;
-    case CombineFunction::Add:
+    case CombineRgb::Add:
         return first + second;
-    case CombineFunction::AddSigned:
+    case CombineRgb::AddSigned:
         return first + second - 0.5F;
-    case CombineFunction::Interpolate:
+    case CombineRgb::Interpolate:
         return first * third + second * (1.0F - third);
-    case CombineFunction::Subtract:
+    case CombineRgb::Subtract:
         return first - second;
-    case CombineFunction::Dot3Rgb:
-    case CombineFunction::Dot3Rgba:
+    case CombineRgb::Dot3Rgb:
+    case CombineRgb::Dot3Rgba:
         return glm::vec4(4 * glm::dot(glm::vec3(first) - 0.5F, glm::vec3(second) - 0.5F));
     }
     return first;
 }
 
-/// The arguments that a function reads, or nothing where one of them is undefined.
-std::optional<glm::vec4> combined(CombineFunction function, const std::array<CombineArgument, 3>& from,
-                                  const EnvironmentInputs& in, std::span<const glm::vec4* const> textures) {
+/// The function of the arguments that it reads, or nothing where one of them is undefined.
+std::optional<glm::vec4> combined(CombineRgb function, const Arguments& from, const EnvironmentInputs& in,
+                                  std::span<const glm::vec4* const> textures) {
     std::array<glm::vec4, 3> arguments{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(argumentCount(function)); ++i) {
         const std::optional<glm::vec4> source = sourceOf(from[i].source, in, textures);
@@ -90,18 +105,8 @@ std::optional<glm::vec4> combined(CombineFunction function, const std::array<Com
     return applyFunction(function, arguments);
 }
 
-bool isAlphaFunction(CombineFunction function) {
-    return function != CombineFunction::Dot3Rgb && function != CombineFunction::Dot3Rgba;
-}
-
-bool isAlphaOperand(const CombineArgument& argument) {
-    return argument.operand == CombineOperand::SrcAlpha ||
-           argument.operand == CombineOperand::OneMinusSrcAlpha;
-}
-
-bool isAllowed(const Combine& combine) {
-    return combine.rgb == CombineFunction::Dot3Rgba ||
-           (isAlphaFunction(combine.alpha) && std::ranges::all_of(combine.alphaArguments, isAlphaOperand));
+float factorOf(CombineScale scale) {
+    return static_cast<float>(scale);
 }
 
 } // namespace
@@ -109,19 +114,17 @@ bool isAllowed(const Combine& combine) {
 EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inputs,
                            std::span<const glm::vec4* const> textures) {
     const EnvironmentResult passedOn{glm::clamp(inputs.previous, 0.0F, 1.0F), true};
-    if (!isAllowed(combine))
-        return passedOn;
-    const std::optional<glm::vec4> rgb = combined(combine.rgb, combine.rgbArguments, inputs, textures);
+    const std::optional<glm::vec4> rgb = combined(combine.rgb, rgbArguments(combine), inputs, textures);
     if (!rgb)
         return passedOn;
-    glm::vec4 color = *rgb * combine.rgbScale;
+    glm::vec4 color = *rgb * factorOf(combine.rgbScale);
     // DOT3_RGBA gives alpha with the colour, and the scale of the colour; what stands for alpha is ignored.
-    if (combine.rgb != CombineFunction::Dot3Rgba) {
+    if (combine.rgb != CombineRgb::Dot3Rgba) {
         const std::optional<glm::vec4> alpha =
-            combined(combine.alpha, combine.alphaArguments, inputs, textures);
+            combined(static_cast<CombineRgb>(combine.alpha), alphaArguments(combine), inputs, textures);
         if (!alpha)
             return passedOn;
-        color.a = alpha->a * combine.alphaScale;
+        color.a = alpha->a * factorOf(combine.alphaScale);
     }
     return {glm::clamp(color, 0.0F, 1.0F), false};
 }

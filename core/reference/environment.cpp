@@ -59,6 +59,8 @@ Cell cellOf(EnvMode mode, BaseFormat format) {
         return {color(F::Blend), isIntensity ? F::Blend : alpha(F::Product)};
     case EnvMode::Add:
         return {color(F::Sum), isIntensity ? F::Sum : alpha(F::Product)};
+    case EnvMode::Combine: // see combine.h
+        break;
     }
     return {F::Undefined, F::Undefined};
 }

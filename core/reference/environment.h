@@ -25,7 +25,8 @@ struct EnvironmentResult {
     bool undefined = false;
 };
 
-/// Tables 3.21 (REPLACE, MODULATE, DECAL) and 3.22 (BLEND, ADD).
+/// Tables 3.21 (REPLACE, MODULATE, DECAL) and 3.22 (BLEND, ADD). COMBINE has more state: see combine.h; here
+/// it counts as undefined.
 [[nodiscard]] EnvironmentResult evaluate(EnvMode mode, BaseFormat format, const EnvironmentInputs& inputs);
 
 /// One line of an equation, for a reader: "Cv = Cp * Cs" and, for red, "0.5 * 0.4 = 0.2".

@@ -131,28 +131,6 @@ struct MatrixStep {
     bool operator==(const MatrixStep&) const = default;
 };
 
-/// What GL_COMBINE computes, for colour and alpha apart.
-struct Combine {
-    CombineRgb rgb = CombineRgb::Modulate;
-    CombineSource source0Rgb = CombineSource::Texture;
-    OperandRgb operand0Rgb = OperandRgb::SrcColor;
-    CombineSource source1Rgb = CombineSource::Previous;
-    OperandRgb operand1Rgb = OperandRgb::SrcColor;
-    CombineSource source2Rgb = CombineSource::Constant;
-    OperandRgb operand2Rgb = OperandRgb::SrcAlpha;
-    CombineScale rgbScale = CombineScale::One;
-    CombineAlpha alpha = CombineAlpha::Modulate;
-    CombineSource source0Alpha = CombineSource::Texture;
-    OperandAlpha operand0Alpha = OperandAlpha::SrcAlpha;
-    CombineSource source1Alpha = CombineSource::Previous;
-    OperandAlpha operand1Alpha = OperandAlpha::SrcAlpha;
-    CombineSource source2Alpha = CombineSource::Constant;
-    OperandAlpha operand2Alpha = OperandAlpha::SrcAlpha;
-    CombineScale alphaScale = CombineScale::One;
-
-    bool operator==(const Combine&) const = default;
-};
-
 /// How one of s, t, r and q is generated. The eye plane is given while the modelview matrix is the identity,
 /// so that it is in eye coordinates as it stands here.
 struct TexGen {

@@ -48,7 +48,7 @@ struct Seen {
 
 glm::vec3 reflected(const Seen& seen) {
     const glm::vec3 u = glm::normalize(glm::vec3(seen.eye));
-    return u - 2 * seen.normal * glm::dot(seen.normal, u);
+    return u - 2.0F * seen.normal * glm::dot(seen.normal, u);
 }
 
 glm::vec2 sphereMapped(const Seen& seen) {

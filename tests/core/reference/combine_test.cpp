@@ -11,9 +11,9 @@ namespace {
 
 using namespace testing_support;
 
-using Fn = CombineFunction;
+using Fn = CombineRgb;
 using Src = CombineSource;
-using Op = CombineOperand;
+using Scale = CombineScale;
 
 const EnvironmentInputs inputs{.previous = {0.2F, 0.4F, 0.6F, 0.8F},
                                .source = {0.6F, 0.2F, 0.8F, 0.4F},
@@ -24,30 +24,31 @@ const std::array<const glm::vec4*, 4> textures{&inputs.source, nullptr, &unit2, 
 
 /// With the same function, sources and scale for the colour and for alpha.
 Combine with(Fn function, std::array<Src, 3> sources = {Src::Texture, Src::Previous, Src::Constant},
-             float scale = 1) {
+             Scale scale = Scale::One) {
     Combine combine;
-    combine.rgb = combine.alpha = function;
-    for (std::size_t i = 0; i < 3; ++i) {
-        combine.rgbArguments[i] = {sources[i], Op::SrcColor};
-        combine.alphaArguments[i] = {sources[i], Op::SrcAlpha};
-    }
+    combine.rgb = function;
+    combine.alpha = static_cast<CombineAlpha>(function);
+    combine.source0Rgb = combine.source0Alpha = sources[0];
+    combine.source1Rgb = combine.source1Alpha = sources[1];
+    combine.source2Rgb = combine.source2Alpha = sources[2];
+    combine.operand2Rgb = OperandRgb::SrcColor;
     combine.rgbScale = combine.alphaScale = scale;
     return combine;
 }
 
-Combine withOperand(Op color, Op alpha) {
+Combine withOperand(OperandRgb color, OperandAlpha alpha) {
     Combine combine = with(Fn::Replace);
-    combine.rgbArguments[0].operand = color;
-    combine.alphaArguments[0].operand = alpha;
+    combine.operand0Rgb = color;
+    combine.operand0Alpha = alpha;
     return combine;
 }
 
-Combine dot(Fn function, float scale = 1) {
+Combine dot(Fn function, Scale scale = Scale::One) {
     Combine combine;
     combine.rgb = function;
     combine.rgbScale = scale;
-    combine.alpha = Fn::Replace;
-    combine.alphaArguments[0] = {Src::Constant, Op::SrcAlpha};
+    combine.alpha = CombineAlpha::Replace;
+    combine.source0Alpha = Src::Constant;
     return combine;
 }
 
@@ -77,23 +78,27 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Subtract", with(Fn::Subtract), {0.4F, 0, 0.2F, 0}},
         // 4 (0.1 * -0.3 + -0.3 * -0.1 + 0.3 * 0.1) = 0.12
         Case{"Dot3Rgb", dot(Fn::Dot3Rgb), {0.12F, 0.12F, 0.12F, 0.5F}},
-        Case{"Dot3Rgba", dot(Fn::Dot3Rgba, 4), {0.48F, 0.48F, 0.48F, 0.48F}},
+        Case{"Dot3Rgba", dot(Fn::Dot3Rgba, Scale::Four), {0.48F, 0.48F, 0.48F, 0.48F}},
         Case{"OneMinusColor",
-             withOperand(Op::OneMinusSrcColor, Op::OneMinusSrcAlpha),
+             withOperand(OperandRgb::OneMinusSrcColor, OperandAlpha::OneMinusSrcAlpha),
              {0.4F, 0.8F, 0.2F, 0.6F}},
-        Case{"Alpha", withOperand(Op::SrcAlpha, Op::SrcAlpha), {0.4F, 0.4F, 0.4F, 0.4F}},
-        Case{"OneMinusAlpha", withOperand(Op::OneMinusSrcAlpha, Op::SrcAlpha), {0.6F, 0.6F, 0.6F, 0.4F}},
+        Case{"Alpha", withOperand(OperandRgb::SrcAlpha, OperandAlpha::SrcAlpha), {0.4F, 0.4F, 0.4F, 0.4F}},
+        Case{"OneMinusAlpha",
+             withOperand(OperandRgb::OneMinusSrcAlpha, OperandAlpha::SrcAlpha),
+             {0.6F, 0.6F, 0.6F, 0.4F}},
         Case{"Primary", with(Fn::Replace, {Src::PrimaryColor, Src::Texture, Src::Texture}), inputs.primary},
         Case{"Constant", with(Fn::Replace, {Src::Constant, Src::Texture, Src::Texture}), inputs.constant},
         Case{"Crossbar", with(Fn::Replace, {Src::Texture2, Src::Texture, Src::Texture}), unit2},
-        Case{"Scale2", with(Fn::Replace, {Src::Texture, Src::Texture, Src::Texture}, 2), {1, 0.4F, 1, 0.8F}},
-        Case{"Scale4", with(Fn::Subtract, {Src::Texture, Src::Previous, Src::Texture}, 4), {1, 0, 0.8F, 0}},
+        Case{"Scale2",
+             with(Fn::Replace, {Src::Texture, Src::Texture, Src::Texture}, Scale::Two),
+             {1, 0.4F, 1, 0.8F}},
+        Case{"Scale4",
+             with(Fn::Subtract, {Src::Texture, Src::Previous, Src::Texture}, Scale::Four),
+             {1, 0, 0.8F, 0}},
         Case{"UnitThatIsOff", with(Fn::Replace, {Src::Texture1, Src::Texture, Src::Texture}), inputs.previous,
              true},
         Case{"UnitThatIsOffButNotRead", with(Fn::Replace, {Src::Texture, Src::Texture1, Src::Texture}),
-             inputs.source},
-        Case{"DotProductForAlpha", with(Fn::Dot3Rgb), inputs.previous, true},
-        Case{"ColourOperandForAlpha", withOperand(Op::SrcColor, Op::SrcColor), inputs.previous, true}),
+             inputs.source}),
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
