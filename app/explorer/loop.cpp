@@ -37,7 +37,7 @@ Result<void> runLoop(Window& window, ui::Session& session, const std::vector<std
     if (!stage)
         return fail(stage.error());
     const Input input(window.handle());
-    ui::Background background(Window::wake);
+    ui::Background background(Window::wake, BlockCache::ofUser());
     session.background = &background;
     ui::report(session, ui::openArguments(session, files));
 

@@ -16,6 +16,7 @@ Texture baseSettings(const Texture& texture) {
     settings.flip = texture.flip == FlipMode::None ? FlipMode::None : FlipMode::Pixels;
     settings.compression = Compression::None;
     settings.compressedFormat = CompressedFormat::Dxt1;
+    settings.compressionQuality = EncodeQuality::Normal;
     settings.mipmaps = MipPolicy::None;
     settings.mipFilter = MipFilter::Box;
     settings.mipGamma = false;

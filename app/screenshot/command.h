@@ -14,8 +14,9 @@ namespace texplorer::screenshot {
 
 enum ExitCode : int {
     success = 0,
-    failure = 1,   ///< a file, the driver or the scene: one sentence on standard error says which
-    wrongCall = 2, ///< the command line itself: an option, a path or a value that does not exist
+    failure = 1,       ///< a file, the driver or the scene: one sentence on standard error says which
+    wrongCall = 2,     ///< the command line itself: an option, a path or a value that does not exist
+    interrupted = 130, ///< Ctrl+C, as a shell says it of a program that a signal ended
 };
 
 /// What the chosen subcommand does once the command line is parsed.
@@ -31,6 +32,9 @@ void addConvert(CLI::App& app, Action& action);
 
 /// Prints "texshot: …" on standard error and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);
+
+/// The same after Ctrl+C.
+ExitCode complainInterrupted();
 
 /// Writes to a file atomically, or to standard output where `path` is "-".
 [[nodiscard]] Result<void> writeOutput(const std::string& path, ByteView bytes);

@@ -1,22 +1,25 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/texture_io.h"
+#include "core/base/file_io.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
+#include "core/scene/texture_levels.h"
 
 #include <map>
+#include <optional>
 
 namespace texplorer::screenshot {
 namespace {
-
-constexpr ExitCode interrupted =
-    static_cast<ExitCode>(130); // as a shell says it of a program that Ctrl+C ended
 
 struct Options {
     std::string in;
     std::string out;
     BlockFormat format = BlockFormat::Dxt1;
     EncodeQuality quality = EncodeQuality::Normal;
-    bool mips = true;
+    std::optional<MipFilter> mips = MipFilter::Box;
+    bool gamma = false;
+    bool powerOfTwo = false;
+    bool report = false;
 };
 
 const std::map<std::string, BlockFormat> formats{
@@ -31,41 +34,37 @@ std::map<std::string, EncodeQuality> qualities() {
     return names;
 }
 
-Result<TextureImage> compress(Image base, const Options& options, LongWork& work) {
-    if (base.depth != 1)
-        return fail(ErrorCode::Unsupported,
-                    "expected a picture, found a volume of " + std::to_string(base.depth) + " slices");
-    MipChain chain;
-    if (options.mips)
-        chain = buildMipChain(std::move(base));
-    else
-        chain.push_back(std::move(base));
-    std::size_t allPixels = 0;
-    for (const Image& level : chain)
-        allPixels += static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
+/// What --mips accepts: every filter, and none.
+std::map<std::string, std::optional<MipFilter>> mipChoices() {
+    std::map<std::string, std::optional<MipFilter>> names{{"none", std::nullopt}};
+    for (const EnumRow& row : mipFilterRows)
+        names.emplace(row.name, static_cast<MipFilter>(row.value));
+    return names;
+}
 
-    TextureImage texture;
-    texture.format = "DDS";
-    texture.levels = static_cast<int>(chain.size());
-    texture.topFirst = true; // as DDS stores it
-    texture.alpha = AlphaMeaning::Straight;
-    std::size_t donePixels = 0;
-    for (Image& level : chain) {
+std::string namesOf(const auto& choices) {
+    std::string names;
+    for (const auto& [name, choice] : choices)
+        names.append(names.empty() ? "" : ", ").append(name);
+    return names;
+}
+
+/// The levels to compress, in the order in which a DDS file stores rows.
+MipChain levelsOf(Image base, const Options& options) {
+    const MipOptions how{options.mips.value_or(MipFilter::Box), options.gamma,
+                         options.powerOfTwo ? NpotPolicy::PowerOfTwo : NpotPolicy::Keep};
+    MipChain chain =
+        applyMipPolicy(options.mips ? MipPolicy::Generated : MipPolicy::None, std::move(base), how);
+    for (Image& level : chain)
         flipVertically(level);
-        const std::size_t pixels =
-            static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
-        const auto progress = [&](float done) {
-            work.report((static_cast<float>(donePixels) + done * static_cast<float>(pixels)) /
-                        static_cast<float>(allPixels));
-        };
-        Result<BlockImage> blocks =
-            encodeBlocks(level, options.format, options.quality, progress, work.stopToken());
-        if (!blocks)
-            return fail(blocks.error());
-        texture.surfaces.emplace_back(*std::move(blocks));
-        donePixels += pixels;
-    }
-    return texture;
+    return chain;
+}
+
+std::string reportOf(const TextureImage& texture, const MipChain& source) {
+    std::vector<TextureLevel> levels;
+    for (const Surface& surface : texture.surfaces)
+        levels.push_back({static_cast<int>(levels.size()), surface});
+    return describe(reportOn(levels, source));
 }
 
 ExitCode run(const Options& options) {
@@ -75,14 +74,36 @@ ExitCode run(const Options& options) {
     Result<TextureImage> file = readTexture(options.in);
     if (!file)
         return complain(file.error());
+    Image base = uprightImage(*std::move(file));
+    if (base.depth != 1)
+        return complain({ErrorCode::Unsupported,
+                         "expected a picture, found a volume of " + std::to_string(base.depth) + " slices",
+                         options.in});
+    const MipChain source = levelsOf(std::move(base), options);
+
     LongWork work("texshot: compressing");
-    const Result<TextureImage> texture = compress(uprightImage(*std::move(file)), options, work);
-    if (!texture && texture.error().code == ErrorCode::Cancelled)
-        return complain({ErrorCode::Cancelled, "interrupted; nothing was written", {}}, interrupted);
-    if (!texture)
-        return complain({texture.error().code, texture.error().message, options.in});
-    if (const auto written = writeTexture(options.out, *texture); !written)
+    auto blocks = encodeLevels(
+        source, options.format, options.quality, [&work](float done) { work.report(done); },
+        work.stopToken());
+    work.finish();
+    if (!blocks && blocks.error().code == ErrorCode::Cancelled)
+        return complainInterrupted();
+    if (!blocks)
+        return complain({blocks.error().code, blocks.error().message, options.in});
+
+    TextureImage texture;
+    texture.format = "DDS";
+    texture.levels = static_cast<int>(blocks->size());
+    texture.topFirst = true; // as DDS stores it
+    texture.alpha = AlphaMeaning::Straight;
+    for (BlockImage& level : *blocks)
+        texture.surfaces.emplace_back(std::move(level));
+    if (const auto written = writeTexture(options.out, texture); !written)
         return complain(written.error());
+    if (options.report) {
+        if (const auto written = writeOutput("-", viewBytes(reportOf(texture, source))); !written)
+            return complain(written.error());
+    }
     return success;
 }
 
@@ -102,9 +123,19 @@ void addCompress(CLI::App& app, Action& action) {
                      "fast, normal or best: from tens of megatexels a second to half a one.")
         ->transform(CLI::CheckedTransformer(qualities()).description(""));
     command
-        ->add_option("--mips", options->mips, "box: the whole chain by a box filter (the default), or none.")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"box", true}, {"none", false}})
-                        .description(""));
+        ->add_option_function<std::string>(
+            "--mips",
+            [options, choices = mipChoices()](const std::string& name) { options->mips = choices.at(name); },
+            "The filter that makes the mip levels, box unless another is named, or none: " +
+                namesOf(mipChoices()) + ".")
+        ->check(CLI::IsMember(mipChoices()).description(""));
+    command->add_flag("--gamma", options->gamma,
+                      "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
+    command->add_flag("--power-of-two", options->powerOfTwo,
+                      "Scale the picture to the nearest powers of two first, as gluBuild2DMipmaps does it.");
+    command->add_flag("--report", options->report,
+                      "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
+                      "against the base level and against uncompressed pixels.");
     command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

@@ -11,6 +11,11 @@ struct Options {
     std::string out;
     bool horizontal = false;
     bool halfTurn = false;
+    bool lossy = false;
+
+    [[nodiscard]] FlipAxis axis() const {
+        return halfTurn ? FlipAxis::Both : horizontal ? FlipAxis::Horizontal : FlipAxis::Vertical;
+    }
 };
 
 void mirror(Image& image) {
@@ -23,7 +28,19 @@ void mirror(Image& image) {
     }
 }
 
-Result<void> turn(Surface& surface, const Options& options) {
+Result<void> turnBlocks(BlockImage& blocks, FlipAxis axis) {
+    switch (axis) {
+    case FlipAxis::Vertical:
+        return flipVertically(blocks);
+    case FlipAxis::Horizontal:
+        return flipHorizontally(blocks);
+    case FlipAxis::Both:
+        break;
+    }
+    return rotateHalfTurn(blocks);
+}
+
+Result<void> turn(Surface& surface, const Options& options, LongWork& work) {
     if (Image* image = std::get_if<Image>(&surface)) {
         if (!options.horizontal)
             flipVertically(*image);
@@ -32,9 +49,19 @@ Result<void> turn(Surface& surface, const Options& options) {
         return {};
     }
     BlockImage& blocks = std::get<BlockImage>(surface);
-    if (options.halfTurn)
-        return rotateHalfTurn(blocks);
-    return options.horizontal ? flipHorizontally(blocks) : flipVertically(blocks);
+    const Result<void> turned = turnBlocks(blocks, options.axis());
+    if (turned || turned.error().code != ErrorCode::Unsupported)
+        return turned;
+    if (!options.lossy)
+        return fail(ErrorCode::Unsupported,
+                    turned.error().message + "; --lossy decompresses it and compresses it again");
+    Result<BlockImage> again = decodeFlipEncode(
+        blocks, options.axis(), EncodeQuality::Best, [&work](float done) { work.report(done); },
+        work.stopToken());
+    if (!again)
+        return fail(again.error());
+    blocks = *std::move(again);
+    return {};
 }
 
 Result<void> flip(const Options& options) {
@@ -44,13 +71,15 @@ Result<void> flip(const Options& options) {
     if (!decoded)
         return fail(decoded.error());
     TextureImage& texture = *decoded;
+    LongWork work("texshot: turning around");
     for (std::size_t i = 0; i < texture.surfaces.size(); ++i) {
-        if (const auto turned = turn(texture.surfaces[i], options); !turned) {
+        if (const auto turned = turn(texture.surfaces[i], options, work); !turned) {
             const std::size_t level = i % static_cast<std::size_t>(texture.levels);
             return fail(turned.error().code, "level " + std::to_string(level) + ": " + turned.error().message,
                         options.in);
         }
     }
+    work.finish();
     return writeTexture(options.out, texture);
 }
 
@@ -66,9 +95,15 @@ void addFlip(CLI::App& app, Action& action) {
     CLI::Option* horizontal =
         command->add_flag("--horizontal", options->horizontal, "Left to right instead.");
     command->add_flag("--half-turn", options->halfTurn, "By 180 degrees instead.")->excludes(horizontal);
+    command->add_flag("--lossy", options->lossy,
+                      "Decompress and compress again the levels that can't be turned around without loss: "
+                      "those whose extent is not 1, 2 or a multiple of 4.");
     command->callback([&action, options] {
         action = [options] {
-            if (const auto done = flip(*options); !done)
+            const auto done = flip(*options);
+            if (!done && done.error().code == ErrorCode::Cancelled)
+                return complainInterrupted();
+            if (!done)
                 return complain(done.error());
             return success;
         };

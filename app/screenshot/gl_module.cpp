@@ -7,6 +7,7 @@
 #include "app/render/fixed_renderer.h"
 #include "app/stage/stage.h"
 #include "app/ui/session.h"
+#include "core/scene/levels_worker.h"
 
 #include <GL/glew.h>
 
@@ -24,7 +25,9 @@ Result<Picture> drawScene(const Drawing& drawing) {
     Result<render::FixedRenderer> renderer = render::FixedRenderer::create(*capabilities);
     if (!renderer)
         return fail(renderer.error());
-    Result<render::Frame> frame = renderer->draw(drawing.scene, drawing.images, drawing.time, drawing.size);
+    LevelsWorker levels(LevelsWorker::When::AtOnce, {}, drawing.levels);
+    Result<render::Frame> frame =
+        renderer->draw(drawing.scene, drawing.images, drawing.time, drawing.size, &levels);
     if (!frame)
         return fail(frame.error());
     Result<Image> image = renderer->read();
@@ -44,6 +47,8 @@ Result<Picture> drawWindow(const Drawing& drawing) {
         return fail(stage.error());
 
     ui::Session session = ui::makeSession(drawing.scene, drawing.images, drawing.file);
+    session.levelsAtOnce =
+        std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce, std::function<void()>(), drawing.levels);
     session.playback.time = drawing.time;
     session.showsFrameTime = false;
     session.wantedTab = drawing.tab;

@@ -2,6 +2,7 @@
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
+#include "core/scene/texture_levels.h"
 
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,20 @@ std::string padded(std::string text, std::size_t width) {
     return text.append(columns < width ? width - columns : 0, ' ');
 }
 
+/// What the levels of one face cost; there is no source here that they could be compared with.
+TextureReport costOf(const TextureImage& texture) {
+    std::vector<TextureLevel> levels;
+    for (int level = 0; level < texture.levels; ++level)
+        levels.push_back({level, texture.surface(0, level)});
+    return reportOn(levels);
+}
+
+std::string rounded(double value, int digits) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+    return text.data();
+}
+
 std::string factsAsText(const std::string& path, const TextureImage& texture, std::size_t fileBytes) {
     const Surface& base = texture.surface(0, 0);
     std::string text;
@@ -73,7 +88,12 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
                                                      std::to_string(byteCount(texture.surface(0, level))) +
                                                      " bytes");
     line("file bytes", std::to_string(fileBytes));
-    line("pixel bytes", std::to_string(surfaceBytes));
+    const TextureReport cost = costOf(texture);
+    line("pixel bytes",
+         std::to_string(surfaceBytes) +
+             (texture.levels > 1 ? ", all levels " + rounded(cost.ratioToBase, 3) + " times the base" : "") +
+             "; " + rounded(100 * cost.shareOfRgba8, 1) + " % of RGBA8, " +
+             rounded(100 * cost.shareOfRgb8, 1) + " % of RGB8");
     for (const std::string& note : texture.notes)
         line("note", note);
     return text;
@@ -113,6 +133,7 @@ nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t file
                           {"depth", depthOf(surface)},
                           {"bytes", byteCount(surface)}});
     }
+    const TextureReport cost = costOf(texture);
     return {{"format", texture.format},
             {"width", widthOf(base)},
             {"height", heightOf(base)},
@@ -126,6 +147,9 @@ nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t file
             {"fullChain", mipLevelCount(widthOf(base), heightOf(base), depthOf(base))},
             {"fileBytes", fileBytes},
             {"pixelBytes", surfaceBytes},
+            {"ratioToBase", cost.ratioToBase},
+            {"shareOfRgba8", cost.shareOfRgba8},
+            {"shareOfRgb8", cost.shareOfRgb8},
             {"notes", texture.notes}};
 }
 

@@ -14,6 +14,10 @@ ExitCode complain(const Error& error, ExitCode code) {
     return code;
 }
 
+ExitCode complainInterrupted() {
+    return complain({ErrorCode::Cancelled, "interrupted; nothing was written", {}}, interrupted);
+}
+
 Result<void> writeOutput(const std::string& path, ByteView bytes) {
     if (path != "-")
         return writeFileAtomically(path, bytes);
@@ -32,7 +36,8 @@ int main(int argc, char** argv) {
     CLI::App app("Texplorer without a display: draw scenes, look into texture files.", "texshot");
     app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call.\n"
+    app.footer("Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
+               "130 interrupted by Ctrl+C: nothing was written.\n"
                "\"texshot COMMAND --help\" explains each command.");
 
     Action action;

@@ -1,5 +1,6 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/texture_io.h"
 #include "core/base/file_io.h"
 #include "core/codec/png.h"
 #include "core/image/convert.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace texplorer::screenshot {
 namespace {
@@ -112,8 +114,18 @@ ExitCode shoot(const Options& options) {
     }
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
-
+    std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
+    drawing.levels.cache = BlockCache::ofUser();
+    if (std::ranges::find(drawing.scene.textures, Compression::Cached, &Texture::compression) !=
+        drawing.scene.textures.end()) {
+        compressing.emplace("texshot: compressing");
+        drawing.levels.progress = [&work = *compressing](float done) { work.report(done); };
+        drawing.levels.stop = compressing->stopToken();
+    }
     Result<Picture> picture = draw(drawing);
+    if (drawing.levels.stop.stop_requested())
+        return complainInterrupted();
+    compressing.reset();
     if (!picture)
         return complain(picture.error());
     for (const std::string& problem : picture->problems)

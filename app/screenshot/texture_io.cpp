@@ -10,7 +10,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t signalled = 0;
 
 double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -55,16 +55,22 @@ LongWork::LongWork(std::string what)
     , start_(seconds())
     , terminal_(isatty(STDERR_FILENO) == 1) {
     for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int) { interrupted = 1; });
+        std::signal(signal, [](int) { signalled = 1; });
 }
 
 LongWork::~LongWork() {
+    finish();
+}
+
+void LongWork::finish() {
     if (shownPercent_ >= 0)
         std::fprintf(stderr, "\r\033[K");
+    shownPercent_ = -1;
+    terminal_ = false;
 }
 
 void LongWork::report(float done) {
-    if (interrupted)
+    if (signalled)
         stop_.request_stop();
     if (!terminal_ || seconds() - start_ < 1)
         return;

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] std::stop_token stopToken() const { return stop_.get_token(); }
     /// From any thread; `done` from 0 to 1.
     void report(float done);
+    /// Wipes the terminal's line; from here on nothing is reported.
+    void finish();
 
 private:
     std::string what_;

@@ -10,8 +10,9 @@ namespace texplorer::ui {
 /// What works beside the window, on threads of its own. The host makes one and lends it to the session;
 /// `wake` is called on those threads when there is news for the next frame.
 struct Background {
-    explicit Background(const std::function<void()>& wake = {})
-        : levels(LevelsWorker::When::WhenReady, wake)
+    /// Textures that are compressed at run time are kept in `cache`.
+    explicit Background(const std::function<void()>& wake = {}, const BlockCache& cache = {})
+        : levels(LevelsWorker::When::WhenReady, wake, {cache})
         , loader(wake)
         , thumbnails(wake)
         , watch(wake) {}

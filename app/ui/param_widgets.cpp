@@ -379,8 +379,12 @@ bool isRelevant(const Owner& owner, const ParamRow& row) {
         return static_cast<const Texture*>(owner.values)->source == SourceKind::File;
     if (row.key == "stencilColor")
         return static_cast<const Texture*>(owner.values)->transparency == Transparency::Stencil;
-    if (row.key == "compressedFormat")
-        return static_cast<const Texture*>(owner.values)->compression == Compression::Driver;
+    if (row.key == "compressedFormat") {
+        const Compression chosen = static_cast<const Texture*>(owner.values)->compression;
+        return chosen == Compression::Driver || chosen == Compression::Cached;
+    }
+    if (row.key == "compressionQuality")
+        return static_cast<const Texture*>(owner.values)->compression == Compression::Cached;
     if (row.key == "mipFilter" || row.key == "mipGamma") {
         const MipPolicy mipmaps = static_cast<const Texture*>(owner.values)->mipmaps;
         return mipmaps == MipPolicy::Generated || mipmaps == MipPolicy::Missing;

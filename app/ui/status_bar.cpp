@@ -32,7 +32,10 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
         levelsOf(session).cancel(progress.ticket);
     noteItem(session, "cancel levels");
     ImGui::SameLine();
-    ImGui::TextUnformatted(("Making the levels of " + progress.what).c_str());
+    std::string text = "Making the levels of " + progress.what;
+    if (progress.done > 0)
+        text += " · " + std::to_string(static_cast<int>(100 * progress.done)) + " %";
+    ImGui::TextUnformatted(text.c_str());
     noteItem(session, "making levels");
     helpTip("What was drawn before stays until they are there.");
 }

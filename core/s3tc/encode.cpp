@@ -110,4 +110,29 @@ Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQu
     return compressed;
 }
 
+Result<std::vector<BlockImage>> encodeLevels(const MipChain& chain, BlockFormat format, EncodeQuality quality,
+                                             const Progress& progress, std::stop_token stop) {
+    const auto texelsOf = [](const Image& level) {
+        return static_cast<float>(level.width) * static_cast<float>(level.height);
+    };
+    float all = 0;
+    for (const Image& level : chain)
+        all += texelsOf(level);
+
+    std::vector<BlockImage> levels;
+    float before = 0;
+    for (const Image& level : chain) {
+        const auto share = [&](float done) {
+            progress(std::min(1.0F, (before + done * texelsOf(level)) / all));
+        };
+        Result<BlockImage> blocks =
+            encodeBlocks(level, format, quality, progress ? Progress(share) : Progress(), stop);
+        if (!blocks)
+            return fail(blocks.error());
+        levels.push_back(*std::move(blocks));
+        before += texelsOf(level);
+    }
+    return levels;
+}
+
 } // namespace texplorer

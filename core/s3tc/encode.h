@@ -3,27 +3,16 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/s3tc/block_image.h"
+#include "core/s3tc/encode_quality.h"
 
 #include <functional>
 #include <stop_token>
+#include <vector>
 
 namespace texplorer {
 
-enum class EncodeQuality : std::uint32_t { Fast, Normal, Best };
-
-inline constexpr std::array encodeQualityRows{
-    row(EncodeQuality::Fast, "fast", "Fast", "For trying things out: tens of megatexels a second."),
-    row(EncodeQuality::Normal, "normal", "Normal", "Range fit: a good picture in a short time."),
-    row(EncodeQuality::Best, "best", "Best",
-        "Cluster fit: the best picture, about half a megatexel a second."),
-};
-
-template<>
-struct EnumTable<EncodeQuality> {
-    static constexpr std::span<const EnumRow> rows = encodeQualityRows;
-};
-
-static_assert(encodeQualityRows.size() == 3);
+/// To be raised with every change of the blocks that encodeBlocks makes: whoever keeps blocks compares it.
+inline constexpr std::uint32_t encoderVersion = 1;
 
 /// Called after rows of blocks with the share that is done, 0 to 1, on the thread that asked for the
 /// encoding.
@@ -39,5 +28,11 @@ using Progress = std::function<void(float done)>;
 [[nodiscard]] Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQuality quality,
                                               const Progress& progress = {}, std::stop_token stop = {},
                                               unsigned threads = 0);
+
+/// The same for every level of a chain; `progress` is the share of all texels.
+[[nodiscard]] Result<std::vector<BlockImage>> encodeLevels(const MipChain& chain, BlockFormat format,
+                                                           EncodeQuality quality,
+                                                           const Progress& progress = {},
+                                                           std::stop_token stop = {});
 
 } // namespace texplorer

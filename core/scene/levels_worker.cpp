@@ -1,6 +1,7 @@
 #include "core/scene/levels_worker.h"
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
@@ -23,6 +24,8 @@ constexpr std::size_t mostEntries = 32;
 bool isQuick(const LevelsRequest& request) {
     if (!request.image || request.image->surfaces.empty())
         return true;
+    if (request.settings.compression == Compression::Cached)
+        return false;
     const Surface& base = request.image->surfaces.front();
     const auto extent = [](int value) { return static_cast<std::size_t>(std::max(value, 1)); };
     return extent(widthOf(base)) * extent(heightOf(base)) * extent(depthOf(base)) <= quickTexels;
@@ -40,10 +43,10 @@ std::optional<BlockFormat> formatOf(const std::vector<TextureLevel>& levels) {
     return blocks ? std::optional(blocks->format) : std::nullopt;
 }
 
-PreparedLevels make(const LevelsRequest& request) {
+PreparedLevels make(const LevelsRequest& request, const LevelWork& work) {
     if (!request.image)
         return fail(ErrorCode::NotFound, "the image is not loaded");
-    return prepareLevels(request.settings, *request.image, request.target);
+    return prepareLevels(request.settings, *request.image, request.target, work);
 }
 
 std::shared_ptr<const LevelsSummary> summarise(const PreparedLevels& levels) {
@@ -78,9 +81,10 @@ std::shared_ptr<const LevelsSummary> measure(const PreparedLevels& from,
 } // namespace
 
 struct LevelsWorker::State {
-    State(When chosen, std::function<void()> onNews)
+    State(When chosen, std::function<void()> onNews, LevelWork how)
         : when(chosen)
-        , wake(std::move(onNews)) {}
+        , wake(std::move(onNews))
+        , levelWork(std::move(how)) {}
 
     struct Entry {
         LevelsRequest request;
@@ -106,6 +110,7 @@ struct LevelsWorker::State {
 
     When when;
     std::function<void()> wake;
+    LevelWork levelWork;       ///< of what is made while one waits
     std::deque<Entry> entries; ///< of the thread that asks
     std::uint64_t frame = 1;
     Ticket lastTicket = 0;
@@ -118,7 +123,10 @@ struct LevelsWorker::State {
     bool currentIsMade = false; ///< levels, not a measurement
     std::string currentName;
     bool dropsCurrent = false;
+    std::stop_source currentStop; ///< requested when the current work is no longer wanted
     std::vector<Done> done;
+
+    std::atomic<float> currentDone = 0;
 
     std::jthread thread; // last: it ends before the rest does
 
@@ -131,7 +139,7 @@ struct LevelsWorker::State {
     void give(Job job);
     void drop(Ticket ticket);
     void run(const std::stop_token& stop);
-    Done work(const Job& job) const;
+    static Done work(const Job& job, const LevelWork& how);
     void tell() const {
         if (wake)
             wake();
@@ -145,10 +153,10 @@ LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& re
     return entry;
 }
 
-LevelsWorker::State::Done LevelsWorker::State::work(const Job& job) const {
+LevelsWorker::State::Done LevelsWorker::State::work(const Job& job, const LevelWork& how) {
     if (job.from)
         return {job.ticket, nullptr, job.made.empty() ? nullptr : measure(*job.from, job.made)};
-    auto levels = std::make_shared<const PreparedLevels>(make(job.request));
+    auto levels = std::make_shared<const PreparedLevels>(make(job.request, how));
     auto summary = summarise(*levels);
     return {job.ticket, std::move(levels), std::move(summary)};
 }
@@ -162,7 +170,7 @@ void LevelsWorker::State::ask(Entry& entry) {
         entry.ticket = job.ticket;
         return give(std::move(job));
     }
-    Done made = work(job);
+    Done made = work(job, levelWork);
     entry.levels = std::move(made.levels);
     entry.summary = std::move(made.summary);
     entry.readyFrame = frame;
@@ -180,7 +188,7 @@ void LevelsWorker::State::give(Job job) {
             const std::scoped_lock lock(mutex);
             const Job taken = std::move(waiting.back());
             waiting.pop_back();
-            done.push_back(work(taken));
+            done.push_back(work(taken, levelWork));
             return;
         }
     }
@@ -192,7 +200,10 @@ void LevelsWorker::State::drop(Ticket ticket) {
         const std::scoped_lock lock(mutex);
         std::erase_if(waiting, [&](const Job& job) { return job.ticket == ticket; });
         std::erase_if(done, [&](const Done& each) { return each.ticket == ticket; });
-        dropsCurrent |= current == ticket;
+        if (current == ticket) {
+            dropsCurrent = true;
+            currentStop.request_stop();
+        }
     }
     finished.notify_all();
 }
@@ -200,6 +211,7 @@ void LevelsWorker::State::drop(Ticket ticket) {
 void LevelsWorker::State::run(const std::stop_token& stop) {
     for (;;) {
         Job job;
+        std::stop_source ends;
         {
             std::unique_lock lock(mutex);
             if (!arrived.wait(lock, stop, [this] { return !waiting.empty(); }) || stop.stop_requested())
@@ -210,11 +222,19 @@ void LevelsWorker::State::run(const std::stop_token& stop) {
             currentIsMade = !job.from;
             currentName = nameOf(job.request.settings);
             dropsCurrent = false;
+            currentStop = ends;
+            currentDone = 0;
         }
         tell();
         Done made;
+        const std::stop_callback atTheEnd(stop, [&ends] { ends.request_stop(); });
+        const auto progress = [this](float share) {
+            const int before = static_cast<int>(100 * currentDone.exchange(share));
+            if (static_cast<int>(100 * share) != before)
+                tell();
+        };
         try {
-            made = work(job);
+            made = work(job, {levelWork.cache, progress, ends.get_token()});
         } catch (const std::bad_alloc&) {
             made.ticket = job.ticket;
             made.levels = std::make_shared<const PreparedLevels>(
@@ -232,8 +252,8 @@ void LevelsWorker::State::run(const std::stop_token& stop) {
     }
 }
 
-LevelsWorker::LevelsWorker(When when, std::function<void()> wake)
-    : state_(std::make_unique<State>(when, std::move(wake))) {}
+LevelsWorker::LevelsWorker(When when, std::function<void()> wake, LevelWork work)
+    : state_(std::make_unique<State>(when, std::move(wake), std::move(work))) {}
 
 LevelsWorker::~LevelsWorker() = default;
 
@@ -266,7 +286,7 @@ void LevelsWorker::uploaded(const LevelsRequest& request, std::shared_ptr<const 
     if (entry.ticket != 0)
         return;
     if (!later) {
-        entry.summary = state_->work(job).summary;
+        entry.summary = State::work(job, state_->levelWork).summary;
         return;
     }
     entry.ticket = job.ticket;
@@ -321,11 +341,11 @@ bool LevelsWorker::receive() {
 std::optional<LevelsWorker::Progress> LevelsWorker::progress() const {
     const std::scoped_lock lock(state_->mutex);
     if (state_->current != 0 && state_->currentIsMade && !state_->dropsCurrent)
-        return Progress{state_->current, state_->currentName};
+        return Progress{state_->current, state_->currentName, state_->currentDone};
     const auto next = std::ranges::find_if(state_->waiting, [](const State::Job& job) { return !job.from; });
     if (next == state_->waiting.end())
         return std::nullopt;
-    return Progress{next->ticket, nameOf(next->request.settings)};
+    return Progress{next->ticket, nameOf(next->request.settings), 0};
 }
 
 void LevelsWorker::cancel(Ticket ticket) {

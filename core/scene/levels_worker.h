@@ -29,7 +29,9 @@ public:
     };
 
     /// `wake` is called on the working thread whenever `receive` or `progress` has something new to say.
-    explicit LevelsWorker(When when, std::function<void()> wake = {});
+    /// What is compressed at run time is looked for and kept in `work.cache`; `work.progress` and `work.stop`
+    /// are for AtOnce.
+    explicit LevelsWorker(When when, std::function<void()> wake = {}, LevelWork work = {});
     /// Waits for what is being made; asks it to stop before.
     ~LevelsWorker() override;
 
@@ -48,6 +50,7 @@ public:
     struct Progress {
         Ticket ticket = 0;
         std::string what; ///< the name of the image
+        float done = 0;   ///< 0 to 1, of what is compressed at run time
     };
     /// What is being made; nothing: all is done. What is only being measured isn't mentioned.
     [[nodiscard]] std::optional<Progress> progress() const;

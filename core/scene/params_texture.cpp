@@ -33,6 +33,9 @@ constexpr std::array rows{
         "compressedFormat", "Compression", "Format",
         "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, 0, format, GL_UNSIGNED_BYTE, pixels)",
         "What it is compressed to, by the driver or at run time; a file that is compressed has its own."),
+    param<&Texture::compressionQuality>(
+        "compressionQuality", "Compression", "Quality", "",
+        "How much time is spent on each block where Texplorer compresses and then caches."),
     param<&Texture::magFilter>(
         "magFilter", "Filter", "Magnification", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {})",
         "How a colour is found where a texel covers more than a pixel: seen from close by."),
@@ -84,7 +87,7 @@ constexpr std::array rows{
         "priority", "Residency", "Priority", "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_PRIORITY, {})",
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
-static_assert(rows.size() == 25 && rows.size() == build::memberCount<Texture>());
+static_assert(rows.size() == 26 && rows.size() == build::memberCount<Texture>());
 
 } // namespace
 

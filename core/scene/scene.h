@@ -100,6 +100,7 @@ struct Texture {
     BaseFormat internalFormat = BaseFormat::Rgba; ///< of a texture that is not compressed
     Compression compression = Compression::FromFile;
     CompressedFormat compressedFormat = CompressedFormat::Dxt1;
+    EncodeQuality compressionQuality = EncodeQuality::Normal; ///< for Compression::Cached
     MipPolicy mipmaps = MipPolicy::None;
     MipFilter mipFilter = MipFilter::Box;
     bool mipGamma = false;

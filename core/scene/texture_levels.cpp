@@ -43,10 +43,11 @@ BlockImage middleSlice(const BlockImage& from) {
 
 class Preparation {
 public:
-    Preparation(const Texture& texture, const TextureImage& image, Target target)
+    Preparation(const Texture& texture, const TextureImage& image, Target target, const LevelWork& work)
         : texture_(texture)
         , image_(image)
         , target_(target)
+        , work_(work)
         , turn_(fileOrder() ? image.topFirst != image.fileTopFirst : image.topFirst) {}
 
     Result<TextureLevels> run();
@@ -68,13 +69,15 @@ private:
     [[nodiscard]] Result<void> takeBlocks();
     [[nodiscard]] Image pixels(const Surface& surface) const;
     void takePixels();
-    void compress();
+    [[nodiscard]] Result<void> compress();
+    [[nodiscard]] Result<void> compressHere();
     void leaveOneOut();
     void note(std::string sentence) { out_.notes.push_back(std::move(sentence)); }
 
     const Texture& texture_;
     const TextureImage& image_;
     Target target_;
+    const LevelWork& work_;
     bool turn_; ///< whether the rows have to change places before the upload
     TextureLevels out_;
 };
@@ -169,13 +172,39 @@ void Preparation::takePixels() {
         out_.levels.push_back({static_cast<int>(out_.levels.size()), std::move(level)});
 }
 
-void Preparation::compress() {
-    if (texture_.compression != Compression::Driver)
-        return;
-    if (target_ == Target::Texture2D)
-        out_.driverFormat = blockFormat(texture_.compressedFormat);
-    else
+Result<void> Preparation::compress() {
+    if (texture_.compression != Compression::Driver && texture_.compression != Compression::Cached)
+        return {};
+    if (target_ != Target::Texture2D) {
         note("OpenGL has compressed pictures only: not compressed for " + std::string(rowOf(target_).name));
+        return {};
+    }
+    if (texture_.compression == Compression::Cached)
+        return compressHere();
+    out_.driverFormat = blockFormat(texture_.compressedFormat);
+    return {};
+}
+
+/// From the cache, else anew and then kept there.
+Result<void> Preparation::compressHere() {
+    const BlockFormat format = blockFormat(texture_.compressedFormat);
+    for (TextureLevel& level : out_.levels)
+        out_.source.push_back(std::get<Image>(std::move(level.surface)));
+    const std::filesystem::path file = work_.cache.fileFor(out_.source, format, texture_.compressionQuality);
+    auto blocks = work_.cache.find(file, out_.source, format);
+    out_.fromCache = blocks.has_value();
+    if (!blocks) {
+        auto made =
+            encodeLevels(out_.source, format, texture_.compressionQuality, work_.progress, work_.stop);
+        if (!made)
+            return fail(made.error());
+        if (const Result<void> kept = work_.cache.keep(file, *made); !kept)
+            note("the compressed levels are not kept for the next time: " + describe(kept.error()));
+        blocks = *std::move(made);
+    }
+    for (std::size_t i = 0; i < out_.levels.size(); ++i)
+        out_.levels[i].surface = std::move((*blocks)[i]);
+    return {};
 }
 
 void Preparation::leaveOneOut() {
@@ -200,7 +229,8 @@ Result<TextureLevels> Preparation::run() {
             return fail(taken.error());
     } else {
         takePixels();
-        compress();
+        if (const Result<void> compressed = compress(); !compressed)
+            return fail(compressed.error());
     }
     if (texture_.mipmaps == MipPolicy::Missing)
         leaveOneOut();
@@ -209,11 +239,12 @@ Result<TextureLevels> Preparation::run() {
 
 } // namespace
 
-Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image, Target target) {
+Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image, Target target,
+                                    const LevelWork& work) {
     if (image.surfaces.empty() || byteCount(image.surfaces.front()) == 0)
         return fail(ErrorCode::Malformed, "the image is empty");
     try {
-        return Preparation(texture, image, target).run();
+        return Preparation(texture, image, target, work).run();
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the levels of an image of " +
                                              extentsOf(image.surfaces.front()) + " texels");

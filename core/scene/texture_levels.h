@@ -6,6 +6,8 @@
 #include "core/base/result.h"
 #include "core/image/mipmaps.h"
 #include "core/image/texture_image.h"
+#include "core/s3tc/encode.h"
+#include "core/scene/block_cache.h"
 #include "core/scene/scene.h"
 
 #include <limits>
@@ -32,15 +34,26 @@ struct TextureLevels {
     /// What compressed levels were made of, in the same order: what their loss is measured against. Empty
     /// where nothing was compressed here.
     MipChain source;
+    bool fromCache = false;         ///< the blocks were found in the cache and not made anew
     std::vector<std::string> notes; ///< sentences: what was done otherwise than asked for, and why
+};
+
+/// What compressing at run time (Compression::Cached) needs. It takes long where the cache doesn't have the
+/// blocks, at best quality two seconds a megatexel: whoever must not wait calls prepareLevels on a thread of
+/// his own, with a `stop` that he can request.
+struct LevelWork {
+    BlockCache cache;    ///< where blocks are looked for and kept
+    Progress progress{}; ///< of the compressing, on the thread that calls
+    std::stop_token stop{};
 };
 
 /// Applies `texture`'s flip, compression, mipmaps and power-of-two choices to the part of `image` that a
 /// target takes: face 0; of a volume the middle slice, unless the target is 3D; of a picture the middle row
 /// for 1D. OpenGL compresses pictures only, so that lines and volumes are uploaded decompressed. Errors: an
-/// image without surfaces; no memory.
+/// image without surfaces; no memory; Cancelled after a stop request. A cache that can't be used is a note.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image,
-                                                  Target target = Target::Texture2D);
+                                                  Target target = Target::Texture2D,
+                                                  const LevelWork& work = {});
 
 /// Every level as pixels: for a driver without S3TC. The rest stays as it is.
 void decompress(TextureLevels& levels);
@@ -55,8 +68,8 @@ struct LevelReport {
     int height = 0;
     int depth = 1;
     std::size_t bytes = 0;
-    /// Peak signal-to-noise ratio against the source, in dB over all of red, green, blue and alpha; infinite
-    /// where both are equal, none where there is no source to compare with.
+    /// Peak signal-to-noise ratio against the source, in dB over those of red, green, blue and alpha that the
+    /// format keeps; infinite where both are equal, none where there is no source to compare with.
     std::optional<double> psnr;
 };
 

@@ -3,6 +3,7 @@
 // How a texture's image becomes what is uploaded: which way up, and compressed how.
 
 #include "core/s3tc/block_format.h"
+#include "core/s3tc/encode_quality.h"
 
 namespace texplorer {
 
@@ -26,7 +27,7 @@ inline constexpr std::array flipModeRows{
         "the top, as most formats do."),
 };
 
-enum class Compression : std::uint32_t { FromFile, None, Driver };
+enum class Compression : std::uint32_t { FromFile, None, Driver, Cached };
 
 inline constexpr std::array compressionRows{
     row(Compression::FromFile, "file", "As in the file",
@@ -35,6 +36,10 @@ inline constexpr std::array compressionRows{
     row(Compression::None, "none", "None", "Eight bits a component; compressed files are decompressed."),
     row(Compression::Driver, "driver", "By the driver",
         "glTexImage2D with a compressed internal format: the driver compresses while it uploads, quickly."),
+    row(Compression::Cached, "cached", "Run time, cached",
+        "Texplorer compresses, with the quality below, and keeps the blocks as a DDS file in the user's "
+        "cache "
+        "directory: the next time they are read from there."),
 };
 
 /// The formats that a texture can be compressed to; the numbers and rows are those of BlockFormat.
@@ -69,6 +74,6 @@ struct EnumTable<CompressedFormat> {
     static constexpr std::span<const EnumRow> rows = compressedFormatRows;
 };
 
-static_assert(flipModeRows.size() == 5 && compressionRows.size() == 3 && compressedFormatRows.size() == 4);
+static_assert(flipModeRows.size() == 5 && compressionRows.size() == 4 && compressedFormatRows.size() == 4);
 
 } // namespace texplorer

@@ -30,6 +30,22 @@ std::array<int, 4> rgbaOf(PixelFormat format, const std::byte* pixel) {
     return {value(0), value(1), value(2), value(3)};
 }
 
+/// How many of red, green, blue and alpha a format keeps.
+std::size_t componentsOf(BlockFormat format) {
+    switch (format) {
+    case BlockFormat::Dxt1:
+        return 3;
+    case BlockFormat::Bc4:
+    case BlockFormat::Bc4Signed:
+        return 1;
+    case BlockFormat::Bc5:
+    case BlockFormat::Bc5Signed:
+        return 2;
+    default:
+        return 4;
+    }
+}
+
 /// Over the components that the compressed format keeps: RGB formats have no alpha to lose.
 std::optional<double> psnrOf(const Surface& surface, const Image& source) {
     if (widthOf(surface) != source.width || heightOf(surface) != source.height ||
@@ -38,8 +54,8 @@ std::optional<double> psnrOf(const Surface& surface, const Image& source) {
     const auto* blocks = std::get_if<BlockImage>(&surface);
     const Image decoded = blocks ? decodeBlocks(*blocks) : Image{};
     const Image& found = blocks ? decoded : std::get<Image>(surface);
-    const bool hasAlpha = blocks ? blocks->format != BlockFormat::Dxt1 : alphaComponent(found.format) >= 0;
-    const std::size_t components = hasAlpha ? 4 : 3;
+    const std::size_t components =
+        blocks ? componentsOf(blocks->format) : (alphaComponent(found.format) >= 0 ? 4 : 3);
 
     const auto foundStep = static_cast<std::size_t>(bytesPerPixel(found.format));
     const auto sourceStep = static_cast<std::size_t>(bytesPerPixel(source.format));

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import pty
 import signal
 import struct
 import subprocess
@@ -286,7 +287,86 @@ class Textures(Texshot):
 
     def test_flip_refuses_what_would_lose(self):
         self.succeeds("compress", self.picture(8, 6), self.path / "odd.dds", "--format", "dxt1", "--mips", "none")
-        self.complains(1, "level 0", "flip", self.path / "odd.dds", self.path / "out.dds")
+        said = self.complains(1, "level 0", "flip", self.path / "odd.dds", self.path / "out.dds")
+        self.assertIn("--lossy", said)
+
+    def test_flip_takes_what_would_lose_when_told_to(self):
+        plain, out = self.path / "odd.dds", self.path / "out.dds"
+        self.succeeds("compress", self.picture(30, 22), plain, "--format", "dxt1", "--mips", "none")
+        for option, turn in [([], Image.Transpose.FLIP_TOP_BOTTOM),
+                             (["--horizontal"], Image.Transpose.FLIP_LEFT_RIGHT),
+                             (["--half-turn"], Image.Transpose.ROTATE_180)]:
+            with self.subTest(option):
+                self.succeeds("flip", plain, out, "--lossy", *option)
+                self.assertLess(self.difference(Image.open(out), Image.open(plain).transpose(turn)), 8)
+
+    def test_compress_reports_what_it_cost(self):
+        source, out = self.picture(16, 16), self.path / "out.dds"
+        report = self.succeeds("compress", source, out, "--format", "dxt1", "--report").decode()
+        # 4 x 4 blocks of 8 bytes, then 2 x 2, then one each for 4 x 4, 2 x 2 and 1 x 1: 184 bytes for 341 texels.
+        self.assertEqual(len(report.splitlines()), 6)
+        self.assertRegex(report, r"level  0  16 x 16 +128 bytes +\d+\.\d dB")
+        self.assertRegex(report, r"sum +184 bytes, 1\.438 times the base; 13\.5 % of RGBA8, 18\.0 % of RGB8")
+        facts = json.loads(self.succeeds("info", out, "--json"))
+        self.assertAlmostEqual(facts["ratioToBase"], 184 / 128)
+        self.assertAlmostEqual(facts["shareOfRgba8"], 184 / (4 * 341))
+        self.assertIn(b"1.438 times the base; 13.5 % of RGBA8", self.succeeds("info", out))
+
+    def test_compress_offers_every_way_to_make_levels(self):
+        source, out = self.picture(24, 20), self.path / "out.dds"
+        files = set()
+        for options in [[], ["--mips", "triangle"], ["--mips", "cubic"], ["--mips", "catmull-rom"],
+                        ["--mips", "mitchell"], ["--gamma"], ["--power-of-two"], ["--mips", "none"]]:
+            self.succeeds("compress", source, out, "--format", "dxt1", *options)
+            files.add(out.read_bytes())
+        self.assertEqual(len(files), 8, "each makes levels of its own")
+        self.succeeds("compress", source, out, "--format", "dxt1", "--power-of-two")
+        facts = json.loads(self.succeeds("info", out, "--json"))
+        self.assertEqual((facts["width"], facts["height"]), (32, 16), "24 and 20 to the nearest powers of two, as GLU does it")
+        self.complains(2, "mitchel2", "compress", source, out, "--format", "dxt1", "--mips", "mitchel2")
+
+    def test_shot_compresses_once_and_keeps_the_blocks(self):
+        cache = self.path / "cache"
+        environment = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+        call = ["shot", "--size", "64x64", "--set", "textures[0].compression=cached", "-o", "-"]
+        first = texshot(*call, env=environment)
+        self.assertEqual((first.returncode, first.stderr), (0, b""))
+        entries = list((cache / "texplorer/blocks").iterdir())
+        self.assertEqual(len(entries), 1)
+        self.assertTrue(entries[0].read_bytes().startswith(b"DDS "))
+        self.assertEqual(texshot(*call, env=environment).stdout, first.stdout)
+        kept = entries[0].read_bytes()
+        entries[0].write_bytes(kept[:128] + b"\0" * (len(kept) - 128))  # a black picture
+        self.assertNotEqual(texshot(*call, env=environment).stdout, first.stdout, "it is read from there")
+        entries[0].write_bytes(kept[:200])
+        self.assertEqual(texshot(*call, env=environment).stdout, first.stdout)
+        self.assertEqual(entries[0].read_bytes(), kept)
+        homeless = {key: value for key, value in environment.items() if key not in ("XDG_CACHE_HOME", "HOME")}
+        told = texshot(*call, env=homeless)
+        self.assertEqual((told.returncode, told.stdout), (0, first.stdout))
+        self.assertIn(b"no cache directory", told.stderr)
+
+    def test_a_terminal_is_told_how_far_long_work_is(self):
+        source = self.path / "large.bmp"
+        source.write_bytes(bmp(4096, 1, lambda x, y: (0, 0, 0))[:22] + struct.pack("<i", 4096) + b"\1\0\x18\0" +
+                           bytes(24) + os.urandom(4096 * 4096 * 3))
+        terminal, other_end = pty.openpty()
+        work = subprocess.Popen([TEXSHOT, "compress", source, self.path / "out.dds", "--format", "dxt5", "--quality",
+                                 "best"], stderr=other_end)
+        os.close(other_end)
+        said = b""
+        while b"%" not in said:
+            said += os.read(terminal, 1000)
+        work.send_signal(signal.SIGINT)
+        try:
+            while more := os.read(terminal, 1000):
+                said += more
+        except OSError:  # how Linux says that nobody holds the other end any more
+            pass
+        self.assertEqual(work.wait(timeout=60), 130)
+        self.assertRegex(said.decode(), r"\rtexshot: compressing: \d+ %")
+        self.assertIn("\r\033[Ktexshot: interrupted; nothing was written", said.decode())
+        self.assertFalse((self.path / "out.dds").exists())
 
     def test_decode_chooses_level_and_direction(self):
         file = self.path / "in.dds"

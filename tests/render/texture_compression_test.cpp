@@ -2,6 +2,7 @@
 
 #include "app/render/texture_cache.h"
 #include "core/s3tc/decode.h"
+#include "core/s3tc/encode.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 
@@ -185,6 +186,18 @@ TEST_F(Compressed, TexturesAreDecompressedForADriverWithoutS3tcAndSaidSo) {
     EXPECT_THAT(problems, ElementsAre(HasSubstr("uploaded decompressed")));
     ASSERT_EQ(driver.size(), 1U);
     EXPECT_EQ(std::get<Image>(driver[0].surface), softPicture(8, 8));
+}
+
+TEST_F(Compressed, LevelsMadeAtRunTimeAreUploadedAsTheyAre) {
+    const Scene scene = sceneWith(Compression::Cached, MipPolicy::Generated);
+    images.put("image", softPicture(16, 12));
+    const auto levels = levelsOf(scene);
+    EXPECT_THAT(problems, ElementsAre(HasSubstr("textures[0]: the compressed levels are not kept")));
+    ASSERT_EQ(levels.size(), 5U);
+    const auto wanted = encodeBlocks(softPicture(16, 12), BlockFormat::Dxt1, EncodeQuality::Normal);
+    EXPECT_EQ(std::get<BlockImage>(levels[0].surface), *wanted);
+    for (const TextureLevel& level : levels)
+        EXPECT_TRUE(std::holds_alternative<BlockImage>(level.surface)) << level.number;
 }
 
 TEST_F(Compressed, ATextureThatWasNotDrawnCannotBeReadBack) {

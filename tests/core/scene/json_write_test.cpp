@@ -74,6 +74,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "internalFormat": "GL_RGBA",
       "compression": "file",
       "compressedFormat": "GL_COMPRESSED_RGB_S3TC_DXT1_EXT",
+      "compressionQuality": "normal",
       "magFilter": "GL_LINEAR",
       "minFilter": "GL_NEAREST_MIPMAP_LINEAR",
       "wrapS": "GL_REPEAT",

@@ -368,5 +368,21 @@ TEST(Report, GivesThePeakSignalToNoiseRatio) {
     EXPECT_THAT(describe(report), HasSubstr("exact"));
 }
 
+// Grey 100, 200, 50: BC4 keeps red alone, BC5 red and green. Blocks of one value are exact, so what is left
+// out must not count as a loss.
+TEST(Report, LeavesOutTheComponentsThatAFormatDoesNotHave) {
+    Image source = Image::uninitialised(PixelFormat::Rgba8, 4, 4);
+    for (std::size_t i = 0; i < source.pixels.size(); i += 4)
+        std::ranges::copy(std::array{std::byte{100}, std::byte{200}, std::byte{50}, std::byte{7}},
+                          source.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+    for (const BlockFormat format : {BlockFormat::Bc4, BlockFormat::Bc5}) {
+        const auto blocks = encodeBlocks(source, format, EncodeQuality::Best);
+        ASSERT_TRUE(blocks);
+        const TextureReport report = reportOn({{0, *blocks}}, {source});
+        ASSERT_TRUE(report.levels[0].psnr);
+        EXPECT_TRUE(std::isinf(*report.levels[0].psnr)) << rowOf(format).name;
+    }
+}
+
 } // namespace
 } // namespace texplorer
