@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <iterator>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -28,16 +29,32 @@ std::string ownerOf(const std::string& path) {
     return dot == std::string::npos ? std::string{} : path.substr(0, dot);
 }
 
-/// "passes[0].units[2]" of a unit that is off, so that its calls are left out.
-bool isInDisabledUnit(const Scene& scene, const std::string& path) {
+/// The parts of the units that decide nothing: units that are off, GL_COMBINE's state under another mode,
+/// coordinates that aren't generated. Their calls are left out.
+std::vector<std::string> idleParts(const Scene& scene) {
+    std::vector<std::string> parts;
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            const std::string unit = "passes[" + std::to_string(p) + "].units[" + std::to_string(u) + "]";
-            if (!scene.passes[p].units[u].enabled && path.starts_with(unit))
-                return true;
+            const Unit& unit = scene.passes[p].units[u];
+            const std::string path = "passes[" + std::to_string(p) + "].units[" + std::to_string(u) + "]";
+            if (!unit.enabled) {
+                parts.push_back(path);
+                continue;
+            }
+            if (unit.envMode != EnvMode::Combine)
+                parts.push_back(path + ".combine.");
+            const std::array<std::pair<const TexGen*, const char*>, 4> generated{
+                {{&unit.texGenS, ".texGenS."},
+                 {&unit.texGenT, ".texGenT."},
+                 {&unit.texGenR, ".texGenR."},
+                 {&unit.texGenQ, ".texGenQ."}}};
+            for (const auto& [state, name] : generated) {
+                if (!state->enabled)
+                    parts.push_back(path + name);
+            }
         }
     }
-    return false;
+    return parts;
 }
 
 /// Where a block of calls stands in a program.
@@ -79,10 +96,14 @@ std::vector<Command> commandsOf(const Scene& scene) {
     std::vector<std::vector<Command>> blocks; // each begins with its heading
     std::string owner;
     std::size_t index = 0;
+    const std::vector<std::string> idle = idleParts(scene);
+    const auto isIdle = [&](const std::string& path) {
+        return std::ranges::any_of(idle, [&](const std::string& part) { return path.starts_with(part); });
+    };
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
         const bool changed = index < initial.size() && value != initial[index];
         ++index;
-        if (row.glCall.empty() || row.kind == Kind::TexCoordList || isInDisabledUnit(scene, path))
+        if (row.glCall.empty() || row.kind == Kind::TexCoordList || isIdle(path))
             return;
         if (const std::string current = ownerOf(path); current != owner || blocks.empty()) {
             owner = current;

@@ -17,7 +17,8 @@ struct Command {
 };
 
 /// The GL calls that make the state of a scene, with their values, as a program makes them: textures, camera,
-/// light, material, passes, models. Units that are off are left out.
+/// light, material, passes, models. Units that are off are left out,
+/// and so are GL_COMBINE's state under another mode and coordinates that aren't generated.
 [[nodiscard]] std::vector<Command> commandsOf(const Scene& scene);
 
 /// Breaks a call into lines of at most `columns` characters: after a comma or a bracket, continued with four

@@ -1,5 +1,6 @@
 #include "app/ui/param_widgets.h"
 
+#include "app/ui/param_tips.h"
 #include "app/ui/theme.h"
 
 #include <imgui_stdlib.h>
@@ -12,83 +13,14 @@ namespace {
 
 constexpr float labelShare = 0.44F; ///< of a line's width
 constexpr float narrowest = 7.5F;   ///< of a control beside its label, in letters' heights
-constexpr float tipWidth = 26;      ///< the same of a tooltip
 
 /// Wide controls get a line of their own below the label.
 bool isWide(Kind kind) {
     return kind == Kind::Vec3 || kind == Kind::Vec4;
 }
 
-void text(std::string_view words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-}
-
-void dimText(std::string_view words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    text(words);
-    ImGui::PopStyleColor();
-}
-
 float textWidth(std::string_view words) {
     return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
-}
-
-/// "since OpenGL 1.4", or the extension that has it.
-std::string originOf(const EnumRow& choice) {
-    const bool extension = choice.since.starts_with("GL_");
-    return (extension ? "from " : "since OpenGL ") + std::string(choice.since);
-}
-
-void paramTip(const ParamRow& row, const Value& value, const Value& initial, const std::string& inert) {
-    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-    if (const std::string call = formatCall(row, value); !call.empty()) {
-        ImGui::PushFont(codeFont());
-        text(call);
-        ImGui::PopFont();
-    }
-    text(row.help);
-    if (row.kind == Kind::Text && !std::get<std::string>(value).empty())
-        dimText(std::get<std::string>(value)); // the field shows the beginning
-    if (row.kind == Kind::Enum) {
-        if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
-            dimText(std::string(choice->label) + ": " + std::string(choice->help));
-            if (!choice->since.empty())
-                dimText(std::string(choice->name) + ", " + originOf(*choice));
-        }
-    }
-    if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
-        dimText("Drag it, or double-click to type a number.");
-    if (!inert.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        text("No effect now: " + inert);
-        ImGui::PopStyleColor();
-    }
-    if (value != initial) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        text("Initially " + formatValue(row, initial) + "; a right click resets it.");
-        ImGui::PopStyleColor();
-    }
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
-
-void choiceTip(const EnumRow& choice) {
-    if (!ImGui::IsItemHovered())
-        return;
-    // Beside the list, so that it doesn't hide the next choices.
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-    if (right + ImGui::GetFontSize() * (tipWidth + 2) < ImGui::GetIO().DisplaySize.x)
-        ImGui::SetNextWindowPos({right + ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y});
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-    text(choice.help);
-    if (!choice.since.empty())
-        dimText(originOf(choice));
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
 }
 
 bool enumWidget(Session& session, const ParamRow& row, EnumValue& value, const std::string& path) {
@@ -271,16 +203,6 @@ void noteItem(Session& session, std::string_view name) {
     session.probe->items[std::string(name)] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
 }
 
-void helpTip(std::string_view words) {
-    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-    text(words);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
-
 void caption(std::string_view words) {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.15F});
     dimText(words);
@@ -301,16 +223,69 @@ bool dragNumber(const char* id, float& value, const Range& range, int component)
     return changed;
 }
 
+namespace {
+
+/// A row's value while its control is drawn.
+struct Line {
+    std::string path;
+    Value value;
+    Value initial;
+    bool changed; ///< it isn't the initial value
+    std::string inert;
+    bool edited = false;
+    bool reset = false;
+};
+
+Line lineOf(const Owner& owner, const ParamRow& row) {
+    const Value value = row.read(owner.values);
+    const Value initial = row.read(owner.initial);
+    return {owner.pathOf(row), value, initial, value != initial,
+            owner.inert ? owner.inert(row) : std::string()};
+}
+
+void drawControl(Session& session, const ParamRow& row, Line& line, float width, ImU32 ink) {
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleColor(ImGuiCol_Text, line.inert.empty() ? ink : color::dim);
+    line.edited = control(session, row, line.value, line.path);
+    ImGui::PopStyleColor();
+    if (!isWide(row.kind)) {
+        noteItem(session, line.path);
+        sealAfterItem(session);
+    }
+    if (!line.inert.empty())
+        noteItem(session, line.path + "#inert");
+    paramTip(row, line.value, line.initial, line.inert);
+    line.reset |= line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    if (row.kind == Kind::Color)
+        line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
+}
+
+/// Writes what the user did to a line. True where the value changed.
+bool finish(Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
+    if (!line.reset)
+        return line.edited && assign(session, owner, row, line.value, line.path);
+    sealEdit(session);
+    const bool changed = assign(session, owner, row, line.initial, line.path);
+    sealEdit(session);
+    return changed;
+}
+
+} // namespace
+
+bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width) {
+    Line line = lineOf(owner, row);
+    ImGui::PushID(line.path.c_str());
+    drawControl(session, row, line, width, line.changed ? color::changed : color::text);
+    ImGui::PopID();
+    return finish(session, owner, row, line);
+}
+
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     if (row.kind == Kind::TexCoordList)
         return false;
-    const std::string path = owner.pathOf(row);
-    Value value = row.read(owner.values);
-    const Value initial = row.read(owner.initial);
-    const bool changed = value != initial;
-    const std::string inert = owner.inert ? owner.inert(row) : std::string();
+    Line line = lineOf(owner, row);
 
-    ImGui::PushID(path.c_str());
+    ImGui::PushID(line.path.c_str());
     const float em = ImGui::GetFontSize();
     const float left = ImGui::GetCursorPosX();
     const float full = ImGui::GetContentRegionAvail().x;
@@ -321,53 +296,33 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, !inert.empty() ? color::dim
-                                         : changed      ? color::changed
-                                                        : color::text);
+    ImGui::PushStyleColor(ImGuiCol_Text, !line.inert.empty() ? color::dim
+                                         : line.changed      ? color::changed
+                                                             : color::text);
     text(row.label);
     ImGui::PopStyleColor();
-    paramTip(row, value, initial, inert);
-    bool reset = changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    paramTip(row, line.value, line.initial, line.inert);
+    line.reset = line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     float controlWidth = full - resetWidth;
     if (!ownLine) {
         ImGui::SameLine(left + labelWidth);
         controlWidth -= labelWidth;
     }
-    ImGui::SetNextItemWidth(controlWidth);
-    ImGui::PushStyleColor(ImGuiCol_Text, inert.empty() ? color::text : color::dim);
-    bool edited = control(session, row, value, path);
-    ImGui::PopStyleColor();
-    if (!isWide(row.kind)) {
-        noteItem(session, path);
-        sealAfterItem(session);
-    }
-    if (!inert.empty())
-        noteItem(session, path + "#inert");
-    paramTip(row, value, initial, inert);
-    reset |= changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
-    if (row.kind == Kind::Color)
-        edited |= colorPopup(session, std::get<glm::vec4>(value), path);
-    if (changed) {
+    drawControl(session, row, line, controlWidth, color::text);
+    if (line.changed) {
         ImGui::SameLine(left + full - em);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
         ImGui::PushStyleColor(ImGuiCol_Button, 0);
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        reset |= ImGui::Button("↺", {em, 0});
-        noteItem(session, path + "#reset");
+        line.reset |= ImGui::Button("↺", {em, 0});
+        noteItem(session, line.path + "#reset");
         ImGui::PopStyleColor(2);
         ImGui::PopStyleVar();
-        helpTip("Back to " + formatValue(row, initial));
+        helpTip("Back to " + formatValue(row, line.initial));
     }
     ImGui::EndGroup();
     ImGui::PopID();
-
-    if (reset) {
-        sealEdit(session);
-        edited = assign(session, owner, row, initial, path);
-        sealEdit(session);
-        return edited;
-    }
-    return edited && assign(session, owner, row, value, path);
+    return finish(session, owner, row, line);
 }
 
 bool isRelevant(const Owner& owner, const ParamRow& row) {

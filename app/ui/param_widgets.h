@@ -29,6 +29,10 @@ struct Owner {
 /// suits the row's kind. Records the edit. True where the value changed.
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row);
 
+/// The control alone, for panels with lines of their own; a right click resets it. True where the value
+/// changed.
+bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width);
+
 /// Every row of a table that has an effect on these values, with the row's group as a caption.
 void paramRows(Session& session, const Owner& owner, const StructTable& table);
 

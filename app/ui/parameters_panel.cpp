@@ -13,10 +13,6 @@ std::string indexed(std::string_view list, int index) {
     return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
-std::string unitPath(const Session& session) {
-    return indexed("passes", session.selection.pass) + "." + indexed("units", session.selection.unit);
-}
-
 std::string textureName(const Session& session, int index) {
     const Texture& texture = session.scene.textures[static_cast<std::size_t>(index)];
     const std::string what = texture.source == SourceKind::Pattern
@@ -81,7 +77,7 @@ void textureChoice(Session& session) {
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
                 unit.texture = i;
                 sealEdit(session);
-                recordEdit(session, row ? row->label : "Texture", unitPath(session) + ".texture");
+                recordEdit(session, row ? row->label : "Texture", selectedUnitPath(session) + ".texture");
                 sealEdit(session);
             }
             noteItem(session, "bind:" + std::to_string(i));
@@ -216,7 +212,7 @@ void unitSection(Session& session) {
             say(session, "A unit needs a texture before it can be enabled: add one with +.");
         return !lacksTexture;
     };
-    const Owner owner{&selectedUnit(session), &initial, unitPath(session), accepts};
+    const Owner owner{&selectedUnit(session), &initial, selectedUnitPath(session), accepts};
     std::string_view group;
     for (const ParamRow& row : unitTable().params) {
         if (row.key == "texture") // chosen by its name, in the section of the texture
@@ -244,7 +240,7 @@ void matrixSection(Session& session) {
             "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const std::string path = unitPath(session) + "." + indexed("matrix", static_cast<int>(i));
+        const std::string path = selectedUnitPath(session) + "." + indexed("matrix", static_cast<int>(i));
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
         const float button = ImGui::GetFrameHeight();
@@ -341,6 +337,10 @@ void drawParametersPanel(Session& session, const render::Capabilities& capabilit
         textureSection(session, capabilities);
     if (section(session, "Unit and environment", true))
         unitSection(session);
+    if (selectedUnit(session).envMode == EnvMode::Combine && section(session, "Combine", true))
+        combineSection(session);
+    if (section(session, "Generated coordinates", false))
+        coordinatesSection(session);
     if (section(session, "Texture matrix", false))
         matrixSection(session);
     if (section(session, "Model", false))

@@ -125,6 +125,11 @@ Unit& selectedUnit(Session& session) {
     return selectedPass(session).units[static_cast<std::size_t>(session.selection.unit)];
 }
 
+std::string selectedUnitPath(const Session& session) {
+    return "passes[" + std::to_string(session.selection.pass) + "].units[" +
+           std::to_string(session.selection.unit) + "]";
+}
+
 const Texture* boundTexture(const Session& session) {
     const Scene& scene = session.scene;
     const auto pass = static_cast<std::size_t>(session.selection.pass);

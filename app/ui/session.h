@@ -135,6 +135,7 @@ void redo(Session& session);
 [[nodiscard]] const Mesh& selectedMesh(Session& session); ///< empty where no model is selected
 [[nodiscard]] Pass& selectedPass(Session& session);
 [[nodiscard]] Unit& selectedUnit(Session& session);
+[[nodiscard]] std::string selectedUnitPath(const Session& session); ///< "passes[0].units[1]"
 /// The texture that is bound to the selected unit, as glBindTexture makes one both used and edited. nullptr:
 /// none.
 [[nodiscard]] Texture* boundTexture(Session& session);

@@ -62,6 +62,31 @@ TEST(Commands, LeaveOutUnitsThatAreOff) {
     EXPECT_NE(find(commandsOf(scene), "passes[0].units[1].envMode"), nullptr);
 }
 
+TEST(Commands, ShowCombineUnderItsModeAlone) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].combine.source1Rgb = CombineSource::Constant;
+    const std::string call = "glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_RGB, GL_CONSTANT);";
+    EXPECT_THAT(calls(scene), Not(Contains(call)));
+    scene.passes[0].units[0].envMode = EnvMode::Combine;
+    EXPECT_THAT(calls(scene), Contains(call).Times(1));
+    EXPECT_THAT(calls(scene), Contains("glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 1);"));
+    EXPECT_TRUE(find(commandsOf(scene), "passes[0].units[0].combine.source1Rgb")->changed);
+    EXPECT_FALSE(find(commandsOf(scene), "passes[0].units[0].combine.source0Rgb")->changed);
+}
+
+TEST(Commands, ShowGeneratedCoordinatesThatAreOn) {
+    Scene scene = defaultScene();
+    EXPECT_THAT(calls(scene), Not(Contains("glDisable(GL_TEXTURE_GEN_T);")));
+    TexGen& t = scene.passes[0].units[0].texGenT;
+    t.enabled = true;
+    t.mode = TexGenMode::ObjectLinear;
+    t.objectPlane = {0, 0, 1, 0};
+    EXPECT_THAT(calls(scene), Contains("glEnable(GL_TEXTURE_GEN_T);"));
+    EXPECT_THAT(calls(scene), Contains("glTexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);"));
+    EXPECT_THAT(calls(scene), Contains("glTexGenfv(GL_T, GL_OBJECT_PLANE, {0, 0, 1, 0});"));
+    EXPECT_EQ(find(commandsOf(scene), "passes[0].units[0].texGenS.mode"), nullptr);
+}
+
 TEST(WrapCall, BreaksAfterCommasAndKeepsNumbersTogether) {
     EXPECT_THAT(wrapCall("glEnable(GL_BLEND);", 40), ElementsAre("glEnable(GL_BLEND);"));
     EXPECT_THAT(wrapCall("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);", 40),

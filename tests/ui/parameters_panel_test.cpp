@@ -8,8 +8,11 @@
 namespace texplorer::ui::test {
 namespace {
 
-constexpr const char* sections[] = {
-    "Texture", "Unit and environment", "Texture matrix", "Model", "Pass", "Light", "Material", "View"};
+constexpr const char* sections[] = {"Texture",        "Unit and environment",
+                                    "Combine",        "Generated coordinates",
+                                    "Texture matrix", "Model",
+                                    "Pass",           "Light",
+                                    "Material",       "View"};
 
 class ParametersPanel : public Workbench {};
 
@@ -188,9 +191,14 @@ TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
 TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().matrix.resize(1);
     unit().matrix[0].op = MatrixOp::Rotate;
+    unit().envMode = EnvMode::Combine;
+    for (TexGen* each : {&unit().texGenS, &unit().texGenT, &unit().texGenR, &unit().texGenQ})
+        each->enabled = true;
+    frames(1);
     scene().models[0].shape = Shape::Sphere;
     for (const char* section : sections) {
-        if (std::string_view(section) != "Texture" && std::string_view(section) != "Unit and environment")
+        const std::string_view name = section;
+        if (name != "Texture" && name != "Unit and environment" && name != "Combine")
             open(section);
     }
     int rows = 0;
@@ -212,9 +220,68 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     expectRows({s.textures.data(), nullptr, "textures[0]"}, textureTable());
     expectRows({s.passes.data(), nullptr, "passes[0]"}, passTable());
     expectRows({&unit(), nullptr, first}, unitTable());
+    expectRows({&unit().combine, nullptr, first + ".combine"}, combineTable());
+    expectRows({&unit().texGenS, nullptr, first + ".texGenS"}, texGenTable(0));
+    expectRows({&unit().texGenT, nullptr, first + ".texGenT"}, texGenTable(1));
+    expectRows({&unit().texGenR, nullptr, first + ".texGenR"}, texGenTable(2));
+    expectRows({&unit().texGenQ, nullptr, first + ".texGenQ"}, texGenTable(3));
     expectRows({unit().matrix.data(), nullptr, first + ".matrix[0]"}, matrixStepTable());
     EXPECT_GT(rows, 50);
     EXPECT_TRUE(has("texture choice"));
+}
+
+TEST_F(ParametersPanel, CombineIsEditedWhereTheModeAsksForIt) {
+    const std::string path = "passes[0].units[0].combine.";
+    const auto inert = [&](const char* key) { return has(path + key + "#inert"); };
+    EXPECT_FALSE(has("section:Combine"));
+    choose("passes[0].units[0].envMode", "GL_COMBINE");
+    EXPECT_TRUE(has("section:Combine"));
+    EXPECT_FALSE(inert("source1Rgb"));
+    EXPECT_TRUE(inert("source2Rgb")) << "GL_MODULATE has two arguments";
+    choose(path + "rgb", "GL_REPLACE");
+    EXPECT_EQ(unit().combine.rgb, CombineRgb::Replace);
+    EXPECT_TRUE(inert("operand1Rgb"));
+    choose(path + "rgb", "GL_INTERPOLATE");
+    EXPECT_FALSE(inert("source2Rgb"));
+    EXPECT_FALSE(inert("operand2Rgb"));
+    choose(path + "source0Rgb", "GL_CONSTANT");
+    choose(path + "operand0Rgb", "GL_ONE_MINUS_SRC_ALPHA");
+    choose(path + "rgbScale", "4");
+    EXPECT_EQ(unit().combine.source0Rgb, CombineSource::Constant);
+    EXPECT_EQ(unit().combine.operand0Rgb, OperandRgb::OneMinusSrcAlpha);
+    EXPECT_EQ(unit().combine.rgbScale, CombineScale::Four);
+    EXPECT_FALSE(inert("alpha"));
+    choose(path + "rgb", "GL_DOT3_RGBA");
+    EXPECT_TRUE(inert("alpha")) << "the dot product is alpha, too";
+    EXPECT_TRUE(inert("source0Alpha"));
+    key('Z', {ctrl});
+    EXPECT_EQ(unit().combine.rgb, CombineRgb::Interpolate);
+}
+
+TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
+    const std::string path = "passes[0].units[0].texGenS.";
+    open("Generated coordinates");
+    scrollTo(path + "enabled");
+    EXPECT_TRUE(has(path + "mode#inert"));
+    EXPECT_FALSE(has(path + "eyePlane[0]"));
+    click(path + "enabled");
+    EXPECT_TRUE(unit().texGenS.enabled);
+    EXPECT_FALSE(unit().texGenT.enabled);
+    EXPECT_FALSE(has(path + "eyePlane#inert"));
+    EXPECT_TRUE(has(path + "objectPlane#inert"));
+    choose(path + "mode", "GL_OBJECT_LINEAR");
+    EXPECT_TRUE(has(path + "eyePlane#inert"));
+    EXPECT_FALSE(has(path + "objectPlane#inert"));
+    scrollTo(path + "objectPlane[1]");
+    drag(place(path + "objectPlane[1]"), {50, 0});
+    EXPECT_NEAR(unit().texGenS.objectPlane.y, 0.5F, 0.02F);
+    choose(path + "mode", "GL_SPHERE_MAP");
+    EXPECT_TRUE(has(path + "eyePlane#inert"));
+    EXPECT_TRUE(has(path + "objectPlane#inert"));
+    scrollTo("passes[0].units[0].texGenQ.mode");
+    click("passes[0].units[0].texGenQ.mode");
+    EXPECT_FALSE(has("passes[0].units[0].texGenQ.mode=GL_SPHERE_MAP")) << "q has two modes";
+    EXPECT_TRUE(has("passes[0].units[0].texGenQ.mode=GL_OBJECT_LINEAR"));
 }
 
 TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {

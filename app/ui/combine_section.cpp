@@ -1,0 +1,142 @@
+// GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and an argument a line.
+
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/theme.h"
+#include "core/gl/combine_equation.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+/// The keys of one half of the table; the arguments' keys have their number in the middle.
+struct Half {
+    std::string_view title;
+    std::string_view function;
+    std::string_view scale;
+    std::string_view suffix; ///< "source0" + suffix
+};
+
+constexpr std::array halves{Half{"Colour", "rgb", "rgbScale", "Rgb"},
+                            Half{"Alpha", "alpha", "alphaScale", "Alpha"}};
+
+const ParamRow& rowNamed(std::string_view key) {
+    return *findParam(combineTable(), key); // the test draws every row
+}
+
+std::string labelOf(const Combine& combine, const std::string& key) {
+    const ParamRow& row = rowNamed(key);
+    const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(row.read(&combine)).number);
+    std::string label(choice ? choice->label : "?");
+    if (label.front() >= 'A' && label.front() <= 'Z')
+        label.front() = static_cast<char>(label.front() - 'A' + 'a');
+    return label;
+}
+
+/// "colour of this texture", "(1 - alpha of previous unit)"
+std::string argumentInWords(const Combine& combine, const Half& half, int number) {
+    const std::string tail = std::to_string(number) + std::string(half.suffix);
+    const std::string words = labelOf(combine, "operand" + tail) + " of " + labelOf(combine, "source" + tail);
+    return words.starts_with("1 - ") ? "(" + words + ")" : words;
+}
+
+/// The equation with what its arguments stand for.
+std::string inWords(const Combine& combine, const Half& half, std::string_view equation) {
+    std::string words(equation);
+    for (int number = 0; number < 3; ++number) {
+        const std::string name = "Arg" + std::to_string(number);
+        const std::string meaning = argumentInWords(combine, half, number);
+        for (std::size_t at = words.find(name); at != std::string::npos;
+             at = words.find(name, at + meaning.size()))
+            words.replace(at, name.size(), meaning);
+    }
+    return words;
+}
+
+void drawEquation(Session& session, const Combine& combine, const Half& half) {
+    const bool isAlpha = half.suffix == "Alpha";
+    if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
+        ImGui::TextWrapped("= the colour's result: %s overrules what is below.",
+                           std::string(rowOf(combine.rgb).name).c_str());
+        return;
+    }
+    std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));
+    const std::string meaning = inWords(combine, half, symbols);
+    const int factor = static_cast<int>(isAlpha ? combine.alphaScale : combine.rgbScale);
+    if (factor != 1)
+        symbols = std::to_string(factor) + " × (" + symbols + ")";
+    ImGui::TextUnformatted(("= " + symbols).c_str());
+    noteItem(session, "combine:equation" + std::string(half.suffix));
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    ImGui::TextWrapped("%s", meaning.c_str());
+    ImGui::PopStyleColor();
+}
+
+void drawHalf(Session& session, const Owner& owner, const Half& half) {
+    const auto& combine = *static_cast<const Combine*>(owner.values);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float full = ImGui::GetContentRegionAvail().x;
+    const float name = ImGui::CalcTextSize("Colour").x + 2 * gap;
+    const float left = ImGui::GetCursorPosX();
+    const float scale = ImGui::GetFontSize() * 3;
+    const float times = ImGui::CalcTextSize("×").x;
+
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(half.title.data(), half.title.data() + half.title.size());
+    ImGui::SameLine(left + name);
+    paramControl(session, owner, rowNamed(half.function), full - name - scale - times - 2 * gap);
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted("×");
+    ImGui::SameLine(0, gap);
+    paramControl(session, owner, rowNamed(half.scale), scale);
+    drawEquation(session, combine, half);
+
+    const float choices = full - name - gap;
+    for (int number = 0; number < 3; ++number) {
+        const std::string tail = std::to_string(number) + std::string(half.suffix);
+        const ParamRow& source = rowNamed("source" + tail);
+        const bool inert = !owner.inert(source).empty();
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
+        ImGui::Text("Arg%d", number);
+        ImGui::PopStyleColor();
+        ImGui::SameLine(left + name);
+        paramControl(session, owner, source, choices * 0.62F);
+        ImGui::SameLine(0, gap);
+        paramControl(session, owner, rowNamed("operand" + tail), choices * 0.38F);
+    }
+}
+
+/// Why an argument changes nothing: its function reads fewer.
+std::string unreadReason(const Combine& combine, const ParamRow& row) {
+    const bool isAlpha = row.group == "Alpha";
+    if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba)
+        return std::string(rowOf(combine.rgb).name) + " gives alpha, too.";
+    const std::string_view function = isAlpha ? rowOf(combine.alpha).name : rowOf(combine.rgb).name;
+    const int count = isAlpha ? argumentCount(combine.alpha) : argumentCount(combine.rgb);
+    const std::size_t digit = row.key.find_first_of("012");
+    if (digit == std::string_view::npos || row.key[digit] - '0' < count)
+        return {};
+    return std::string(function) + " has " + std::to_string(count) +
+           (count == 1 ? " argument." : " arguments.");
+}
+
+} // namespace
+
+void combineSection(Session& session) {
+    Combine& combine = selectedUnit(session).combine;
+    static const Combine initial;
+    const Owner owner{
+        &combine, &initial, selectedUnitPath(session) + ".combine", {}, [&combine](const ParamRow& row) {
+            return unreadReason(combine, row);
+        }};
+    for (const Half& half : halves) {
+        if (&half != halves.data())
+            ImGui::Separator();
+        drawHalf(session, owner, half);
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,64 @@
+// The coordinates that OpenGL makes itself (glTexGen): for each of s, t, r and q a line, and its planes while
+// it is on.
+
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/theme.h"
+
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+struct Coordinate {
+    const char* letter;
+    const char* key; ///< of the unit
+    TexGen Unit::*state;
+};
+
+constexpr std::array<Coordinate, 4> coordinates{{{"s", "texGenS", &Unit::texGenS},
+                                                 {"t", "texGenT", &Unit::texGenT},
+                                                 {"r", "texGenR", &Unit::texGenR},
+                                                 {"q", "texGenQ", &Unit::texGenQ}}};
+
+std::string idleReason(const TexGen& state, const ParamRow& row) {
+    if (row.key == "enabled")
+        return {};
+    if (!state.enabled)
+        return "the vertex's own coordinate is used.";
+    const bool used = (row.key == "objectPlane" && state.mode == TexGenMode::ObjectLinear) ||
+                      (row.key == "eyePlane" && state.mode == TexGenMode::EyeLinear) || row.key == "mode";
+    return used ? std::string() : std::string(rowOf(state.mode).name) + " does not read this plane.";
+}
+
+} // namespace
+
+void coordinatesSection(Session& session) {
+    Unit& unit = selectedUnit(session);
+    static const Unit initial;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const Coordinate& coordinate = coordinates[i];
+        const TexGen& state = unit.*coordinate.state;
+        const Owner owner{&(unit.*coordinate.state),
+                          &(initial.*coordinate.state),
+                          selectedUnitPath(session) + "." + coordinate.key,
+                          {},
+                          [&state](const ParamRow& row) { return idleReason(state, row); }};
+        const StructTable& table = texGenTable(i);
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(static_cast<int>(i)));
+        ImGui::TextUnformatted(coordinate.letter);
+        ImGui::PopStyleColor();
+        ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.2F);
+        paramControl(session, owner, *findParam(table, "enabled"), 0);
+        ImGui::SameLine(0, gap);
+        paramControl(session, owner, *findParam(table, "mode"), ImGui::GetContentRegionAvail().x);
+        if (!state.enabled)
+            continue;
+        paramWidget(session, owner, *findParam(table, "objectPlane"));
+        paramWidget(session, owner, *findParam(table, "eyePlane"));
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/gl/combine.h"
+
+namespace texplorer {
+
+/// A function of GL_COMBINE as one writes it down, before the scale and the clamp: OpenGL 2.1, table 3.23.
+[[nodiscard]] constexpr std::string_view equationOf(CombineRgb function) {
+    switch (function) {
+    case CombineRgb::Replace:
+        return "Arg0";
+    case CombineRgb::Modulate:
+        return "Arg0 × Arg1";
+    case CombineRgb::Add:
+        return "Arg0 + Arg1";
+    case CombineRgb::AddSigned:
+        return "Arg0 + Arg1 − ½";
+    case CombineRgb::Interpolate:
+        return "Arg0 × Arg2 + Arg1 × (1 − Arg2)";
+    case CombineRgb::Subtract:
+        return "Arg0 − Arg1";
+    case CombineRgb::Dot3Rgb:
+    case CombineRgb::Dot3Rgba:
+        return "4 × (Arg0 − ½) · (Arg1 − ½)";
+    }
+    return {};
+}
+[[nodiscard]] constexpr std::string_view equationOf(CombineAlpha function) {
+    return equationOf(static_cast<CombineRgb>(function));
+}
+
+} // namespace texplorer
