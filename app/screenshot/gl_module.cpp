@@ -4,6 +4,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/capabilities.h"
+#include "app/render/driver_facts.h"
 #include "app/render/fixed_renderer.h"
 #include "app/stage/stage.h"
 #include "app/ui/session.h"
@@ -33,7 +34,7 @@ Result<Picture> drawScene(const Drawing& drawing) {
     Result<Image> image = renderer->read();
     if (!image)
         return fail(image.error());
-    return Picture{std::move(*image), std::move(frame->problems)};
+    return Picture{std::move(*image), std::move(frame->problems), render::driverFacts(*capabilities)};
 }
 
 constexpr int settlingFrames = 3; // until Dear ImGui has given every window its size
@@ -57,7 +58,7 @@ Result<Picture> drawWindow(const Drawing& drawing) {
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Picture{std::move(image), stage->problems()};
+    return Picture{std::move(image), stage->problems(), render::driverFacts(stage->capabilities())};
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "app/ui/details_tabs.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
+#include "core/scene/diagnosis.h"
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 #include "core/scene/texture_levels.h"
@@ -27,6 +28,7 @@ struct Drawing {
 struct Picture {
     Image image;                       ///< Rgba8, opaque where the window is drawn
     std::vector<std::string> problems; ///< sentences: what the driver or a texture lacked
+    DriverFacts driver;                ///< of the driver that drew it
 };
 
 /// The module's one entry point, found by this name.

@@ -1,11 +1,10 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/scene_argument.h"
 #include "app/screenshot/texture_io.h"
-#include "core/base/file_io.h"
 #include "core/codec/png.h"
 #include "core/image/convert.h"
-#include "core/scene/json.h"
-#include "core/scene/params.h"
+#include "core/scene/diagnosis.h"
 
 #include <algorithm>
 #include <charconv>
@@ -20,8 +19,7 @@ constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
 constexpr render::Size smallestWindow{320, 200}; // that of texplorer: panels don't fit into less
 
 struct Options {
-    std::string sceneFile;
-    std::vector<std::string> assignments;
+    SceneArgument scene;
     std::string size = "1280x800";
     std::string time = "0";
     bool window = false;
@@ -76,14 +74,6 @@ Result<ui::Tab> parseTab(std::string_view name) {
                 "expected one of " + tabNames() + ", found \"" + std::string(name) + "\"", "--tab");
 }
 
-Result<void> assign(Scene& scene, const std::string& assignment) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos)
-        return fail(ErrorCode::OutOfRange, "expected PATH=VALUE, found \"" + assignment + "\"", "--set");
-    return setParam(scene, std::string_view(assignment).substr(0, equals),
-                    std::string_view(assignment).substr(equals + 1));
-}
-
 ExitCode shoot(const Options& options) {
     const Result<render::Size> size =
         parseSize(options.size, options.window ? smallestWindow : render::Size{1, 1});
@@ -97,21 +87,16 @@ ExitCode shoot(const Options& options) {
     if (!tab)
         return complain(tab.error(), wrongCall);
 
-    Drawing drawing{defaultScene(), ImageSource{}, options.sceneFile, *time, *size, options.window, *tab};
-    if (!options.sceneFile.empty()) {
-        const Result<std::string> text = readText(options.sceneFile, maxSceneBytes);
-        if (!text)
-            return complain(text.error());
-        Result<Scene> scene = parseScene(*text);
-        if (!scene)
-            return complain({scene.error().code, describe(scene.error()), options.sceneFile});
-        drawing.scene = std::move(*scene);
-        drawing.images = ImageSource{std::filesystem::path(options.sceneFile).parent_path()};
-    }
-    for (const std::string& assignment : options.assignments) {
-        if (const auto assigned = assign(drawing.scene, assignment); !assigned)
-            return complain(assigned.error(), wrongCall);
-    }
+    auto opened = openScene(options.scene);
+    if (!opened)
+        return opened.error();
+    Drawing drawing{std::move(opened->scene),
+                    std::move(opened->images),
+                    options.scene.file,
+                    *time,
+                    *size,
+                    options.window,
+                    *tab};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
@@ -130,6 +115,10 @@ ExitCode shoot(const Options& options) {
         return complain(picture.error());
     for (const std::string& problem : picture->problems)
         complain({ErrorCode::Driver, problem, {}});
+    for (const Finding& each : diagnose(drawing.scene, drawing.images, picture->driver)) {
+        if (each.severity <= Severity::Warning && !each.drawnOtherwise) // else it is a problem already
+            complain({ErrorCode::Malformed, each.sentence, each.path});
+    }
     // What one sees: a viewer would let its own background through the framebuffer's alpha.
     const Result<Bytes> png = encodePng(withoutAlpha(std::move(picture->image)));
     if (!png)
@@ -144,15 +133,7 @@ ExitCode shoot(const Options& options) {
 void addShot(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("shot", "Draw a scene into a PNG.");
     auto options = std::make_shared<Options>();
-    command->add_option(
-        "SCENE", options->sceneFile,
-        "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
-    command
-        ->add_option(
-            "--set", options->assignments,
-            "Change one parameter, PATH=VALUE: textures[0].minFilter=GL_NEAREST. May be given again; "
-            "\"texshot params\" lists every path.")
-        ->allow_extra_args(false);
+    addSceneArgument(*command, options->scene);
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
     command->add_option("--time", options->time, "Seconds on the scene's clock, for what moves.")
         ->capture_default_str();

@@ -78,6 +78,10 @@ Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 Stage::~Stage() = default;
 
+const render::Capabilities& Stage::capabilities() const {
+    return state_->capabilities;
+}
+
 const std::vector<std::string>& Stage::problems() const {
     return state_->problems;
 }

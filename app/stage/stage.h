@@ -39,6 +39,7 @@ public:
 
     /// What the renderer said of the last frame's scene.
     [[nodiscard]] const std::vector<std::string>& problems() const;
+    [[nodiscard]] const render::Capabilities& capabilities() const;
 
 private:
     struct State;

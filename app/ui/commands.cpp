@@ -1,5 +1,6 @@
 #include "app/ui/commands.h"
 
+#include "core/scene/initial_like.h"
 #include "core/scene/params.h"
 
 #include <algorithm>
@@ -10,19 +11,6 @@
 
 namespace texplorer::ui {
 namespace {
-
-/// The scene with every parameter at its initial value and every list as long as in `scene`.
-Scene initialLike(const Scene& scene) {
-    Scene initial;
-    initial.models.resize(scene.models.size());
-    initial.textures.resize(scene.textures.size());
-    initial.passes.resize(scene.passes.size());
-    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
-        for (std::size_t u = 0; u < maxUnits; ++u)
-            initial.passes[p].units[u].matrix.resize(scene.passes[p].units[u].matrix.size());
-    }
-    return initial;
-}
 
 std::string ownerOf(const std::string& path) {
     const std::size_t dot = path.rfind('.');

@@ -16,12 +16,6 @@ float unorm(std::byte value) {
     return static_cast<float>(std::to_integer<int>(value)) / 255.0F;
 }
 
-/// The base internal format of a compressed format (table 3.17 and the extensions' own tables). The formats
-/// of one and two channels have the red and green of RGB, and nothing else.
-BaseFormat baseFormat(BlockFormat format) {
-    return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
-}
-
 Level blockLevel(const BlockImage& blocks) {
     Level level = levelOf(decodeBlocks(blocks), baseFormat(blocks.format));
     if (isS3tc(blocks.format))
@@ -37,6 +31,10 @@ Level blockLevel(const BlockImage& blocks) {
 }
 
 } // namespace
+
+BaseFormat baseFormat(BlockFormat format) {
+    return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
+}
 
 const Level* SampledTexture::level(int number) const {
     if (number < 0 || static_cast<std::size_t>(number) >= levels.size())

@@ -70,6 +70,10 @@ struct SampledTexture {
     return rgba;
 }
 
+/// The base internal format of a compressed format (table 3.17 and the extensions' own tables). The formats
+/// of one and two channels have the red and green of RGB, and nothing else.
+[[nodiscard]] BaseFormat baseFormat(BlockFormat format);
+
 /// Table 3.6: a pixel as RGBA, 0 to 1, before the internal format takes its part.
 [[nodiscard]] glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel);
 

@@ -1,7 +1,9 @@
 #include "core/scene/texture_levels.h"
 
+#include "core/image/resample.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
+#include "core/scene/level_plan.h"
 #include "core/scene/target_image.h"
 
 #include <algorithm>
@@ -51,6 +53,7 @@ public:
         , turn_(fileOrder() ? image.topFirst != image.fileTopFirst : image.topFirst) {}
 
     Result<TextureLevels> run();
+    [[nodiscard]] LevelPlan plan();
 
 private:
     /// Whether rows are wanted as a naive loader gives them to OpenGL: the file's first row first.
@@ -65,6 +68,7 @@ private:
     [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }
 
     [[nodiscard]] int levelCount() const;
+    [[nodiscard]] PlannedLevel extentsFor(int number) const;
     [[nodiscard]] bool keepsBlocks();
     [[nodiscard]] Result<void> takeBlocks();
     [[nodiscard]] Image pixels(const Surface& surface) const;
@@ -237,7 +241,54 @@ Result<TextureLevels> Preparation::run() {
     return std::move(out_);
 }
 
+/// The part of a level of the file that the target takes.
+PlannedLevel Preparation::extentsFor(int number) const {
+    const Surface& surface = image_.surface(0, number);
+    return {number, widthOf(surface), target_ == Target::Texture1D ? 1 : heightOf(surface),
+            target_ == Target::Texture3D ? depthOf(surface) : 1};
+}
+
+LevelPlan Preparation::plan() {
+    LevelPlan plan;
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        plan.lastLevel = levelCount() - 1;
+    for (int level = 0; level < levelCount(); ++level)
+        plan.levels.push_back(extentsFor(level));
+    if (keepsBlocks()) {
+        plan.blocks = std::get<BlockImage>(base()).format;
+        return plan;
+    }
+    const bool compresses =
+        texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
+    if (compresses && target_ == Target::Texture2D)
+        plan.blocks = blockFormat(texture_.compressedFormat);
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        return plan;
+    PlannedLevel level = plan.levels.front();
+    if (texture_.npot == NpotPolicy::PowerOfTwo)
+        level = {0, nearestPowerOfTwo(level.width), nearestPowerOfTwo(level.height),
+                 nearestPowerOfTwo(level.depth)};
+    plan.levels = {level};
+    if (!generates())
+        return plan;
+    const int count = mipLevelCount(level.width, level.height, level.depth);
+    while (static_cast<int>(plan.levels.size()) < count) {
+        const auto half = [](int extent) { return std::max(1, extent / 2); };
+        level = {level.number + 1, half(level.width), half(level.height), half(level.depth)};
+        plan.levels.push_back(level);
+    }
+    if (const int missing = missingLevel(count); texture_.mipmaps == MipPolicy::Missing && missing >= 0)
+        plan.levels.erase(plan.levels.begin() + missing);
+    return plan;
+}
+
 } // namespace
+
+LevelPlan planLevels(const Texture& texture, const TextureImage& image, Target target) {
+    if (image.surfaces.empty() || byteCount(image.surfaces.front()) == 0)
+        return {};
+    return Preparation(texture, image, target, {}).plan();
+}
 
 Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image, Target target,
                                     const LevelWork& work) {

@@ -157,7 +157,7 @@ class Shot(Texshot):
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
-        self.complains(2, "expected one of shot, params, decode, info")
+        self.complains(2, "expected one of shot, check, params, decode, info")
         for unknown in ["paint", "--paint", "-x", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
 
@@ -417,6 +417,50 @@ class Textures(Texshot):
         self.assertEqual(sorted(os.listdir(self.path)), before)
         self.assertEqual(work.returncode, 130)
         self.assertIn("interrupted", said)
+
+
+class Check(Texshot):
+    INCOMPLETE = "textures[0].mipmaps=none"
+
+    def test_a_scene_without_a_mistake(self):
+        self.assertEqual(self.succeeds("check"), b"")
+        self.assertEqual(json.loads(self.succeeds("check", "--json")), {"findings": []})
+
+    def test_a_warning_is_said_with_what_mends_it(self):
+        result = texshot("check", "--set", self.INCOMPLETE)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        said = result.stdout.decode()
+        self.assertIn("warning: textures[0].minFilter: the texture is incomplete", said)
+        fix = said.split("--set ")[1].strip()
+        self.assertEqual(texshot("check", "--set", self.INCOMPLETE, "--set", fix).returncode, 0)
+        listed = json.loads(texshot("check", "--json", "--set", self.INCOMPLETE).stdout)["findings"]
+        self.assertEqual([each["path"] for each in listed], ["textures[0].minFilter"])
+        self.assertEqual(listed[0]["fix"]["set"], {"textures[0].mipmaps": "generated"})
+
+    def test_a_setting_without_effect_is_named_and_no_failure(self):
+        said = self.succeeds("check", "--set", "textures[0].wrapR=GL_CLAMP").decode()
+        self.assertIn("hint: textures[0].wrapR: no effect: only a 3D texture has r", said)
+
+    def test_every_file_that_cannot_be_read_is_named(self):
+        (self.path / "broken.bmp").write_bytes(b"BM")
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [
+            {"source": "file", "file": "nowhere.bmp", "minFilter": "GL_LINEAR"},
+            {"source": "file", "file": "broken.bmp", "minFilter": "GL_LINEAR"}]}))
+        result = texshot("check", scene)
+        self.assertEqual(result.returncode, 1)
+        for name in (b"error: textures[0].file: ", b"nowhere.bmp", b"error: textures[1].file: ", b"broken.bmp"):
+            self.assertIn(name, result.stdout)
+
+    def test_bad_calls(self):
+        self.complains(1, "nowhere.json", "check", self.path / "nowhere.json")
+        self.complains(2, "minFliter", "check", "--set", "textures[0].minFliter=GL_NEAREST")
+
+    def test_a_shot_says_it_too_and_is_drawn(self):
+        result = texshot("shot", "--size", "32x32", "--set", self.INCOMPLETE, "-o", "-")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr.decode(), r"\Atexshot: textures\[0\]\.minFilter: the texture is incomplete[^\n]+\n\Z")
+        self.assertEqual(Image.open(io.BytesIO(result.stdout)).size, (32, 32))
 
 
 class Params(Texshot):

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/render/capabilities.h"
+#include "core/scene/diagnosis.h"
+
+namespace texplorer::render {
+
+/// What the diagnosis wants to know of a driver.
+[[nodiscard]] inline DriverFacts driverFacts(const Capabilities& capabilities) {
+    DriverFacts facts;
+    facts.textureUnits = capabilities.textureUnits;
+    facts.maxTextureSize = capabilities.maxTextureSize;
+    if (capabilities.max3DTextureSize > 0)
+        facts.max3DTextureSize = capabilities.max3DTextureSize;
+    facts.maxAnisotropy = capabilities.maxAnisotropy;
+    facts.nonPowerOfTwo = true; // in every OpenGL that Texplorer accepts: since 2.0
+    facts.s3tc = capabilities.s3tc;
+    facts.rgtc = capabilities.rgtc;
+    return facts;
+}
+
+} // namespace texplorer::render

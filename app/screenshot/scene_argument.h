@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/screenshot/command.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+
+namespace texplorer::screenshot {
+
+/// The scene that a command line names, with its changes.
+struct SceneArgument {
+    std::string file; ///< empty: the default scene
+    std::vector<std::string> assignments;
+};
+
+/// Declares SCENE and --set.
+void addSceneArgument(CLI::App& command, SceneArgument& argument);
+
+struct OpenedScene {
+    Scene scene;
+    ImageSource images; ///< nothing is loaded yet
+};
+
+/// What goes wrong is said on standard error; the error is the exit status.
+[[nodiscard]] tl::expected<OpenedScene, ExitCode> openScene(const SceneArgument& argument);
+
+} // namespace texplorer::screenshot

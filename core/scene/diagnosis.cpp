@@ -1,0 +1,136 @@
+#include "core/scene/diagnosis.h"
+
+#include "core/scene/diagnosis_rules.h"
+#include "core/scene/params.h"
+
+#include <algorithm>
+
+namespace texplorer {
+
+namespace diagnosis {
+
+bool TextureFacts::hasTarget(Target target) const {
+    return as(target) != nullptr;
+}
+
+const TargetFacts* TextureFacts::as(Target target) const {
+    const auto found = std::ranges::find(targets, target, &TargetFacts::target);
+    return found == targets.end() ? nullptr : &*found;
+}
+
+const TextureFacts* Case::textureOf(const Unit& unit) const {
+    const bool exists = unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < textures.size();
+    return exists ? &textures[static_cast<std::size_t>(unit.texture)] : nullptr;
+}
+
+bool Case::works(const Unit& unit) const {
+    const TextureFacts* texture = textureOf(unit);
+    if (!unit.enabled || !texture || !texture->image)
+        return false;
+    const TargetFacts* facts = texture->as(unit.target);
+    return facts && facts->completeness.complete();
+}
+
+std::string at(std::string_view list, std::size_t index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+std::string unitPath(std::size_t pass, std::size_t unit) {
+    return at("passes", pass) + "." + at("units", unit) + ".";
+}
+
+namespace {
+
+TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image) {
+    TargetFacts facts{target, planLevels(texture, image, target), {}, texture.internalFormat};
+    // Completeness asks for extents alone: these levels have no texels.
+    reference::SampledTexture sampled;
+    sampled.target = target;
+    for (const PlannedLevel& each : facts.plan.levels) {
+        const auto number = static_cast<std::size_t>(each.number);
+        if (sampled.levels.size() <= number)
+            sampled.levels.resize(number + 1);
+        sampled.levels[number] = {each.width, each.height, each.depth, 0, {}};
+    }
+    if (facts.plan.blocks)
+        facts.format = reference::baseFormat(*facts.plan.blocks);
+    sampled.format = facts.format;
+    reference::setParameters(sampled, texture, facts.plan.lastLevel);
+    facts.completeness = reference::checkCompleteness(sampled);
+    return facts;
+}
+
+std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images) {
+    std::vector<TextureFacts> all(scene.textures.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Texture& texture = scene.textures[i];
+        TextureFacts& facts = all[i];
+        facts.image = images.find(texture);
+        if (facts.image && (facts.image->surfaces.empty() || byteCount(facts.image->surfaces.front()) == 0))
+            facts.image = nullptr;
+        const auto binds = [&](const Unit& unit) { return unit.texture == static_cast<int>(i); };
+        forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
+            facts.shown |= binds(unit) && unit.enabled;
+        });
+        static const TextureImage none;
+        const TextureImage& image = facts.image ? *facts.image : none;
+        forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
+            if (binds(unit) && unit.enabled == facts.shown && !facts.hasTarget(unit.target))
+                facts.targets.push_back(factsAs(unit.target, texture, image));
+        });
+        if (facts.targets.empty())
+            facts.targets.push_back(factsAs(Target::Texture2D, texture, image));
+    }
+    return all;
+}
+
+/// "textures[0]" is part of "textures[0].minFilter", and so is that itself.
+bool isPartOf(std::string_view path, std::string_view whole) {
+    return path.starts_with(whole) &&
+           (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
+}
+
+} // namespace
+} // namespace diagnosis
+
+std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, const DriverFacts& driver) {
+    using namespace diagnosis;
+    const Case about{scene, driver, factsOf(scene, images)};
+    std::vector<Finding> findings;
+    Report report(findings);
+    for (const std::span<const Rule> rules :
+         {textureRules(), unitRules(), combineRules(), passRules(), textureEffectRules()}) {
+        for (const Rule& rule : rules) {
+            report.begin(rule.name, rule.severity, rule.drawnOtherwise);
+            rule.find(about, report);
+        }
+    }
+    std::ranges::stable_sort(findings, {}, &Finding::severity);
+    return findings;
+}
+
+Result<void> apply(const Fix& fix, Scene& scene) {
+    Scene mended = scene;
+    for (const Assignment& each : fix.assignments) {
+        if (const Result<void> set = setParam(mended, each.path, each.value); !set)
+            return fail(set.error());
+    }
+    scene = std::move(mended);
+    return {};
+}
+
+const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path) {
+    const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
+        return each.severity <= Severity::Warning && diagnosis::isPartOf(each.path, path);
+    });
+    return found == findings.end() ? nullptr : &*found;
+}
+
+const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path) {
+    const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
+        return each.severity >= Severity::Hint && diagnosis::isPartOf(path, each.path);
+    });
+    return found == findings.end() ? nullptr : &*found;
+}
+
+} // namespace texplorer

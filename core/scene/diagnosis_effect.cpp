@@ -1,0 +1,156 @@
+// Which settings of a texture object change nothing at present.
+
+#include "core/scene/diagnosis_rules.h"
+
+#include <algorithm>
+
+namespace texplorer::diagnosis {
+namespace {
+
+/// A setting and why it changes nothing: an empty reason says that it does.
+struct Setting {
+    std::string_view key;
+    std::string (*reason)(const Texture& texture, const TextureFacts& facts);
+};
+
+bool samplesMipmaps(const Texture& texture) {
+    return texture.minFilter != MinFilter::Nearest && texture.minFilter != MinFilter::Linear;
+}
+
+bool isLinear(MinFilter filter) {
+    return filter == MinFilter::Linear || filter == MinFilter::LinearMipmapNearest ||
+           filter == MinFilter::LinearMipmapLinear;
+}
+
+/// Table 3.19: GL_CLAMP leaves the image by half a texel, which a linear filter alone sees.
+bool showsBorder(const Texture& texture, Wrap wrap) {
+    return wrap == Wrap::ClampToBorder ||
+           (wrap == Wrap::Clamp && (texture.magFilter == MagFilter::Linear || isLinear(texture.minFilter)));
+}
+
+bool isPowerOfTwo(const Surface& surface) {
+    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
+    return power(widthOf(surface)) && power(heightOf(surface)) && power(depthOf(surface));
+}
+
+std::string noFlip(const Texture& texture, const TextureFacts& facts) {
+    if (texture.source == SourceKind::Pattern)
+        return "a built-in pattern is upright";
+    if (facts.image && !facts.image->fileTopFirst)
+        return "the file begins with the bottom row, as OpenGL does";
+    return {};
+}
+
+std::string noInternalFormat(const Texture&, const TextureFacts& facts) {
+    const bool compressed = std::ranges::all_of(
+        facts.targets, [](const TargetFacts& each) { return each.plan.blocks.has_value(); });
+    return compressed ? "a compressed texture has a format of its own" : "";
+}
+
+std::string noScaling(const Texture&, const TextureFacts& facts) {
+    return facts.image && isPowerOfTwo(facts.image->surfaces.front()) ? "the image's size is a power of two"
+                                                                      : "";
+}
+
+std::string noWrapT(const Texture&, const TextureFacts& facts) {
+    const bool line = std::ranges::all_of(
+        facts.targets, [](const TargetFacts& each) { return each.target == Target::Texture1D; });
+    return line ? "a 1D texture has only s" : "";
+}
+
+std::string noWrapR(const Texture&, const TextureFacts& facts) {
+    return facts.hasTarget(Target::Texture3D)
+               ? ""
+               : "only a 3D texture has r; the unit's target is " + nameOf(facts.targets.front().target);
+}
+
+std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
+    const bool shown = showsBorder(texture, texture.wrapS) ||
+                       (showsBorder(texture, texture.wrapT) && noWrapT(texture, facts).empty()) ||
+                       (showsBorder(texture, texture.wrapR) && facts.hasTarget(Target::Texture3D));
+    return shown ? ""
+                 : "no wrap mode shows the border; " + nameOf(Wrap::ClampToBorder) + " does, and " +
+                       nameOf(Wrap::Clamp) + " under a linear filter";
+}
+
+std::string noMipmaps(const Texture& texture, const TextureFacts&) {
+    return samplesMipmaps(texture) ? "" : nameOf(texture.minFilter) + " reads no mipmaps";
+}
+
+/// Without mipmaps λ decides only which of the two filters is taken.
+std::string noLod(const Texture& texture, const TextureFacts&) {
+    const bool same =
+        static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter);
+    return same ? nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same" : "";
+}
+
+/// A longer patch needs more than the one texel that GL_NEAREST takes.
+std::string noAnisotropy(const Texture& texture, const TextureFacts&) {
+    return texture.minFilter == MinFilter::Nearest
+               ? "it has no effect under " + nameOf(texture.minFilter) + ": one texel is taken"
+               : "";
+}
+
+constexpr std::array settings{
+    Setting{"flip", noFlip},         Setting{"internalFormat", noInternalFormat},
+    Setting{"npot", noScaling},      Setting{"wrapT", noWrapT},
+    Setting{"wrapR", noWrapR},       Setting{"borderColor", noBorderColor},
+    Setting{"mipFilter", noMipmaps}, Setting{"mipGamma", noMipmaps},
+    Setting{"maxLevel", noMipmaps},  Setting{"minLod", noLod},
+    Setting{"maxLod", noLod},        Setting{"maxAnisotropy", noAnisotropy},
+};
+
+void noEffect(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        for (const Setting& setting : settings) {
+            std::string reason = setting.reason(about.scene.textures[i], about.textures[i]);
+            if (!reason.empty())
+                report.add(at("textures", i) + "." + std::string(setting.key), std::move(reason));
+        }
+    }
+}
+
+void notShown(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        if (!about.textures[i].shown)
+            report.add(at("textures", i), "no unit that is on shows this texture");
+    }
+}
+
+/// What belongs to another choice than the one that is made.
+void unused(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        const std::string path = at("textures", i) + ".";
+        const auto unless = [&](bool used, const char* key, const std::string& chosen) {
+            if (!used)
+                report.add(path + key, "it is not used with " + chosen);
+        };
+        unless(texture.source == SourceKind::Pattern, "pattern", nameOf(texture.source));
+        unless(texture.source == SourceKind::File, "file", nameOf(texture.source));
+        unless(texture.transparency == Transparency::Stencil, "stencilColor", nameOf(texture.transparency));
+        const bool cached = texture.compression == Compression::Cached;
+        unless(cached || texture.compression == Compression::Driver, "compressedFormat",
+               nameOf(texture.compression));
+        unless(cached, "compressionQuality", nameOf(texture.compression));
+        const bool averages =
+            texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
+        unless(averages, "mipFilter", nameOf(texture.mipmaps));
+        unless(averages, "mipGamma", nameOf(texture.mipmaps));
+        unless(texture.mipmaps != MipPolicy::FromFile, "npot", nameOf(texture.mipmaps));
+    }
+}
+
+constexpr std::array rules{
+    Rule{"texture-setting", Severity::Hint, noEffect},
+    Rule{"texture-not-shown", Severity::Hint, notShown},
+    Rule{"other-texture-choice", Severity::Unused, unused},
+};
+
+} // namespace
+
+std::span<const Rule> textureEffectRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,159 @@
+// Passes, light, material and models.
+
+#include "core/scene/diagnosis_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::diagnosis {
+namespace {
+
+template<class Visit> ///< visit(pass, "passes[0].", number)
+void forEachPass(const Scene& scene, Visit visit) {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p)
+        visit(scene.passes[p], at("passes", p) + ".", p);
+}
+
+void nothingPasses(const Case& about, Report& report) {
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        if (pass.alphaTest && pass.alphaFunc == CompareFunc::Never)
+            report.add(path + "alphaFunc",
+                       nameOf(pass.alphaFunc) + " lets no fragment through: this pass draws nothing",
+                       Fix{"Switch the alpha test off", {{path + "alphaTest", "false"}}});
+        if (pass.depthTest && pass.depthFunc == CompareFunc::Never)
+            report.add(path + "depthFunc",
+                       nameOf(pass.depthFunc) + " lets no fragment through: this pass draws nothing",
+                       Fix{"Set " + nameOf(CompareFunc::LessEqual),
+                           {{path + "depthFunc", nameOf(CompareFunc::LessEqual)}}});
+    });
+}
+
+/// The same triangles have the same depths in every pass (appendix A.2): none is less than itself.
+void hiddenPass(const Case& about, Report& report) {
+    bool drawn = false; // whether a pass before has written the depth of all that one sees
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        const bool strict = pass.depthFunc == CompareFunc::Less;
+        if (drawn && pass.depthTest && strict)
+            report.add(path + "depthFunc",
+                       "a pass before has drawn the same surfaces, and no depth is less than itself: this "
+                       "pass draws nothing",
+                       Fix{"Set " + nameOf(CompareFunc::LessEqual),
+                           {{path + "depthFunc", nameOf(CompareFunc::LessEqual)}}});
+        const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
+        drawn |= pass.depthTest && writes && !pass.alphaTest;
+    });
+}
+
+void noFragmentTest(const Case& about, Report& report) {
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        if (!pass.depthTest)
+            report.add(path + "depthFunc", "the depth test is off");
+        if (!pass.alphaTest) {
+            report.add(path + "alphaFunc", "the alpha test is off");
+            report.add(path + "alphaRef", "the alpha test is off");
+        } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
+            report.add(path + "alphaRef", nameOf(pass.alphaFunc) + " compares with nothing");
+        if (!pass.blend) {
+            report.add(path + "blendSrc", "blending is off");
+            report.add(path + "blendDst", "blending is off");
+        } else if (pass.blendSrc == BlendFactor::One && pass.blendDst == BlendFactor::Zero)
+            report.add(path + "blend", "with these factors the new colour replaces the old one, as without");
+    });
+}
+
+bool isBlack(const glm::vec4& color) {
+    return color.r == 0 && color.g == 0 && color.b == 0;
+}
+
+void noLight(const Case& about, Report& report) {
+    const Scene& scene = about.scene;
+    if (std::ranges::none_of(scene.passes, &Pass::lighting)) {
+        const char* reason = "no pass has lighting";
+        report.add("light", reason);
+        report.add("material.specular", reason);
+        report.add("material.shininess", reason);
+        report.add("material.shadeModel", "without lighting all vertices have the same colour");
+        return;
+    }
+    const bool dull = isBlack(scene.material.specular);
+    const bool unlit = isBlack(scene.light.specular);
+    const char* black =
+        dull ? "the material's specular colour is black" : "the light's specular colour is black";
+    if (dull)
+        report.add("light.specular", black);
+    if (unlit && !dull)
+        report.add("material.specular", black);
+    if (dull || unlit) {
+        for (const char* path : {"material.shininess", "light.colorControl", "light.localViewer"})
+            report.add(path, black);
+    }
+}
+
+/// Coordinates that reach the texture: those of units that are on.
+void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const bool on = std::ranges::any_of(about.scene.passes,
+                                                [&](const Pass& pass) { return pass.units[u].enabled; });
+            const bool ownQ = std::ranges::any_of(about.scene.passes, [&](const Pass& pass) {
+                return pass.units[u].enabled && !pass.units[u].texGenQ.enabled;
+            });
+            if (!on)
+                continue;
+            const auto isBad = [&](const glm::vec4& each) {
+                const bool finite = std::isfinite(each.x) && std::isfinite(each.y) && std::isfinite(each.z) &&
+                                    std::isfinite(each.w);
+                return wantsInfinite ? !finite : finite && ownQ && each.w == 0;
+            };
+            const TexCoords& list = about.scene.models[m].texCoords[u];
+            const auto first = std::ranges::find_if(list, isBad);
+            if (first == list.end())
+                continue;
+            const std::string vertex = std::to_string(first - list.begin());
+            const auto others = std::count_if(first + 1, list.end(), isBad);
+            std::string sentence = wantsInfinite
+                                       ? "a coordinate of vertex " + vertex + " is infinite or no number"
+                                       : "q of vertex " + vertex + " is 0, and s, t and r are divided by it";
+            if (others > 0)
+                sentence += "; so it is with " + std::to_string(others) + " more";
+            report.add(at("models", m) + ".texCoords" + std::to_string(u) + "[" + vertex + "]",
+                       std::move(sentence));
+        }
+    }
+}
+
+void infiniteCoordinates(const Case& about, Report& report) {
+    badCoordinates(about, report, true);
+}
+
+void zeroQ(const Case& about, Report& report) {
+    badCoordinates(about, report, false);
+}
+
+void otherShape(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Shape shape = about.scene.models[m].shape;
+        if (shape == Shape::Sphere)
+            continue;
+        for (const char* key : {"slices", "stacks"})
+            report.add(at("models", m) + "." + key, "a " + nameOf(shape) + " has none");
+    }
+}
+
+constexpr std::array rules{
+    Rule{"infinite-coordinate", Severity::Error, infiniteCoordinates},
+    Rule{"zero-q-of-vertex", Severity::Warning, zeroQ},
+    Rule{"nothing-passes", Severity::Warning, nothingPasses},
+    Rule{"hidden-pass", Severity::Warning, hiddenPass},
+    Rule{"fragment-test", Severity::Hint, noFragmentTest},
+    Rule{"light", Severity::Hint, noLight},
+    Rule{"other-shape", Severity::Unused, otherShape},
+};
+
+} // namespace
+
+std::span<const Rule> passRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,154 @@
+// What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
+
+#include "core/scene/diagnosis_rules.h"
+#include "core/scene/param_text.h"
+
+#include <algorithm>
+
+namespace texplorer::diagnosis {
+namespace {
+
+template<class Visit> ///< visit(texture, its facts, "textures[0].")
+void forEachTexture(const Case& about, Visit visit) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i)
+        visit(about.scene.textures[i], about.textures[i], at("textures", i) + ".");
+}
+
+void missingFile(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (facts.image)
+            return;
+        report.add(path + "file", texture.file.empty() ? "the texture wants an image file, but names none"
+                                                       : texture.file + " can't be found or read");
+    });
+}
+
+/// OpenGL 2.1, section 3.8.10.
+void incomplete(const Case& about, Report& report) {
+    using Rule = reference::CompletenessRule;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (!facts.image || !facts.shown)
+            return;
+        const auto broken = std::ranges::find_if(
+            facts.targets, [](const TargetFacts& each) { return !each.completeness.complete(); });
+        if (broken == facts.targets.end())
+            return;
+        const std::string sentence = broken->completeness.reason + "; drawn as if the unit were off";
+        switch (broken->completeness.rule) {
+        case Rule::BaseLevelMissing:
+            return report.add(path + "baseLevel", sentence,
+                              Fix{"Begin at level 0", {{path + "baseLevel", "0"}}});
+        case Rule::BaseAboveMaxLevel: {
+            // A file that holds few levels sets a limit of its own.
+            const int last = std::min(texture.maxLevel, broken->plan.lastLevel);
+            const std::string level = std::to_string(std::min(texture.baseLevel, last));
+            return report.add(path + "baseLevel", sentence,
+                              Fix{"Begin at level " + level, {{path + "baseLevel", level}}});
+        }
+        default:
+            const bool none = texture.mipmaps == MipPolicy::None;
+            return report.add(path + (none ? "minFilter" : "mipmaps"), sentence,
+                              Fix{"Generate mipmaps", {{path + "mipmaps", nameOf(MipPolicy::Generated)}}});
+        }
+    });
+}
+
+/// Section 3.8.8, equation 3.18: λ is undefined where its limits have changed places.
+void lodRange(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (texture.minLod <= texture.maxLod)
+            return;
+        const std::string low = formatNumber(texture.minLod);
+        const std::string high = formatNumber(texture.maxLod);
+        report.add(path + "minLod",
+                   "the least level of detail, " + low + ", exceeds the greatest, " + high +
+                       ": OpenGL leaves undefined what is drawn",
+                   Fix{"Exchange them", {{path + "minLod", high}, {path + "maxLod", low}}});
+    });
+}
+
+void anisotropyLimit(const Case& about, Report& report) {
+    const float limit = about.driver.maxAnisotropy;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (texture.maxAnisotropy <= limit)
+            return;
+        const std::string most = formatNumber(limit);
+        report.add(path + "maxAnisotropy",
+                   limit <= 1 ? std::string("the driver has no anisotropic filtering")
+                              : "an anisotropy of " + formatNumber(texture.maxAnisotropy) +
+                                    " exceeds the driver's " + most + ", which is used instead",
+                   Fix{"Set it to " + most, {{path + "maxAnisotropy", most}}});
+    });
+}
+
+bool isPowerOfTwo(const PlannedLevel& level) {
+    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
+    return power(level.width) && power(level.height) && power(level.depth);
+}
+
+std::string extentsOf(const PlannedLevel& level) {
+    std::string text = std::to_string(level.width) + " x " + std::to_string(level.height);
+    return level.depth > 1 ? text + " x " + std::to_string(level.depth) : text;
+}
+
+void nonPowerOfTwo(const Case& about, Report& report) {
+    if (about.driver.nonPowerOfTwo)
+        return;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        const LevelPlan& plan = facts.targets.front().plan;
+        if (plan.levels.empty() || isPowerOfTwo(plan.levels.front()))
+            return;
+        std::optional<Fix> fix;
+        if (texture.mipmaps != MipPolicy::FromFile)
+            fix = Fix{"Scale it", {{path + "npot", nameOf(NpotPolicy::PowerOfTwo)}}};
+        report.add(path + "npot",
+                   extentsOf(plan.levels.front()) +
+                       " texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
+                   std::move(fix));
+    });
+}
+
+void sizeLimit(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        for (const TargetFacts& each : facts.targets) {
+            const int limit = each.target == Target::Texture3D ? about.driver.max3DTextureSize
+                                                               : about.driver.maxTextureSize;
+            if (each.plan.levels.empty())
+                continue;
+            const PlannedLevel& base = each.plan.levels.front();
+            if (std::max({base.width, base.height, base.depth}) <= limit)
+                continue;
+            report.add(path + (texture.source == SourceKind::File ? "file" : "pattern"),
+                       extentsOf(base) + " texels exceed the driver's " + std::to_string(limit) + " for " +
+                           nameOf(each.target) + ": drawn without it");
+        }
+    });
+}
+
+void lacksFormat(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
+        const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
+        if (!blocks || (isS3tc(*blocks) ? about.driver.s3tc : about.driver.rgtc))
+            return;
+        report.add(path + "compression",
+                   "the driver has no " + nameOf(*blocks) + ": the texture is uploaded decompressed");
+    });
+}
+
+constexpr std::array rules{
+    Rule{"missing-file", Severity::Error, missingFile, true},
+    Rule{"size-limit", Severity::Error, sizeLimit, true},
+    Rule{"incomplete", Severity::Warning, incomplete},
+    Rule{"lod-range", Severity::Warning, lodRange},
+    Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},
+    Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
+    Rule{"missing-format", Severity::Warning, lacksFormat, true},
+};
+
+} // namespace
+
+std::span<const Rule> textureRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,17 @@
+#include "core/scene/initial_like.h"
+
+namespace texplorer {
+
+Scene initialLike(const Scene& scene) {
+    Scene initial;
+    initial.models.resize(scene.models.size());
+    initial.textures.resize(scene.textures.size());
+    initial.passes.resize(scene.passes.size());
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            initial.passes[p].units[u].matrix.resize(scene.passes[p].units[u].matrix.size());
+    }
+    return initial;
+}
+
+} // namespace texplorer

@@ -1,0 +1,31 @@
+#pragma once
+
+// Which levels a texture will have, without making any: what completeness and size limits can be judged by.
+
+#include "core/image/texture_image.h"
+#include "core/scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace texplorer {
+
+struct PlannedLevel {
+    int number = 0; ///< GL's: 0 is the base
+    int width = 0;
+    int height = 1;
+    int depth = 1;
+
+    bool operator==(const PlannedLevel&) const = default;
+};
+
+struct LevelPlan {
+    std::vector<PlannedLevel> levels;  ///< ascending
+    int lastLevel = 1000;              ///< as TextureLevels has it
+    std::optional<BlockFormat> blocks; ///< kept from the file, or what the driver shall compress to
+};
+
+/// The numbers and extents that prepareLevels would give, at once for any size. Empty for an empty image.
+[[nodiscard]] LevelPlan planLevels(const Texture& texture, const TextureImage& image, Target target);
+
+} // namespace texplorer
