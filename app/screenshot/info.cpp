@@ -45,9 +45,10 @@ std::size_t columnsOf(std::string_view text) {
         std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
+/// A text too long for its column still stands apart from what follows.
 std::string padded(std::string text, std::size_t width) {
     const std::size_t columns = columnsOf(text);
-    return text.append(columns < width ? width - columns : 0, ' ');
+    return text.append(columns < width ? width - columns : 2, ' ');
 }
 
 /// What the levels of one face cost; there is no source here that they could be compared with.
