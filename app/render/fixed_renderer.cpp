@@ -1,19 +1,11 @@
 #include "app/render/fixed_renderer.h"
 
 #include "app/render/fixed_state.h"
-#include "app/render/gl_errors.h"
-#include "app/render/mesh_cache.h"
-#include "app/render/render_target.h"
-#include "app/render/state_guard.h"
-#include "app/render/texture_cache.h"
-#include "core/scene/animation.h"
+#include "app/render/pipeline.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <new>
+#include <string>
 
 namespace texplorer::render {
 
@@ -24,182 +16,47 @@ void loadMatrix(GLenum mode, const glm::mat4& matrix) {
     glLoadMatrixf(glm::value_ptr(matrix));
 }
 
-Size largestPicture(const Capabilities& capabilities) {
-    std::array<GLint, 2> viewport{};
-    GLint renderbuffer = 0;
-    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
-    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
-    const int limit = std::min(renderbuffer, capabilities.maxTextureSize);
-    return {std::min(limit, viewport[0]), std::min(limit, viewport[1])};
-}
+class FixedPipeline : public Pipeline {
+public:
+    explicit FixedPipeline(int textureUnits)
+        : textureUnits_(textureUnits) {}
+
+    [[nodiscard]] VertexInput vertexInput() const override { return VertexInput::FixedArrays; }
+
+    void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) override {
+        loadMatrix(GL_PROJECTION, projection);
+        loadMatrix(GL_MODELVIEW, glm::mat4(1));
+        applyLightAndMaterial(scene.light, scene.material);
+        errors.check("glLight, glMaterial");
+    }
+
+    [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
+                                 double time, GlErrors& errors) override {
+        applyFixedPass(scene.passes[pass]);
+        loadMatrix(GL_MODELVIEW, glm::mat4(1));
+        for (int i = 0; i < maxUnits; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            if (textures[at].name != 0)
+                applyUnit(i, scene.passes[pass].units[at], textures[at], time);
+            else if (i < textureUnits_)
+                switchUnitOff(i);
+            errors.check("passes[" + std::to_string(pass) + "].units[" + std::to_string(i) +
+                         "]: glTexEnv, glTexGen");
+        }
+        glMatrixMode(GL_MODELVIEW);
+        return true;
+    }
+
+    void placeModel(const glm::mat4& modelView) override { glLoadMatrixf(glm::value_ptr(modelView)); }
+
+private:
+    int textureUnits_;
+};
 
 } // namespace
 
-struct FixedRenderer::State {
-    explicit State(const Capabilities& given)
-        : capabilities(given)
-        , limit(largestPicture(given))
-        , textures(given) {}
-
-    void drawScene(const Scene& scene, const ImageSource& images, double time, Size size);
-    std::array<CoordUse, maxUnits> applyUnits(const Scene& scene, std::size_t passIndex,
-                                              const ImageSource& images, double time);
-    BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
-                           const ImageSource& images);
-
-    Capabilities capabilities;
-    Size limit;
-    RenderTarget target;
-    TextureCache textures;
-    MeshCache meshes;
-    LevelsSource* levels = nullptr; // of the frame that is being drawn
-    GlErrors errors;                // of the frame that is being drawn
-};
-
-FixedRenderer::FixedRenderer(std::unique_ptr<State> state)
-    : state_(std::move(state)) {}
-FixedRenderer::FixedRenderer(FixedRenderer&&) noexcept = default;
-FixedRenderer& FixedRenderer::operator=(FixedRenderer&&) noexcept = default;
-FixedRenderer::~FixedRenderer() = default;
-
 Result<FixedRenderer> FixedRenderer::create(const Capabilities& capabilities) {
-    return FixedRenderer(std::make_unique<State>(capabilities));
-}
-
-Result<Frame> FixedRenderer::draw(const Scene& scene, const ImageSource& images, double time, Size size,
-                                  LevelsSource* levels) {
-    State& state = *state_;
-    if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
-        size.height > state.limit.height)
-        return fail(ErrorCode::OutOfRange,
-                    "a picture has 1 x 1 to " + asText(state.limit) + " pixels, not " + asText(size));
-    const auto begin = std::chrono::steady_clock::now();
-    state.errors = {};
-    state.levels = levels;
-    state.errors.check("before the scene was drawn"); // somebody else's, but nobody has reported it
-    try {
-        const StateGuard guard;
-        state.errors.check("glPushAttrib");
-        if (const Result<void> bound = state.target.bind(size); !bound)
-            return fail(bound.error());
-        state.drawScene(scene, images, time, size);
-    } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
-    }
-    state.errors.check("glPopAttrib");
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return Frame{state.target.texture(), size, elapsed.count(), state.errors.sentences(),
-                 state.textures.isUploading()};
-}
-
-void FixedRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {
-    glViewport(0, 0, size.width, size.height);
-    const glm::vec4& background = scene.view.background;
-    glClearColor(background.r, background.g, background.b, background.a);
-    glClearDepth(1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    errors.check("glClear");
-
-    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    loadMatrix(GL_PROJECTION, projectionMatrix(scene.view, aspect));
-    loadMatrix(GL_MODELVIEW, glm::mat4(1));
-    applyLightAndMaterial(scene.light, scene.material);
-    errors.check("glLight, glMaterial");
-
-    textures.keepFirst(scene.textures.size());
-    meshes.beginFrame();
-    const glm::mat4 view = viewMatrix(scene.view);
-    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
-        const std::string where = "passes[" + std::to_string(i) + "]";
-        applyPass(scene.passes[i]);
-        errors.check(where + ": glDepthFunc, glAlphaFunc, glBlendFunc");
-        loadMatrix(GL_MODELVIEW, glm::mat4(1));
-        const std::array<CoordUse, maxUnits> units = applyUnits(scene, i, images, time);
-        glMatrixMode(GL_MODELVIEW);
-        for (std::size_t m = 0; m < scene.models.size(); ++m) {
-            const Model& model = scene.models[m];
-            if (!model.visible)
-                continue;
-            glLoadMatrixf(glm::value_ptr(view * modelMatrix(model, time)));
-            meshes.bind(model, m, units);
-            meshes.draw();
-        }
-        errors.check(where + ": glDrawRangeElements");
-    }
-}
-
-std::array<CoordUse, maxUnits> FixedRenderer::State::applyUnits(const Scene& scene, std::size_t passIndex,
-                                                                const ImageSource& images, double time) {
-    std::array<CoordUse, maxUnits> uses{};
-    const Pass& pass = scene.passes[passIndex];
-    for (int i = 0; i < maxUnits; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Unit& unit = pass.units[at];
-        const std::string where =
-            "passes[" + std::to_string(passIndex) + "].units[" + std::to_string(i) + "]";
-        const BoundTexture texture = unit.enabled ? textureOf(scene, unit, i, where, images) : BoundTexture{};
-        if (texture.name != 0) {
-            uses[at] = texture.lateFlip == LateFlip::Coordinates ? CoordUse::Flipped : CoordUse::AsGiven;
-            applyUnit(i, unit, texture, time);
-        } else if (i < capabilities.textureUnits)
-            switchUnitOff(i);
-        errors.check(where + ": glTexEnv, glTexGen");
-    }
-    return uses;
-}
-
-BoundTexture FixedRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
-                                             const std::string& where, const ImageSource& images) {
-    if (unitIndex >= capabilities.textureUnits) {
-        errors.add(where + ": the driver has " + std::to_string(capabilities.textureUnits) +
-                   " texture units; drawn without this one");
-        return {};
-    }
-    if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
-        errors.add(where + ": there is no texture " + std::to_string(unit.texture) + ", the scene has " +
-                   std::to_string(scene.textures.size()) + "; drawn without it");
-        return {};
-    }
-    // Preparing binds the texture: on its own unit, or it would take the place of another's.
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
-    return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, levels,
-                            errors);
-}
-
-Result<std::vector<TextureLevel>> FixedRenderer::readTexture(std::size_t index, Target target) {
-    const TextureObject* object = state_->textures.find(index, target);
-    if (!object)
-        return fail(ErrorCode::NotFound, "it has not been drawn as " + std::string(rowOf(target).name),
-                    "textures[" + std::to_string(index) + "]");
-    try {
-        const StateGuard guard;
-        static_cast<void>(GlErrors().check("before the texture was read"));
-        return object->read();
-    } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the levels of the texture");
-    }
-}
-
-Result<Image> FixedRenderer::read() {
-    State& state = *state_;
-    const Size size = state.target.size();
-    if (size == Size{})
-        return fail(ErrorCode::NotFound, "there is no picture to read: nothing has been drawn yet");
-
-    Image image;
-    try {
-        image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
-    } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for a picture of " + asText(size) + " pixels");
-    }
-    const StateGuard guard;
-    static_cast<void>(
-        GlErrors().check("before the picture was read")); // an older error says nothing about this
-    glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
-    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    if (GlErrors errors; !errors.check("glReadPixels"))
-        return fail(ErrorCode::Driver, errors.sentences().front());
-    return image;
+    return FixedRenderer(capabilities, std::make_unique<FixedPipeline>(capabilities.textureUnits));
 }
 
 } // namespace texplorer::render

@@ -1,48 +1,16 @@
 #pragma once
 
-#include "app/render/capabilities.h"
-#include "app/render/frame.h"
-#include "core/base/result.h"
-#include "core/image/image.h"
-#include "core/scene/image_source.h"
-#include "core/scene/levels_source.h"
-#include "core/scene/scene.h"
-#include "core/scene/texture_levels.h"
-
-#include <memory>
+#include "app/render/scene_renderer.h"
 
 namespace texplorer::render {
 
-/// Draws a Scene with OpenGL's fixed-function pipeline into a framebuffer object of its own. One per context,
-/// on the thread where that is current, destroyed before the context is. Leaves the caller's GL state as it
-/// found it.
-class FixedRenderer {
+/// Draws a Scene with OpenGL's fixed-function pipeline.
+class FixedRenderer : public SceneRenderer {
 public:
     [[nodiscard]] static Result<FixedRenderer> create(const Capabilities& capabilities);
-    FixedRenderer(const FixedRenderer&) = delete;
-    FixedRenderer& operator=(const FixedRenderer&) = delete;
-    FixedRenderer(FixedRenderer&&) noexcept;
-    FixedRenderer& operator=(FixedRenderer&&) noexcept;
-    ~FixedRenderer();
-
-    /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
-    /// does not end the drawing: it is reported in Frame::problems. Without `levels` the textures are made
-    /// and uploaded before the drawing; with it, a texture is what it was before until they are.
-    [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size,
-                                     LevelsSource* levels = nullptr);
-
-    /// The levels of one of the textures that the last scene was drawn with, as the driver holds them: what
-    /// it compressed is read back as blocks. Refused where the texture was not drawn with this target.
-    [[nodiscard]] Result<std::vector<TextureLevel>> readTexture(std::size_t index,
-                                                                Target target = Target::Texture2D);
-
-    /// Reads the last picture back: Rgba8, bottom row first.
-    [[nodiscard]] Result<Image> read();
 
 private:
-    struct State;
-    explicit FixedRenderer(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    using SceneRenderer::SceneRenderer;
 };
 
 } // namespace texplorer::render

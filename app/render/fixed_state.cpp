@@ -97,14 +97,10 @@ void applyLightAndMaterial(const Light& light, const Material& material) {
     glShadeModel(static_cast<GLenum>(material.shadeModel));
 }
 
-void applyPass(const Pass& pass) {
+void applyFixedPass(const Pass& pass) {
     setEnabled(GL_LIGHTING, pass.lighting);
-    setEnabled(GL_DEPTH_TEST, pass.depthTest);
-    glDepthFunc(static_cast<GLenum>(pass.depthFunc));
     setEnabled(GL_ALPHA_TEST, pass.alphaTest);
     glAlphaFunc(static_cast<GLenum>(pass.alphaFunc), pass.alphaRef);
-    setEnabled(GL_BLEND, pass.blend);
-    glBlendFunc(static_cast<GLenum>(pass.blendSrc), static_cast<GLenum>(pass.blendDst));
 }
 
 void switchUnitOff(int index) {

@@ -11,8 +11,8 @@ namespace texplorer::render {
 /// identity: the light stands in eye coordinates.
 void applyLightAndMaterial(const Light& light, const Material& material);
 
-/// Lighting on or off and the per-fragment operations of a pass.
-void applyPass(const Pass& pass);
+/// Lighting on or off and the alpha test.
+void applyFixedPass(const Pass& pass);
 
 /// The texture bound to one unit, its environment and its matrix at `time`; with LateFlip::Matrix the matrix
 /// begins with t -> 1 - t. The modelview matrix must be the identity: eye planes are in eye coordinates.

@@ -111,6 +111,7 @@ void LiveTexture::finish() {
     const TextureLevels& levels = **next.levels;
     lastLevel_ = levels.lastLevel;
     lateFlip_ = levels.lateFlip;
+    shape_ = reference::shapeOf(levels, next.request.settings.internalFormat, next.request.target);
     object_ = std::move(next.object);
     errors_ = std::move(next.errors);
     shown_ = next.request;

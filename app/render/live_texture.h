@@ -3,6 +3,7 @@
 #include "app/render/capabilities.h"
 #include "app/render/gl_errors.h"
 #include "app/render/texture_object.h"
+#include "core/reference/sampled_texture.h"
 #include "core/scene/levels_source.h"
 
 #include <memory>
@@ -29,6 +30,9 @@ public:
     [[nodiscard]] const TextureObject& object() const { return object_; }
     [[nodiscard]] int lastLevel() const { return lastLevel_; }
     [[nodiscard]] LateFlip lateFlip() const { return lateFlip_; }
+
+    /// Its base format and the extents of its levels, without texels: enough to say whether it is complete.
+    [[nodiscard]] const reference::SampledTexture& shape() const { return shape_; }
 
     /// What there is to say of it: the same sentences with every frame, for as long as it is like this.
     [[nodiscard]] const GlErrors& errors() const { return cancelled_ ? cancelledErrors_ : errors_; }
@@ -63,6 +67,7 @@ private:
     TextureObject object_;
     int lastLevel_ = 1000;
     LateFlip lateFlip_ = LateFlip::None;
+    reference::SampledTexture shape_;
     GlErrors errors_;
     bool cancelled_ = false;
     GlErrors cancelledErrors_; ///< instead of errors_, while it is

@@ -1,5 +1,6 @@
 #include "app/render/mesh_cache.h"
 
+#include "app/render/vertex_attributes.h"
 #include "core/scene/tex_coords.h"
 
 #include <cstddef>
@@ -60,18 +61,41 @@ void MeshCache::bind(const Model& model, std::size_t index, const std::array<Coo
 
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, slot.triangles.name());
     glBindBuffer(GL_ARRAY_BUFFER, slot.vertices.name());
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(3, GL_FLOAT, sizeof(Vertex), offsetInBuffer(offsetof(Vertex, position)));
-    glEnableClientState(GL_NORMAL_ARRAY);
-    glNormalPointer(GL_FLOAT, sizeof(Vertex), offsetInBuffer(offsetof(Vertex, normal)));
+    pointAtVertices();
     for (int unit = 0; unit < maxUnits; ++unit) {
         const CoordUse use = units[static_cast<std::size_t>(unit)];
         if (use == CoordUse::Off)
             continue;
-        glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
         bindCoords(model, key, {index, unit}, use);
     }
+}
+
+void MeshCache::pointAtVertices() const {
+    const void* position = offsetInBuffer(offsetof(Vertex, position));
+    const void* normal = offsetInBuffer(offsetof(Vertex, normal));
+    if (input_ == VertexInput::Attributes) {
+        glEnableVertexAttribArray(positionAttribute);
+        glVertexAttribPointer(positionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), position);
+        glEnableVertexAttribArray(normalAttribute);
+        glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), normal);
+        return;
+    }
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(3, GL_FLOAT, sizeof(Vertex), position);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glNormalPointer(GL_FLOAT, sizeof(Vertex), normal);
+}
+
+void MeshCache::pointAtCoords(int unit, int stride, std::size_t offset) const {
+    if (input_ == VertexInput::Attributes) {
+        const GLuint attribute = firstCoordAttribute + static_cast<GLuint>(unit);
+        glEnableVertexAttribArray(attribute);
+        glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, stride, offsetInBuffer(offset));
+        return;
+    }
+    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glTexCoordPointer(4, GL_FLOAT, stride, offsetInBuffer(offset));
 }
 
 void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey,
@@ -80,8 +104,7 @@ void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const Coo
     const TexCoords& list = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
     if (list.empty() && use == CoordUse::AsGiven) {
         glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
-        glTexCoordPointer(4, GL_FLOAT, sizeof(Vertex), offsetInBuffer(offsetof(Vertex, texCoord)));
-        return;
+        return pointAtCoords(coordKey.unit, sizeof(Vertex), offsetof(Vertex, texCoord));
     }
     auto [found, isNew] = coords_.try_emplace(coordKey);
     CoordSlot& slot = found->second;
@@ -98,7 +121,7 @@ void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const Coo
     }
     slot.used = true;
     glBindBuffer(GL_ARRAY_BUFFER, slot.buffer.name());
-    glTexCoordPointer(4, GL_FLOAT, 0, offsetInBuffer(0));
+    pointAtCoords(coordKey.unit, 0, 0);
 }
 
 void MeshCache::draw() const {

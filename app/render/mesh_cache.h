@@ -16,10 +16,17 @@ enum class CoordUse : std::uint8_t {
     Flipped, ///< t becomes q - t, so that t / q becomes 1 - t / q
 };
 
+/// Where vertices go: to the arrays of fixed function (glVertexPointer and its like), or to the attributes of
+/// a shader.
+enum class VertexInput : std::uint8_t { FixedArrays, Attributes };
+
 /// The vertex and index buffers of a scene's models. They are filled when a shape or a texture coordinate
 /// changed.
 class MeshCache {
 public:
+    explicit MeshCache(VertexInput input = VertexInput::FixedArrays)
+        : input_(input) {}
+
     /// Begins a frame: what was not drawn in the one before it is forgotten.
     void beginFrame();
 
@@ -58,8 +65,11 @@ private:
 
     static MeshKey keyOf(const Model& model);
     MeshSlot& meshOf(const MeshKey& key);
+    void pointAtVertices() const;
+    void pointAtCoords(int unit, int stride, std::size_t offset) const;
     void bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey, CoordUse use);
 
+    VertexInput input_;
     std::map<MeshKey, MeshSlot> meshes_;
     std::map<CoordKey, CoordSlot> coords_;
     const MeshSlot* bound_ = nullptr;

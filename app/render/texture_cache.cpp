@@ -1,5 +1,6 @@
 #include "app/render/texture_cache.h"
 
+#include "core/reference/completeness.h"
 #include "core/scene/param_text.h"
 
 #include <algorithm>
@@ -31,7 +32,11 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     Texture applied = texture;
     applied.maxLevel = std::min(applied.maxLevel, slot.lastLevel());
     slot.object().apply(applied, capabilities_.maxAnisotropy, where, errors);
-    return {slot.object().name(), slot.lateFlip()};
+    reference::SampledTexture shape = slot.shape();
+    reference::setParameters(shape, applied, slot.lastLevel());
+    shape.baseLevel = std::max(0, shape.baseLevel); // GL refuses another, and keeps 0
+    return {slot.object().name(), slot.lateFlip(), shape.format,
+            reference::checkCompleteness(shape).complete()};
 }
 
 const TextureObject* TextureCache::find(std::size_t index, Target target) const {

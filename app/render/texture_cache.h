@@ -14,6 +14,8 @@ namespace texplorer::render {
 struct BoundTexture {
     GLuint name = 0; ///< 0: drawn without it
     LateFlip lateFlip = LateFlip::None;
+    BaseFormat format = BaseFormat::Rgba; ///< the base internal format, which the environment asks for
+    bool complete = true;                 ///< section 3.8.10; fixed function decides that for itself
 };
 
 /// The texture objects of a scene: one for each texture and target that it is used with. Images are uploaded

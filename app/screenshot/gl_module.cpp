@@ -5,7 +5,7 @@
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/capabilities.h"
 #include "app/render/driver_facts.h"
-#include "app/render/fixed_renderer.h"
+#include "app/render/shader_renderer.h"
 #include "app/stage/stage.h"
 #include "app/ui/session.h"
 #include "core/scene/levels_worker.h"
@@ -23,7 +23,8 @@ Result<Picture> drawScene(const Drawing& drawing) {
     const Result<render::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
-    Result<render::FixedRenderer> renderer = render::FixedRenderer::create(*capabilities);
+    Result<render::SceneRenderer> renderer =
+        render::createRenderer(drawing.renderer, *capabilities, {drawing.shaders, {}});
     if (!renderer)
         return fail(renderer.error());
     LevelsWorker levels(LevelsWorker::When::AtOnce, {}, drawing.levels);

@@ -9,6 +9,7 @@
 #include "core/image/image.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/image_source.h"
+#include "core/scene/renderer.h"
 #include "core/scene/scene.h"
 #include "core/scene/texture_levels.h"
 
@@ -22,7 +23,9 @@ struct Drawing {
     render::Size size;               ///< of the picture, in pixels
     bool window = false;             ///< the whole window with its panels, not just the scene
     ui::Tab tab = ui::Tab::Vertices; ///< of the window
-    LevelWork levels{};              ///< how textures are compressed at run time
+    RendererKind renderer = RendererKind::Fixed;
+    std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
+    LevelWork levels{};            ///< how textures are compressed at run time
 };
 
 struct Picture {

@@ -24,6 +24,8 @@ struct Options {
     std::string time = "0";
     bool window = false;
     std::string tab;
+    std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
+    std::string shaders;
     std::string out;
 };
 
@@ -74,6 +76,14 @@ Result<ui::Tab> parseTab(std::string_view name) {
                 "expected one of " + tabNames() + ", found \"" + std::string(name) + "\"", "--tab");
 }
 
+Result<RendererKind> parseRenderer(std::string_view name) {
+    const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
+    if (const EnumRow* row = findRow(rows, name))
+        return static_cast<RendererKind>(row->value);
+    return fail(ErrorCode::OutOfRange,
+                "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", "--renderer");
+}
+
 ExitCode shoot(const Options& options) {
     const Result<render::Size> size =
         parseSize(options.size, options.window ? smallestWindow : render::Size{1, 1});
@@ -87,6 +97,10 @@ ExitCode shoot(const Options& options) {
     if (!tab)
         return complain(tab.error(), wrongCall);
 
+    const Result<RendererKind> renderer = parseRenderer(options.renderer);
+    if (!renderer)
+        return complain(renderer.error(), wrongCall);
+
     auto opened = openScene(options.scene);
     if (!opened)
         return opened.error();
@@ -96,7 +110,9 @@ ExitCode shoot(const Options& options) {
                     *time,
                     *size,
                     options.window,
-                    *tab};
+                    *tab,
+                    *renderer,
+                    options.shaders};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
@@ -143,6 +159,16 @@ void addShot(CLI::App& app, Action& action) {
         ->add_option("--tab", options->tab,
                      "With --ui: the tab at the lower right, one of " + tabNames() + ".")
         ->needs(window);
+    command
+        ->add_option("--renderer", options->renderer,
+                     "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
+        ->capture_default_str()
+        ->excludes(window);
+    command
+        ->add_option("--shaders", options->shaders,
+                     "The folder of the shader renderer's files, a copy of shaders/. Without it: those that "
+                     "the program was built with.")
+        ->envname("TEXPLORER_SHADERS");
     command->add_option("-o,--out", options->out, "The PNG to write; - for standard output.")->required();
     command->callback([&action, options] { action = [options] { return shoot(*options); }; });
 }

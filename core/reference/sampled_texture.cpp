@@ -108,6 +108,21 @@ SampledTexture sampledTexture(const Texture& texture, const TextureLevels& level
     return sampled;
 }
 
+SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, Target target) {
+    SampledTexture shape;
+    shape.target = target;
+    shape.format = levels.driverFormat ? baseFormat(*levels.driverFormat) : internalFormat;
+    for (const auto& [number, surface] : levels.levels) {
+        const auto at = static_cast<std::size_t>(number);
+        if (shape.levels.size() <= at)
+            shape.levels.resize(at + 1);
+        shape.levels[at] = {widthOf(surface), heightOf(surface), depthOf(surface)};
+        if (const auto* blocks = std::get_if<BlockImage>(&surface))
+            shape.format = baseFormat(blocks->format);
+    }
+    return shape;
+}
+
 void setParameters(SampledTexture& sampled, const Texture& texture, int lastLevel) {
     sampled.magFilter = texture.magFilter;
     sampled.minFilter = texture.minFilter;

@@ -88,6 +88,10 @@ struct SampledTexture {
 [[nodiscard]] SampledTexture sampledTexture(const Texture& texture, const TextureLevels& levels,
                                             Target target, std::vector<std::string>& notes);
 
+/// The same without parameters and without texels: the extents alone, enough to say whether a texture is
+/// complete. `internalFormat` is that of levels that are not compressed.
+[[nodiscard]] SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, Target target);
+
 /// The parameters alone; `lastLevel` is TextureLevels'.
 void setParameters(SampledTexture& sampled, const Texture& texture, int lastLevel);
 

@@ -28,7 +28,7 @@ TEST_F(FixedRenderer, DrawsTheDefaultScene) {
 TEST_F(FixedRenderer, TwoDrawingsAreEqualToTheByte) {
     const Image first = picture(defaultScene(), 128, 1.5);
     EXPECT_EQ(picture(defaultScene(), 128, 1.5), first);
-    auto another = render::FixedRenderer::create(capabilities);
+    auto another = makeRenderer(capabilities);
     ASSERT_TRUE(another);
     renderer = std::move(*another);
     EXPECT_EQ(picture(defaultScene(), 128, 1.5), first);
@@ -64,7 +64,7 @@ TEST_P(Edits, ShowAtOnceAndCanBeTakenBack) {
     EXPECT_NE(after, before);
     EXPECT_EQ(picture(scene, 64), before);
 
-    auto fresh = render::FixedRenderer::create(capabilities);
+    auto fresh = makeRenderer(capabilities);
     ASSERT_TRUE(fresh);
     renderer = std::move(*fresh);
     EXPECT_EQ(picture(edited, 64), after);
@@ -161,7 +161,7 @@ TEST_F(FixedRenderer, ReadingBeforeDrawingIsRefused) {
 }
 
 TEST_F(FixedRenderer, CanBeMoved) {
-    render::FixedRenderer moved = std::move(*renderer);
+    render::SceneRenderer moved = std::move(*renderer);
     EXPECT_TRUE(moved.draw(flatScene(), images, 0, {4, 4}));
     renderer = std::move(moved);
     EXPECT_TRUE(isColor(onlyColor(flatScene()), {1, 1, 1, 1}));

@@ -29,7 +29,7 @@ TEST_P(Problem, IsSaidWithEveryFrameAndDrawnWithout) {
     scene.material.color = untextured;
     render::Capabilities lesser = capabilities;
     GetParam().spoil(scene, lesser);
-    auto made = render::FixedRenderer::create(lesser);
+    auto made = makeRenderer(lesser);
     ASSERT_TRUE(made);
     renderer = std::move(*made);
     for (int frame = 0; frame < 2; ++frame) {
@@ -101,7 +101,7 @@ TEST_F(Problems, OfAnisotropyNameTheDriversLimit) {
     Scene scene = texturedScene();
     scene.textures[0].maxAnisotropy = 8;
     capabilities.maxAnisotropy = 1; // without GL_EXT_texture_filter_anisotropic
-    auto made = render::FixedRenderer::create(capabilities);
+    auto made = makeRenderer(capabilities);
     ASSERT_TRUE(made);
     renderer = std::move(*made);
     for (int frame = 0; frame < 2; ++frame) {

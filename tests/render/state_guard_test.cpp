@@ -351,7 +351,7 @@ TEST_F(BorrowedState, IsReturned) {
 
 TEST_F(BorrowedState, DoesNotReachThePicture) {
     const Image expected = picture(richScene(), 64, 1);
-    auto fresh = FixedRenderer::create(capabilities);
+    auto fresh = makeRenderer(capabilities);
     ASSERT_TRUE(fresh);
     renderer = std::move(*fresh);
     const Caller caller;

@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(All, CompressedByDriver,
 TEST_F(Compressed, TexturesAreDecompressedForADriverWithoutS3tcAndSaidSo) {
     render::Capabilities poor = capabilities;
     poor.s3tc = false;
-    renderer = std::move(*render::FixedRenderer::create(poor));
+    renderer = std::move(*makeRenderer(poor));
     const TextureImage file = randomFile(BlockFormat::Dxt5, 8, 8, 4);
     images.put("image", file);
     const auto levels = levelsOf(sceneWith(Compression::FromFile, MipPolicy::FromFile));

@@ -1,8 +1,19 @@
 #include "tests/support/render_fixture.h"
 
+#include "app/render/shader_renderer.h"
+
 #include <cmath>
 
 namespace texplorer::testing_support {
+
+RendererKind& testedRenderer() {
+    static RendererKind kind = RendererKind::Fixed;
+    return kind;
+}
+
+Result<render::SceneRenderer> makeRenderer(const render::Capabilities& capabilities) {
+    return render::createRenderer(testedRenderer(), capabilities);
+}
 
 void RenderTest::SetUp() {
     Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
@@ -11,7 +22,7 @@ void RenderTest::SetUp() {
     Result<render::Capabilities> loaded = render::loadCapabilities();
     ASSERT_TRUE(loaded) << describe(loaded.error());
     capabilities = *loaded;
-    Result<render::FixedRenderer> made = render::FixedRenderer::create(capabilities);
+    Result<render::SceneRenderer> made = makeRenderer(capabilities);
     ASSERT_TRUE(made) << describe(made.error());
     renderer = std::move(*made);
 }

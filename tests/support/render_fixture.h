@@ -1,8 +1,9 @@
 #pragma once
 
 #include "app/offscreen/osmesa_context.h"
-#include "app/render/fixed_renderer.h"
+#include "app/render/scene_renderer.h"
 #include "core/scene/image_source.h"
+#include "core/scene/renderer.h"
 #include "core/scene/scene.h"
 
 #include <glm/vec4.hpp>
@@ -13,6 +14,13 @@
 #include <vector>
 
 namespace texplorer::testing_support {
+
+/// Which renderer a RenderTest has: fixed function, unless the program was started with --renderer=shader.
+/// Every test runs with both.
+[[nodiscard]] RendererKind& testedRenderer();
+
+/// The renderer that a RenderTest has, for other capabilities.
+[[nodiscard]] Result<render::SceneRenderer> makeRenderer(const render::Capabilities& capabilities);
 
 /// A context without a display and a renderer in it, new for every test.
 class RenderTest : public testing::Test {
@@ -29,7 +37,7 @@ protected:
     render::Capabilities capabilities;
     ImageSource images;
     std::vector<std::string> problems;
-    std::optional<render::FixedRenderer> renderer;
+    std::optional<render::SceneRenderer> renderer;
 
 private:
     std::optional<offscreen::OsmesaContext> context_;

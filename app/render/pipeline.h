@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/render/gl_errors.h"
+#include "app/render/mesh_cache.h"
+#include "app/render/texture_cache.h"
+#include "core/scene/scene.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+
+namespace texplorer::render {
+
+/// One texture a unit; name 0 where a unit is off or its texture can't be drawn.
+using BoundTextures = std::array<BoundTexture, maxUnits>;
+
+/// How state reaches GL: what the renderers that draw with OpenGL do differently. Its functions are called in
+/// this order, with GL's initial state (see StateGuard) at the beginning of a frame.
+class Pipeline {
+public:
+    virtual ~Pipeline() = default;
+
+    /// Which vertex arrays it reads.
+    [[nodiscard]] virtual VertexInput vertexInput() const = 0;
+
+    /// What is the same for all passes.
+    virtual void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) = 0;
+
+    /// Everything that a pass says but its depth test and blending. False where it can't be drawn, which is
+    /// said in `errors`.
+    [[nodiscard]] virtual bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
+                                         double time, GlErrors& errors) = 0;
+
+    /// Before each model.
+    virtual void placeModel(const glm::mat4& modelView) = 0;
+};
+
+} // namespace texplorer::render

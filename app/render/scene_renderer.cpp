@@ -1,0 +1,195 @@
+#include "app/render/scene_renderer.h"
+
+#include "app/render/fragment_state.h"
+#include "app/render/gl_errors.h"
+#include "app/render/mesh_cache.h"
+#include "app/render/pipeline.h"
+#include "app/render/render_target.h"
+#include "app/render/state_guard.h"
+#include "app/render/texture_cache.h"
+#include "core/scene/animation.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <new>
+
+namespace texplorer::render {
+
+namespace {
+
+Size largestPicture(const Capabilities& capabilities) {
+    std::array<GLint, 2> viewport{};
+    GLint renderbuffer = 0;
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+    const int limit = std::min(renderbuffer, capabilities.maxTextureSize);
+    return {std::min(limit, viewport[0]), std::min(limit, viewport[1])};
+}
+
+CoordUse coordUseOf(const BoundTexture& texture) {
+    if (texture.name == 0)
+        return CoordUse::Off;
+    return texture.lateFlip == LateFlip::Coordinates ? CoordUse::Flipped : CoordUse::AsGiven;
+}
+
+} // namespace
+
+struct SceneRenderer::State {
+    State(const Capabilities& given, std::unique_ptr<Pipeline> chosen)
+        : capabilities(given)
+        , pipeline(std::move(chosen))
+        , limit(largestPicture(given))
+        , textures(given)
+        , meshes(pipeline->vertexInput()) {}
+
+    void drawScene(const Scene& scene, const ImageSource& images, double time, Size size);
+    BoundTextures texturesOf(const Scene& scene, std::size_t passIndex, const ImageSource& images);
+    BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
+                           const ImageSource& images);
+
+    Capabilities capabilities;
+    std::unique_ptr<Pipeline> pipeline;
+    Size limit;
+    RenderTarget target;
+    TextureCache textures;
+    MeshCache meshes;
+    LevelsSource* levels = nullptr; // of the frame that is being drawn
+    GlErrors errors;                // of the frame that is being drawn
+};
+
+SceneRenderer::SceneRenderer(const Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline)
+    : state_(std::make_unique<State>(capabilities, std::move(pipeline))) {}
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+SceneRenderer::~SceneRenderer() = default;
+
+Result<Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images, double time, Size size,
+                                  LevelsSource* levels) {
+    State& state = *state_;
+    if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
+        size.height > state.limit.height)
+        return fail(ErrorCode::OutOfRange,
+                    "a picture has 1 x 1 to " + asText(state.limit) + " pixels, not " + asText(size));
+    const auto begin = std::chrono::steady_clock::now();
+    state.errors = {};
+    state.levels = levels;
+    state.errors.check("before the scene was drawn"); // somebody else's, but nobody has reported it
+    try {
+        const StateGuard guard;
+        state.errors.check("glPushAttrib");
+        if (const Result<void> bound = state.target.bind(size); !bound)
+            return fail(bound.error());
+        state.drawScene(scene, images, time, size);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
+    }
+    state.errors.check("glPopAttrib");
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+    return Frame{state.target.texture(), size, elapsed.count(), state.errors.sentences(),
+                 state.textures.isUploading()};
+}
+
+void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {
+    glViewport(0, 0, size.width, size.height);
+    const glm::vec4& background = scene.view.background;
+    glClearColor(background.r, background.g, background.b, background.a);
+    glClearDepth(1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    errors.check("glClear");
+
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    pipeline->beginFrame(scene, projectionMatrix(scene.view, aspect), errors);
+    textures.keepFirst(scene.textures.size());
+    meshes.beginFrame();
+    const glm::mat4 view = viewMatrix(scene.view);
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        const std::string where = "passes[" + std::to_string(i) + "]";
+        applyDepthAndBlend(scene.passes[i]);
+        errors.check(where + ": glDepthFunc, glBlendFunc");
+        const BoundTextures bound = texturesOf(scene, i, images);
+        if (!pipeline->beginPass(scene, i, bound, time, errors))
+            continue;
+        std::array<CoordUse, maxUnits> uses{};
+        std::ranges::transform(bound, uses.begin(), coordUseOf);
+        for (std::size_t m = 0; m < scene.models.size(); ++m) {
+            const Model& model = scene.models[m];
+            if (!model.visible)
+                continue;
+            pipeline->placeModel(view * modelMatrix(model, time));
+            meshes.bind(model, m, uses);
+            meshes.draw();
+        }
+        errors.check(where + ": glDrawRangeElements");
+    }
+}
+
+BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t passIndex,
+                                               const ImageSource& images) {
+    BoundTextures bound{};
+    for (int i = 0; i < maxUnits; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Unit& unit = scene.passes[passIndex].units[at];
+        if (unit.enabled)
+            bound[at] = textureOf(
+                scene, unit, i, "passes[" + std::to_string(passIndex) + "].units[" + std::to_string(i) + "]",
+                images);
+    }
+    return bound;
+}
+
+BoundTexture SceneRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
+                                             const std::string& where, const ImageSource& images) {
+    if (unitIndex >= capabilities.textureUnits) {
+        errors.add(where + ": the driver has " + std::to_string(capabilities.textureUnits) +
+                   " texture units; drawn without this one");
+        return {};
+    }
+    if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
+        errors.add(where + ": there is no texture " + std::to_string(unit.texture) + ", the scene has " +
+                   std::to_string(scene.textures.size()) + "; drawn without it");
+        return {};
+    }
+    // Preparing binds the texture: on its own unit, or it would take the place of another's.
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
+    return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, levels,
+                            errors);
+}
+
+Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, Target target) {
+    const TextureObject* object = state_->textures.find(index, target);
+    if (!object)
+        return fail(ErrorCode::NotFound, "it has not been drawn as " + std::string(rowOf(target).name),
+                    "textures[" + std::to_string(index) + "]");
+    try {
+        const StateGuard guard;
+        static_cast<void>(GlErrors().check("before the texture was read"));
+        return object->read();
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the levels of the texture");
+    }
+}
+
+Result<Image> SceneRenderer::read() {
+    State& state = *state_;
+    const Size size = state.target.size();
+    if (size == Size{})
+        return fail(ErrorCode::NotFound, "there is no picture to read: nothing has been drawn yet");
+
+    Image image;
+    try {
+        image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for a picture of " + asText(size) + " pixels");
+    }
+    const StateGuard guard;
+    static_cast<void>(
+        GlErrors().check("before the picture was read")); // an older error says nothing about this
+    glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    if (GlErrors errors; !errors.check("glReadPixels"))
+        return fail(ErrorCode::Driver, errors.sentences().front());
+    return image;
+}
+
+} // namespace texplorer::render

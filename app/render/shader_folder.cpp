@@ -1,0 +1,44 @@
+#include "app/render/shader_folder.h"
+
+#include "core/base/file_io.h"
+
+#include <utility>
+
+namespace texplorer::render {
+
+namespace {
+constexpr std::size_t maxFileBytes = std::size_t{1} << 20;
+}
+
+ShaderFolder::ShaderFolder(std::filesystem::path folder, std::function<void()> wake)
+    : folder_(std::move(folder))
+    , watch_(std::move(wake)) {
+    std::vector<std::filesystem::path> files;
+    for (const ShaderFile& file : embeddedShaderFiles())
+        files.push_back(folder_ / file.name);
+    watch_.watch(std::move(files));
+}
+
+bool ShaderFolder::refresh() {
+    if (watch_.changed().empty() && std::exchange(isRead_, true))
+        return false;
+    isRead_ = true;
+    Result<ShaderPieces> pieces = read();
+    problem_ = pieces ? std::string() : describe(pieces.error());
+    if (pieces)
+        pieces_ = std::move(*pieces);
+    return pieces.has_value();
+}
+
+Result<ShaderPieces> ShaderFolder::read() const {
+    std::vector<ShaderFile> files;
+    for (const ShaderFile& wanted : embeddedShaderFiles()) {
+        Result<std::string> text = readText(folder_ / wanted.name, maxFileBytes);
+        if (!text)
+            return fail(text.error());
+        files.push_back({wanted.name, std::move(*text)});
+    }
+    return ShaderPieces::parse(files);
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/render/shader_pieces.h"
+#include "core/base/file_watch.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace texplorer::render {
+
+/// The shaders' files in a folder, read again when one of them has changed.
+class ShaderFolder {
+public:
+    /// `wake` is called on another thread when `refresh` has something to do.
+    explicit ShaderFolder(std::filesystem::path folder, std::function<void()> wake = {});
+
+    /// Reads what has changed. True where `pieces` are other ones than before.
+    bool refresh();
+
+    /// Of the files as they are; else the last ones that could be read, or none, and `problem` says why.
+    [[nodiscard]] const std::optional<ShaderPieces>& pieces() const { return pieces_; }
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+private:
+    [[nodiscard]] Result<ShaderPieces> read() const;
+
+    std::filesystem::path folder_;
+    FileWatch watch_;
+    bool isRead_ = false;
+    std::optional<ShaderPieces> pieces_;
+    std::string problem_;
+};
+
+} // namespace texplorer::render

@@ -1,0 +1,195 @@
+#include "app/render/shader_renderer.h"
+
+#include "app/render/fixed_renderer.h"
+#include "app/render/pipeline.h"
+#include "app/render/shader_folder.h"
+#include "app/render/shader_program.h"
+#include "core/scene/animation.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace texplorer::render {
+
+namespace {
+
+/// Programs are few: a scene has at most eight passes. What is beyond this was used while somebody edited.
+constexpr std::size_t maxPrograms = 256;
+
+SampledUnits sampledUnits(const BoundTextures& textures) {
+    SampledUnits units;
+    std::ranges::transform(textures, units.begin(), [](const BoundTexture& texture) {
+        return texture.name != 0 && texture.complete
+                   ? std::optional(SampledUnit{texture.format, texture.lateFlip})
+                   : std::nullopt;
+    });
+    return units;
+}
+
+/// The light, the material and the alpha test: what is the same for every model and unit.
+void setPass(const ShaderProgram& program, const Scene& scene, const Pass& pass) {
+    const Light& light = scene.light;
+    const Material& material = scene.material;
+    program.set("color", material.color);
+    program.set("lightPosition", light.position);
+    program.set("lightAmbient", glm::vec3(light.ambient));
+    program.set("lightDiffuse", glm::vec3(light.diffuse));
+    program.set("lightSpecular", glm::vec3(light.specular));
+    program.set("modelAmbient", glm::vec3(light.modelAmbient));
+    program.set("materialSpecular", glm::vec3(material.specular));
+    program.set("shininess", material.shininess);
+    program.set("alphaReference", std::round(std::clamp(pass.alphaRef, 0.0F, 1.0F) * 255));
+}
+
+void setTexGen(const ShaderProgram& program, const std::string& uniform, const TexGen& generated) {
+    program.set(uniform,
+                generated.mode == TexGenMode::ObjectLinear ? generated.objectPlane : generated.eyePlane);
+}
+
+/// t -> 1 - t: what is left to do for a texture that was uploaded upside down.
+glm::mat4 flippedMatrix() {
+    glm::mat4 flip(1);
+    flip[1].y = -1;
+    flip[3].y = 1;
+    return flip;
+}
+
+void setUnit(const ShaderProgram& program, int index, const Unit& unit, const SampledUnit& sampled,
+             double time) {
+    const std::string number = std::to_string(index);
+    program.set("texture" + number, index);
+    program.set("environmentColor" + number, glm::clamp(unit.envColor, 0.0F, 1.0F));
+    program.set("lodBias" + number, unit.lodBias);
+    setTexGen(program, "plane" + number + "s", unit.texGenS);
+    setTexGen(program, "plane" + number + "t", unit.texGenT);
+    setTexGen(program, "plane" + number + "r", unit.texGenR);
+    setTexGen(program, "plane" + number + "q", unit.texGenQ);
+    if (hasTextureMatrix(unit, sampled)) {
+        const glm::mat4 matrix = textureMatrix(unit.matrix, time);
+        program.set("textureMatrix" + number,
+                    sampled.lateFlip == LateFlip::Matrix ? flippedMatrix() * matrix : matrix);
+    }
+}
+
+class ShaderPipeline : public Pipeline {
+public:
+    explicit ShaderPipeline(const ShaderOptions& options) {
+        if (!options.folder.empty())
+            folder_.emplace(options.folder, options.wake);
+    }
+
+    [[nodiscard]] VertexInput vertexInput() const override { return VertexInput::Attributes; }
+
+    void beginFrame(const Scene& /*scene*/, const glm::mat4& projection, GlErrors& errors) override {
+        projection_ = projection;
+        if (programs_.size() > maxPrograms)
+            programs_.clear();
+        if (!folder_)
+            return;
+        if (folder_->refresh())
+            newest_ = *folder_->pieces();
+        if (!folder_->problem().empty())
+            errors.add(folder_->problem() + "; the last shaders that could be read stay");
+    }
+
+    [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
+                                 double time, GlErrors& errors) override {
+        const std::string where = "passes[" + std::to_string(pass) + "]";
+        const SampledUnits units = sampledUnits(textures);
+        program_ = programOf(scene, pass, units, where, errors);
+        if (!program_)
+            return false;
+        program_->use();
+        setPass(*program_, scene, scene.passes[pass]);
+        for (int i = 0; i < maxUnits; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            if (!units[at])
+                continue;
+            const Unit& unit = scene.passes[pass].units[at];
+            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+            glBindTexture(static_cast<GLenum>(unit.target), textures[at].name);
+            glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it adds to the shader's
+            setUnit(*program_, i, unit, *units[at], time);
+        }
+        errors.check(where + ": glUniform");
+        return true;
+    }
+
+    void placeModel(const glm::mat4& modelView) override {
+        program_->set("modelView", modelView);
+        program_->set("modelViewProjection", projection_ * modelView);
+        program_->set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(modelView))));
+    }
+
+private:
+    using Compiled = tl::expected<ShaderProgram, ShaderProgram::Log>;
+
+    /// Of the newest pieces; where those don't compile, of the last ones that did.
+    const ShaderProgram* programOf(const Scene& scene, std::size_t pass, const SampledUnits& units,
+                                   const std::string& where, GlErrors& errors) {
+        if (newest_) {
+            if (const ShaderProgram* program = compiled(scene, pass, units, *newest_, where, errors)) {
+                good_ = newest_;
+                return program;
+            }
+        }
+        return compiled(scene, pass, units, good_ ? *good_ : ShaderPieces::embedded(), where, errors);
+    }
+
+    const ShaderProgram* compiled(const Scene& scene, std::size_t pass, const SampledUnits& units,
+                                  const ShaderPieces& pieces, const std::string& where, GlErrors& errors) {
+        const Result<ShaderSource> source = shaderSource(scene, pass, units, pieces);
+        if (!source) {
+            errors.add(where + ": " + describe(source.error()));
+            return nullptr;
+        }
+        auto found = programs_.find({source->vertex.text, source->fragment.text});
+        if (found == programs_.end())
+            found = programs_
+                        .emplace(std::pair(source->vertex.text, source->fragment.text),
+                                 ShaderProgram::compile(*source))
+                        .first;
+        if (found->second)
+            return &*found->second;
+        for (const std::string& sentence : found->second.error())
+            errors.add(where + ": " + sentence);
+        return nullptr;
+    }
+
+    std::map<std::pair<std::string, std::string>, Compiled> programs_; // by their two sources
+    const ShaderProgram* program_ = nullptr;                           // of the pass that is being drawn
+    glm::mat4 projection_{1};
+    std::optional<ShaderFolder> folder_;
+    std::optional<ShaderPieces> newest_; // of the folder
+    std::optional<ShaderPieces> good_;   // the last of the folder's that compiled
+};
+
+} // namespace
+
+Result<ShaderRenderer> ShaderRenderer::create(const Capabilities& capabilities,
+                                              const ShaderOptions& options) {
+    if (!GLEW_VERSION_3_3)
+        return fail(ErrorCode::Unsupported,
+                    "the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL " +
+                        capabilities.version);
+    return ShaderRenderer(capabilities, std::make_unique<ShaderPipeline>(options));
+}
+
+Result<SceneRenderer> createRenderer(RendererKind kind, const Capabilities& capabilities,
+                                     const ShaderOptions& options) {
+    const auto asSceneRenderer = [](SceneRenderer&& made) { return SceneRenderer(std::move(made)); };
+    switch (kind) {
+    case RendererKind::Fixed:
+        return FixedRenderer::create(capabilities).map(asSceneRenderer);
+    case RendererKind::Shader:
+        return ShaderRenderer::create(capabilities, options).map(asSceneRenderer);
+    }
+    return fail(ErrorCode::OutOfRange, "there is no such renderer");
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,387 @@
+#include "app/render/shader_source.h"
+
+#include "app/render/vertex_attributes.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <span>
+
+namespace texplorer::render {
+
+namespace {
+
+/// A word of a piece, and what takes its place.
+struct Substitution {
+    std::string_view word;
+    std::string text;
+};
+
+std::string substituted(std::string line, const std::vector<Substitution>& substitutions) {
+    for (const auto& [word, text] : substitutions) {
+        for (std::size_t at = line.find(word); at != std::string::npos;
+             at = line.find(word, at + text.size()))
+            line.replace(at, word.size(), text);
+    }
+    return line;
+}
+
+/// Puts one stage together. A piece that is missing makes all further ones void.
+class Writer {
+public:
+    explicit Writer(const ShaderPieces& pieces)
+        : pieces_(pieces) {}
+
+    void add(std::string_view file, const std::string& name,
+             const std::vector<Substitution>& substitutions = {}) {
+        const std::string fileName = std::string(file) + ".glsl";
+        const ShaderPiece* piece = pieces_.find(fileName, name);
+        if (!piece) {
+            if (!error_)
+                error_ = Error{ErrorCode::NotFound, "the piece \"" + name + "\" is missing", fileName};
+            return;
+        }
+        int line = piece->firstLine;
+        for (const std::string& text : piece->lines) {
+            source_.text += substituted(text, substitutions) + '\n';
+            source_.lines.push_back({fileName, line++});
+        }
+    }
+
+    /// Puts what another writer has written behind this.
+    void append(Writer&& other) {
+        source_.text += other.source_.text;
+        std::ranges::move(other.source_.lines, std::back_inserter(source_.lines));
+        if (!error_)
+            error_ = std::move(other.error_);
+    }
+
+    [[nodiscard]] bool mentions(std::string_view word) const {
+        return source_.text.find(word) != std::string::npos;
+    }
+
+    [[nodiscard]] Result<StageSource> finish() && {
+        if (error_)
+            return fail(std::move(*error_));
+        return std::move(source_);
+    }
+
+private:
+    const ShaderPieces& pieces_;
+    StageSource source_;
+    std::optional<Error> error_;
+};
+
+/// The name of an enumerator, by which its piece is found.
+template<Enumerated E>
+std::string nameOf(E value) {
+    return std::string(rowOf(value).name);
+}
+
+std::string number(std::size_t value) {
+    return std::to_string(value);
+}
+
+struct Coordinate {
+    char name;
+    char member; ///< GLSL's
+    TexGen Unit::*state;
+};
+constexpr std::array coordinates{Coordinate{'s', 's', &Unit::texGenS}, Coordinate{'t', 't', &Unit::texGenT},
+                                 Coordinate{'r', 'p', &Unit::texGenR}, Coordinate{'q', 'q', &Unit::texGenQ}};
+
+/// Everything that both stages are written from.
+struct Plan {
+    const Scene& scene;
+    const Pass& pass;
+    const SampledUnits& units;
+
+    [[nodiscard]] bool separateSpecular() const {
+        return pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;
+    }
+    [[nodiscard]] std::string shading() const { return nameOf(scene.material.shadeModel); }
+
+    void forEachUnit(auto each) const {
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            if (units[i])
+                each(pass.units[i], *units[i], number(i));
+        }
+    }
+};
+
+void writeLighting(Writer& body, const Light& light) {
+    body.add("lighting", light.position.w == 0 ? "directional light" : "positional light");
+    body.add("lighting", light.localViewer ? "local viewer" : "infinite viewer");
+    body.add("lighting", "terms");
+    body.add("lighting", nameOf(light.colorControl));
+}
+
+void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+    body.add("vertex", "coordinate", {{"UNIT", index}});
+    for (const Coordinate& coordinate : coordinates) {
+        const TexGen& generated = unit.*coordinate.state;
+        if (generated.enabled)
+            body.add("texgen", nameOf(generated.mode),
+                     {{"UNIT", index},
+                      {"COORD", std::string(1, coordinate.name)},
+                      {"MEMBER", std::string(1, coordinate.member)}});
+    }
+    body.add("vertex", hasTextureMatrix(unit, sampled) ? "coordinate with matrix" : "coordinate as it is",
+             {{"UNIT", index}});
+}
+
+Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
+    Writer body(pieces);
+    if (plan.pass.lighting)
+        writeLighting(body, plan.scene.light);
+    else
+        body.add("vertex", "unlit");
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+        writeCoordinate(body, unit, sampled, index);
+    });
+    body.add("vertex", "end");
+
+    Writer stage(pieces);
+    stage.add("vertex", "version");
+    stage.add("vertex", "attributes");
+    for (std::size_t i = 0; i < plan.units.size(); ++i) {
+        if (plan.units[i])
+            stage.add("vertex", "coordinate attribute",
+                      {{"UNIT", number(i)}, {"LOCATION", number(firstCoordAttribute + i)}});
+    }
+    stage.add("vertex", "matrices");
+    if (body.mentions("eyePosition"))
+        stage.add("vertex", "model-view matrix");
+    if (body.mentions("eyeNormal"))
+        stage.add("vertex", "normal matrix");
+    stage.add("vertex", "color");
+    if (plan.pass.lighting)
+        stage.add("lighting", "uniforms");
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+        for (const Coordinate& coordinate : coordinates) {
+            const std::string name(1, coordinate.name);
+            if (body.mentions("plane" + index + name))
+                stage.add("texgen", "plane", {{"UNIT", index}, {"COORD", name}});
+        }
+        if (hasTextureMatrix(unit, sampled))
+            stage.add("vertex", "texture matrix", {{"UNIT", index}});
+    });
+    stage.add("vertex", "outputs " + plan.shading());
+    if (plan.separateSpecular())
+        stage.add("vertex", "secondary output " + plan.shading());
+    plan.forEachUnit([&](const Unit&, const SampledUnit&, const std::string& index) {
+        stage.add("vertex", "coordinate output", {{"UNIT", index}});
+    });
+    if (body.mentions("reflectionVector("))
+        stage.add("texgen", "reflection vector");
+    if (body.mentions("sphereMap("))
+        stage.add("texgen", "sphere map");
+    stage.add("vertex", "begin");
+    if (body.mentions("eyePosition"))
+        stage.add("vertex", "eye position");
+    if (body.mentions("eyeNormal"))
+        stage.add("vertex", "eye normal");
+    stage.append(std::move(body));
+    return std::move(stage).finish();
+}
+
+/// Where an argument of GL_COMBINE comes from; empty: the texture of a unit that has none.
+std::string sourceOf(CombineSource source, const std::string& index, const SampledUnits& units) {
+    switch (source) {
+    case CombineSource::Texture:
+        return "texel" + index;
+    case CombineSource::Constant:
+        return "environmentColor" + index;
+    case CombineSource::PrimaryColor:
+        return "primaryColor";
+    case CombineSource::Previous:
+        return "color";
+    default:
+        break;
+    }
+    const auto other = static_cast<std::size_t>(static_cast<std::uint32_t>(source) -
+                                                static_cast<std::uint32_t>(CombineSource::Texture0));
+    return other < units.size() && units[other] ? "texel" + number(other) : std::string();
+}
+
+struct Argument {
+    CombineSource source;
+    std::string operand; ///< its name
+};
+using Arguments = std::array<Argument, 3>;
+
+Arguments rgbArguments(const Combine& c) {
+    return {{{c.source0Rgb, nameOf(c.operand0Rgb)},
+             {c.source1Rgb, nameOf(c.operand1Rgb)},
+             {c.source2Rgb, nameOf(c.operand2Rgb)}}};
+}
+
+Arguments alphaArguments(const Combine& c) {
+    return {{{c.source0Alpha, nameOf(c.operand0Alpha)},
+             {c.source1Alpha, nameOf(c.operand1Alpha)},
+             {c.source2Alpha, nameOf(c.operand2Alpha)}}};
+}
+
+/// The arguments, the function and the scale of the colour ("rgb") or of "alpha". False where an argument is
+/// undefined.
+bool writeFunction(Writer& body, const std::string& what, const std::string& function,
+                   std::span<const Argument> arguments, CombineScale scale, const std::string& index,
+                   const SampledUnits& units) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string source = sourceOf(arguments[i].source, index, units);
+        if (source.empty())
+            return false;
+        body.add("combine", what + " " + arguments[i].operand, {{"INDEX", number(i)}, {"SOURCE", source}});
+    }
+    body.add("combine", what + " " + function);
+    if (scale != CombineScale::One)
+        body.add("combine", what + " scale " + nameOf(scale));
+    return true;
+}
+
+void writeCombine(Writer& body, const Combine& combine, const std::string& index, const SampledUnits& units,
+                  const ShaderPieces& pieces) {
+    Writer block(pieces);
+    block.add("combine", "begin", {{"UNIT", index}});
+    const auto used = [](const Arguments& arguments, int count) {
+        return std::span(arguments).first(static_cast<std::size_t>(count));
+    };
+    const Arguments rgb = rgbArguments(combine);
+    bool defined = writeFunction(block, "rgb", nameOf(combine.rgb), used(rgb, argumentCount(combine.rgb)),
+                                 combine.rgbScale, index, units);
+    if (combine.rgb == CombineRgb::Dot3Rgba)
+        block.add("combine", "alpha of the dot product");
+    else {
+        const Arguments alpha = alphaArguments(combine);
+        defined =
+            writeFunction(block, "alpha", nameOf(combine.alpha), used(alpha, argumentCount(combine.alpha)),
+                          combine.alphaScale, index, units) &&
+            defined;
+    }
+    block.add("combine", "end");
+    if (defined)
+        body.append(std::move(block));
+    else
+        body.add("combine", "undefined", {{"UNIT", index}});
+}
+
+Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
+    Writer body(pieces);
+    // All texels first: with crossbar a unit may ask for the texel of a later one.
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
+        body.add("fragment", unit.lodBias == 0 ? "lookup" : "lookup with bias", {{"UNIT", index}});
+    });
+    body.add("fragment", "primary color");
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+        if (unit.envMode == EnvMode::Combine)
+            writeCombine(body, unit.combine, index, plan.units, pieces);
+        else
+            body.add("environment", nameOf(unit.envMode) + " " + nameOf(sampled.format), {{"UNIT", index}});
+    });
+    if (plan.separateSpecular())
+        body.add("fragment", "color sum");
+    const bool tested = plan.pass.alphaTest && plan.pass.alphaFunc != CompareFunc::Always;
+    if (tested) {
+        body.add("fragment", "alpha test");
+        body.add("fragment", "alpha " + nameOf(plan.pass.alphaFunc));
+    }
+    body.add("fragment", "end");
+
+    Writer stage(pieces);
+    stage.add("fragment", "version");
+    stage.add("fragment", "inputs " + plan.shading());
+    if (plan.separateSpecular())
+        stage.add("fragment", "secondary input " + plan.shading());
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
+        const std::vector<Substitution> names{{"UNIT", index}};
+        stage.add("fragment", "coordinate input", names);
+        stage.add("fragment", "sampler " + nameOf(unit.target), names);
+        if (unit.lodBias != 0)
+            stage.add("fragment", "bias", names);
+        if (body.mentions("environmentColor" + index))
+            stage.add("fragment", "environment color", names);
+    });
+    if (tested)
+        stage.add("fragment", "alpha reference");
+    stage.add("fragment", "outputs");
+    stage.add("fragment", "begin");
+    stage.append(std::move(body));
+    return std::move(stage).finish();
+}
+
+} // namespace
+
+bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled) {
+    return !unit.matrix.empty() || sampled.lateFlip == LateFlip::Matrix;
+}
+
+Result<ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
+                                  const ShaderPieces& pieces) {
+    const Plan plan{scene, scene.passes[pass], units};
+    Result<StageSource> vertex = vertexStage(plan, pieces);
+    if (!vertex)
+        return fail(vertex.error());
+    Result<StageSource> fragment = fragmentStage(plan, pieces);
+    if (!fragment)
+        return fail(fragment.error());
+    return ShaderSource{std::move(*vertex), std::move(*fragment)};
+}
+
+namespace {
+
+/// A place in a source: Mesa and Intel write "0:12(5): error: …", NVIDIA "0(12) : error …", others "ERROR:
+/// 0:12: …".
+struct Place {
+    int line = 0;
+    std::size_t end = 0; ///< where the message begins
+};
+
+std::optional<Place> placeIn(std::string_view text) {
+    const auto number = [text](std::size_t& at) {
+        int value = -1;
+        const auto [stop, error] = std::from_chars(text.data() + at, text.data() + text.size(), value);
+        at = error == std::errc() ? static_cast<std::size_t>(stop - text.data()) : at;
+        return error == std::errc() ? value : -1;
+    };
+    std::size_t at = 0;
+    for (const std::string_view word : {"ERROR: ", "WARNING: "}) {
+        if (text.starts_with(word))
+            at = word.size();
+    }
+    if (number(at) < 0 || at >= text.size() || (text[at] != ':' && text[at] != '('))
+        return std::nullopt;
+    ++at;
+    const int line = number(at);
+    if (line < 1)
+        return std::nullopt;
+    if (at < text.size() && text[at] == '(') // a column
+        at = std::min(text.find(')', at), text.size() - 1) + 1;
+    while (at < text.size() && (text[at] == ')' || text[at] == ':' || text[at] == ' '))
+        ++at;
+    return Place{line, at};
+}
+
+} // namespace
+
+std::vector<std::string> translateLog(std::string_view log, const StageSource& source) {
+    std::vector<std::string> sentences;
+    while (!log.empty()) {
+        const std::size_t end = std::min(log.find('\n'), log.size());
+        std::string_view line = log.substr(0, end);
+        log.remove_prefix(std::min(end + 1, log.size()));
+        if (line.ends_with('\r') || line.ends_with('\0'))
+            line.remove_suffix(1);
+        if (line.empty())
+            continue;
+        const std::optional<Place> place = placeIn(line);
+        if (place && static_cast<std::size_t>(place->line) <= source.lines.size()) {
+            const SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
+            sentences.push_back(from.file + ":" + std::to_string(from.line) + ": " +
+                                std::string(line.substr(place->end)));
+        } else
+            sentences.emplace_back(line);
+    }
+    return sentences;
+}
+
+} // namespace texplorer::render

@@ -1,0 +1,56 @@
+#pragma once
+
+// What a pass does, written as GLSL 3.30: only what its state uses, and exactly what the shader renderer
+// runs. No GL call.
+
+#include "app/render/shader_pieces.h"
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "core/scene/texture_levels.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer::render {
+
+/// What a shader must know of the texture that a unit samples.
+struct SampledUnit {
+    BaseFormat format = BaseFormat::Rgba;
+    LateFlip lateFlip = LateFlip::None;
+};
+
+/// None where a unit takes no part: it is off, or its texture is missing or incomplete (section 3.8.10).
+using SampledUnits = std::array<std::optional<SampledUnit>, maxUnits>;
+
+/// Where a line of a source was written.
+struct SourceLine {
+    std::string file; ///< "lighting.glsl"
+    int line = 0;     ///< counted from 1
+};
+
+struct StageSource {
+    std::string text;
+    std::vector<SourceLine> lines; ///< one for each line of the text
+};
+
+struct ShaderSource {
+    StageSource vertex;
+    StageSource fragment;
+};
+
+/// The two stages of a pass, which must be one of the scene's. Refused: a piece is missing, as it may be
+/// while somebody edits the files.
+[[nodiscard]] Result<ShaderSource> shaderSource(const Scene& scene, std::size_t pass,
+                                                const SampledUnits& units,
+                                                const ShaderPieces& pieces = ShaderPieces::embedded());
+
+/// Whether a unit's coordinates go through a texture matrix.
+[[nodiscard]] bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled);
+
+/// A driver's compile log with the files' names and lines in the place of the source's: "lighting.glsl:12:
+/// 'eyeNorml' undeclared". A line that names no place stays as it is.
+[[nodiscard]] std::vector<std::string> translateLog(std::string_view log, const StageSource& source);
+
+} // namespace texplorer::render

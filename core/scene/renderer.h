@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/gl/enum_row.h"
+
+namespace texplorer {
+
+/// Who draws a Scene. All draw the same; where they don't, one of them is wrong.
+enum class RendererKind : std::uint32_t { Fixed, Shader };
+
+inline constexpr std::array rendererKindRows{
+    row(RendererKind::Fixed, "fixed", "Fixed function",
+        "OpenGL's own texture units, as programs used them before there were shaders.", "1.0"),
+    row(RendererKind::Shader, "shader", "Shader", "The same written out in GLSL, one program for each pass.",
+        "3.3"),
+};
+
+template<>
+struct EnumTable<RendererKind> {
+    static constexpr std::span<const EnumRow> rows = rendererKindRows;
+};
+
+static_assert(rendererKindRows.size() == 2);
+
+} // namespace texplorer

@@ -1,0 +1,65 @@
+// The fragment stage: OpenGL 2.1, sections 3.8 to 4.1.
+
+//@ version
+#version 330 core
+//@ inputs GL_SMOOTH
+// Interpolated between the vertices.
+in vec4 primaryColor;
+//@ inputs GL_FLAT
+// Interpolated between the vertices; a flat colour is that of a triangle's last vertex.
+flat in vec4 primaryColor;
+//@ secondary input GL_SMOOTH
+in vec3 secondaryColor;
+//@ secondary input GL_FLAT
+flat in vec3 secondaryColor;
+//@ coordinate input
+in vec4 texCoordUNIT;
+//@ sampler GL_TEXTURE_1D
+uniform sampler1D textureUNIT;
+//@ sampler GL_TEXTURE_2D
+uniform sampler2D textureUNIT;
+//@ sampler GL_TEXTURE_3D
+uniform sampler3D textureUNIT;
+//@ bias
+uniform float lodBiasUNIT; // GL_TEXTURE_LOD_BIAS of the unit
+//@ environment color
+uniform vec4 environmentColorUNIT; // GL_TEXTURE_ENV_COLOR
+//@ alpha reference
+uniform float alphaReference; // in 255ths
+//@ outputs
+layout(location = 0) out vec4 fragmentColor;
+//@ begin
+
+void main() {
+//@ lookup
+    vec4 texelUNIT = textureProj(textureUNIT, texCoordUNIT); // divides by q
+//@ lookup with bias
+    vec4 texelUNIT = textureProj(textureUNIT, texCoordUNIT, lodBiasUNIT); // divides by q
+//@ primary color
+    vec4 color = primaryColor;
+//@ color sum
+
+    // Section 3.9: the highlight is added after texturing.
+    color.rgb = min(color.rgb + secondaryColor, 1.0);
+//@ alpha test
+
+    // Section 4.1.4. Both numbers have as many bits as the framebuffer's alpha.
+    float alpha = floor(color.a * 255.0 + 0.5);
+//@ alpha GL_NEVER
+    discard;
+//@ alpha GL_LESS
+    if (!(alpha < alphaReference)) discard;
+//@ alpha GL_EQUAL
+    if (!(alpha == alphaReference)) discard;
+//@ alpha GL_LEQUAL
+    if (!(alpha <= alphaReference)) discard;
+//@ alpha GL_GREATER
+    if (!(alpha > alphaReference)) discard;
+//@ alpha GL_NOTEQUAL
+    if (!(alpha != alphaReference)) discard;
+//@ alpha GL_GEQUAL
+    if (!(alpha >= alphaReference)) discard;
+//@ end
+
+    fragmentColor = color;
+}

@@ -1,0 +1,58 @@
+// The vertex stage: OpenGL 2.1, sections 2.11 to 2.14.
+//
+// These files are cut into pieces; a line that begins with //@ names the one below it. A pass is put together
+// from the pieces that its state needs. UNIT stands for the number of a texture unit.
+
+//@ version
+#version 330 core
+//@ attributes
+// What each vertex was given.
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec3 normal;
+//@ coordinate attribute
+layout(location = LOCATION) in vec4 givenCoordUNIT; // s, t, r and q
+//@ matrices
+// Section 2.11.2: from the model to what the eye sees.
+uniform mat4 modelViewProjection;
+//@ model-view matrix
+uniform mat4 modelView;
+//@ normal matrix
+uniform mat3 normalMatrix; // the inverse of modelView's rotation and scale, transposed
+//@ color
+uniform vec4 color; // glColor
+//@ texture matrix
+uniform mat4 textureMatrixUNIT;
+//@ outputs GL_SMOOTH
+// What the rasteriser interpolates for the fragments.
+invariant gl_Position; // a second pass hits exactly the depth of the first
+out vec4 primaryColor;
+//@ outputs GL_FLAT
+// What the rasteriser interpolates for the fragments; a flat colour is that of a triangle's last vertex.
+invariant gl_Position; // a second pass hits exactly the depth of the first
+flat out vec4 primaryColor;
+//@ secondary output GL_SMOOTH
+out vec3 secondaryColor;
+//@ secondary output GL_FLAT
+flat out vec3 secondaryColor;
+//@ coordinate output
+out vec4 texCoordUNIT;
+//@ begin
+
+void main() {
+    gl_Position = modelViewProjection * vec4(position, 1.0);
+//@ eye position
+    vec3 eyePosition = vec3(modelView * vec4(position, 1.0));
+//@ eye normal
+    vec3 eyeNormal = normalize(normalMatrix * normal); // GL_NORMALIZE
+//@ unlit
+    primaryColor = clamp(color, 0.0, 1.0);
+//@ coordinate
+
+    // Unit UNIT
+    vec4 coordUNIT = givenCoordUNIT;
+//@ coordinate with matrix
+    texCoordUNIT = textureMatrixUNIT * coordUNIT;
+//@ coordinate as it is
+    texCoordUNIT = coordUNIT;
+//@ end
+}
