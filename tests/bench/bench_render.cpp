@@ -4,6 +4,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/fixed_renderer.h"
+#include "app/render/shader_renderer.h"
 #include "core/image/mipmaps.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/animation.h"
@@ -148,18 +149,32 @@ struct Stage {
     ImageSource images;
 };
 
-void frame(benchmark::State& state) {
-    Stage stage;
-    if (!stage.renderer)
-        return state.SkipWithError(describe(stage.renderer.error()).c_str());
+void drawFrames(benchmark::State& state, const ImageSource& images, auto& renderer) {
+    if (!renderer)
+        return state.SkipWithError(describe(renderer.error()).c_str());
     const Scene scene = defaultScene();
     const render::Size size = sizeOf(state);
     for (auto _ : state) {
-        const auto drawn = stage.renderer->draw(scene, stage.images, 0, size);
+        const auto drawn = renderer->draw(scene, images, 0, size);
         if (!drawn || !drawn->problems.empty())
             return state.SkipWithError("the default scene can't be drawn");
         glFinish();
     }
+}
+
+void frame(benchmark::State& state) {
+    Stage stage;
+    drawFrames(state, stage.images, stage.renderer);
+}
+
+/// The same with GLSL.
+void frameShader(benchmark::State& state) {
+    const Stage stage;
+    Result<render::ShaderRenderer> renderer =
+        render::loadCapabilities().and_then([](const render::Capabilities& capabilities) {
+            return render::ShaderRenderer::create(capabilities);
+        });
+    drawFrames(state, stage.images, renderer);
 }
 
 void frameBare(benchmark::State& state) {
@@ -179,6 +194,7 @@ void frameBare(benchmark::State& state) {
 }
 
 BENCHMARK(frame)->Args({640, 480})->Args({1280, 800})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(frameShader)->Args({640, 480})->Args({1280, 800})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(frameBare)->Args({640, 480})->Args({1280, 800})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
