@@ -1,5 +1,6 @@
 // GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and an argument a line.
 
+#include "app/ui/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -97,7 +98,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     for (int number = 0; number < 3; ++number) {
         const std::string tail = std::to_string(number) + std::string(half.suffix);
         const ParamRow& source = rowNamed("source" + tail);
-        const bool inert = !owner.inert(source).empty();
+        const bool inert = idleReasonOf(session.findings, owner.pathOf(source)) != nullptr;
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
         ImGui::Text("Arg%d", number);
@@ -109,29 +110,12 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     }
 }
 
-/// Why an argument changes nothing: its function reads fewer.
-std::string unreadReason(const Combine& combine, const ParamRow& row) {
-    const bool isAlpha = row.group == "Alpha";
-    if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba)
-        return std::string(rowOf(combine.rgb).name) + " gives alpha, too.";
-    const std::string_view function = isAlpha ? rowOf(combine.alpha).name : rowOf(combine.rgb).name;
-    const int count = isAlpha ? argumentCount(combine.alpha) : argumentCount(combine.rgb);
-    const std::size_t digit = row.key.find_first_of("012");
-    if (digit == std::string_view::npos || row.key[digit] - '0' < count)
-        return {};
-    return std::string(function) + " has " + std::to_string(count) +
-           (count == 1 ? " argument." : " arguments.");
-}
-
 } // namespace
 
 void combineSection(Session& session) {
     Combine& combine = selectedUnit(session).combine;
     static const Combine initial;
-    const Owner owner{
-        &combine, &initial, selectedUnitPath(session) + ".combine", {}, [&combine](const ParamRow& row) {
-            return unreadReason(combine, row);
-        }};
+    const Owner owner{&combine, &initial, selectedUnitPath(session) + ".combine"};
     for (const Half& half : halves) {
         if (&half != halves.data())
             ImGui::Separator();

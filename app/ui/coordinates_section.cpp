@@ -21,16 +21,6 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", "texGenS", &Unit::texGenS
                                                  {"r", "texGenR", &Unit::texGenR},
                                                  {"q", "texGenQ", &Unit::texGenQ}}};
 
-std::string idleReason(const TexGen& state, const ParamRow& row) {
-    if (row.key == "enabled")
-        return {};
-    if (!state.enabled)
-        return "the vertex's own coordinate is used.";
-    const bool used = (row.key == "objectPlane" && state.mode == TexGenMode::ObjectLinear) ||
-                      (row.key == "eyePlane" && state.mode == TexGenMode::EyeLinear) || row.key == "mode";
-    return used ? std::string() : std::string(rowOf(state.mode).name) + " does not read this plane.";
-}
-
 } // namespace
 
 void coordinatesSection(Session& session) {
@@ -40,11 +30,8 @@ void coordinatesSection(Session& session) {
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         const Coordinate& coordinate = coordinates[i];
         const TexGen& state = unit.*coordinate.state;
-        const Owner owner{&(unit.*coordinate.state),
-                          &(initial.*coordinate.state),
-                          selectedUnitPath(session) + "." + coordinate.key,
-                          {},
-                          [&state](const ParamRow& row) { return idleReason(state, row); }};
+        const Owner owner{&(unit.*coordinate.state), &(initial.*coordinate.state),
+                          selectedUnitPath(session) + "." + coordinate.key};
         const StructTable& table = texGenTable(i);
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, componentColor(static_cast<int>(i)));

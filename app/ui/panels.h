@@ -9,7 +9,7 @@ namespace texplorer::ui {
 
 void drawMenuBar(Session& session, const Layout& layout);
 void drawPlaybackControls(Session& session);
-void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout);
+void drawParametersPanel(Session& session, const Layout& layout);
 void combineSection(Session& session);     ///< of the selected unit, whose mode is GL_COMBINE
 void coordinatesSection(Session& session); ///< generated ones, of the selected unit
 void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);

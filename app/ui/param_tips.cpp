@@ -1,5 +1,6 @@
 #include "app/ui/param_tips.h"
 
+#include "app/ui/findings.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
 
@@ -36,7 +37,23 @@ void helpTip(std::string_view words) {
     ImGui::EndTooltip();
 }
 
-void paramTip(const ParamRow& row, const Value& value, const Value& initial, const std::string& inert) {
+void warningSign() {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({em * 0.85F, ImGui::GetFrameHeight()});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float top = low.y + ImGui::GetStyle().FramePadding.y;
+    const float middle = low.x + em * 0.425F;
+    draw.AddTriangleFilled({middle, top + em * 0.1F}, {low.x + em * 0.85F, top + em * 0.9F},
+                           {low.x, top + em * 0.9F}, color::problem);
+    draw.AddRectFilled({middle - em * 0.05F, top + em * 0.38F}, {middle + em * 0.05F, top + em * 0.64F},
+                       color::ground);
+    draw.AddRectFilled({middle - em * 0.05F, top + em * 0.7F}, {middle + em * 0.05F, top + em * 0.8F},
+                       color::ground);
+}
+
+void paramTip(const ParamRow& row, const Value& value, const Value& initial, const Finding* idle,
+              const Finding* problem) {
     if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
     ImGui::BeginTooltip();
@@ -58,11 +75,12 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, con
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
         dimText("Drag it, or double-click to type a number.");
-    if (!inert.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        text("No effect now: " + inert);
-        ImGui::PopStyleColor();
-    }
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    if (problem)
+        text(sentenceOf(*problem));
+    if (idle)
+        text("No effect now: " + idle->sentence + ".");
+    ImGui::PopStyleColor();
     if (value != initial) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
         text("Initially " + formatValue(row, initial) + "; a right click resets it.");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/diagnosis.h"
 #include "core/scene/params.h"
 
 #include <string>
@@ -12,9 +13,13 @@ namespace texplorer::ui {
 void text(std::string_view words);
 void dimText(std::string_view words);
 
-/// The GL call, the help, the choice, how to edit it, why it has no effect (`inert`, empty: it has) and how
-/// to reset it.
-void paramTip(const ParamRow& row, const Value& value, const Value& initial, const std::string& inert);
+/// The GL call, the help, the choice, how to edit it, what the diagnosis says (nullptr: nothing) and how to
+/// reset it.
+void paramTip(const ParamRow& row, const Value& value, const Value& initial, const Finding* idle,
+              const Finding* problem);
+
+/// A triangle with an exclamation mark, as high as a control.
+void warningSign();
 
 /// One of an enumeration's choices, beside its list.
 void choiceTip(const EnumRow& choice);

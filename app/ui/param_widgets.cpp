@@ -1,5 +1,6 @@
 #include "app/ui/param_widgets.h"
 
+#include "app/ui/findings.h"
 #include "app/ui/param_tips.h"
 #include "app/ui/theme.h"
 
@@ -230,32 +231,54 @@ struct Line {
     std::string path;
     Value value;
     Value initial;
-    bool changed; ///< it isn't the initial value
-    std::string inert;
+    bool changed;           ///< it isn't the initial value
+    const Finding* idle;    ///< why it changes nothing at present; nullptr: it matters
+    const Finding* problem; ///< what is wrong with it
     bool edited = false;
     bool reset = false;
 };
 
-Line lineOf(const Owner& owner, const ParamRow& row) {
+Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
+    const std::string path = owner.pathOf(row);
     const Value value = row.read(owner.values);
     const Value initial = row.read(owner.initial);
-    return {owner.pathOf(row), value, initial, value != initial,
-            owner.inert ? owner.inert(row) : std::string()};
+    return {path,
+            value,
+            initial,
+            value != initial,
+            idleReasonOf(session.findings, path),
+            problemOf(session.findings, path)};
+}
+
+/// Scrolls to a control that was asked for, and frames it.
+void showWanted(Session& session, const Line& line) {
+    if (line.path == session.wantedParam) {
+        ImGui::SetScrollHereY(0.4F);
+        session.wantedParam.clear();
+    }
+    if (line.path != session.shownParam)
+        return;
+    const float margin = ImGui::GetFontSize() * 0.15F;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRect({low.x - margin, low.y - margin}, {high.x + margin, high.y + margin},
+                                        color::problem, ImGui::GetStyle().FrameRounding);
 }
 
 void drawControl(Session& session, const ParamRow& row, Line& line, float width, ImU32 ink) {
     ImGui::SetNextItemWidth(width);
-    ImGui::PushStyleColor(ImGuiCol_Text, line.inert.empty() ? ink : color::dim);
+    ImGui::PushStyleColor(ImGuiCol_Text, line.idle ? color::dim : ink);
     line.edited = control(session, row, line.value, line.path);
     ImGui::PopStyleColor();
     if (!isWide(row.kind)) {
         noteItem(session, line.path);
         sealAfterItem(session);
     }
-    if (!line.inert.empty())
+    if (line.idle)
         noteItem(session, line.path + "#inert");
-    paramTip(row, line.value, line.initial, line.inert);
+    paramTip(row, line.value, line.initial, line.idle, line.problem);
     line.reset |= line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    showWanted(session, line);
     if (row.kind == Kind::Color)
         line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
 }
@@ -273,9 +296,14 @@ bool finish(Session& session, const Owner& owner, const ParamRow& row, const Lin
 } // namespace
 
 bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width) {
-    Line line = lineOf(owner, row);
+    Line line = lineOf(session, owner, row);
     ImGui::PushID(line.path.c_str());
-    drawControl(session, row, line, width, line.changed ? color::changed : color::text);
+    drawControl(session, row, line, width,
+                line.problem   ? color::problem
+                : line.changed ? color::changed
+                               : color::text);
+    if (line.problem)
+        noteItem(session, line.path + "#problem");
     ImGui::PopID();
     return finish(session, owner, row, line);
 }
@@ -283,7 +311,7 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     if (row.kind == Kind::TexCoordList)
         return false;
-    Line line = lineOf(owner, row);
+    Line line = lineOf(session, owner, row);
 
     ImGui::PushID(line.path.c_str());
     const float em = ImGui::GetFontSize();
@@ -292,17 +320,24 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     const float resetWidth = em * 1.3F;
     const float labelWidth = std::floor(full * labelShare);
     const bool isNarrow = row.kind != Kind::Bool && full - labelWidth - resetWidth < em * narrowest;
-    const bool ownLine = isWide(row.kind) || isNarrow || textWidth(row.label) > labelWidth - em * 0.4F;
+    const bool ownLine = isWide(row.kind) || isNarrow ||
+                         textWidth(row.label) + (line.problem ? em * 1.2F : 0) > labelWidth - em * 0.4F;
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, !line.inert.empty() ? color::dim
-                                         : line.changed      ? color::changed
-                                                             : color::text);
+    ImGui::PushStyleColor(ImGuiCol_Text, line.idle      ? color::dim
+                                         : line.changed ? color::changed
+                                                        : color::text);
     text(row.label);
     ImGui::PopStyleColor();
-    paramTip(row, line.value, line.initial, line.inert);
+    paramTip(row, line.value, line.initial, line.idle, line.problem);
     line.reset = line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    if (line.problem) {
+        ImGui::SameLine(0, em * 0.35F);
+        warningSign();
+        noteItem(session, line.path + "#problem");
+        helpTip(sentenceOf(*line.problem));
+    }
     float controlWidth = full - resetWidth;
     if (!ownLine) {
         ImGui::SameLine(left + labelWidth);
@@ -325,32 +360,8 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     return finish(session, owner, row, line);
 }
 
-bool isRelevant(const Owner& owner, const ParamRow& row) {
-    if (row.kind == Kind::TexCoordList)
-        return false;
-    if (row.key == "pattern")
-        return static_cast<const Texture*>(owner.values)->source == SourceKind::Pattern;
-    if (row.key == "file")
-        return static_cast<const Texture*>(owner.values)->source == SourceKind::File;
-    if (row.key == "stencilColor")
-        return static_cast<const Texture*>(owner.values)->transparency == Transparency::Stencil;
-    if (row.key == "compressedFormat") {
-        const Compression chosen = static_cast<const Texture*>(owner.values)->compression;
-        return chosen == Compression::Driver || chosen == Compression::Cached;
-    }
-    if (row.key == "compressionQuality")
-        return static_cast<const Texture*>(owner.values)->compression == Compression::Cached;
-    if (row.key == "mipFilter" || row.key == "mipGamma") {
-        const MipPolicy mipmaps = static_cast<const Texture*>(owner.values)->mipmaps;
-        return mipmaps == MipPolicy::Generated || mipmaps == MipPolicy::Missing;
-    }
-    if (row.key == "npot")
-        return static_cast<const Texture*>(owner.values)->mipmaps != MipPolicy::FromFile;
-    if (row.key == "slices" || row.key == "stacks")
-        return static_cast<const Model*>(owner.values)->shape == Shape::Sphere;
-    if (row.key == "angle" || row.key == "angleRate")
-        return static_cast<const MatrixStep*>(owner.values)->op == MatrixOp::Rotate;
-    return true;
+bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row) {
+    return row.kind != Kind::TexCoordList && !isUnused(session, owner.pathOf(row));
 }
 
 void paramRows(Session& session, const Owner& owner, const StructTable& table) {
@@ -359,7 +370,7 @@ void paramRows(Session& session, const Owner& owner, const StructTable& table) {
     for (const ParamRow& row : table.params)
         groupsDiffer |= row.group != table.params.front().group;
     for (const ParamRow& row : table.params) {
-        if (!isRelevant(owner, row))
+        if (!isRelevant(session, owner, row))
             continue;
         if (groupsDiffer && row.group != group)
             caption(row.group);

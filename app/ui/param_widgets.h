@@ -17,8 +17,6 @@ struct Owner {
     std::string path; ///< "textures[0]"; empty for the scene itself
     /// Asked before a value is written; false leaves everything as it was.
     std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
-    /// Why a row's value changes nothing at present, as a sentence: it is shown dim then. Empty: it matters.
-    std::function<std::string(const ParamRow& row)> inert = {};
 
     [[nodiscard]] std::string pathOf(const ParamRow& row) const {
         return path.empty() ? std::string(row.key) : path + "." + std::string(row.key);
@@ -37,7 +35,7 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
 void paramRows(Session& session, const Owner& owner, const StructTable& table);
 
 /// Whether a row's value can matter beside the others: the slices of a cube can't.
-[[nodiscard]] bool isRelevant(const Owner& owner, const ParamRow& row);
+[[nodiscard]] bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row);
 
 /// A number that one drags, in the current item width, with the colour of its component at its left (-1:
 /// none).

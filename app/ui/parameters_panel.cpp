@@ -3,8 +3,9 @@
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
 
-#include <algorithm>
+#include <array>
 #include <cfloat>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -21,7 +22,29 @@ std::string textureName(const Session& session, int index) {
     return std::to_string(index) + "  " + what;
 }
 
+/// The section in which a parameter is edited.
+std::string_view sectionOf(std::string_view path) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 10> sections{
+        {{"textures[", "Texture"},
+         {".combine", "Combine"},
+         {".texGen", "Generated coordinates"},
+         {".matrix", "Texture matrix"},
+         {".texture", "Texture"},
+         {".units", "Unit and environment"},
+         {"models[", "Model"},
+         {"passes[", "Pass"},
+         {"light", "Light"},
+         {"material", "Material"}}};
+    for (const auto& [part, section] : sections) {
+        if (path.find(part) != std::string_view::npos)
+            return section;
+    }
+    return "View";
+}
+
 bool section(Session& session, const char* title, bool open) {
+    if (!session.wantedParam.empty() && sectionOf(session.wantedParam) == title)
+        ImGui::SetNextItemOpen(true);
     const bool shown = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     noteItem(session, std::string("section:") + title);
     return shown;
@@ -114,43 +137,7 @@ bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, con
     return false;
 }
 
-bool isPowerOfTwo(const Surface& surface) {
-    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
-    return power(widthOf(surface)) && power(heightOf(surface)) && power(depthOf(surface));
-}
-
-/// Why a value of the bound texture changes nothing at present.
-std::string inertReason(Session& session, const Texture& texture, const ParamRow& row) {
-    const Target target = selectedUnit(session).target;
-    const std::shared_ptr<const TextureImage> image = session.images.find(texture);
-    const bool hasImage = image && !image->surfaces.empty();
-    const auto showsBorder = [&](Wrap wrap) { return wrap == Wrap::Clamp || wrap == Wrap::ClampToBorder; };
-    if (row.key == "flip" && texture.source == SourceKind::Pattern)
-        return "a built-in pattern is upright.";
-    if (row.key == "flip" && image && !image->fileTopFirst)
-        return "the file begins with the bottom row, as OpenGL does.";
-    if (row.key == "internalFormat" && image) {
-        const auto summary = levelsOf(session).summary({image, imageSettings(texture), target});
-        if (summary && summary->compressed)
-            return "a compressed texture has a format of its own.";
-    }
-    if (row.key == "npot" && hasImage && isPowerOfTwo(image->surfaces.front()))
-        return "the image's size is a power of two.";
-    if (row.key == "wrapR" && target != Target::Texture3D)
-        return "only a 3D texture has r; the unit's target is " + std::string(rowOf(target).label) + ".";
-    if (row.key == "wrapT" && target == Target::Texture1D)
-        return "a 1D texture has only s.";
-    if (row.key == "borderColor" && !showsBorder(texture.wrapS) && !showsBorder(texture.wrapT) &&
-        !(target == Target::Texture3D && showsBorder(texture.wrapR)))
-        return "no wrap mode shows the border.";
-    const bool samplesMipmaps =
-        texture.minFilter != MinFilter::Nearest && texture.minFilter != MinFilter::Linear;
-    if ((row.key == "mipFilter" || row.key == "mipGamma" || row.key == "maxLevel") && !samplesMipmaps)
-        return "the minification filter reads no mipmaps.";
-    return {};
-}
-
-void textureSection(Session& session, const render::Capabilities& capabilities) {
+void textureSection(Session& session) {
     textureChoice(session);
     Texture* texture = boundTexture(session);
     if (!texture) {
@@ -158,18 +145,11 @@ void textureSection(Session& session, const render::Capabilities& capabilities) 
         return;
     }
     static const Texture initial;
-    const Owner owner{
-        texture, &initial, indexed("textures", selectedUnit(session).texture),
-        [&](const ParamRow& row, const Value& value) {
-            return acceptsTexture(session, *texture, row, value);
-        },
-        [&session, texture](const ParamRow& row) { return inertReason(session, *texture, row); }};
+    const Owner owner{texture, &initial, indexed("textures", selectedUnit(session).texture),
+                      [&](const ParamRow& row, const Value& value) {
+                          return acceptsTexture(session, *texture, row, value);
+                      }};
     paramRows(session, owner, textureTable());
-    if (texture->maxAnisotropy > capabilities.maxAnisotropy) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("This driver's largest anisotropy is %g.", double{capabilities.maxAnisotropy});
-        ImGui::PopStyleColor();
-    }
 }
 
 /// Buttons 0 to 3; a dot marks the units that are on.
@@ -261,7 +241,7 @@ void matrixSection(Session& session) {
         }
         const Owner owner{&steps[i], &initial, path};
         for (const ParamRow& row : matrixStepTable().params) {
-            if (isRelevant(owner, row))
+            if (isRelevant(session, owner, row))
                 paramWidget(session, owner, row);
         }
         ImGui::Separator();
@@ -327,14 +307,14 @@ void modelChoice(Session& session, float width) {
     helpTip("Which model's values and vertices are shown");
 }
 
-void drawParametersPanel(Session& session, const render::Capabilities& capabilities, const Layout& layout) {
+void drawParametersPanel(Session& session, const Layout& layout) {
     beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
     static const Scene initial;
     static const View start = defaultScene().view;
     unitChoice(session);
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
     if (section(session, "Texture", true))
-        textureSection(session, capabilities);
+        textureSection(session);
     if (section(session, "Unit and environment", true))
         unitSection(session);
     if (selectedUnit(session).envMode == EnvMode::Combine && section(session, "Combine", true))
@@ -356,6 +336,7 @@ void drawParametersPanel(Session& session, const render::Capabilities& capabilit
         paramRows(session, {&session.scene.material, &initial.material, "material"}, materialTable());
     if (section(session, "View", false))
         paramRows(session, {&session.scene.view, &start, "view"}, viewTable());
+    session.wantedParam.clear(); // what has no control of its own is not waited for
     ImGui::End();
 }
 

@@ -8,6 +8,7 @@
 #include "app/ui/loads.h"
 #include "app/ui/probe.h"
 #include "core/base/result.h"
+#include "core/scene/diagnosis.h"
 #include "core/scene/history.h"
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
@@ -54,6 +55,13 @@ struct Notice {
     std::filesystem::path file; ///< one that it may help to look into; empty: none
 };
 
+/// What the findings were made of.
+struct Diagnosis {
+    Scene scene;
+    std::vector<std::shared_ptr<const TextureImage>> images;
+    DriverFacts driver;
+};
+
 /// Everything that the window remembers beyond the scene, as plain values.
 struct Session {
     Session(Scene start, ImageSource source);
@@ -73,6 +81,11 @@ struct Session {
     bool showRq = false;      ///< whether the vertex list shows r and q
     bool movesVertex = false; ///< the drag in the texture space holds a vertex, not the plane
     std::optional<std::size_t> revealedVertex; ///< the list was scrolled to this one already
+
+    std::vector<Finding> findings; ///< about the scene, kept by `diagnoseSession`
+    Diagnosis diagnosis;
+    std::string wantedParam; ///< the parameters are scrolled there with the next frame; empty: not
+    std::string shownParam;  ///< the one that was scrolled to, framed until the next click
 
     std::string revealedCommand; ///< the command view was scrolled to this parameter already
 

@@ -1,8 +1,10 @@
+#include "app/ui/findings.h"
 #include "app/ui/fitted_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -60,6 +62,30 @@ void drawNotice(Session& session) {
         session.notice = {};
 }
 
+/// The first error or warning of the diagnosis: a click leads to its control, another mends it.
+void drawFinding(Session& session, const Finding& finding, std::size_t count) {
+    if (finding.fix) {
+        if (ImGui::SmallButton(finding.fix->label.c_str())) {
+            applyFix(session, *finding.fix); // the findings are made anew with the next frame
+        }
+        noteItem(session, "apply fix");
+        std::string sets;
+        for (const Assignment& each : finding.fix->assignments)
+            sets += (sets.empty() ? "" : "\n") + each.path + " = " + each.value;
+        helpTip(sets);
+        ImGui::SameLine();
+    }
+    const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
+    const std::string sentence = sentenceOf(finding);
+    fittedText(more + sentence, color::problem);
+    noteItem(session, "finding");
+    if (ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    helpTip(finding.path + "\n" + sentence + "\nClick: show the setting");
+    if (ImGui::IsItemClicked())
+        reveal(session, finding.path);
+}
+
 } // namespace
 
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
@@ -96,6 +122,10 @@ void drawStatusBar(Session& session, const Pictures& pictures, const render::Cap
         drawProgress(session, *making);
     } else if (!session.notice.text.empty()) {
         drawNotice(session);
+    } else if (const auto problems = static_cast<std::size_t>(std::ranges::count_if(
+                   session.findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
+               problems > 0 && (frame.problems.empty() || session.findings.front().drawnOtherwise)) {
+        drawFinding(session, Finding(session.findings.front()), problems);
     } else if (!frame.problems.empty()) {
         const std::size_t count = frame.problems.size();
         const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();

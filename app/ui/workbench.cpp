@@ -1,5 +1,7 @@
 #include "app/ui/workbench.h"
 
+#include "app/render/driver_facts.h"
+#include "app/ui/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -75,8 +77,11 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
         session.probe->items.clear();
     const bool popup = isPopupOpen(); // a key that ends it is not a shortcut as well
     drawMenuBar(session, layout);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        session.shownParam.clear();
+    diagnoseSession(session, render::driverFacts(capabilities));
     settle(session, layout); // an edit may have taken away what is selected
-    drawParametersPanel(session, capabilities, layout);
+    drawParametersPanel(session, layout);
     settle(session, layout);
     drawViewPanel(session, pictures, layout);
     drawTextureSpacePanel(session, pictures, layout);

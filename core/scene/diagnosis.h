@@ -22,6 +22,8 @@ struct DriverFacts {
     bool nonPowerOfTwo = true;
     bool s3tc = true;
     bool rgtc = true;
+
+    bool operator==(const DriverFacts&) const = default;
 };
 
 enum class Severity : std::uint32_t { Error, Warning, Hint, Unused };

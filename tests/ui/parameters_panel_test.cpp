@@ -204,7 +204,7 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     int rows = 0;
     const auto expectRows = [&](const Owner& owner, const StructTable& table) {
         for (const ParamRow& row : table.params) {
-            if (!isRelevant(owner, row) || row.key == "texture") // which is "texture choice"
+            if (!isRelevant(*session, owner, row) || row.key == "texture") // which is "texture choice"
                 continue;
             const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4;
             EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);

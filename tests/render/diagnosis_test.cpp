@@ -1,0 +1,178 @@
+// The diagnosis against the driver: what it calls incomplete is drawn as if the unit were off, and what it
+// says has no effect changes no pixel when it is set to something else.
+
+#include "core/scene/diagnosis.h"
+#include "core/scene/params.h"
+#include "tests/support/flat_scene.h"
+#include "tests/support/render_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace texplorer {
+namespace {
+
+using namespace testing_support;
+
+constexpr glm::vec4 red{1, 0, 0, 1};
+constexpr glm::vec4 untextured{0.2F, 0.4F, 0.6F, 0.8F};
+
+struct Case {
+    const char* name;
+    bool complete;
+    void (*edit)(Texture& texture);
+};
+
+void PrintTo(const Case& each, std::ostream* out) {
+    *out << each.name;
+}
+
+class CompletenessOnTheDriver : public RenderTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(CompletenessOnTheDriver, IsAsTheDiagnosisSays) {
+    TextureImage file;
+    file.levels = 2;
+    file.surfaces = {plainImage(16, 16, {255, 0, 0, 255}), plainImage(8, 8, {255, 0, 0, 255})};
+    images.put("image", std::move(file));
+    Scene scene = texturedScene();
+    scene.material.color = untextured;
+    GetParam().edit(scene.textures[0]);
+    bool found = false;
+    for (const Finding& each : diagnose(scene, images))
+        found |= each.rule == "incomplete";
+    EXPECT_EQ(found, !GetParam().complete);
+    EXPECT_TRUE(isColor(onlyColor(scene), GetParam().complete ? red : untextured));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CompletenessOnTheDriver,
+    testing::Values(
+        Case{"BaseAlone", true, [](Texture&) {}},
+        Case{"NoMipmaps", false, [](Texture& t) { t.minFilter = MinFilter::NearestMipmapNearest; }},
+        Case{"NoMipmapsTrilinear", false, [](Texture& t) { t.minFilter = MinFilter::LinearMipmapLinear; }},
+        Case{"Generated", true,
+             [](Texture& t) {
+                 t.minFilter = MinFilter::LinearMipmapLinear;
+                 t.mipmaps = MipPolicy::Generated;
+             }},
+        Case{"OneMissing", false,
+             [](Texture& t) {
+                 t.minFilter = MinFilter::LinearMipmapNearest;
+                 t.mipmaps = MipPolicy::Missing;
+             }},
+        Case{"OneMissingUnread", true, [](Texture& t) { t.mipmaps = MipPolicy::Missing; }},
+        Case{"MissingBeyondMaxLevel", true,
+             [](Texture& t) {
+                 t.minFilter = MinFilter::LinearMipmapNearest;
+                 t.mipmaps = MipPolicy::Missing;
+                 t.maxLevel = 1;
+             }},
+        Case{"MissingBelowBaseLevel", true,
+             [](Texture& t) {
+                 t.minFilter = MinFilter::LinearMipmapNearest;
+                 t.mipmaps = MipPolicy::Missing;
+                 t.baseLevel = 3;
+             }},
+        Case{"ShortFile", true,
+             [](Texture& t) {
+                 t.minFilter = MinFilter::LinearMipmapLinear;
+                 t.mipmaps = MipPolicy::FromFile;
+             }},
+        Case{"BaseLevelMissing", false, [](Texture& t) { t.baseLevel = 1; }},
+        Case{"BaseBeyondTheChain", false,
+             [](Texture& t) {
+                 t.mipmaps = MipPolicy::Generated;
+                 t.minFilter = MinFilter::LinearMipmapLinear;
+                 t.baseLevel = 5;
+             }},
+        Case{"BaseAboveMax", false,
+             [](Texture& t) {
+                 t.mipmaps = MipPolicy::Generated;
+                 t.minFilter = MinFilter::LinearMipmapLinear;
+                 t.baseLevel = 2;
+                 t.maxLevel = 1;
+             }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// Another value that the row accepts, far from the present one.
+Value otherThan(const ParamRow& row, const Value& value) {
+    Value other = value;
+    if (bool* flag = std::get_if<bool>(&other))
+        *flag = !*flag;
+    else if (int* whole = std::get_if<int>(&other))
+        *whole = *whole == 3 ? 2 : 3;
+    else if (float* number = std::get_if<float>(&other))
+        *number = *number == row.range.max ? row.range.min : row.range.max;
+    else if (auto* vector = std::get_if<glm::vec4>(&other))
+        *vector = glm::vec4(1) - *vector;
+    else if (auto* choice = std::get_if<EnumValue>(&other)) {
+        for (const EnumRow& each : row.choices) {
+            if (each.value != choice->number)
+                choice->number = each.value; // the last one
+        }
+    }
+    return other;
+}
+
+class EffectOnTheDriver : public RenderTest {};
+
+/// Scenes that differ in what decides whether settings matter.
+std::vector<Scene> variants() {
+    std::vector<Scene> scenes(8, defaultScene());
+    for (Scene& scene : scenes) {
+        scene.view.background = {0.2F, 0.1F, 0.3F, 1};
+        scene.textures[0].pattern = Pattern::UvTemplate;
+        scene.models[0].texCoords[0].clear();
+        scene.passes[0].units[0].matrix = {{MatrixOp::Scale, {3, 3, 3}}};
+    }
+    scenes[1].textures[0].minFilter = MinFilter::Nearest;
+    scenes[1].textures[0].magFilter = MagFilter::Nearest;
+    scenes[1].textures[0].wrapS = Wrap::Clamp;
+    scenes[2].passes[0].units[0].target = Target::Texture1D;
+    scenes[2].textures[0].minFilter = MinFilter::Linear;
+    scenes[3].passes[0].lighting = false;
+    scenes[3].passes[0].blend = true;
+    scenes[4].material.specular = {0, 0, 0, 1};
+    scenes[4].passes[0].units[0].envMode = EnvMode::Combine;
+    scenes[4].passes[0].units[0].combine.rgb = CombineRgb::Replace;
+    scenes[5].passes[0].units[0].envMode = EnvMode::Combine;
+    scenes[5].passes[0].units[0].combine.rgb = CombineRgb::Dot3Rgba;
+    scenes[5].passes[0].alphaTest = true;
+    scenes[6].passes[0].units[0].texGenS.enabled = true;
+    scenes[6].passes[0].units[0].texGenT.enabled = true;
+    scenes[6].passes[0].units[0].texGenT.mode = TexGenMode::SphereMap;
+    scenes[7].textures[0].compression = Compression::Driver;
+    scenes[7].light.specular = {0, 0, 0, 1};
+    scenes[7].passes[0].units[1] = scenes[7].passes[0].units[0];
+    scenes[7].passes[0].units[1].envMode = EnvMode::Replace;
+    return scenes;
+}
+
+TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
+    std::set<std::string> tried;
+    std::size_t number = 0;
+    for (const Scene& scene : variants()) {
+        const Image before = picture(scene, 96);
+        EXPECT_TRUE(problems.empty());
+        const std::vector<Finding> findings = diagnose(scene, images);
+        forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
+            const Finding* idle = idleReasonOf(findings, path);
+            // Units that are off have nothing to show; a file would have to be there.
+            const bool off = path.starts_with("passes[0].units[") && !path.starts_with("passes[0].units[0]");
+            if (!idle || off || row.kind == Kind::Text || row.key == "compressionQuality")
+                return;
+            Scene changed = scene;
+            const Result<void> set = setParam(changed, path, formatValue(row, otherThan(row, value)));
+            ASSERT_TRUE(set) << path;
+            EXPECT_EQ(picture(changed, 96).pixels, before.pixels)
+                << "variant " << number << ", " << path << ": " << idle->sentence;
+            tried.insert(std::string(idle->rule) + " " + std::string(row.key));
+        });
+        ++number;
+    }
+    EXPECT_GT(tried.size(), 40U);
+}
+
+} // namespace
+} // namespace texplorer
