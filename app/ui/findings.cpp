@@ -51,14 +51,8 @@ void reveal(Session& session, const std::string& path) {
         selection.unit = unit;
     if (const int model = indexIn(path, "models"); model >= 0) {
         selection.model = model;
-        for (int unit = 0; unit < maxUnits; ++unit) {
-            const int vertex = indexIn(path, "texCoords" + std::to_string(unit));
-            if (vertex < 0)
-                continue;
-            selection.unit = unit;
-            selection.vertex = static_cast<std::size_t>(vertex);
-            session.wantedTab = Tab::Vertices;
-        }
+        if (path.find("texCoords") != std::string::npos)
+            session.wantedTab = Tab::Vertices; // where they are edited
     }
     // A texture is edited through a unit that it is bound to; one that is on comes first.
     if (const int texture = indexIn(path, "textures"); texture >= 0) {

@@ -36,10 +36,8 @@ void unreadArguments(const Case& about, Report& report) {
         const std::string own = path + "combine.";
         const bool dot = combine.rgb == CombineRgb::Dot3Rgba;
         const std::string overruled = nameOf(combine.rgb) + " gives alpha, too";
-        if (dot) {
+        if (dot) // its scale stays: drivers multiply what alpha gets by it
             report.add(own + "alpha", overruled);
-            report.add(own + "alphaScale", overruled);
-        }
         for (const Argument& each : argumentsOf(combine)) {
             if (each.read)
                 continue;

@@ -84,20 +84,13 @@ std::string noLod(const Texture& texture, const TextureFacts&) {
     return same ? nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same" : "";
 }
 
-/// A longer patch needs more than the one texel that GL_NEAREST takes.
-std::string noAnisotropy(const Texture& texture, const TextureFacts&) {
-    return texture.minFilter == MinFilter::Nearest
-               ? "it has no effect under " + nameOf(texture.minFilter) + ": one texel is taken"
-               : "";
-}
-
 constexpr std::array settings{
     Setting{"flip", noFlip},         Setting{"internalFormat", noInternalFormat},
     Setting{"npot", noScaling},      Setting{"wrapT", noWrapT},
     Setting{"wrapR", noWrapR},       Setting{"borderColor", noBorderColor},
     Setting{"mipFilter", noMipmaps}, Setting{"mipGamma", noMipmaps},
     Setting{"maxLevel", noMipmaps},  Setting{"minLod", noLod},
-    Setting{"maxLod", noLod},        Setting{"maxAnisotropy", noAnisotropy},
+    Setting{"maxLod", noLod},
 };
 
 void noEffect(const Case& about, Report& report) {

@@ -49,49 +49,49 @@ INSTANTIATE_TEST_SUITE_P(
     All, CompletenessOnTheDriver,
     testing::Values(
         Case{"BaseAlone", true, [](Texture&) {}},
-        Case{"NoMipmaps", false, [](Texture& t) { t.minFilter = MinFilter::NearestMipmapNearest; }},
-        Case{"NoMipmapsTrilinear", false, [](Texture& t) { t.minFilter = MinFilter::LinearMipmapLinear; }},
+        Case{"NoMipmaps", false, [](Texture& x) { x.minFilter = MinFilter::NearestMipmapNearest; }},
+        Case{"NoMipmapsTrilinear", false, [](Texture& x) { x.minFilter = MinFilter::LinearMipmapLinear; }},
         Case{"Generated", true,
-             [](Texture& t) {
-                 t.minFilter = MinFilter::LinearMipmapLinear;
-                 t.mipmaps = MipPolicy::Generated;
+             [](Texture& x) {
+                 x.minFilter = MinFilter::LinearMipmapLinear;
+                 x.mipmaps = MipPolicy::Generated;
              }},
         Case{"OneMissing", false,
-             [](Texture& t) {
-                 t.minFilter = MinFilter::LinearMipmapNearest;
-                 t.mipmaps = MipPolicy::Missing;
+             [](Texture& x) {
+                 x.minFilter = MinFilter::LinearMipmapNearest;
+                 x.mipmaps = MipPolicy::Missing;
              }},
-        Case{"OneMissingUnread", true, [](Texture& t) { t.mipmaps = MipPolicy::Missing; }},
+        Case{"OneMissingUnread", true, [](Texture& x) { x.mipmaps = MipPolicy::Missing; }},
         Case{"MissingBeyondMaxLevel", true,
-             [](Texture& t) {
-                 t.minFilter = MinFilter::LinearMipmapNearest;
-                 t.mipmaps = MipPolicy::Missing;
-                 t.maxLevel = 1;
+             [](Texture& x) {
+                 x.minFilter = MinFilter::LinearMipmapNearest;
+                 x.mipmaps = MipPolicy::Missing;
+                 x.maxLevel = 1;
              }},
         Case{"MissingBelowBaseLevel", true,
-             [](Texture& t) {
-                 t.minFilter = MinFilter::LinearMipmapNearest;
-                 t.mipmaps = MipPolicy::Missing;
-                 t.baseLevel = 3;
+             [](Texture& x) {
+                 x.minFilter = MinFilter::LinearMipmapNearest;
+                 x.mipmaps = MipPolicy::Missing;
+                 x.baseLevel = 3;
              }},
         Case{"ShortFile", true,
-             [](Texture& t) {
-                 t.minFilter = MinFilter::LinearMipmapLinear;
-                 t.mipmaps = MipPolicy::FromFile;
+             [](Texture& x) {
+                 x.minFilter = MinFilter::LinearMipmapLinear;
+                 x.mipmaps = MipPolicy::FromFile;
              }},
-        Case{"BaseLevelMissing", false, [](Texture& t) { t.baseLevel = 1; }},
+        Case{"BaseLevelMissing", false, [](Texture& x) { x.baseLevel = 1; }},
         Case{"BaseBeyondTheChain", false,
-             [](Texture& t) {
-                 t.mipmaps = MipPolicy::Generated;
-                 t.minFilter = MinFilter::LinearMipmapLinear;
-                 t.baseLevel = 5;
+             [](Texture& x) {
+                 x.mipmaps = MipPolicy::Generated;
+                 x.minFilter = MinFilter::LinearMipmapLinear;
+                 x.baseLevel = 5;
              }},
         Case{"BaseAboveMax", false,
-             [](Texture& t) {
-                 t.mipmaps = MipPolicy::Generated;
-                 t.minFilter = MinFilter::LinearMipmapLinear;
-                 t.baseLevel = 2;
-                 t.maxLevel = 1;
+             [](Texture& x) {
+                 x.mipmaps = MipPolicy::Generated;
+                 x.minFilter = MinFilter::LinearMipmapLinear;
+                 x.baseLevel = 2;
+                 x.maxLevel = 1;
              }}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -162,12 +162,13 @@ TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
             const bool off = path.starts_with("passes[0].units[") && !path.starts_with("passes[0].units[0]");
             if (!idle || off || row.kind == Kind::Text || row.key == "compressionQuality")
                 return;
+            if (!tried.insert(std::string(row.key) + ": " + idle->sentence).second)
+                return; // a scene before this one has shown it
             Scene changed = scene;
             const Result<void> set = setParam(changed, path, formatValue(row, otherThan(row, value)));
             ASSERT_TRUE(set) << path;
             EXPECT_EQ(picture(changed, 96).pixels, before.pixels)
                 << "variant " << number << ", " << path << ": " << idle->sentence;
-            tried.insert(std::string(idle->rule) + " " + std::string(row.key));
         });
         ++number;
     }
