@@ -1,5 +1,5 @@
-// make_corpus FOLDER: what the fuzzers begin with, written by our own writers. One subfolder a fuzzer; those
-// of the decoders are named for their rows, so that a new row brings its own.
+// make_corpus FOLDER: what the fuzzers begin with, written by our own writers where there are any. One
+// subfolder a fuzzer; those of the decoders are named for their rows, so that a new row brings its own.
 
 #include "core/base/file_io.h"
 #include "core/scene/json.h"
@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <turbojpeg.h>
 
 namespace {
 
@@ -26,6 +27,38 @@ bool writeAll(const std::filesystem::path& folder, std::string_view prefix, cons
     for (std::size_t i = 0; i < files.size(); ++i)
         good = write(folder, std::string(prefix) + std::to_string(i), files[i]) && good;
     return good;
+}
+
+/// JPEG has no writer of ours: what libjpeg-turbo makes of a small picture, with each subsampling, in grey,
+/// and progressive.
+std::vector<Bytes> jpegFiles() {
+    constexpr int extent = 20; // more than one block of 16 x 16
+    std::vector<unsigned char> pixels;
+    for (int i = 0; i < extent * extent * 3; ++i)
+        pixels.push_back(static_cast<unsigned char>(i * i % 251));
+    std::vector<Bytes> files;
+    tjhandle handle = tjInitCompress();
+    for (const auto& [subsampling, flags] : {std::pair{TJSAMP_444, 0},
+                                             {TJSAMP_422, 0},
+                                             {TJSAMP_420, 0},
+                                             {TJSAMP_440, 0},
+                                             {TJSAMP_GRAY, 0},
+                                             {TJSAMP_420, TJFLAG_PROGRESSIVE}}) {
+        unsigned char* file = nullptr;
+        unsigned long size = 0;
+        if (tjCompress2(handle, pixels.data(), extent, 0, extent, TJPF_RGB, &file, &size, subsampling, 60,
+                        flags) == 0) {
+            const auto* bytes = reinterpret_cast<const std::byte*>(file);
+            files.emplace_back(bytes, bytes + size);
+        }
+        tjFree(file);
+    }
+    tjDestroy(handle);
+    return files;
+}
+
+std::vector<Bytes> filesFor(const CodecRow& row) {
+    return row.name == "JPEG" ? jpegFiles() : test::sampleFiles(row);
 }
 
 /// Every enumerator and every parameter occurs in one of them.
@@ -67,8 +100,8 @@ bool makeCorpus(const std::filesystem::path& folder) {
         std::filesystem::create_directories(folder / name, error);
     bool good = true;
     for (const CodecRow& row : codecRows())
-        good = writeAll(folder / row.name, "", test::sampleFiles(row)) &&
-               writeAll(folder / "codecs", row.name, test::sampleFiles(row)) && good;
+        good = writeAll(folder / row.name, "", filesFor(row)) &&
+               writeAll(folder / "codecs", row.name, filesFor(row)) && good;
     for (std::size_t format = 0; format < blockFormatRows.size(); ++format) // see fuzz_flip.cpp
         for (const auto& [flip, width, height] : {std::tuple{0, 8, 12}, {1, 2, 4}, {2, 64, 1}, {0, 4, 6}}) {
             std::string input{char(format), char(flip), char(width - 1), char(height - 1), char(format % 2)};
