@@ -111,7 +111,8 @@ glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Deri
     const Lod lod = levelOfDetail(texture, derivatives, options);
     recorder.lod(lod);
     const LevelChoice choice = chooseLevels(texture, lod);
-    if (lod.ellipse && !lod.magnified && choice.first < lastMipLevel(texture)) {
+    // Mesa does this for magnified textures, too.
+    if (lod.ellipse && choice.first < lastMipLevel(texture)) {
         recorder.level(choice.first, 1);
         recorder.probe(coords);
         return averageOverEllipse(texture, choice.first, coords, derivatives, recorder);

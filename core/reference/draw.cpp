@@ -1,0 +1,120 @@
+#include "core/reference/draw.h"
+
+#include "core/base/parallel.h"
+#include "core/mesh/mesh.h"
+#include "core/reference/pass_state.h"
+#include "core/reference/raster.h"
+#include "core/reference/vertex_stage.h"
+#include "core/scene/animation.h"
+
+#include <new>
+
+namespace texplorer::reference {
+
+namespace {
+
+/// So many triangles are set up before they are drawn: enough to keep the tiles busy, few enough for the
+/// memory that they take.
+constexpr std::size_t batch = 8192;
+
+class Drawing {
+public:
+    Drawing(Canvas& canvas, const DrawOptions& options)
+        : canvas_(canvas)
+        , options_(options)
+        , threads_(options.threads == 0 ? processorThreads() : options.threads) {}
+
+    void add(const Mesh& mesh, const std::vector<ShadedVertex>& vertices, const PassState& pass) {
+        for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+            std::array<ShadedVertex, 3> corners{vertices[mesh.triangles[i]], vertices[mesh.triangles[i + 1]],
+                                                vertices[mesh.triangles[i + 2]]};
+            if (pass.flat) { // section 2.14.7: the colours of the last vertex
+                corners[0].primary = corners[1].primary = corners[2].primary;
+                corners[0].secondary = corners[1].secondary = corners[2].secondary;
+            }
+            add(clip(corners[0], corners[1], corners[2]), pass);
+            if (triangles_.size() >= batch)
+                flush();
+        }
+    }
+
+    void flush() {
+        rasterize(triangles_, canvas_, threads_, options_.stop);
+        triangles_.clear();
+    }
+
+private:
+    void add(const Polygon& polygon, const PassState& pass) {
+        for (std::size_t i = 2; i < polygon.size(); ++i) {
+            if (const auto triangle = setUp(polygon[0], polygon[i - 1], polygon[i], pass, canvas_.viewport(),
+                                            options_.perspectiveCorrect))
+                triangles_.push_back(*triangle);
+        }
+    }
+
+    Canvas& canvas_;
+    const DrawOptions& options_;
+    unsigned threads_;
+    std::vector<Triangle> triangles_;
+};
+
+} // namespace
+
+struct ReferenceRenderer::State {
+    TextureStore textures;
+
+    Drawn draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
+               const DrawOptions& options) {
+        std::vector<std::string> problems;
+        textures.keepFirst(scene.textures.size());
+        const std::vector<PassState> passes =
+            passStates(scene, images, time, options.levels, options.anisotropy, textures, problems);
+        Canvas canvas(viewport, scene.view.background);
+        Drawing drawing(canvas, options);
+        const glm::mat4 view = viewMatrix(scene.view);
+        const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
+                                                                      static_cast<float>(viewport.height));
+        for (const PassState& pass : passes) {
+            for (const Model& model : scene.models) {
+                if (!model.visible || options.stop.stop_requested())
+                    continue;
+                const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
+                const VertexStage stage(scene, pass, view * modelMatrix(model, time), projection);
+                drawing.add(mesh, shadeVertices(stage, model, mesh, pass), pass);
+            }
+        }
+        drawing.flush();
+        return {std::move(canvas.color), std::move(problems)};
+    }
+};
+
+ReferenceRenderer::ReferenceRenderer()
+    : state_(std::make_unique<State>()) {}
+ReferenceRenderer::ReferenceRenderer(ReferenceRenderer&&) noexcept = default;
+ReferenceRenderer& ReferenceRenderer::operator=(ReferenceRenderer&&) noexcept = default;
+ReferenceRenderer::~ReferenceRenderer() = default;
+
+Result<Drawn> ReferenceRenderer::draw(const Scene& scene, const ImageSource& images, double time, int width,
+                                      int height, const DrawOptions& options) {
+    const auto extents = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
+    if (width < 1 || height < 1 || width > maxPictureExtent || height > maxPictureExtent)
+        return fail(ErrorCode::OutOfRange, "a picture has 1 x 1 to " +
+                                               extents(maxPictureExtent, maxPictureExtent) + " pixels, not " +
+                                               extents(width, height));
+    try {
+        Drawn drawn = state_->draw(scene, images, time, {width, height}, options);
+        if (options.stop.stop_requested() || options.levels.stop.stop_requested())
+            return fail(ErrorCode::Cancelled, "the drawing was stopped");
+        return drawn;
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
+                                             extents(width, height) + " pixels");
+    }
+}
+
+Result<Drawn> drawReference(const Scene& scene, const ImageSource& images, double time, int width, int height,
+                            const DrawOptions& options) {
+    return ReferenceRenderer().draw(scene, images, time, width, height, options);
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/image/image.h"
+#include "core/reference/lod.h"
+#include "core/scene/image_source.h"
+#include "core/scene/scene.h"
+#include "core/scene/texture_levels.h"
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace texplorer::reference {
+
+struct DrawOptions {
+    /// Off: coordinates and colours are interpolated straight across the window, as old hardware did it and
+    /// GL_PERSPECTIVE_CORRECTION_HINT allowed it.
+    bool perspectiveCorrect = true;
+    AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
+    unsigned threads = 0; ///< 0: as many as the processor has
+    LevelWork levels{};   ///< for textures that are compressed at run time
+    std::stop_token stop{};
+};
+
+struct Drawn {
+    Image image;                       ///< Rgba8, bottom row first
+    std::vector<std::string> problems; ///< sentences: what could not be drawn, or was done otherwise
+};
+
+/// The largest picture, on each axis.
+inline constexpr int maxPictureExtent = 16384;
+
+/// Draws Scenes on the processor as the OpenGL 2.1 specification says, without OpenGL. Holds the textures of
+/// the last scene, so that the next picture of it is ready sooner.
+class ReferenceRenderer {
+public:
+    ReferenceRenderer();
+    ReferenceRenderer(ReferenceRenderer&&) noexcept;
+    ReferenceRenderer& operator=(ReferenceRenderer&&) noexcept;
+    ReferenceRenderer(const ReferenceRenderer&) = delete;
+    ReferenceRenderer& operator=(const ReferenceRenderer&) = delete;
+    ~ReferenceRenderer();
+
+    /// The same bytes with any number of threads. Errors: OutOfRange for a size below 1 or above
+    /// maxPictureExtent, TooLarge without memory, Cancelled after a stop request.
+    [[nodiscard]] Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, int width,
+                                     int height, const DrawOptions& options = {});
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// One picture.
+[[nodiscard]] Result<Drawn> drawReference(const Scene& scene, const ImageSource& images, double time,
+                                          int width, int height, const DrawOptions& options = {});
+
+} // namespace texplorer::reference

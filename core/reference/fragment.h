@@ -1,0 +1,71 @@
+#pragma once
+
+// Per-fragment operations: OpenGL 2.1, section 4.1.
+
+#include "core/gl/fragment.h"
+
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
+namespace texplorer::reference {
+
+/// Sections 4.1.4 and 4.1.6: whether `value` compares with `with` as the function asks.
+template<class T>
+[[nodiscard]] constexpr bool passes(CompareFunc function, T value, T with) {
+    switch (function) {
+    case CompareFunc::Never:
+        return false;
+    case CompareFunc::Less:
+        return value < with;
+    case CompareFunc::Equal:
+        return value == with;
+    case CompareFunc::LessEqual:
+        return value <= with;
+    case CompareFunc::Greater:
+        return value > with;
+    case CompareFunc::NotEqual:
+        return value != with;
+    case CompareFunc::GreaterEqual:
+        return value >= with;
+    case CompareFunc::Always:
+        return true;
+    }
+    return true;
+}
+
+/// Table 4.2.
+[[nodiscard]] inline glm::vec4 blendFactor(BlendFactor factor, glm::vec4 source, glm::vec4 destination) {
+    switch (factor) {
+    case BlendFactor::Zero:
+        return glm::vec4(0);
+    case BlendFactor::One:
+        return glm::vec4(1);
+    case BlendFactor::SrcColor:
+        return source;
+    case BlendFactor::OneMinusSrcColor:
+        return 1.0F - source;
+    case BlendFactor::SrcAlpha:
+        return glm::vec4(source.a);
+    case BlendFactor::OneMinusSrcAlpha:
+        return glm::vec4(1 - source.a);
+    case BlendFactor::DstAlpha:
+        return glm::vec4(destination.a);
+    case BlendFactor::OneMinusDstAlpha:
+        return glm::vec4(1 - destination.a);
+    case BlendFactor::DstColor:
+        return destination;
+    case BlendFactor::OneMinusDstColor:
+        return 1.0F - destination;
+    }
+    return glm::vec4(1);
+}
+
+/// Section 4.1.8, with GL_FUNC_ADD.
+[[nodiscard]] inline glm::vec4 blend(BlendFactor sourceFactor, BlendFactor destinationFactor,
+                                     glm::vec4 source, glm::vec4 destination) {
+    return glm::clamp(source * blendFactor(sourceFactor, source, destination) +
+                          destination * blendFactor(destinationFactor, source, destination),
+                      0.0F, 1.0F);
+}
+
+} // namespace texplorer::reference

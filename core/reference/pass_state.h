@@ -1,0 +1,40 @@
+#pragma once
+
+// A pass as the reference draws it: what a Scene says, looked up once.
+
+#include "core/reference/lod.h"
+#include "core/reference/texture_store.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace texplorer::reference {
+
+/// A unit that takes part. Its coordinates are matrix * coordinate.
+struct UnitState {
+    const SampledTexture* texture = nullptr; ///< nullptr: the unit is off, or its texture incomplete
+    const Unit* unit = nullptr;              ///< what the scene says of it
+    glm::vec4 envColor{0};                   ///< clamped
+    SampleOptions sampling{};
+    glm::mat4 matrix{1};
+    bool flipsCoordinates = false; ///< t becomes q - t before the matrix
+};
+
+struct PassState {
+    const Pass* pass = nullptr;
+    std::array<UnitState, maxUnits> units{};
+    int unitsUsed = 0; ///< one more than the last unit that takes part
+    bool flat = false;
+    bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)
+};
+
+/// Every pass of the scene. Sentences about what could not be drawn are added to `problems`. Throws
+/// std::bad_alloc.
+[[nodiscard]] std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
+                                                const LevelWork& work, AnisotropyMethod anisotropy,
+                                                TextureStore& store, std::vector<std::string>& problems);
+
+} // namespace texplorer::reference

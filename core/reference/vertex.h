@@ -1,0 +1,34 @@
+#pragma once
+
+// What the vertex stage gives: OpenGL 2.1, sections 2.11 (transformation, texture matrix) and 2.12
+// (clipping).
+
+#include "core/scene/scene.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <vector>
+
+namespace texplorer::reference {
+
+struct ShadedVertex {
+    glm::vec4 clip{0};    ///< clip coordinates
+    glm::vec4 primary{1}; ///< colours: see lighting.h
+    glm::vec3 secondary{0};
+    std::array<glm::vec4, maxUnits> texCoords{}; ///< s, t, r, q after the texture matrix
+};
+
+/// A convex polygon: what clipping leaves of a triangle.
+using Polygon = std::vector<ShadedVertex>;
+
+/// How far outside of the view, in halves of its extent, a polygon may reach in x and y. GL cuts it at the
+/// view itself; what is beyond is never seen, and one cut less is one rounding less.
+inline constexpr float guardBand = 8;
+
+/// Cuts a triangle at the near and far planes and at the guard band; empty where nothing is left, or where a
+/// vertex is NaN or infinite. What is behind the eye (w <= 0) is beyond the near plane.
+[[nodiscard]] Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c);
+
+} // namespace texplorer::reference

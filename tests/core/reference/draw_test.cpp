@@ -1,0 +1,247 @@
+// Pictures that can be worked out by hand. Against OpenGL: tests/render/reference_test.cpp.
+
+#include "core/mesh/mesh.h"
+#include "core/reference/draw.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <limits>
+
+namespace texplorer::reference {
+namespace {
+
+using Pixel = std::array<int, 4>;
+
+Pixel pixelAt(const Image& image, int x, int y) {
+    Pixel pixel{};
+    for (std::size_t i = 0; i < 4; ++i)
+        pixel[i] = std::to_integer<int>(image.at(x, y)[i]);
+    return pixel;
+}
+
+/// A square that fills the picture exactly, without perspective.
+Scene squareScene() {
+    Scene scene;
+    scene.view.projection = Projection::Orthographic;
+    scene.view.fieldOfView = 90;
+    scene.view.distance = 1;
+    scene.models.resize(1);
+    scene.models[0].shape = Shape::Quad;
+    scene.material.color = {0.2F, 0.4F, 0.6F, 0.8F};
+    return scene;
+}
+
+Image drawn(const Scene& scene, int extent, const DrawOptions& options = {},
+            const ImageSource& images = ImageSource()) {
+    const Result<Drawn> result = drawReference(scene, images, 0, extent, extent, options);
+    EXPECT_TRUE(result) << describe(result.error());
+    return result ? result->image : Image{};
+}
+
+TEST(DrawReference, FillsTheSquareAndNothingElse) {
+    Scene scene = squareScene();
+    scene.view.background = {0, 1, 0, 1};
+    scene.models[0].size = 0.5F;
+    const Image image = drawn(scene, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            const bool inside = x >= 2 && x < 6 && y >= 2 && y < 6;
+            EXPECT_EQ(pixelAt(image, x, y), inside ? (Pixel{51, 102, 153, 204}) : (Pixel{0, 255, 0, 255}));
+        }
+    }
+}
+
+// Both triangles of the square share the diagonal, which runs through pixel centres.
+TEST(DrawReference, HitsEveryPixelOfASharedEdgeOnce) {
+    Scene scene = squareScene();
+    scene.passes[0].blend = true;
+    scene.passes[0].blendDst = BlendFactor::One;
+    const Image image = drawn(scene, 15);
+    for (int y = 0; y < 15; ++y) {
+        for (int x = 0; x < 15; ++x)
+            EXPECT_EQ(pixelAt(image, x, y), (Pixel{51, 102, 153, 204})) << x << ", " << y;
+    }
+}
+
+TEST(DrawReference, InterpolatesPerspectiveCorrectlyOrNot) {
+    // A line of two texels, dark and light, on a floor that runs from w = 1 to w = 79 or so: seen from above,
+    // the middle of the floor is near the horizon, but the middle of its picture is near the viewer.
+    Scene scene;
+    scene.models.resize(1);
+    scene.models[0].shape = Shape::Floor;
+    scene.view.distance = 5;
+    scene.textures.resize(1);
+    Texture& texture = scene.textures[0];
+    texture.source = SourceKind::File;
+    texture.file = "halves";
+    texture.magFilter = MagFilter::Nearest;
+    texture.minFilter = MinFilter::Nearest;
+    scene.passes[0].units[0].enabled = true;
+    scene.passes[0].units[0].envMode = EnvMode::Replace;
+    TexCoords coords;
+    for (const Vertex& vertex : makeMesh(Shape::Floor, 0, 0).vertices)
+        coords.push_back({0.5F, vertex.position.z > 0 ? 0.0F : 0.99F, 0, 1});
+    scene.models[0].texCoords[0] = coords;
+    ImageSource images;
+    Image halves{PixelFormat::Luminance8, 1, 2, 1, {std::byte{50}, std::byte{200}}};
+    images.put("halves", halves);
+
+    const auto light = [&](bool perspective) {
+        const Image image = drawn(scene, 64, {.perspectiveCorrect = perspective}, images);
+        int count = 0;
+        for (int y = 0; y < 64; ++y)
+            count += pixelAt(image, 32, y)[0] == 200 ? 1 : 0;
+        return count;
+    };
+    EXPECT_LE(light(true), 3);
+    EXPECT_GE(light(false), 10);
+}
+
+TEST(DrawReference, GivesTheSameBytesWithAnyNumberOfThreads) {
+    Scene scene = defaultScene();
+    scene.passes[0].blend = true;
+    scene.passes[0].blendSrc = BlendFactor::SrcAlpha;
+    scene.passes[0].blendDst = BlendFactor::OneMinusSrcAlpha;
+    scene.passes[0].depthTest = false;
+    scene.material.color.a = 0.4F;
+    const Image one = drawn(scene, 100, {.threads = 1});
+    for (const unsigned threads : {2U, 3U, 8U})
+        EXPECT_EQ(drawn(scene, 100, {.threads = threads}), one);
+}
+
+TEST(ReferenceRenderer, FollowsTheSceneFromPictureToPicture) {
+    ReferenceRenderer renderer;
+    Scene scene = defaultScene();
+    for (const Pattern pattern : {Pattern::Checker, Pattern::Brick, Pattern::Checker}) {
+        scene.textures[0].pattern = pattern;
+        for (const MinFilter filter : {MinFilter::Nearest, MinFilter::LinearMipmapLinear}) {
+            scene.textures[0].minFilter = filter;
+            const Result<Drawn> next = renderer.draw(scene, ImageSource(), 0, 64, 64);
+            ASSERT_TRUE(next);
+            EXPECT_EQ(next->image, drawn(scene, 64));
+        }
+    }
+}
+
+struct Refused {
+    const char* name;
+    int width;
+    int height;
+};
+class BadSize : public testing::TestWithParam<Refused> {};
+TEST_P(BadSize, IsRefusedWithBothNumbers) {
+    const Result<Drawn> result =
+        drawReference(defaultScene(), ImageSource(), 0, GetParam().width, GetParam().height);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::OutOfRange);
+    EXPECT_THAT(result.error().message, testing::HasSubstr("1 x 1 to 16384 x 16384"));
+}
+INSTANTIATE_TEST_SUITE_P(All, BadSize,
+                         testing::Values(Refused{"Zero", 0, 8}, Refused{"Negative", 8, -1},
+                                         Refused{"Huge", 16385, 1}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DrawReference, StopsWhenItIsAskedTo) {
+    std::stop_source source;
+    source.request_stop();
+    const Result<Drawn> result =
+        drawReference(defaultScene(), ImageSource(), 0, 64, 64, {.stop = source.get_token()});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+}
+
+// What is wrong, and the picture that comes of it all the same.
+struct Bad {
+    const char* name;
+    void (*spoil)(Scene& scene);
+};
+class BadScene : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadScene, IsDrawnWithoutHarm) {
+    Scene scene = defaultScene();
+    scene.light.colorControl = ColorControl::SeparateSpecular;
+    GetParam().spoil(scene);
+    EXPECT_EQ(drawn(scene, 48).width, 48);
+    scene.textures[0].maxAnisotropy = 16;
+    EXPECT_EQ(drawn(scene, 48, {.perspectiveCorrect = false, .anisotropy = AnisotropyMethod::Ellipse}).width,
+              48);
+}
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+void setCoords(Scene& scene, glm::vec4 coord) {
+    scene.models[0].texCoords[0] = TexCoords(24, coord);
+}
+void setScale(Scene& scene, glm::vec3 scale) {
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = scale}};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadScene,
+    testing::Values(Bad{"NanCoordinates",
+                        [](Scene& it) {
+                            setCoords(it, {nan, nan, nan, nan});
+                        }},
+                    Bad{"InfiniteCoordinates",
+                        [](Scene& it) {
+                            setCoords(it, {infinity, -infinity, 0, 1});
+                        }},
+                    Bad{"HugeCoordinates",
+                        [](Scene& it) {
+                            setCoords(it, {3e38F, -3e38F, 0, 1e-30F});
+                        }},
+                    Bad{"NoQ",
+                        [](Scene& it) {
+                            setCoords(it, {1, 1, 0, 0});
+                        }},
+                    Bad{"QOfEitherSign",
+                        [](Scene& it) {
+                            setCoords(it, {1, 1, 0, 1});
+                            it.models[0].texCoords[0][0].q = -1;
+                        }},
+                    Bad{"ZeroScale",
+                        [](Scene& it) {
+                            setScale(it, {0, 0, 0});
+                        }},
+                    Bad{"NanScale",
+                        [](Scene& it) {
+                            setScale(it, {nan, 1, 1});
+                        }},
+                    Bad{"NoSize", [](Scene& it) { it.models[1].size = 0; }},
+                    Bad{"NanSize", [](Scene& it) { it.models[1].size = nan; }},
+                    Bad{"HugeModel", [](Scene& it) { it.models[1].size = 1e30F; }},
+                    Bad{"EyeInsideTheModel",
+                        [](Scene& it) {
+                            it.view.distance = 0.5F;
+                            it.models[0].position = {0, 0, 0};
+                        }},
+                    Bad{"EyeInTheTarget", [](Scene& it) { it.view.distance = 0; }},
+                    Bad{"NanColor",
+                        [](Scene& it) {
+                            it.material.color = {nan, infinity, -infinity, nan};
+                        }},
+                    Bad{"NanBackground", [](Scene& it) { it.view.background = glm::vec4(nan); }},
+                    Bad{"NanLight", [](Scene& it) { it.light.position = glm::vec4(nan); }},
+                    Bad{"NanShininess", [](Scene& it) { it.material.shininess = nan; }},
+                    Bad{"NoFieldOfView", [](Scene& it) { it.view.fieldOfView = 0; }},
+                    Bad{"LevelsThatDoNotExist", [](Scene& it) { it.textures[0].baseLevel = 500; }},
+                    Bad{"NegativeLevel", [](Scene& it) { it.textures[0].baseLevel = -5; }},
+                    Bad{"ContradictingLod",
+                        [](Scene& it) {
+                            it.textures[0].minLod = 900;
+                            it.textures[0].maxLod = -900;
+                        }},
+                    Bad{"NanLod",
+                        [](Scene& it) {
+                            it.textures[0].minLod = nan;
+                            it.passes[0].units[0].lodBias = nan;
+                        }},
+                    Bad{"NanAnisotropy", [](Scene& it) { it.textures[0].maxAnisotropy = nan; }},
+                    Bad{"ListOfTheWrongLength", [](Scene& it) { it.models[0].texCoords[0].resize(5); }},
+                    Bad{"NoPasses", [](Scene& it) { it.passes.clear(); }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+} // namespace
+} // namespace texplorer::reference
