@@ -188,6 +188,8 @@ Result<SceneRenderer> createRenderer(RendererKind kind, const Capabilities& capa
         return FixedRenderer::create(capabilities).map(asSceneRenderer);
     case RendererKind::Shader:
         return ShaderRenderer::create(capabilities, options).map(asSceneRenderer);
+    case RendererKind::Reference:
+        return fail(ErrorCode::Unsupported, "the reference draws without OpenGL");
     }
     return fail(ErrorCode::OutOfRange, "there is no such renderer");
 }

@@ -28,7 +28,8 @@ private:
     using SceneRenderer::SceneRenderer;
 };
 
-/// The renderer of this kind. The options are for that with shaders.
+/// The renderer of this kind. The options are for that with shaders. The reference is none of OpenGL's: see
+/// core/reference/draw.h.
 [[nodiscard]] Result<SceneRenderer> createRenderer(RendererKind kind, const Capabilities& capabilities,
                                                    const ShaderOptions& options = {});
 

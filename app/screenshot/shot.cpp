@@ -4,6 +4,7 @@
 #include "app/screenshot/texture_io.h"
 #include "core/codec/png.h"
 #include "core/image/convert.h"
+#include "core/reference/draw.h"
 #include "core/scene/diagnosis.h"
 
 #include <algorithm>
@@ -84,6 +85,16 @@ Result<RendererKind> parseRenderer(std::string_view name) {
                 "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", "--renderer");
 }
 
+/// Without OpenGL: the module that holds it is not even loaded.
+Result<Picture> drawByReference(const Drawing& drawing) {
+    Result<reference::Drawn> drawn =
+        reference::drawReference(drawing.scene, drawing.images, drawing.time, drawing.size.width,
+                                 drawing.size.height, {.levels = drawing.levels});
+    if (!drawn)
+        return fail(drawn.error());
+    return Picture{std::move(drawn->image), std::move(drawn->problems), {}};
+}
+
 ExitCode shoot(const Options& options) {
     const Result<render::Size> size =
         parseSize(options.size, options.window ? smallestWindow : render::Size{1, 1});
@@ -123,7 +134,7 @@ ExitCode shoot(const Options& options) {
         drawing.levels.progress = [&work = *compressing](float done) { work.report(done); };
         drawing.levels.stop = compressing->stopToken();
     }
-    Result<Picture> picture = draw(drawing);
+    Result<Picture> picture = *renderer == RendererKind::Reference ? drawByReference(drawing) : draw(drawing);
     if (drawing.levels.stop.stop_requested())
         return complainInterrupted();
     compressing.reset();

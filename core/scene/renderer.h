@@ -5,13 +5,15 @@
 namespace texplorer {
 
 /// Who draws a Scene. All draw the same; where they don't, one of them is wrong.
-enum class RendererKind : std::uint32_t { Fixed, Shader };
+enum class RendererKind : std::uint32_t { Fixed, Shader, Reference };
 
 inline constexpr std::array rendererKindRows{
     row(RendererKind::Fixed, "fixed", "Fixed function",
         "OpenGL's own texture units, as programs used them before there were shaders.", "1.0"),
     row(RendererKind::Shader, "shader", "Shader", "The same written out in GLSL, one program for each pass.",
         "3.3"),
+    row(RendererKind::Reference, "reference", "Reference",
+        "The specification itself, worked out on the processor without OpenGL."),
 };
 
 template<>
@@ -19,6 +21,6 @@ struct EnumTable<RendererKind> {
     static constexpr std::span<const EnumRow> rows = rendererKindRows;
 };
 
-static_assert(rendererKindRows.size() == 2);
+static_assert(rendererKindRows.size() == 3);
 
 } // namespace texplorer

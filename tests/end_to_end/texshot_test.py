@@ -4,6 +4,7 @@ import io
 import json
 import os
 import pty
+import shutil
 import signal
 import struct
 import subprocess
@@ -13,7 +14,7 @@ import time
 import unittest
 from pathlib import Path
 
-from PIL import Image
+from PIL import Image, ImageChops
 
 TEXSHOT = sys.argv.pop(1)
 
@@ -199,6 +200,29 @@ class Shot(Texshot):
         self.complains(1, "nowhere.bmp", "shot", "--set", "textures[0].source=file", "--set",
                        "textures[0].file=nowhere.bmp", "-o", out)
         self.complains(1, "no/such", "shot", "--size", "8x8", "-o", self.path / "no/such/out.png")
+
+
+    def test_the_reference_draws_what_opengl_draws(self):
+        fixed = self.shot("--size", "320x200")
+        reference = self.shot("--size", "320x200", "--renderer", "reference")
+        difference = ImageChops.difference(fixed, reference).convert("L")
+        far = sum(count for level, count in enumerate(difference.histogram()) if level > 16)
+        self.assertLess(far, 320 * 200 / 100)
+        self.assertEqual(difference.getpixel((95, 100)), 0)
+
+    def test_the_reference_needs_no_opengl(self):
+        alone = self.path / "bin" / "texshot"  # without the module that holds OpenGL beside it
+        alone.parent.mkdir()
+        shutil.copy(TEXSHOT, alone)
+        shoot = [alone, "shot", "--size", "16x16", "-o", "-"]
+        self.assertEqual(subprocess.run(shoot, capture_output=True).returncode, 1)
+        drawn = subprocess.run([*shoot, "--renderer", "reference"], capture_output=True)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
+        self.assertEqual(Image.open(io.BytesIO(drawn.stdout)).size, (16, 16))
+
+    def test_a_renderer_that_does_not_exist_is_refused(self):
+        self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
+                       "shot", "--renderer", "metal", "-o", self.path / "out.png")
 
 
 class Files(Texshot):
