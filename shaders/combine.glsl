@@ -51,7 +51,7 @@
 //@ alpha GL_SUBTRACT
         float alpha = alpha0 - alpha1;
 //@ alpha of the dot product
-        float alpha = rgb.r; // GL_DOT3_RGBA
+        float alpha = 4.0 * dot(rgb0 - 0.5, rgb1 - 0.5); // GL_DOT3_RGBA; its scale is alpha's own
 //@ alpha scale 2
         alpha *= 2.0; // GL_ALPHA_SCALE
 //@ alpha scale 4

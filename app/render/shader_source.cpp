@@ -249,9 +249,11 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
     const Arguments rgb = rgbArguments(combine);
     bool defined = writeFunction(block, "rgb", nameOf(combine.rgb), used(rgb, argumentCount(combine.rgb)),
                                  combine.rgbScale, index, units);
-    if (combine.rgb == CombineRgb::Dot3Rgba)
+    if (combine.rgb == CombineRgb::Dot3Rgba) {
         block.add("combine", "alpha of the dot product");
-    else {
+        if (combine.alphaScale != CombineScale::One)
+            block.add("combine", "alpha scale " + nameOf(combine.alphaScale));
+    } else {
         const Arguments alpha = alphaArguments(combine);
         defined =
             writeFunction(block, "alpha", nameOf(combine.alpha), used(alpha, argumentCount(combine.alpha)),

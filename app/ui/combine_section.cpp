@@ -59,7 +59,7 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
 void drawEquation(Session& session, const Combine& combine, const Half& half) {
     const bool isAlpha = half.suffix == "Alpha";
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
-        ImGui::TextWrapped("= the colour's result: %s overrules what is below.",
+        ImGui::TextWrapped("= the colour's dot product: %s overrules what is below but the scale.",
                            std::string(rowOf(combine.rgb).name).c_str());
         return;
     }

@@ -118,8 +118,9 @@ EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inpu
     if (!rgb)
         return passedOn;
     glm::vec4 color = *rgb * factorOf(combine.rgbScale);
-    // DOT3_RGBA gives alpha with the colour, and the scale of the colour; what stands for alpha is ignored.
-    if (combine.rgb != CombineRgb::Dot3Rgba) {
+    if (combine.rgb == CombineRgb::Dot3Rgba) { // alpha's function is ignored, its scale is not
+        color.a = rgb->a * factorOf(combine.alphaScale);
+    } else {
         const std::optional<glm::vec4> alpha =
             combined(static_cast<CombineRgb>(combine.alpha), alphaArguments(combine), inputs, textures);
         if (!alpha)

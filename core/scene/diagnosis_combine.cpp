@@ -36,7 +36,7 @@ void unreadArguments(const Case& about, Report& report) {
         const std::string own = path + "combine.";
         const bool dot = combine.rgb == CombineRgb::Dot3Rgba;
         const std::string overruled = nameOf(combine.rgb) + " gives alpha, too";
-        if (dot) // its scale stays: drivers multiply what alpha gets by it
+        if (dot) // its scale stays: ARB_texture_env_dot3 multiplies alpha by it
             report.add(own + "alpha", overruled);
         for (const Argument& each : argumentsOf(combine)) {
             if (each.read)

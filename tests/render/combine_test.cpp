@@ -86,6 +86,13 @@ INSTANTIATE_TEST_SUITE_P(
                  c.alpha = CombineAlpha::Replace;
              },
              {0.12F, 0.12F, 0.12F, 0.12F}},
+        Case{"Dot3RgbaHasTheScaleOfAlpha",
+             [](Combine& c) {
+                 c.rgb = CombineRgb::Dot3Rgba;
+                 c.rgbScale = CombineScale::Two;
+                 c.alphaScale = CombineScale::Four;
+             },
+             {0.24F, 0.24F, 0.24F, 0.48F}},
         Case{"ScaleComesBeforeTheClamp",
              [](Combine& c) {
                  c.rgbScale = CombineScale::Two;

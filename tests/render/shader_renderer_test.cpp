@@ -65,10 +65,6 @@ Combine anyCombine(Dice& dice, int units) {
         *operand = dice.any<OperandAlpha>();
     c.rgbScale = dice.any<CombineScale>();
     c.alphaScale = dice.any<CombineScale>();
-    // Which of the two scales the alpha of GL_DOT3_RGBA has: Mesa takes alpha's, the shader and the reference
-    // the colour's.
-    if (c.rgb == CombineRgb::Dot3Rgba)
-        c.alphaScale = c.rgbScale;
     return c;
 }
 

@@ -78,7 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Subtract", with(Fn::Subtract), {0.4F, 0, 0.2F, 0}},
         // 4 (0.1 * -0.3 + -0.3 * -0.1 + 0.3 * 0.1) = 0.12
         Case{"Dot3Rgb", dot(Fn::Dot3Rgb), {0.12F, 0.12F, 0.12F, 0.5F}},
-        Case{"Dot3Rgba", dot(Fn::Dot3Rgba, Scale::Four), {0.48F, 0.48F, 0.48F, 0.48F}},
+        // ARB_texture_env_dot3 multiplies by both scales: alpha has its own
+        Case{"Dot3Rgba", dot(Fn::Dot3Rgba, Scale::Four), {0.48F, 0.48F, 0.48F, 0.12F}},
         Case{"OneMinusColor",
              withOperand(OperandRgb::OneMinusSrcColor, OperandAlpha::OneMinusSrcAlpha),
              {0.4F, 0.8F, 0.2F, 0.6F}},
