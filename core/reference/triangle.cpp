@@ -117,7 +117,9 @@ std::optional<Triangle> setUp(const ShadedVertex& a, const ShadedVertex& b, cons
     for (std::size_t i = 0; i < 3; ++i)
         triangle.edges[i] = edgeOf(corners[i], corners[(i + 1) % 3]);
 
-    const auto& [first, second, third] = corners;
+    const auto& first = corners[0]; // no structured binding: clang 14's lambdas can't take one
+    const auto& second = corners[1];
+    const auto& third = corners[2];
     triangle.origin = glm::vec2(first.window);
     const Gradient gradient(corners);
     triangle.depth = gradient.operator()<float>(first.depth, second.depth, third.depth);
