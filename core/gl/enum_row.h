@@ -52,7 +52,8 @@ constexpr const EnumRow* findRow(std::span<const EnumRow> rows, std::string_view
 /// The row of an enumerator. A value without a row is a programming mistake; the first row stands in for it.
 template<Enumerated E>
 constexpr const EnumRow& rowOf(E value) {
-    // Not by findRow: GCC 12 under UBSan takes no comparison of an address with nullptr in a constant expression.
+    // Not by findRow: GCC 12 under UBSan takes no comparison of an address with nullptr in a constant
+    // expression.
     const auto& rows = EnumTable<E>::rows;
     const auto found = std::ranges::find(rows, static_cast<std::uint32_t>(value), &EnumRow::value);
     return found == rows.end() ? rows.front() : *found;
