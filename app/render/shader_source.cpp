@@ -1,6 +1,7 @@
 #include "app/render/shader_source.h"
 
 #include "app/render/vertex_attributes.h"
+#include "core/gl/combine_arguments.h"
 
 #include <algorithm>
 #include <charconv>
@@ -199,39 +200,21 @@ std::string sourceOf(CombineSource source, const std::string& index, const Sampl
     default:
         break;
     }
-    const auto other = static_cast<std::size_t>(static_cast<std::uint32_t>(source) -
-                                                static_cast<std::uint32_t>(CombineSource::Texture0));
-    return other < units.size() && units[other] ? "texel" + number(other) : std::string();
-}
-
-struct Argument {
-    CombineSource source;
-    std::string operand; ///< its name
-};
-using Arguments = std::array<Argument, 3>;
-
-Arguments rgbArguments(const Combine& c) {
-    return {{{c.source0Rgb, nameOf(c.operand0Rgb)},
-             {c.source1Rgb, nameOf(c.operand1Rgb)},
-             {c.source2Rgb, nameOf(c.operand2Rgb)}}};
-}
-
-Arguments alphaArguments(const Combine& c) {
-    return {{{c.source0Alpha, nameOf(c.operand0Alpha)},
-             {c.source1Alpha, nameOf(c.operand1Alpha)},
-             {c.source2Alpha, nameOf(c.operand2Alpha)}}};
+    const std::optional<std::size_t> other = crossbarUnit(source);
+    return other && *other < units.size() && units[*other] ? "texel" + number(*other) : std::string();
 }
 
 /// The arguments, the function and the scale of the colour ("rgb") or of "alpha". False where an argument is
 /// undefined.
 bool writeFunction(Writer& body, const std::string& what, const std::string& function,
-                   std::span<const Argument> arguments, CombineScale scale, const std::string& index,
+                   std::span<const CombineArgument> arguments, CombineScale scale, const std::string& index,
                    const SampledUnits& units) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string source = sourceOf(arguments[i].source, index, units);
         if (source.empty())
             return false;
-        body.add("combine", what + " " + arguments[i].operand, {{"INDEX", number(i)}, {"SOURCE", source}});
+        body.add("combine", what + " " + nameOf(arguments[i].operand),
+                 {{"INDEX", number(i)}, {"SOURCE", source}});
     }
     body.add("combine", what + " " + function);
     if (scale != CombineScale::One)
@@ -243,10 +226,10 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
                   const ShaderPieces& pieces) {
     Writer block(pieces);
     block.add("combine", "begin", {{"UNIT", index}});
-    const auto used = [](const Arguments& arguments, int count) {
+    const auto used = [](const CombineArguments& arguments, int count) {
         return std::span(arguments).first(static_cast<std::size_t>(count));
     };
-    const Arguments rgb = rgbArguments(combine);
+    const CombineArguments rgb = rgbArguments(combine);
     bool defined = writeFunction(block, "rgb", nameOf(combine.rgb), used(rgb, argumentCount(combine.rgb)),
                                  combine.rgbScale, index, units);
     if (combine.rgb == CombineRgb::Dot3Rgba) {
@@ -254,7 +237,7 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
         if (combine.alphaScale != CombineScale::One)
             block.add("combine", "alpha scale " + nameOf(combine.alphaScale));
     } else {
-        const Arguments alpha = alphaArguments(combine);
+        const CombineArguments alpha = alphaArguments(combine);
         defined =
             writeFunction(block, "alpha", nameOf(combine.alpha), used(alpha, argumentCount(combine.alpha)),
                           combine.alphaScale, index, units) &&

@@ -1,5 +1,7 @@
 #include "core/reference/combine.h"
 
+#include "core/gl/combine_arguments.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -10,8 +12,6 @@
 namespace texplorer::reference {
 
 namespace {
-
-constexpr auto firstUnit = static_cast<std::uint32_t>(CombineSource::Texture0);
 
 /// Table 3.24's and 3.25's SRCn.
 std::optional<glm::vec4> sourceOf(CombineSource source, const EnvironmentInputs& in,
@@ -28,33 +28,13 @@ std::optional<glm::vec4> sourceOf(CombineSource source, const EnvironmentInputs&
     default:
         break;
     }
-    const auto unit = static_cast<std::size_t>(static_cast<std::uint32_t>(source) - firstUnit);
-    if (unit >= textures.size() || !textures[unit])
+    const std::optional<std::size_t> unit = crossbarUnit(source);
+    if (!unit || *unit >= textures.size() || !textures[*unit])
         return std::nullopt;
-    return *textures[unit];
+    return *textures[*unit];
 }
 
-/// An argument: where it comes from and OPERANDn, which of it is taken. Alpha's operands are two of the
-/// colour's, with the same numbers.
-struct Argument {
-    CombineSource source;
-    OperandRgb operand;
-};
-using Arguments = std::array<Argument, 3>;
-
-Arguments rgbArguments(const Combine& combine) {
-    return {{{combine.source0Rgb, combine.operand0Rgb},
-             {combine.source1Rgb, combine.operand1Rgb},
-             {combine.source2Rgb, combine.operand2Rgb}}};
-}
-
-Arguments alphaArguments(const Combine& combine) {
-    const auto asRgb = [](OperandAlpha operand) { return static_cast<OperandRgb>(operand); };
-    return {{{combine.source0Alpha, asRgb(combine.operand0Alpha)},
-             {combine.source1Alpha, asRgb(combine.operand1Alpha)},
-             {combine.source2Alpha, asRgb(combine.operand2Alpha)}}};
-}
-
+/// OPERANDn.
 glm::vec4 operandOf(OperandRgb operand, glm::vec4 source) {
     switch (operand) {
     case OperandRgb::SrcColor:
@@ -93,8 +73,8 @@ glm::vec4 applyFunction(CombineRgb function, const std::array<glm::vec4, 3>& arg
 }
 
 /// The function of the arguments that it reads, or nothing where one of them is undefined.
-std::optional<glm::vec4> combined(CombineRgb function, const Arguments& from, const EnvironmentInputs& in,
-                                  std::span<const glm::vec4* const> textures) {
+std::optional<glm::vec4> combined(CombineRgb function, const CombineArguments& from,
+                                  const EnvironmentInputs& in, std::span<const glm::vec4* const> textures) {
     std::array<glm::vec4, 3> arguments{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(argumentCount(function)); ++i) {
         const std::optional<glm::vec4> source = sourceOf(from[i].source, in, textures);

@@ -1,11 +1,10 @@
 // GL_COMBINE: OpenGL 2.1, section 3.8.13.
 
+#include "core/gl/combine_arguments.h"
 #include "core/scene/diagnosis_rules.h"
 
 namespace texplorer::diagnosis {
 namespace {
-
-constexpr auto firstCrossbar = static_cast<std::uint32_t>(CombineSource::Texture0);
 
 /// The texture of a unit that is off, or incomplete, is undefined.
 void undefinedCrossbar(const Case& about, Report& report) {
@@ -13,15 +12,15 @@ void undefinedCrossbar(const Case& about, Report& report) {
         if (unit.envMode != EnvMode::Combine || !about.works(unit))
             return;
         for (const Argument& each : argumentsOf(unit.combine)) {
-            const int asked = crossbarUnit(each.source);
-            if (!each.read || asked < 0)
+            const std::optional<std::size_t> asked = crossbarUnit(each.source);
+            if (!each.read || !asked)
                 continue;
-            const Unit& other = about.scene.passes[pass].units[static_cast<std::size_t>(asked)];
+            const Unit& other = about.scene.passes[pass].units[*asked];
             if (about.works(other))
                 continue;
             const std::string source = path + "combine." + std::string(each.sourceKey);
             report.add(source,
-                       nameOf(each.source) + " is undefined: unit " + std::to_string(asked) +
+                       nameOf(each.source) + " is undefined: unit " + std::to_string(*asked) +
                            (other.enabled ? " has no texture that is complete" : " is off"),
                        Fix{"Take this unit's texture", {{source, nameOf(CombineSource::Texture)}}});
         }
@@ -78,11 +77,6 @@ std::array<Argument, 6> argumentsOf(const Combine& combine) {
              {"source0Alpha", "operand0Alpha", combine.source0Alpha, alpha > 0, true},
              {"source1Alpha", "operand1Alpha", combine.source1Alpha, alpha > 1, true},
              {"source2Alpha", "operand2Alpha", combine.source2Alpha, alpha > 2, true}}};
-}
-
-int crossbarUnit(CombineSource source) {
-    const std::uint32_t unit = static_cast<std::uint32_t>(source) - firstCrossbar; // wraps around below it
-    return unit < maxUnits ? static_cast<int>(unit) : -1;
 }
 
 std::span<const Rule> combineRules() {

@@ -93,9 +93,6 @@ struct Argument {
 };
 [[nodiscard]] std::array<Argument, 6> argumentsOf(const Combine& combine);
 
-/// The unit whose texture a source asks for, or -1 where it asks for none by number.
-[[nodiscard]] int crossbarUnit(CombineSource source);
-
 template<class Visit> ///< visit(unit, "passes[0].units[1].", pass number)
 void forEachUnit(const Scene& scene, Visit visit) {
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {

@@ -1,6 +1,7 @@
 // Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
 // collapse, and what changes nothing.
 
+#include "core/gl/combine_arguments.h"
 #include "core/scene/diagnosis_rules.h"
 #include "core/scene/param_text.h"
 
@@ -189,7 +190,7 @@ void overruledUnit(const Case& about, Report& report) {
                     last = v;
                 asked |= units[v].envMode == EnvMode::Combine &&
                          std::ranges::any_of(argumentsOf(units[v].combine), [&](const Argument& each) {
-                             return each.read && crossbarUnit(each.source) == static_cast<int>(u);
+                             return each.read && crossbarUnit(each.source) == u;
                          });
             }
             if (last != u && !asked)
