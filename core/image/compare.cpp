@@ -1,0 +1,128 @@
+#include "core/image/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+namespace texplorer {
+
+namespace {
+
+std::string describe(const Image& image) {
+    return std::to_string(image.width) + " x " + std::to_string(image.height) +
+           (image.depth == 1 ? "" : " x " + std::to_string(image.depth)) + " pixels (" +
+           std::string(rowOf(image.format).name) + ")";
+}
+
+Result<void> checkComparable(const Image& a, const Image& b) {
+    const bool rgba = a.format == PixelFormat::Rgba8 && b.format == PixelFormat::Rgba8;
+    if (rgba && a.width == b.width && a.height == b.height && a.depth == 1 && b.depth == 1)
+        return {};
+    return fail(rgba ? ErrorCode::OutOfRange : ErrorCode::Unsupported,
+                "expected two pictures of the same size (" + std::string(rowOf(PixelFormat::Rgba8).name) +
+                    "), found " + describe(a) + " and " + describe(b));
+}
+
+/// The differences of one pixel's components: the worst, and their sum.
+struct PixelDifference {
+    int worst;
+    int sum;
+};
+
+PixelDifference differenceAt(const Image& a, const Image& b, std::size_t pixel, int components) {
+    PixelDifference result{0, 0};
+    for (std::size_t i = pixel * 4; i < pixel * 4 + static_cast<std::size_t>(components); ++i) {
+        const int each = std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i]));
+        result.worst = std::max(result.worst, each);
+        result.sum += each;
+    }
+    return result;
+}
+
+int componentsOf(Compared compared) {
+    return compared == Compared::Rgba ? 4 : 3;
+}
+
+using Color = std::array<float, 3>;
+
+/// In a line between these, at equal distances; within the tolerance and above it.
+constexpr std::array within{Color{12, 10, 40}, Color{38, 36, 112}};
+constexpr std::array above{Color{112, 32, 130}, Color{190, 48, 96},  Color{232, 92, 44},
+                           Color{250, 158, 24}, Color{248, 220, 96}, Color{255, 255, 226}};
+
+std::array<std::uint8_t, 4> between(std::span<const Color> colors, float position) {
+    const float place = std::clamp(position, 0.0F, 1.0F) * static_cast<float>(colors.size() - 1);
+    const std::size_t first = std::min(static_cast<std::size_t>(place), colors.size() - 2);
+    std::array<std::uint8_t, 4> result{0, 0, 0, 255};
+    for (std::size_t c = 0; c < 3; ++c)
+        result[c] = static_cast<std::uint8_t>(std::lround(
+            std::lerp(colors[first][c], colors[first + 1][c], place - static_cast<float>(first))));
+    return result;
+}
+
+} // namespace
+
+std::size_t Difference::countOver(int tolerance) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i)
+        count += static_cast<int>(i) > tolerance ? histogram[i] : 0;
+    return count;
+}
+
+Result<Difference> compare(const Image& a, const Image& b, int tolerance, Compared compared) {
+    if (const Result<void> comparable = checkComparable(a, b); !comparable)
+        return fail(comparable.error());
+    const int components = componentsOf(compared);
+    Difference difference;
+    difference.pixels = a.pixels.size() / 4;
+    std::size_t sum = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < difference.pixels; ++i) {
+        const PixelDifference here = differenceAt(a, b, i, components);
+        sum += static_cast<std::size_t>(here.sum);
+        ++difference.histogram[static_cast<std::size_t>(here.worst)];
+        if (here.worst > difference.max) {
+            difference.max = here.worst;
+            worst = i;
+        }
+    }
+    difference.over = difference.countOver(tolerance);
+    if (difference.pixels > 0) {
+        difference.mean = static_cast<double>(sum) / static_cast<double>(difference.pixels) / components;
+        const auto width = static_cast<std::size_t>(a.width);
+        difference.worst = {static_cast<int>(worst % width), static_cast<int>(worst / width)};
+    }
+    return difference;
+}
+
+std::array<std::uint8_t, 4> heatColor(float difference, const HeatScale& scale) {
+    const auto tolerance = static_cast<float>(scale.tolerance);
+    if (!(difference > 0))
+        return {0, 0, 0, 255};
+    if (difference <= tolerance)
+        return between(within, difference / tolerance);
+    // The smallest difference above the tolerance is tolerance + 1: that is where the second part begins.
+    const float lowest = std::log(tolerance + 1);
+    const float range = std::log(static_cast<float>(std::max(scale.top, scale.tolerance + 1))) - lowest;
+    return between(above, range > 0 ? (std::log(difference) - lowest) / range : 1);
+}
+
+Result<Image> heatMap(const Image& a, const Image& b, const HeatScale& scale, Compared compared) {
+    if (const Result<void> comparable = checkComparable(a, b); !comparable)
+        return fail(comparable.error());
+    std::array<std::array<std::uint8_t, 4>, 256> colors{};
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        colors[i] = heatColor(static_cast<float>(i), scale);
+    const int components = componentsOf(compared);
+    Image map = Image::uninitialised(PixelFormat::Rgba8, a.width, a.height);
+    for (std::size_t i = 0; i < map.pixels.size() / 4; ++i) {
+        const auto& color = colors[static_cast<std::size_t>(differenceAt(a, b, i, components).worst)];
+        for (std::size_t c = 0; c < 4; ++c)
+            map.pixels[i * 4 + c] = static_cast<std::byte>(color[c]);
+    }
+    return map;
+}
+
+} // namespace texplorer
