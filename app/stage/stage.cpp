@@ -1,6 +1,7 @@
 #include "app/stage/stage.h"
 
 #include "app/render/picture_cache.h"
+#include "app/ui/panes.h"
 #include "app/ui/theme.h"
 
 #include <GL/glew.h>
@@ -91,8 +92,8 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     state_->panels.setScale(surface.scale);
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
-    const ui::Layout layout =
-        ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density, session.columns);
+    const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density,
+                                            session.columns, ui::gridOf(session.views));
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {

@@ -10,6 +10,10 @@ namespace {
 constexpr float barHeight = 28;
 constexpr float toolRowHeight = 36;
 constexpr float hintHeight = 26;
+constexpr float stripHeight = 32;      // of one line
+constexpr float widestNarrow = 500;    // a view up to here has its strip in two lines
+constexpr float widestNarrowest = 280; // and up to here in three
+constexpr float paneGap = 2;
 constexpr float seamWidth = 5;
 constexpr float narrowestColumn = 150;
 constexpr float narrowestView = 160;
@@ -22,9 +26,35 @@ float columnWidth(float wanted, float share, float least, float most, float wind
     return wanted > 0 ? wanted : std::clamp(share * windowWidth, least, most);
 }
 
+int stripLines(int viewWidth, float scale) {
+    const float unscaled = static_cast<float>(viewWidth) / scale;
+    return unscaled > widestNarrow ? 1 : unscaled > widestNarrowest ? 2 : 3;
+}
+
+/// The view's parts, from top to bottom.
+void layOutView(Layout& layout, PaneGrid grid) {
+    const Rect& view = layout.view;
+    const float s = layout.scale;
+    const auto atMost = [&](float unscaled, int share) {
+        return std::min(pixels(unscaled, s), view.height / share);
+    };
+    const int toolRow = atMost(toolRowHeight, 4);
+    const int hint = atMost(hintHeight, 4);
+    const int strip =
+        grid.compares ? atMost(stripHeight * static_cast<float>(stripLines(view.width, s)), 4) : 0;
+    layout.canvas = {view.x, view.y + toolRow, view.width, std::max(1, view.height - toolRow - hint - strip)};
+    layout.strip = {view.x, layout.canvas.bottom(), view.width, strip};
+    const int gap = pixels(paneGap, s);
+    const auto share = [gap](int length, int count) {
+        return std::max(1, (length - (count - 1) * gap) / count);
+    };
+    layout.picture = {layout.canvas.x, layout.canvas.y, share(layout.canvas.width, grid.columns),
+                      share(layout.canvas.height, grid.rows)};
+}
+
 } // namespace
 
-Layout layoutFor(int width, int height, float scale, const Columns& columns) {
+Layout layoutFor(int width, int height, float scale, const Columns& columns, PaneGrid grid) {
     Layout layout;
     layout.scale = std::clamp(scale, 0.5F, 8.0F);
     const float s = layout.scale;
@@ -58,9 +88,7 @@ Layout layoutFor(int width, int height, float scale, const Columns& columns) {
     layout.rightSeam = {width - right - seam, top, seam, inner};
     layout.view = {left + seam, top, width - left - right - 2 * seam, inner};
 
-    const int toolRow = std::min(pixels(toolRowHeight, s), inner / 4);
-    const int hint = std::min(pixels(hintHeight, s), inner / 4);
-    layout.picture = {layout.view.x, top + toolRow, layout.view.width, std::max(1, inner - toolRow - hint)};
+    layOutView(layout, grid);
 
     const float share = columns.split > 0 ? std::clamp(columns.split, 0.15F, 0.85F) : 0.55F;
     const int upper = static_cast<int>(std::lround(static_cast<float>(inner - seam) * share));

@@ -23,6 +23,13 @@ struct Columns {
     bool operator==(const Columns&) const = default;
 };
 
+/// How the view is divided among the pictures.
+struct PaneGrid {
+    int columns = 1;
+    int rows = 1;
+    bool compares = false; ///< there is a strip with numbers below them
+};
+
 /// Where everything is. The panels fill the window without overlapping: menu on top, status at the bottom,
 /// between them three columns with seams that one can drag.
 struct Layout {
@@ -30,8 +37,11 @@ struct Layout {
     Rect window;
     Rect menu;
     Rect parameters;
-    Rect view;    ///< the centre column: its tool row, the picture and the hint line
-    Rect picture; ///< inside of `view`: the live picture, pixel for pixel
+    Rect view;   ///< the centre column: its tool row, the pictures and the hint line
+    Rect canvas; ///< inside of `view`: all pictures
+    Rect
+        picture; ///< the first of them, pixel for pixel; all have this size. Where the panes are: see panes.h
+    Rect strip;  ///< inside of `view`: what a comparison says, below the pictures; empty: there is none
     Rect texture; ///< right column, top
     Rect details; ///< right column, bottom
     Rect status;
@@ -41,6 +51,7 @@ struct Layout {
 };
 
 /// Pure: the same numbers give the same rectangles. `scale` is the monitor's content scale.
-[[nodiscard]] Layout layoutFor(int width, int height, float scale, const Columns& columns = {});
+[[nodiscard]] Layout layoutFor(int width, int height, float scale, const Columns& columns = {},
+                               PaneGrid grid = {});
 
 } // namespace texplorer::ui

@@ -7,6 +7,7 @@
 #include "app/ui/layout.h"
 #include "app/ui/loads.h"
 #include "app/ui/probe.h"
+#include "app/ui/views.h"
 #include "core/base/result.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/history.h"
@@ -73,6 +74,7 @@ struct Session {
     std::filesystem::path file; ///< empty: never saved
     bool needsFit = false;      ///< the camera has not yet been fitted to the view's shape
 
+    Views views; ///< who draws the scene, and how one looks at it
     Playback playback;
     bool showsFrameTime = true; ///< off where two pictures of the window should be the same
     Selection selection;

@@ -1,12 +1,13 @@
 #include "app/ui/camera.h"
 #include "app/ui/panels.h"
+#include "app/ui/panes.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/show.h"
 #include "app/ui/theme.h"
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
-#include <cmath>
+#include <array>
 #include <cstdio>
 
 namespace texplorer::ui {
@@ -54,18 +55,29 @@ void toolRow(Session& session, const Layout& layout) {
     helpTip("Aims the camera so that every model is whole (F, or a double click)");
 }
 
-void moveCamera(Session& session, bool hovered, bool active, const Layout& layout) {
+/// With Ctrl the mouse moves and enlarges the pictures, as if with a magnifying glass; else the camera.
+void moveView(Session& session, bool hovered, bool active, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.views.zoom.factor),
+                     io.MouseDelta.y / static_cast<float>(session.views.zoom.factor));
+    const bool moved = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+    if (io.KeyCtrl) {
+        if (moved)
+            movePictures(session.views, layout, io.MouseDelta);
+        if (hovered && io.MouseWheel != 0)
+            zoomPictures(session.views, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
+        return;
+    }
     View& view = session.scene.view;
     const View before = view;
-    if (active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    if (moved) {
         const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
         const bool sideways = ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
                               ImGui::IsMouseDragging(ImGuiMouseButton_Middle) || (left && io.KeyShift);
         if (sideways)
-            pan(view, io.MouseDelta.x, io.MouseDelta.y, static_cast<float>(layout.picture.height));
+            pan(view, way.x, way.y, static_cast<float>(layout.picture.height));
         else if (left)
-            orbit(view, io.MouseDelta.x, io.MouseDelta.y);
+            orbit(view, way.x, way.y);
     }
     if (hovered && io.MouseWheel != 0)
         zoom(view, io.MouseWheel);
@@ -73,7 +85,14 @@ void moveCamera(Session& session, bool hovered, bool active, const Layout& layou
         recordEdit(session, cameraEdit);
 }
 
-void drawMarker(Session& session, const Layout& layout, ImVec2 origin) {
+/// A place as shares of the picture from its upper left, as projectVertex and pickVertex have it, in pixels.
+glm::vec2 pixelsOf(glm::vec2 share, render::Size size) {
+    return glm::vec2(share.x, 1 - share.y) *
+           glm::vec2(static_cast<float>(size.width), static_cast<float>(size.height));
+}
+
+void drawMarker(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+                render::Size picture) {
     const Model* model = selectedModel(session);
     if (!model || !model->visible || !session.selection.vertex)
         return;
@@ -83,8 +102,7 @@ void drawMarker(Session& session, const Layout& layout, ImVec2 origin) {
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
-    const ImVec2 at(origin.x + place->x * static_cast<float>(layout.picture.width),
-                    origin.y + place->y * static_cast<float>(layout.picture.height));
+    const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
     if (session.probe)
         session.probe->items["marker"] = {at.x, at.y, at.x, at.y, true};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -101,32 +119,71 @@ void drawMarker(Session& session, const Layout& layout, ImVec2 origin) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     // Beside the vertex, inside of the picture.
     ImVec2 label(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
-    label.x = std::min(label.x, origin.x + static_cast<float>(layout.picture.width) - size.x - em * 0.5F);
-    label.y = std::max(label.y, origin.y + em * 0.4F);
+    label.x = std::min(label.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
+    label.y = std::max(label.y, static_cast<float>(pane.visible.y) + em * 0.4F);
     const float pad = em * 0.3F;
     draw.AddRectFilled({label.x - pad, label.y - pad / 2},
                        {label.x + size.x + pad, label.y + size.y + pad / 2}, color::shade, pad);
     draw.AddText(label, color::chosen, text);
 }
 
+/// Picks the vertex under the mouse, or none.
+void pick(Session& session, const Layout& layout, const Panes& panes, render::Size picture) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Pane* pane = panes.under(mouse);
+    if (!pane)
+        return;
+    const glm::vec2 at =
+        panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
+                                                  static_cast<float>(std::max(1, picture.height)));
+    const auto picked = pickVertex(session.scene, session.playback.time, aspectOf(layout), {at.x, 1 - at.y});
+    if (picked) {
+        session.selection.model = static_cast<int>(picked->model);
+        session.selection.vertex = picked->vertex;
+    } else {
+        session.selection.vertex.reset();
+    }
+}
+
+/// One picture, or the part of it that the zoom shows.
+void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures) {
+    const auto corner = [](int x, int y) { return ImVec2(static_cast<float>(x), static_cast<float>(y)); };
+    const ImVec2 low = corner(pane.frame.x, pane.frame.y);
+    const ImVec2 high = corner(pane.frame.right(), pane.frame.bottom());
+    draw.PushClipRect(corner(pane.visible.x, pane.visible.y),
+                      corner(pane.visible.right(), pane.visible.bottom()));
+    draw.AddRectFilled(low, high, color::ground);
+    if (pictures.scene.texture != 0) {
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, nullptr);
+        // The picture's first row is its bottom one.
+        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures.scene.texture)), low,
+                      high, {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y});
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, &draw);
+    }
+    draw.PopClipRect();
+}
+
+/// What the mouse does, the most useful first: as much of it as fits.
+constexpr std::array hints{"Drag: orbit", "Wheel: zoom", "Right drag: pan", "Click: pick a vertex",
+                           "Ctrl + wheel: enlarge the pixels"};
+
 void hintLine(const Layout& layout) {
     const float em = ImGui::GetFontSize();
-    const float height = static_cast<float>(layout.view.bottom() - layout.picture.bottom());
-    constexpr const char* hints[] = {
-        "Drag: orbit  ·  Right drag: pan  ·  Wheel: zoom  ·  Click: pick a vertex  ·  Double click: frame",
-        "Drag: orbit  ·  Right drag: pan  ·  Wheel: zoom  ·  Click: pick",
-        "Drag: orbit  ·  Wheel: zoom",
-    };
+    const float available = static_cast<float>(layout.view.width) - em;
+    std::string line;
     for (const char* hint : hints) {
-        const float width = ImGui::CalcTextSize(hint).x;
-        if (width > static_cast<float>(layout.view.width) - em)
-            continue;
-        ImGui::SetCursorPos(
-            {(static_cast<float>(layout.view.width) - width) / 2,
-             static_cast<float>(layout.picture.bottom() - layout.view.y) + (height - em) / 2});
-        ImGui::TextDisabled("%s", hint);
-        return;
+        const std::string longer = line.empty() ? hint : line + "  ·  " + hint;
+        if (ImGui::CalcTextSize(longer.c_str()).x > available)
+            break;
+        line = longer;
     }
+    const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
+    const auto height = static_cast<float>(layout.view.bottom() - top);
+    ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
+                         static_cast<float>(top - layout.view.y) + (height - em) / 2});
+    ImGui::TextDisabled("%s", line.c_str());
 }
 
 } // namespace
@@ -135,47 +192,35 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     toolRow(session, layout);
 
-    const ImVec2 origin(static_cast<float>(layout.picture.x), static_cast<float>(layout.picture.y));
-    const ImVec2 size(static_cast<float>(layout.picture.width), static_cast<float>(layout.picture.height));
-    const ImVec2 end(origin.x + size.x, origin.y + size.y);
+    const render::Size picture = pictures.scene.size;
+    const Panes panes(layout, session.views, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.PushClipRect(origin, end, false);
-    draw.AddRectFilled(origin, end, color::ground);
-    if (pictures.scene.texture != 0) {
-        if (pictures.setBlending)
-            draw.AddCallback(pictures.setBlending, nullptr);
-        // The picture's first row is its bottom one.
-        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures.scene.texture)),
-                      origin, end, {0, 1}, {1, 0});
-        if (pictures.setBlending)
-            draw.AddCallback(pictures.setBlending, &draw);
-    }
+    for (const Pane& pane : panes.all())
+        drawPane(draw, panes, pane, pictures);
 
-    ImGui::SetCursorScreenPos(origin);
-    ImGui::InvisibleButton("picture", size,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::SetCursorScreenPos({static_cast<float>(layout.canvas.x), static_cast<float>(layout.canvas.y)});
+    ImGui::InvisibleButton(
+        "picture", {static_cast<float>(layout.canvas.width), static_cast<float>(layout.canvas.height)},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+            ImGuiButtonFlags_MouseButtonMiddle);
     noteItem(session, "view");
     const bool hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
-    moveCamera(session, hovered, active, layout);
+    moveView(session, hovered, active, layout);
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         frameAll(session, layout);
     } else if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
                    ImGui::GetIO().MouseDragThreshold * ImGui::GetIO().MouseDragThreshold) {
-        const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const auto picked = pickVertex(session.scene, session.playback.time, aspectOf(layout),
-                                       {(mouse.x - origin.x) / size.x, (mouse.y - origin.y) / size.y});
-        if (picked) {
-            session.selection.model = static_cast<int>(picked->model);
-            session.selection.vertex = picked->vertex;
-        } else {
-            session.selection.vertex.reset();
-        }
+        pick(session, layout, panes, picture);
     }
-    drawMarker(session, layout, origin);
-    draw.PopClipRect();
+    for (const Pane& pane : panes.all()) {
+        draw.PushClipRect(
+            {static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
+            {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
+        drawMarker(session, layout, panes, pane, picture);
+        draw.PopClipRect();
+    }
     hintLine(layout);
     ImGui::End();
 }

@@ -34,7 +34,7 @@ struct Requests {
 
 /// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
 /// frame is:
-///   layout = layoutFor(…, session.columns); settle(session, layout); frame = renderer.draw(session.scene,
+///   layout = layoutFor(…, session.columns, gridOf(session.views)); settle(session, layout); frame = renderer.draw(session.scene,
 ///   …); ImGui::NewFrame(); drawWorkbench(…); ImGui::Render().
 /// Dear ImGui needs two or three frames until new windows have their sizes.
 Requests drawWorkbench(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,

@@ -1,6 +1,9 @@
 #include "app/ui/keys.h"
+#include "app/ui/panes.h"
 #include "core/scene/picking.h"
 #include "tests/ui/workbench.h"
+
+#include <algorithm>
 
 namespace texplorer::ui::test {
 namespace {
@@ -65,6 +68,42 @@ TEST_F(ViewPanel, TheWheelZoomsAndADoubleClickFrames) {
     EXPECT_GT(scene().view.distance, fitted * 2);
     doubleClickAt(corner());
     EXPECT_NEAR(scene().view.distance, fitted, fitted * 0.05F);
+}
+
+TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
+    const View before = scene().view;
+    const auto hold = [](bool down) { ImGui::GetIO().KeysDown[ctrl] = ImGui::GetIO().KeyCtrl = down; };
+    hold(true);
+    wheel(pixelOf(0, 2), 1);
+    wheel(pixelOf(0, 2), 1);
+    EXPECT_EQ(session->views.zoom.factor, 4);
+    hold(false);
+    const ImVec2 where = pixelOf(0, 2); // of the vertex, which stayed under the mouse
+    clickAt(where);
+    EXPECT_EQ(session->selection.vertex, 2U);
+    EXPECT_NEAR(session->probe->items.at("marker").left, where.x, 1);
+    frames(25); // the next press is no double click
+    hold(true);
+    drag(where, {40, 20});
+    hold(false);
+    EXPECT_NEAR(session->probe->items.at("marker").left, where.x + 40, 8); // but for the click's first pixels
+    EXPECT_NEAR(session->probe->items.at("marker").top, where.y + 20, 8);
+    EXPECT_EQ(scene().view, before);
+}
+
+TEST_F(ViewPanel, AnEnlargedPictureShowsItsPixelsAsSquares) {
+    const ImVec2 at = pixelOf(0, 2);
+    zoomPictures(session->views, layout, at, 5);
+    const Image window = picture();
+    for (int y = layout.picture.y; y < layout.picture.bottom(); ++y) {
+        int changes = 0;
+        for (int x = layout.picture.x + 1; x < layout.picture.right(); ++x) {
+            const auto left = window.at(x - 1, window.height - 1 - y);
+            const auto right = window.at(x, window.height - 1 - y);
+            changes += std::ranges::equal(left, right) ? 0 : 1;
+        }
+        ASSERT_LE(changes, layout.picture.width / 32 + 1) << "row " << y;
+    }
 }
 
 TEST_F(ViewPanel, KeysFrameAndResetTheCamera) {

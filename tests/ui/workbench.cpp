@@ -5,6 +5,7 @@
 #include "app/render/picture_cache.h"
 #include "app/render/texture_preview.h"
 #include "app/ui/keys.h"
+#include "app/ui/panes.h"
 #include "app/ui/theme.h"
 
 #include <GL/glew.h>
@@ -95,7 +96,7 @@ void Workbench::build(const render::Frame& frame, unsigned texture) {
 void Workbench::frames(int count) {
     for (int i = 0; i < count; ++i) {
         receiveFiles(*session);
-        layout = layoutFor(width_, height_, scale_, session->columns);
+        layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
         settle(*session, layout);
         build(render::Frame{0, {layout.picture.width, layout.picture.height}, 0, {}, false}, 0);
     }
@@ -104,7 +105,7 @@ void Workbench::frames(int count) {
 Image Workbench::picture() {
     if (!drawing_)
         drawing_ = std::make_unique<Drawing>(render::Size{width_, height_});
-    layout = layoutFor(width_, height_, scale_, session->columns);
+    layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
     settle(*session, layout);
     const render::Frame frame = drawing_->renderer
                                     .draw(session->scene, session->images, session->playback.time,
