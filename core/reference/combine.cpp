@@ -91,9 +91,9 @@ float factorOf(CombineScale scale) {
 
 } // namespace
 
-EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inputs,
-                           std::span<const glm::vec4* const> textures) {
-    const EnvironmentResult passedOn{glm::clamp(inputs.previous, 0.0F, 1.0F), true};
+EnvironmentResult evaluateUnclamped(const Combine& combine, const EnvironmentInputs& inputs,
+                                    std::span<const glm::vec4* const> textures) {
+    const EnvironmentResult passedOn{inputs.previous, true};
     const std::optional<glm::vec4> rgb = combined(combine.rgb, rgbArguments(combine), inputs, textures);
     if (!rgb)
         return passedOn;
@@ -107,7 +107,14 @@ EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inpu
             return passedOn;
         color.a = alpha->a * factorOf(combine.alphaScale);
     }
-    return {glm::clamp(color, 0.0F, 1.0F), false};
+    return {color, false};
+}
+
+EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inputs,
+                           std::span<const glm::vec4* const> textures) {
+    EnvironmentResult result = evaluateUnclamped(combine, inputs, textures);
+    result.color = glm::clamp(result.color, 0.0F, 1.0F);
+    return result;
 }
 
 } // namespace texplorer::reference

@@ -15,4 +15,13 @@ namespace texplorer::reference {
 [[nodiscard]] EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inputs,
                                          std::span<const glm::vec4* const> textures = {});
 
+/// The same before the clamp to [0, 1].
+[[nodiscard]] EnvironmentResult evaluateUnclamped(const Combine& combine, const EnvironmentInputs& inputs,
+                                                  std::span<const glm::vec4* const> textures = {});
+
+/// The equations of the colour and of alpha, the arguments spelled as what they are: Cs and As of the
+/// texture, Cs2 of unit 2's, Cp of the incoming colour, Cf of the primary one, Cc of the constant.
+[[nodiscard]] EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs& inputs,
+                                               std::span<const glm::vec4* const> textures = {});
+
 } // namespace texplorer::reference

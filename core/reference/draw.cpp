@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/mesh.h"
 #include "core/reference/pass_state.h"
+#include "core/reference/probe.h"
 #include "core/reference/raster.h"
 #include "core/reference/vertex_stage.h"
 #include "core/scene/animation.h"
@@ -88,6 +89,22 @@ struct ReferenceRenderer::State {
     }
 };
 
+namespace {
+
+std::string extents(int width, int height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
+Result<void> checkSize(int width, int height) {
+    if (width >= 1 && height >= 1 && width <= maxPictureExtent && height <= maxPictureExtent)
+        return {};
+    return fail(ErrorCode::OutOfRange, "a picture has 1 x 1 to " +
+                                           extents(maxPictureExtent, maxPictureExtent) + " pixels, not " +
+                                           extents(width, height));
+}
+
+} // namespace
+
 ReferenceRenderer::ReferenceRenderer()
     : state_(std::make_unique<State>()) {}
 ReferenceRenderer::ReferenceRenderer(ReferenceRenderer&&) noexcept = default;
@@ -96,11 +113,8 @@ ReferenceRenderer::~ReferenceRenderer() = default;
 
 Result<Drawn> ReferenceRenderer::draw(const Scene& scene, const ImageSource& images, double time, int width,
                                       int height, const DrawOptions& options) {
-    const auto extents = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
-    if (width < 1 || height < 1 || width > maxPictureExtent || height > maxPictureExtent)
-        return fail(ErrorCode::OutOfRange, "a picture has 1 x 1 to " +
-                                               extents(maxPictureExtent, maxPictureExtent) + " pixels, not " +
-                                               extents(width, height));
+    if (const Result<void> size = checkSize(width, height); !size)
+        return fail(size.error());
     try {
         Drawn drawn = state_->draw(scene, images, time, {width, height}, options);
         if (options.stop.stop_requested() || options.levels.stop.stop_requested())
@@ -109,6 +123,26 @@ Result<Drawn> ReferenceRenderer::draw(const Scene& scene, const ImageSource& ima
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
                                              extents(width, height) + " pixels");
+    }
+}
+
+Result<Explanation> ReferenceRenderer::probe(const Scene& scene, const ImageSource& images, double time,
+                                             int width, int height, PixelPlace pixel,
+                                             const DrawOptions& options) {
+    if (const Result<void> size = checkSize(width, height); !size)
+        return fail(size.error());
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= width || pixel.y >= height)
+        return fail(ErrorCode::OutOfRange, "a picture of " + extents(width, height) + " has no pixel " +
+                                               std::to_string(pixel.x) + ", " + std::to_string(pixel.y));
+    try {
+        state_->textures.keepFirst(scene.textures.size());
+        Explanation explanation =
+            explainPixel(scene, images, time, {width, height}, pixel, options, state_->textures);
+        if (options.stop.stop_requested() || options.levels.stop.stop_requested())
+            return fail(ErrorCode::Cancelled, "the probe was stopped");
+        return explanation;
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
     }
 }
 

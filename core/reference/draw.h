@@ -14,6 +14,9 @@
 
 namespace texplorer::reference {
 
+struct Explanation; // see probe.h
+struct PixelPlace;
+
 struct DrawOptions {
     /// Off: coordinates and colours are interpolated straight across the window, as old hardware did it and
     /// GL_PERSPECTIVE_CORRECTION_HINT allowed it.
@@ -47,6 +50,11 @@ public:
     /// maxPictureExtent, TooLarge without memory, Cancelled after a stop request.
     [[nodiscard]] Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, int width,
                                      int height, const DrawOptions& options = {});
+
+    /// Why one pixel of that picture has its colour, without drawing the others: see probe.h.
+    [[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time,
+                                            int width, int height, PixelPlace pixel,
+                                            const DrawOptions& options = {});
 
 private:
     struct State;

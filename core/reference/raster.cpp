@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/reference/fragment.h"
 #include "core/reference/shade.h"
+#include "core/reference/stored_color.h"
 
 #include <glm/common.hpp>
 
@@ -14,21 +15,6 @@ namespace texplorer::reference {
 namespace {
 
 constexpr int tileExtent = 32;
-
-glm::vec4 colorOf(const std::byte* pixel) {
-    glm::vec4 color;
-    for (int i = 0; i < 4; ++i)
-        color[i] = static_cast<float>(std::to_integer<int>(pixel[i])) / 255.0F;
-    return color;
-}
-
-/// Section 2.14.9: clamped, and rounded to the nearest of 256 values. NaN becomes 0.
-void store(glm::vec4 color, std::byte* pixel) {
-    for (int i = 0; i < 4; ++i) {
-        const float value = color[i] > 0 ? std::min(color[i], 1.0F) : 0;
-        pixel[i] = static_cast<std::byte>(static_cast<int>(value * 255.0F + 0.5F));
-    }
-}
 
 std::int64_t floorDivided(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((-a + b - 1) / b);

@@ -1,6 +1,5 @@
 #include "core/reference/vertex_stage.h"
 
-#include "core/reference/lighting.h"
 #include "core/reference/tex_gen.h"
 #include "core/scene/tex_coords.h"
 
@@ -37,17 +36,19 @@ VertexStage::VertexStage(const Scene& scene, const PassState& pass, const glm::m
         normal_ *= -1.0F;
 }
 
-ShadedVertex VertexStage::operator()(const Vertex& vertex,
-                                     const std::array<glm::vec4, maxUnits>& texCoords) const {
-    ShadedVertex shaded;
+VertexRecord VertexStage::explain(const Vertex& vertex,
+                                  const std::array<glm::vec4, maxUnits>& texCoords) const {
+    VertexRecord record;
+    ShadedVertex& shaded = record.shaded;
+    shaded.clip = clip(vertex);
     const glm::vec4 position(vertex.position, 1);
-    shaded.clip = clip_ * position;
-    const glm::vec4 eye = modelview_ * position;
-    const glm::vec3 normal = normalized(normal_ * vertex.normal);
-    const VertexColors colors =
-        pass_.pass->lighting ? litColors(lightingTerms(scene_.light, scene_.material, glm::vec3(eye), normal),
-                                         scene_.material, scene_.light.colorControl)
-                             : unlitColors(scene_.material);
+    record.eye = modelview_ * position;
+    record.normal = normalized(normal_ * vertex.normal);
+    if (pass_.pass->lighting)
+        record.lighting = lightingTerms(scene_.light, scene_.material, glm::vec3(record.eye), record.normal);
+    const VertexColors colors = pass_.pass->lighting
+                                    ? litColors(record.lighting, scene_.material, scene_.light.colorControl)
+                                    : unlitColors(scene_.material);
     shaded.primary = colors.primary;
     shaded.secondary = colors.secondary;
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
@@ -57,10 +58,10 @@ ShadedVertex VertexStage::operator()(const Vertex& vertex,
             continue;
         if (unit.flipsCoordinates)
             coord.t = coord.q - coord.t;
-        coord = generateCoordinates(*unit.unit, coord, {position, eye, normal});
-        shaded.texCoords[u] = unit.matrix * coord; // section 2.11.2
+        record.generated[u] = generateCoordinates(*unit.unit, coord, {position, record.eye, record.normal});
+        shaded.texCoords[u] = unit.matrix * record.generated[u]; // section 2.11.2
     }
-    return shaded;
+    return record;
 }
 
 std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Model& model, const Mesh& mesh,

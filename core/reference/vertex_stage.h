@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
+#include "core/reference/lighting.h"
 #include "core/reference/pass_state.h"
 #include "core/reference/vertex.h"
 
@@ -9,6 +10,15 @@
 #include <vector>
 
 namespace texplorer::reference {
+
+/// A vertex with everything that it went through.
+struct VertexRecord {
+    glm::vec4 eye{0, 0, 0, 1};
+    glm::vec3 normal{0};                         ///< in eye coordinates, of unit length
+    LightingTerms lighting{};                    ///< where the pass is lit
+    std::array<glm::vec4, maxUnits> generated{}; ///< coordinates before the texture matrix
+    ShadedVertex shaded;
+};
 
 /// One vertex of a model: clip coordinates, colours and generated coordinates. `modelview` and `projection`
 /// as in section 2.11.
@@ -19,7 +29,15 @@ public:
 
     /// `texCoords` holds one coordinate a unit, as the scene gives them.
     [[nodiscard]] ShadedVertex operator()(const Vertex& vertex,
-                                          const std::array<glm::vec4, maxUnits>& texCoords) const;
+                                          const std::array<glm::vec4, maxUnits>& texCoords) const {
+        return explain(vertex, texCoords).shaded;
+    }
+
+    [[nodiscard]] VertexRecord explain(const Vertex& vertex,
+                                       const std::array<glm::vec4, maxUnits>& texCoords) const;
+
+    /// The clip coordinates alone.
+    [[nodiscard]] glm::vec4 clip(const Vertex& vertex) const { return clip_ * glm::vec4(vertex.position, 1); }
 
 private:
     const Scene& scene_;

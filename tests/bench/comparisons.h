@@ -46,6 +46,8 @@ inline constexpr std::array comparisons{
     Comparison{"PNG write 1280 x 720", "pngWrite", "pngWriteLibpng", "libpng by default", Goal::FasterBy, 5},
     Comparison{"PNG read 1280 x 720", "pngRead", "pngReadLibpng", "libpng in a bare loop", Goal::CostsUpTo,
                1.05},
+    Comparison{"Probe of a pixel, 640 x 480", "probePixel", "probeLimit/manual_time", "1 ms", Goal::FasterBy,
+               1},
     Comparison{"DXT1 decode", "s3tcDecode/dxt1/1", "s3tcDecodeSquish/dxt1/1", "libsquish", Goal::FasterBy, 6},
     Comparison{"DXT3 decode", "s3tcDecode/dxt3/2", "s3tcDecodeSquish/dxt3/2", "libsquish", Goal::FasterBy, 6},
     Comparison{"DXT5 decode", "s3tcDecode/dxt5/2", "s3tcDecodeSquish/dxt5/2", "libsquish", Goal::FasterBy, 6},

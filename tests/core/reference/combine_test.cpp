@@ -66,6 +66,63 @@ TEST_P(CombineRule, GivesTheNumberOfTheTable) {
     EXPECT_TRUE(isNear(found.color, GetParam().expected));
 }
 
+/// The number at the end of "0.2 * 0.6 = 0.12" or "0.6 + 0.8 = 1.4, clamped to 1".
+float resultIn(const std::string& numbers) {
+    return std::stof(numbers.substr(numbers.find_last_of(' ')));
+}
+
+TEST_P(CombineRule, SaysTheSameInItsEquation) {
+    const auto& [name, combine, expected, undefined] = GetParam();
+    const EnvironmentEquations equations = equationsOf(combine, inputs, textures);
+    ASSERT_EQ(equations.color.numbers.size(), 3U);
+    ASSERT_EQ(equations.alpha.numbers.size(), 1U);
+    EXPECT_EQ(equations.undefined, undefined);
+    const glm::vec4 said{resultIn(equations.color.numbers[0]), resultIn(equations.color.numbers[1]),
+                         resultIn(equations.color.numbers[2]), resultIn(equations.alpha.numbers[0])};
+    EXPECT_TRUE(isNear(said, expected, 1e-4F));
+}
+
+struct Written {
+    const char* name;
+    Combine combine;
+    const char* symbols;
+    const char* red;
+    const char* alphaSymbols;
+    const char* alpha;
+};
+class CombineText : public testing::TestWithParam<Written> {};
+
+TEST_P(CombineText, NamesItsSources) {
+    const auto& [name, combine, symbols, red, alphaSymbols, alpha] = GetParam();
+    const EnvironmentEquations equations = equationsOf(combine, inputs, textures);
+    EXPECT_EQ(equations.color.symbols, symbols);
+    EXPECT_EQ(equations.color.numbers.at(0), red);
+    EXPECT_EQ(equations.alpha.symbols, alphaSymbols);
+    EXPECT_EQ(equations.alpha.numbers.at(0), alpha);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CombineText,
+    testing::Values(
+        Written{"Initial", {}, "Cv = Cs * Cp", "0.6 * 0.2 = 0.12", "Av = As * Ap", "0.4 * 0.8 = 0.32"},
+        Written{"Interpolate", with(Fn::Interpolate), "Cv = Cs * Cc + Cp * (1 - Cc)",
+                "0.6 * 0.4 + 0.2 * (1 - 0.4) = 0.36", "Av = As * Ac + Ap * (1 - Ac)",
+                "0.4 * 0.5 + 0.8 * (1 - 0.5) = 0.6"},
+        Written{"CrossbarScaled", with(Fn::Add, {Src::Texture2, Src::PrimaryColor, Src::Texture}, Scale::Two),
+                "Cv = 2 * (Cs2 + Cf)", "2 * (0.25 + 0.9) = 2.3, clamped to 1", "Av = 2 * (As2 + Af)",
+                "2 * (1 + 0.7) = 3.4, clamped to 1"},
+        Written{"Operands", withOperand(OperandRgb::OneMinusSrcAlpha, OperandAlpha::OneMinusSrcAlpha),
+                "Cv = (1 - As)", "(1 - 0.4) = 0.6", "Av = (1 - As)", "(1 - 0.4) = 0.6"},
+        Written{"Signed", with(Fn::AddSigned), "Cv = Cs + Cp - 0.5", "0.6 + 0.2 - 0.5 = 0.3",
+                "Av = As + Ap - 0.5", "0.4 + 0.8 - 0.5 = 0.7"},
+        Written{"Dot", dot(Fn::Dot3Rgb), "Cv = 4 * (Cs - 0.5) · (Cp - 0.5)",
+                "4 * ((0.6 - 0.5) * (0.2 - 0.5) + (0.2 - 0.5) * (0.4 - 0.5) + (0.8 - 0.5) * (0.6 - 0.5)) = "
+                "0.12",
+                "Av = Ac", "0.5 = 0.5"},
+        Written{"Undefined", with(Fn::Replace, {Src::Texture1, Src::Texture, Src::Texture}),
+                "Cv = undefined; here Cp", "0.2 = 0.2", "Av = undefined; here Ap", "0.8 = 0.8"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
 INSTANTIATE_TEST_SUITE_P(
     All, CombineRule,
     testing::Values(

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/reference/draw.h"
+#include "core/reference/explanation.h"
+#include "core/reference/texture_store.h"
+#include "core/reference/triangle.h"
+
+namespace texplorer::reference {
+
+/// Why the pixel has the colour that drawReference gives it: nothing else is drawn. Errors: OutOfRange for a
+/// bad size or a pixel outside of the picture, TooLarge without memory, Cancelled after a stop request.
+/// ReferenceRenderer::probe keeps the textures for the next one.
+[[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time, int width,
+                                        int height, PixelPlace pixel, const DrawOptions& options = {});
+
+/// The drawing of the passes, for whoever keeps a TextureStore. Throws std::bad_alloc.
+[[nodiscard]] Explanation explainPixel(const Scene& scene, const ImageSource& images, double time,
+                                       Viewport viewport, PixelPlace pixel, const DrawOptions& options,
+                                       TextureStore& textures);
+
+} // namespace texplorer::reference

@@ -1,0 +1,40 @@
+// Why a pixel has its colour, for a mouse that moves over the picture: the textures are ready, every probe is
+// at another place. The peer is the time that it may take.
+
+#include "core/reference/probe.h"
+
+#include <benchmark/benchmark.h>
+
+namespace texplorer::reference {
+namespace {
+
+void probePixel(benchmark::State& state) {
+    const Scene scene = defaultScene();
+    const ImageSource images;
+    ReferenceRenderer renderer;
+    constexpr int width = 640;
+    constexpr int height = 480;
+    int place = 0;
+    std::size_t fragments = 0;
+    benchmark::DoNotOptimize(renderer.probe(scene, images, 0, width, height, {0, 0}));
+    for (auto _ : state) {
+        place = (place + 7919) % (width * height); // all over the picture
+        const auto found = renderer.probe(scene, images, 0, width, height, {place % width, place / width});
+        if (!found)
+            return state.SkipWithError("the pixel can't be probed");
+        fragments += found->fragments.size();
+    }
+    if (fragments == 0 && state.iterations() > 1000)
+        state.SkipWithError("nothing was hit");
+}
+
+void probeLimit(benchmark::State& state) {
+    for (auto _ : state)
+        state.SetIterationTime(0.001);
+}
+
+BENCHMARK(probePixel)->Unit(benchmark::kMicrosecond);
+BENCHMARK(probeLimit)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+} // namespace
+} // namespace texplorer::reference

@@ -1,0 +1,401 @@
+// Numbers that can be worked out by hand; and every pixel of small pictures, which the probe must give the
+// very bytes that are drawn.
+
+#include "core/reference/probe.h"
+#include "core/scene/tex_coords.h"
+#include "tests/core/reference/textures.h"
+
+#include <glm/common.hpp>
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace texplorer::reference {
+namespace {
+
+using namespace testing_support;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+/// A square that fills the picture exactly, without perspective, with a texture of 2 x 2 texels: 0, 0.2, 0.4
+/// and 1 of grey, the lowest row first. Replaces the incoming colour.
+struct Flat {
+    Scene scene;
+    ImageSource images;
+
+    Flat() {
+        scene.view.projection = Projection::Orthographic;
+        scene.view.fieldOfView = 90;
+        scene.view.distance = 1;
+        scene.models.resize(1);
+        scene.models[0].shape = Shape::Quad;
+        scene.textures.resize(1);
+        scene.textures[0].source = SourceKind::File;
+        scene.textures[0].file = "four";
+        scene.textures[0].minFilter = MinFilter::Linear;
+        scene.passes[0].units[0].enabled = true;
+        scene.passes[0].units[0].envMode = EnvMode::Replace;
+        images.put("four", Image{PixelFormat::Luminance8,
+                                 2,
+                                 2,
+                                 1,
+                                 {std::byte{0}, std::byte{51}, std::byte{102}, std::byte{255}}});
+    }
+
+    [[nodiscard]] Explanation at(int x, int y, int extent = 4) const {
+        const Result<Explanation> found = probe(scene, images, 0, extent, extent, {x, y});
+        EXPECT_TRUE(found) << describe(found.error());
+        return found.value_or(Explanation{});
+    }
+    [[nodiscard]] FragmentExplanation fragment(int x, int y, int extent = 4) const {
+        const Explanation found = at(x, y, extent);
+        EXPECT_EQ(found.fragments.size(), 1U);
+        return found.fragments.empty() ? FragmentExplanation{} : found.fragments[0];
+    }
+    [[nodiscard]] UnitExplanation unit(int x, int y) const {
+        const FragmentExplanation found = fragment(x, y);
+        EXPECT_EQ(found.units.size(), 1U);
+        return found.units.empty() ? UnitExplanation{} : found.units[0];
+    }
+};
+
+// ---- Numbers by hand ----
+
+// The centre of pixel (0, 0) of 4 x 4 is at s = t = 1/8, u = v = 1/4 of 2 texels: a quarter of a texel below
+// the centre of texel 0, which leaves it three quarters of the weight and gives one to its neighbour, that
+// GL_REPEAT finds at the other rim.
+TEST(Probe, FindsTheTexelsAndTheirWeights) {
+    const UnitExplanation unit = Flat().unit(0, 0);
+    EXPECT_TRUE(isNear(unit.pixel.given, {0.125F, 0.125F, 0, 1}));
+    EXPECT_EQ(unit.coords, glm::vec3(0.125F, 0.125F, 0));
+    std::array<std::array<float, 2>, 2> weights{};
+    for (const Tap& tap : unit.sample.taps)
+        weights.at(static_cast<std::size_t>(tap.index.y)).at(static_cast<std::size_t>(tap.index.x)) +=
+            tap.weight;
+    EXPECT_FLOAT_EQ(weights[0][0], 9.0F / 16);
+    EXPECT_FLOAT_EQ(weights[0][1], 3.0F / 16);
+    EXPECT_FLOAT_EQ(weights[1][0], 3.0F / 16);
+    EXPECT_FLOAT_EQ(weights[1][1], 1.0F / 16);
+    // 9/16 * 0 + 3/16 * 0.2 + 3/16 * 0.4 + 1/16 * 1
+    EXPECT_TRUE(isNear(unit.sample.color, {0.175F, 0.175F, 0.175F, 1}));
+    ASSERT_EQ(unit.extents.size(), 1U);
+    EXPECT_EQ(unit.extents[0].size, glm::ivec3(2, 2, 1));
+}
+
+// Two texels on four pixels: half a texel a pixel, lambda = log2(1/2).
+TEST(Probe, FindsTheLevelOfDetail) {
+    Flat flat;
+    flat.scene.passes[0].units[0].lodBias = 0.25F;
+    flat.scene.textures[0].minLod = -0.5F;
+    const UnitExplanation unit = flat.unit(2, 1);
+    EXPECT_FLOAT_EQ(unit.derivatives.dx.s, 0.25F);
+    EXPECT_FLOAT_EQ(unit.derivatives.dy.t, 0.25F);
+    EXPECT_FLOAT_EQ(unit.sample.lod.rho, 0.5F);
+    EXPECT_FLOAT_EQ(unit.sample.lod.base, -1);
+    EXPECT_FLOAT_EQ(unit.sample.lod.biased, -0.75F);
+    EXPECT_FLOAT_EQ(unit.sample.lod.lambda, -0.5F);
+    EXPECT_TRUE(unit.sample.lod.magnified);
+}
+
+TEST(Probe, SaysWhichTexelsAreTheBorder) {
+    Flat flat;
+    flat.scene.textures[0].wrapS = flat.scene.textures[0].wrapT = Wrap::Clamp;
+    flat.scene.textures[0].borderColor = {1, 0, 0, 1};
+    float border = 0;
+    for (const Tap& tap : flat.unit(0, 2).sample.taps)
+        border += tap.border ? tap.weight : 0;
+    EXPECT_FLOAT_EQ(border, 0.25F); // the texels to the left of s = 0
+}
+
+TEST(Probe, GivesTheCornersTheirShares) {
+    const FragmentExplanation fragment = Flat().fragment(3, 1);
+    float sum = 0;
+    glm::vec4 clip(0);
+    for (const VertexExplanation& vertex : fragment.vertices) {
+        sum += vertex.weight;
+        clip += vertex.weight * vertex.clip;
+    }
+    EXPECT_FLOAT_EQ(sum, 1);
+    // (3.5, 1.5) of 4 x 4 pixels in normalised device coordinates.
+    EXPECT_NEAR(clip.x / clip.w, 0.75F, 1e-5F);
+    EXPECT_NEAR(clip.y / clip.w, -0.25F, 1e-5F);
+    EXPECT_EQ(fragment.shape, Shape::Quad);
+    EXPECT_FALSE(fragment.face.empty());
+    EXPECT_FALSE(fragment.clipped);
+}
+
+TEST(Probe, DividesByQ) {
+    Flat flat;
+    flat.scene.models[0].texCoords[0] = TexCoords(4, {1, 3, 0, 4});
+    const UnitExplanation unit = flat.unit(1, 1);
+    EXPECT_TRUE(isNear(unit.pixel.transformed, {1, 3, 0, 4}));
+    EXPECT_EQ(unit.coords, glm::vec3(0.25F, 0.75F, 0));
+}
+
+TEST(Probe, GeneratesAndTransformsCoordinates) {
+    Flat flat;
+    Unit& unit = flat.scene.passes[0].units[0];
+    unit.texGenS = {true, TexGenMode::ObjectLinear, {2, 0, 0, 3}, {}};
+    unit.matrix = {{.op = MatrixOp::Translate, .amount = {0, 0.5F, 0}}};
+    const UnitExplanation found = flat.unit(3, 0);
+    EXPECT_THAT(found.generates, ElementsAre(true, false, false, false));
+    // x runs from -1 to 1: 0.75 at the centre of the last pixel. t is the square's own, 0 to 1.
+    EXPECT_TRUE(isNear(found.pixel.given, {0.875F, 0.125F, 0, 1}));
+    EXPECT_TRUE(isNear(found.pixel.generated, {4.5F, 0.125F, 0, 1}));
+    EXPECT_TRUE(isNear(found.pixel.transformed, {4.5F, 0.625F, 0, 1}));
+    for (const CoordinateSteps& corner : found.vertices) {
+        EXPECT_TRUE(isNear({corner.generated.s, 0, 0, 0}, {2 * (2 * corner.given.s - 1) + 3, 0, 0, 0}));
+        EXPECT_TRUE(isNear(corner.transformed, corner.generated + glm::vec4(0, 0.5F, 0, 0)));
+    }
+}
+
+// The square faces the viewer, and so does the light: n . VP = n . h = 1.
+TEST(Probe, TakesTheLightApart) {
+    Flat flat;
+    flat.scene.passes[0].lighting = true;
+    flat.scene.light.ambient = {0.1F, 0.1F, 0.1F, 1};
+    flat.scene.light.diffuse = {0.5F, 0.25F, 0, 1};
+    flat.scene.light.modelAmbient = {0.2F, 0.2F, 0.2F, 1};
+    flat.scene.light.colorControl = ColorControl::SeparateSpecular;
+    flat.scene.material.color = {0.5F, 1, 1, 0.75F};
+    flat.scene.material.specular = {0.25F, 0.25F, 0.25F, 1};
+    flat.scene.passes[0].units[0].envMode = EnvMode::Modulate;
+    const FragmentExplanation fragment = flat.fragment(0, 0);
+    for (const VertexExplanation& vertex : fragment.vertices) {
+        ASSERT_TRUE(vertex.lighting);
+        EXPECT_TRUE(isNear({vertex.lighting->scene, 0}, {0.1F, 0.2F, 0.2F, 0}));
+        EXPECT_TRUE(isNear({vertex.lighting->ambient, 0}, {0.05F, 0.1F, 0.1F, 0}));
+        EXPECT_TRUE(isNear({vertex.lighting->diffuse, 0}, {0.25F, 0.25F, 0, 0}));
+        EXPECT_TRUE(isNear({vertex.lighting->specular, 0}, {0.25F, 0.25F, 0.25F, 0}));
+        EXPECT_FLOAT_EQ(vertex.lighting->nDotVP, 1);
+    }
+    EXPECT_TRUE(isNear(fragment.primary, {0.4F, 0.55F, 0.3F, 0.75F}));
+    EXPECT_TRUE(isNear(fragment.secondary, {0.25F, 0.25F, 0.25F, 0}));
+    // times 0.175 of the texture, and the secondary colour
+    EXPECT_TRUE(isNear(fragment.textured, {0.07F, 0.09625F, 0.0525F, 0.75F}));
+    EXPECT_TRUE(isNear(fragment.color, {0.32F, 0.34625F, 0.3025F, 0.75F}));
+    ASSERT_EQ(fragment.units.size(), 1U);
+    EXPECT_EQ(fragment.units[0].equations.color.symbols, "Cv = Cp * Cs");
+    EXPECT_EQ(fragment.units[0].equations.color.numbers.at(0), "0.4 * 0.175 = 0.07");
+}
+
+TEST(Probe, ComparesWhatTheTestsCompare) {
+    Flat flat;
+    Pass& pass = flat.scene.passes[0];
+    pass.depthTest = pass.alphaTest = true;
+    pass.alphaFunc = CompareFunc::Less;
+    pass.alphaRef = 0.5F;
+    flat.scene.view.background = {0, 0, 1, 1};
+    FragmentExplanation fragment = flat.fragment(0, 0);
+    EXPECT_EQ(fragment.outcome, FragmentOutcome::FailedAlphaTest);
+    EXPECT_FLOAT_EQ(fragment.alphaTest.value, 1);
+    EXPECT_FLOAT_EQ(fragment.alphaTest.with, 0.5F);
+    EXPECT_THAT(fragment.after, ElementsAre(0, 0, 255, 255));
+
+    pass.alphaTest = false;
+    flat.scene.passes.push_back(pass); // the same again is not LESS
+    const Explanation both = flat.at(0, 0);
+    ASSERT_EQ(both.fragments.size(), 2U);
+    EXPECT_EQ(both.fragments[0].outcome, FragmentOutcome::Drawn);
+    EXPECT_EQ(both.fragments[0].depthTest.with, (1U << 24) - 1);
+    EXPECT_EQ(both.fragments[1].outcome, FragmentOutcome::FailedDepthTest);
+    EXPECT_EQ(both.fragments[1].depthTest.value, both.fragments[0].depthTest.value);
+    EXPECT_EQ(both.fragments[1].depthTest.with, both.fragments[0].depthTest.value);
+    EXPECT_EQ(both.seen(), &both.fragments[0]);
+}
+
+TEST(Probe, Blends) {
+    Flat flat;
+    Pass& pass = flat.scene.passes[0];
+    pass.blend = true;
+    pass.blendSrc = BlendFactor::SrcAlpha;
+    pass.blendDst = BlendFactor::OneMinusSrcAlpha;
+    flat.scene.view.background = {1, 1, 1, 1};
+    flat.scene.textures[0].internalFormat = BaseFormat::Intensity;
+    const BlendExplanation blend = flat.fragment(0, 0).blend;
+    EXPECT_TRUE(isNear(blend.source, glm::vec4(0.175F)));
+    EXPECT_TRUE(isNear(blend.sourceWeight, glm::vec4(0.175F)));
+    EXPECT_TRUE(isNear(blend.destinationWeight, glm::vec4(0.825F)));
+    EXPECT_TRUE(isNear(blend.result, glm::vec4(0.175F * 0.175F + 0.825F)));
+}
+
+TEST(Probe, SaysWhyAUnitDoesNothing) {
+    Flat flat;
+    flat.scene.textures[0].minFilter = MinFilter::LinearMipmapLinear; // and there is one level
+    flat.scene.passes[0].units[2].enabled = true;
+    flat.scene.passes[0].units[2].texture = 7;
+    const FragmentExplanation fragment = flat.fragment(0, 0);
+    EXPECT_TRUE(fragment.units.empty());
+    ASSERT_EQ(fragment.idle.size(), 2U);
+    EXPECT_EQ(fragment.idle[0].unit, 0);
+    EXPECT_THAT(fragment.idle[0].reason, HasSubstr("textures[0] is incomplete: "));
+    EXPECT_EQ(fragment.idle[1].unit, 2);
+    EXPECT_THAT(fragment.idle[1].reason, HasSubstr("no textures[7]"));
+}
+
+TEST(Probe, FindsTheBackgroundWhereNothingIsDrawn) {
+    Flat flat;
+    flat.scene.models.clear();
+    flat.scene.view.background = {1, 0.2F, 0, 1};
+    const Explanation found = flat.at(1, 2);
+    EXPECT_TRUE(found.fragments.empty());
+    EXPECT_EQ(found.seen(), nullptr);
+    EXPECT_THAT(found.bytes, ElementsAre(255, 51, 0, 255));
+}
+
+struct Refused {
+    const char* name;
+    int width;
+    int height;
+    PixelPlace pixel;
+    const char* expected;
+};
+class BadPixel : public testing::TestWithParam<Refused> {};
+TEST_P(BadPixel, IsRefusedWithItsNumbers) {
+    const auto& [name, width, height, pixel, expected] = GetParam();
+    const Result<Explanation> found = probe(defaultScene(), ImageSource(), 0, width, height, pixel);
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().code, ErrorCode::OutOfRange);
+    EXPECT_THAT(found.error().message, HasSubstr(expected));
+}
+INSTANTIATE_TEST_SUITE_P(
+    All, BadPixel,
+    testing::Values(Refused{"Left", 8, 4, {-1, 0}, "8 x 4 has no pixel -1, 0"},
+                    Refused{"Right", 8, 4, {8, 0}, "8 x 4 has no pixel 8, 0"},
+                    Refused{"Above", 8, 4, {0, 4}, "8 x 4 has no pixel 0, 4"},
+                    Refused{"Far", 8, 4, {0, std::numeric_limits<int>::min()}, "has no pixel 0, -2147483648"},
+                    Refused{"NoPicture", 0, 4, {0, 0}, "1 x 1 to 16384 x 16384"},
+                    Refused{"TooLarge", 20000, 4, {0, 0}, "1 x 1 to 16384 x 16384"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+// ---- What is explained is what is drawn ----
+
+struct Case {
+    const char* name;
+    void (*change)(Scene& scene);
+    DrawOptions options{};
+};
+class EveryPixel : public testing::TestWithParam<Case> {};
+
+TEST_P(EveryPixel, HasTheBytesOfThePicture) {
+    const auto& [name, change, options] = GetParam();
+    Scene scene = defaultScene();
+    change(scene);
+    constexpr int width = 40;
+    constexpr int height = 24;
+    const ImageSource images;
+    const Result<Drawn> drawn = drawReference(scene, images, 0.75, width, height, options);
+    ASSERT_TRUE(drawn);
+    ReferenceRenderer renderer;
+    std::size_t fragments = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const Result<Explanation> found =
+                renderer.probe(scene, images, 0.75, width, height, {x, y}, options);
+            ASSERT_TRUE(found) << describe(found.error());
+            for (std::size_t i = 0; i < 4; ++i)
+                ASSERT_EQ(found->bytes[i], std::to_integer<int>(drawn->image.at(x, y)[i])) << x << ", " << y;
+            EXPECT_EQ(found->problems, drawn->problems);
+            fragments += found->fragments.size();
+            PixelBytes before{};
+            for (std::size_t i = 0; i < 4; ++i)
+                before[i] = static_cast<std::uint8_t>(
+                    std::clamp(scene.view.background[static_cast<int>(i)], 0.0F, 1.0F) * 255 + 0.5F);
+            for (const FragmentExplanation& fragment : found->fragments) {
+                EXPECT_EQ(fragment.before, before);
+                before = fragment.after;
+                // The steps add up to what is drawn.
+                const glm::vec4 sum = glm::clamp(fragment.textured + fragment.secondary, 0.0F, 1.0F);
+                EXPECT_TRUE(isNear(sum, fragment.color, 2e-3F)) << x << ", " << y;
+                for (const UnitExplanation& unit : fragment.units) {
+                    float weights = 0;
+                    for (const Tap& tap : unit.sample.taps)
+                        weights += tap.weight;
+                    EXPECT_NEAR(weights, 1, 1e-4F) << x << ", " << y;
+                    EXPECT_EQ(unit.inputs.source, unit.sample.color);
+                }
+            }
+            EXPECT_EQ(before, found->bytes);
+        }
+    }
+    EXPECT_GT(fragments, 50U);
+}
+
+void showOnly(Scene& scene, Shape shape) {
+    scene.models.resize(1);
+    scene.models[0] = Model{};
+    scene.models[0].shape = shape;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, EveryPixel,
+    testing::Values(
+        Case{"Default", [](Scene&) {}}, Case{"Floor", [](Scene& it) { showOnly(it, Shape::Floor); }},
+        Case{"Anisotropic",
+             [](Scene& it) {
+                 showOnly(it, Shape::Floor);
+                 it.textures[0].maxAnisotropy = 8;
+             }},
+        Case{"AnisotropicEllipse",
+             [](Scene& it) {
+                 showOnly(it, Shape::Floor);
+                 it.textures[0].maxAnisotropy = 8;
+             },
+             {.anisotropy = AnisotropyMethod::Ellipse}},
+        Case{"Affine", [](Scene& it) { showOnly(it, Shape::Floor); }, {.perspectiveCorrect = false}},
+        Case{"EyeInside", [](Scene& it) { it.view.distance = 0.5F; }},
+        Case{"Flat",
+             [](Scene& it) {
+                 it.material.shadeModel = ShadeModel::Flat;
+                 it.models[1].spin = {10, 20, 30};
+             }},
+        Case{"SeparateSpecular", [](Scene& it) { it.light.colorControl = ColorControl::SeparateSpecular; }},
+        Case{"TwoPasses",
+             [](Scene& it) {
+                 it.passes.push_back(it.passes[0]);
+                 it.passes[1].blend = true;
+                 it.passes[1].blendSrc = BlendFactor::OneMinusDstColor;
+                 it.passes[1].blendDst = BlendFactor::One;
+                 it.passes[1].depthFunc = CompareFunc::LessEqual;
+                 it.passes[1].units[0].texGenS = {true, TexGenMode::SphereMap, {}, {}};
+                 it.passes[1].units[0].texGenT = {true, TexGenMode::SphereMap, {}, {}};
+             }},
+        Case{"Transparent",
+             [](Scene& it) {
+                 it.material.color.a = 0.4F;
+                 it.passes[0].depthTest = false;
+                 it.passes[0].blend = true;
+                 it.passes[0].blendSrc = BlendFactor::SrcAlpha;
+                 it.passes[0].blendDst = BlendFactor::OneMinusSrcAlpha;
+             }},
+        Case{"AlphaTest",
+             [](Scene& it) {
+                 it.textures[0].internalFormat = BaseFormat::Intensity;
+                 it.passes[0].alphaTest = true;
+                 it.passes[0].alphaFunc = CompareFunc::Greater;
+                 it.passes[0].alphaRef = 0.6F;
+             }},
+        Case{"Combine",
+             [](Scene& it) {
+                 Unit& first = it.passes[0].units[0];
+                 Unit& second = it.passes[0].units[1];
+                 second = first;
+                 second.envMode = EnvMode::Combine;
+                 second.combine.rgb = CombineRgb::Dot3Rgba;
+                 second.combine.source1Rgb = CombineSource::Texture0;
+                 second.combine.rgbScale = CombineScale::Two;
+                 second.matrix = {{.op = MatrixOp::Rotate, .amount = {0, 0, 1}, .angle = 30}};
+             }},
+        Case{"Incomplete", [](Scene& it) { it.textures[0].mipmaps = MipPolicy::None; }},
+        Case{"NanCoordinates",
+             [](Scene& it) {
+                 it.models[0].texCoords[0] = TexCoords(24, glm::vec4(nan));
+                 it.models[1].position.x = infinity;
+             }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+} // namespace
+} // namespace texplorer::reference
