@@ -40,7 +40,7 @@ public:
     }
 
     void flush() {
-        rasterize(triangles_, canvas_, threads_, options_.stop);
+        rasterize(triangles_, canvas_, threads_, options_.stop, options_.literal);
         triangles_.clear();
     }
 

@@ -23,7 +23,10 @@ struct DrawOptions {
     bool perspectiveCorrect = true;
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
     unsigned threads = 0; ///< 0: as many as the processor has
-    LevelWork levels{};   ///< for textures that are compressed at run time
+    /// Draws every pixel by itself, with the functions that are written to be read (shade.h, sampler.h), many
+    /// times as slowly. The same bytes: this is what proves it.
+    bool literal = false;
+    LevelWork levels{}; ///< for textures that are compressed at run time
     std::stop_token stop{};
 };
 

@@ -11,8 +11,7 @@ namespace texplorer::reference {
 
 namespace {
 
-/// Everything that tables 3.21 and 3.22 compute, of one component or of alpha.
-enum class Function : std::uint8_t { Previous, Source, Product, Sum, Decal, Blend, Undefined };
+using Function = EnvFunction;
 
 struct FunctionRow {
     Function function;
@@ -29,41 +28,6 @@ constexpr std::array functionRows{
     FunctionRow{Function::Blend, "Cp * (1 - Cs) + Cc * Cs", "Ap * (1 - As) + Ac * As"},
     FunctionRow{Function::Undefined, "undefined; here Cp", "undefined; here Ap"},
 };
-
-struct Cell {
-    Function color;
-    Function alpha;
-};
-
-/// The cell of the tables. A format without colour leaves the incoming colour alone, one without alpha the
-/// incoming alpha; intensity stands for both.
-Cell cellOf(EnvMode mode, BaseFormat format) {
-    using F = Function;
-    const bool hasColor = format != BaseFormat::Alpha;
-    const bool hasAlpha = format != BaseFormat::Luminance && format != BaseFormat::Rgb;
-    const bool isIntensity = format == BaseFormat::Intensity;
-    const auto color = [&](F function) { return hasColor ? function : F::Previous; };
-    const auto alpha = [&](F function) { return hasAlpha ? function : F::Previous; };
-    switch (mode) {
-    case EnvMode::Replace:
-        return {color(F::Source), alpha(F::Source)};
-    case EnvMode::Modulate:
-        return {color(F::Product), alpha(F::Product)};
-    case EnvMode::Decal:
-        if (format == BaseFormat::Rgb)
-            return {F::Source, F::Previous};
-        if (format == BaseFormat::Rgba)
-            return {F::Decal, F::Previous};
-        return {F::Undefined, F::Undefined};
-    case EnvMode::Blend:
-        return {color(F::Blend), isIntensity ? F::Blend : alpha(F::Product)};
-    case EnvMode::Add:
-        return {color(F::Sum), isIntensity ? F::Sum : alpha(F::Product)};
-    case EnvMode::Combine: // see combine.h
-        break;
-    }
-    return {F::Undefined, F::Undefined};
-}
 
 /// One component: `previous`, `source` and `constant` are those of this component.
 float apply(Function function, float previous, float source, float constant, float sourceAlpha) {
@@ -103,9 +67,39 @@ std::string numbersOf(std::string_view symbols, const EnvironmentInputs& in, int
 
 } // namespace
 
+/// The cell of the tables. A format without colour leaves the incoming colour alone, one without alpha the
+/// incoming alpha; intensity stands for both.
+EnvCell environmentCell(EnvMode mode, BaseFormat format) {
+    using F = Function;
+    const bool hasColor = format != BaseFormat::Alpha;
+    const bool hasAlpha = format != BaseFormat::Luminance && format != BaseFormat::Rgb;
+    const bool isIntensity = format == BaseFormat::Intensity;
+    const auto color = [&](F function) { return hasColor ? function : F::Previous; };
+    const auto alpha = [&](F function) { return hasAlpha ? function : F::Previous; };
+    switch (mode) {
+    case EnvMode::Replace:
+        return {color(F::Source), alpha(F::Source)};
+    case EnvMode::Modulate:
+        return {color(F::Product), alpha(F::Product)};
+    case EnvMode::Decal:
+        if (format == BaseFormat::Rgb)
+            return {F::Source, F::Previous};
+        if (format == BaseFormat::Rgba)
+            return {F::Decal, F::Previous};
+        return {F::Undefined, F::Undefined};
+    case EnvMode::Blend:
+        return {color(F::Blend), isIntensity ? F::Blend : alpha(F::Product)};
+    case EnvMode::Add:
+        return {color(F::Sum), isIntensity ? F::Sum : alpha(F::Product)};
+    case EnvMode::Combine: // see combine.h
+        break;
+    }
+    return {F::Undefined, F::Undefined};
+}
+
 EnvironmentResult evaluate(EnvMode mode, BaseFormat format, const EnvironmentInputs& inputs) {
     const auto& [previous, source, constant, primary] = inputs;
-    const Cell cell = cellOf(mode, format);
+    const EnvCell cell = environmentCell(mode, format);
     EnvironmentResult result;
     for (int i = 0; i < 4; ++i)
         result.color[i] =
@@ -117,7 +111,7 @@ EnvironmentResult evaluate(EnvMode mode, BaseFormat format, const EnvironmentInp
 
 EnvironmentEquations equationsOf(EnvMode mode, BaseFormat format, const EnvironmentInputs& inputs) {
     const auto& [previous, source, constant, primary] = inputs;
-    const Cell cell = cellOf(mode, format);
+    const EnvCell cell = environmentCell(mode, format);
     EnvironmentEquations equations;
     equations.undefined = cell.color == Function::Undefined;
     equations.color.symbols = "Cv = " + std::string(rowOf(cell.color).color);

@@ -6,6 +6,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,17 @@ struct EnvironmentResult {
     /// The specification leaves this combination undefined: the incoming colour is passed on.
     bool undefined = false;
 };
+
+/// Everything that tables 3.21 and 3.22 compute, of one component or of alpha.
+enum class EnvFunction : std::uint8_t { Previous, Source, Product, Sum, Decal, Blend, Undefined };
+
+/// A cell of the tables: what becomes of the colour, and what of alpha. Both Undefined where the
+/// specification says so, and for COMBINE.
+struct EnvCell {
+    EnvFunction color;
+    EnvFunction alpha;
+};
+[[nodiscard]] EnvCell environmentCell(EnvMode mode, BaseFormat format);
 
 /// Tables 3.21 (REPLACE, MODULATE, DECAL) and 3.22 (BLEND, ADD). COMBINE has more state: see combine.h; here
 /// it counts as undefined.

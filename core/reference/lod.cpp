@@ -1,6 +1,7 @@
 #include "core/reference/lod.h"
 
 #include "core/image/mipmaps.h"
+#include "core/reference/lanes.h"
 #include "core/reference/wrap.h"
 
 #include <glm/geometric.hpp>
@@ -56,7 +57,7 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
         lod.probes = probeCount(longer, shorter, texture.maxAnisotropy);
         lod.rho = longer / static_cast<float>(lod.probes);
     }
-    lod.base = std::log2(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
+    lod.base = logarithm2(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
     const float bias = options.objectBias + options.unitBias + options.shaderBias;
     lod.bias = std::isnan(bias) ? 0.0F : std::clamp(bias, -options.maxBias, options.maxBias);
     lod.biased = lod.base + lod.bias;

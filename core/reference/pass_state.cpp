@@ -16,6 +16,8 @@ UnitState unitState(const Unit& unit, const StoredTexture& stored, double time, 
     state.envColor = glm::clamp(unit.envColor, 0.0F, 1.0F);
     state.sampling.unitBias = unit.lodBias;
     state.sampling.anisotropy = anisotropy;
+    if (state.texture)
+        state.sampler = FastSampler(*state.texture, state.sampling);
     if (stored.lateFlip == LateFlip::Matrix)
         state.matrix = glm::scale(glm::translate(glm::mat4(1), {0, 1, 0}), {1, -1, 1});
     state.matrix *= textureMatrix(unit.matrix, time);

@@ -2,6 +2,7 @@
 
 // A pass as the reference draws it: what a Scene says, looked up once.
 
+#include "core/reference/fast_sampler.h"
 #include "core/reference/lod.h"
 #include "core/reference/texture_store.h"
 
@@ -19,6 +20,7 @@ struct UnitState {
     const Unit* unit = nullptr;              ///< what the scene says of it
     glm::vec4 envColor{0};                   ///< clamped
     SampleOptions sampling{};
+    FastSampler sampler{}; ///< of `texture`, with `sampling`
     glm::mat4 matrix{1};
     bool flipsCoordinates = false; ///< t becomes q - t before the matrix
 };

@@ -1,6 +1,7 @@
 #include "core/reference/raster.h"
 
 #include "core/base/parallel.h"
+#include "core/reference/fast_shade.h"
 #include "core/reference/fragment.h"
 #include "core/reference/shade.h"
 #include "core/reference/stored_color.h"
@@ -8,13 +9,15 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstring>
+#include <vector>
 
 namespace texplorer::reference {
 
 namespace {
 
-constexpr int tileExtent = 32;
+constexpr int tileExtent = rowCapacity;
 
 std::int64_t floorDivided(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((-a + b - 1) / b);
@@ -49,8 +52,10 @@ Canvas::Canvas(Viewport viewport, glm::vec4 background)
     : color(Image::uninitialised(PixelFormat::Rgba8, viewport.width, viewport.height))
     , depth(static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height),
             farthestDepth) {
+    std::array<std::byte, 4> cleared{};
+    store(background, cleared.data());
     for (std::size_t i = 0; i < color.pixels.size(); i += 4)
-        store(background, color.pixels.data() + i);
+        std::memcpy(color.pixels.data() + i, cleared.data(), 4);
 }
 
 Span coveredPixels(const Triangle& triangle, int y, Span within) {
@@ -66,10 +71,13 @@ Span coveredPixels(const Triangle& triangle, int y, Span within) {
         else if (value < 0)
             return {0, -1};
     }
+    if (first > last) // perhaps by more than an int holds
+        return {0, -1};
     return {static_cast<int>(first), static_cast<int>(last)};
 }
 
-void rasterize(std::span<const Triangle> triangles, Canvas& canvas, unsigned threads, std::stop_token stop) {
+void rasterize(std::span<const Triangle> triangles, Canvas& canvas, unsigned threads, std::stop_token stop,
+               bool literal) {
     const auto [width, height] = canvas.viewport();
     const int columns = (width + tileExtent - 1) / tileExtent;
     const int rows = (height + tileExtent - 1) / tileExtent;
@@ -93,7 +101,9 @@ void rasterize(std::span<const Triangle> triangles, Canvas& canvas, unsigned thr
             const int top = std::min(triangle.maxY, low + tileExtent - 1);
             for (int y = std::max(triangle.minY, low); y <= top; ++y) {
                 const Span span = coveredPixels(triangle, y, {left, left + tileExtent - 1});
-                for (int x = span.first; x <= span.last; ++x)
+                if (!literal && span.first <= span.last)
+                    drawRow(triangle, span.first, y, span.last - span.first + 1, canvas);
+                for (int x = span.first; literal && x <= span.last; ++x)
                     drawFragment(triangle, x, y, canvas);
             }
         }

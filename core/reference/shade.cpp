@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -56,8 +57,9 @@ glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset) {
 }
 
 std::uint32_t fragmentDepth(const Triangle& triangle, glm::vec2 offset) {
-    const float depth = glm::clamp(triangle.depth.at(offset), 0.0F, 1.0F);
-    return static_cast<std::uint32_t>(std::lround(double{depth} * farthestDepth));
+    const float depth = triangle.depth.at(offset);
+    return static_cast<std::uint32_t>(
+        std::lround(double{depth > 0 ? std::min(depth, 1.0F) : 0} * farthestDepth));
 }
 
 } // namespace texplorer::reference

@@ -2,6 +2,7 @@
 
 // A fragment's colour: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum) and 4.1 (what becomes of it).
 
+#include "core/reference/canvas.h"
 #include "core/reference/pass_state.h"
 #include "core/reference/triangle.h"
 
@@ -25,9 +26,7 @@ struct TexturePlace {
 /// The colour after texturing and colour sum.
 [[nodiscard]] glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset);
 
-/// Window depth in 24 bits.
+/// Window depth in 24 bits. NaN counts as 0.
 [[nodiscard]] std::uint32_t fragmentDepth(const Triangle& triangle, glm::vec2 offset);
-
-inline constexpr std::uint32_t farthestDepth = (1U << 24) - 1;
 
 } // namespace texplorer::reference

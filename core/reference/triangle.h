@@ -22,7 +22,7 @@ struct Plane {
     T dx{0}; ///< a pixel to the right
     T dy{0}; ///< a pixel up
 
-    [[nodiscard]] T at(glm::vec2 offset) const { return origin + dx * offset.x + dy * offset.y; }
+    [[nodiscard]] T at(glm::vec2 offset) const { return (origin + dy * offset.y) + dx * offset.x; }
 };
 
 /// Where a pixel's centre lies in relation to an edge, in 1/256 of a pixel squared: not negative inside.

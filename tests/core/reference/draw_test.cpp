@@ -162,10 +162,12 @@ TEST_P(BadScene, IsDrawnWithoutHarm) {
     Scene scene = defaultScene();
     scene.light.colorControl = ColorControl::SeparateSpecular;
     GetParam().spoil(scene);
-    EXPECT_EQ(drawn(scene, 48).width, 48);
+    EXPECT_EQ(drawn(scene, 48), drawn(scene, 48, {.literal = true}));
     scene.textures[0].maxAnisotropy = 16;
-    EXPECT_EQ(drawn(scene, 48, {.perspectiveCorrect = false, .anisotropy = AnisotropyMethod::Ellipse}).width,
-              48);
+    DrawOptions options{.perspectiveCorrect = false, .anisotropy = AnisotropyMethod::Ellipse};
+    const Image quick = drawn(scene, 48, options);
+    options.literal = true;
+    EXPECT_EQ(quick, drawn(scene, 48, options));
 }
 
 constexpr float infinity = std::numeric_limits<float>::infinity();

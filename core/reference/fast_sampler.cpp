@@ -1,0 +1,379 @@
+#include "core/reference/fast_sampler.h"
+
+#include "core/reference/lanes.h"
+#include "core/reference/sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace texplorer::reference {
+
+namespace {
+
+using Colors = std::array<Floats, laneCount>; ///< red, green, blue and alpha of four pixels
+
+[[nodiscard]] Floats clamped(Floats values, Floats low, Floats high) {
+    return greater(lesser(values, high), low);
+}
+
+/// wrapCoordinate() of wrap.h. A branch for four pixels, the same for the whole texture, costs nothing.
+[[nodiscard]] Floats wrapped(Wrap wrap, Floats coordinates, Floats size) {
+    const Floats s = isFinite(coordinates) ? coordinates : floats(0);
+    switch (wrap) {
+    case Wrap::Repeat:
+        return (s - floored(s)) * size;
+    case Wrap::MirroredRepeat: {
+        const Floats whole = floored(s);
+        const Floats fraction = s - whole;
+        const Floats half = whole * 0.5F;
+        return clamped((half == floored(half) ? fraction : 1.0F - fraction) * size, floats(0.5F),
+                       size - 0.5F);
+    }
+    case Wrap::ClampToEdge:
+        return clamped(s * size, floats(0.5F), size - 0.5F);
+    case Wrap::ClampToBorder:
+        return clamped(s * size, floats(-0.5F), size + 0.5F);
+    case Wrap::Clamp:
+        return clamped(s * size, floats(0), size);
+    }
+    return floats(0);
+}
+
+/// Whether texels beyond the level are asked for, which have the border colour.
+[[nodiscard]] bool reachesBorder(Wrap wrap) {
+    return wrap == Wrap::ClampToBorder || wrap == Wrap::Clamp;
+}
+
+[[nodiscard]] Ints nearestTexels(Floats u, Floats size) {
+    return truncated(u == size ? size - 1.0F : flooredSmall(u));
+}
+
+/// linearTexels() of wrap.h.
+struct TexelPairs {
+    Ints first;
+    Ints second;
+    Floats share;
+
+    TexelPairs(Wrap wrap, Floats u, Floats size) {
+        const Floats centred = u - 0.5F;
+        const Floats low = flooredSmall(centred);
+        share = centred - low;
+        first = truncated(low);
+        second = first + 1;
+        const Ints extent = truncated(size);
+        if (wrap == Wrap::Repeat) {
+            first = first < 0 ? first + extent : first;
+            second = second >= extent ? second - extent : second;
+        } else if (!reachesBorder(wrap)) { // only with share 0
+            second = second >= extent ? extent - 1 : second;
+        }
+    }
+};
+
+} // namespace
+
+/// Four neighbouring pixels.
+template<int axes>
+class FastSampler::Quartet {
+public:
+    explicit Quartet(const FastSampler& sampler)
+        : sampler_(sampler)
+        , texture_(*sampler.texture_)
+        , border_(load(texture_.borderColor))
+        , usesBorder_(reachesBorder(texture_.wrap[0]) || (axes > 1 && reachesBorder(texture_.wrap[1]))) {}
+
+    /// Without mipmaps, where magnification and minification are the same.
+    void sampleBase(const SampleRow& row, int count, glm::vec4* colors) const {
+        const Levels base(sampler_, ints(0));
+        const bool linear = texture_.magFilter == MagFilter::Linear;
+        for (int at = 0; at < count; at += laneCount) {
+            const Floats s = load(row.s.data() + at);
+            const Floats t = axes > 1 ? load(row.t.data() + at) : floats(0);
+            write(linear ? linearly(base, s, t) : nearest(base, s, t), colors + at);
+        }
+    }
+
+    void sample(const SampleRow& row, int count, glm::vec4* colors) const {
+        for (int at = 0; at < count; at += laneCount) {
+            const Place place(row, at);
+            const Choice choice = choose(place);
+            write(any(choice.probes > 1.0F) ? probed(choice, place) : filtered(choice, place.s, place.t),
+                  colors + at);
+        }
+    }
+
+private:
+    struct Place {
+        Floats s;
+        Floats t;
+        Floats dsdx;
+        Floats dtdx;
+        Floats dsdy;
+        Floats dtdy;
+
+        Place(const SampleRow& row, int at)
+            : s(load(row.s.data() + at))
+            , t(axes > 1 ? load(row.t.data() + at) : floats(0))
+            , dsdx(load(row.dsdx.data() + at))
+            , dtdx(axes > 1 ? load(row.dtdx.data() + at) : floats(0))
+            , dsdy(load(row.dsdy.data() + at))
+            , dtdy(axes > 1 ? load(row.dtdy.data() + at) : floats(0)) {}
+    };
+
+    /// The level of each pixel.
+    struct Levels {
+        std::array<const Plane*, laneCount> planes;
+        Floats width;
+        Floats height;
+
+        Levels(const FastSampler& sampler, Ints steps) {
+            const Plane* first = sampler.planes_.data() + steps[0];
+            if (all(steps == ints(steps[0]))) {
+                planes.fill(first);
+                width = floats(first->fWidth);
+                height = floats(first->fHeight);
+                return;
+            }
+            for (int i = 0; i < laneCount; ++i)
+                planes[static_cast<std::size_t>(i)] = sampler.planes_.data() + steps[i];
+            width = Floats{planes[0]->fWidth, planes[1]->fWidth, planes[2]->fWidth, planes[3]->fWidth};
+            height = Floats{planes[0]->fHeight, planes[1]->fHeight, planes[2]->fHeight, planes[3]->fHeight};
+        }
+    };
+
+    /// levelOfDetail() and chooseLevels() of lod.h.
+    struct Choice {
+        Ints first;
+        Ints second;
+        Floats share;
+        Ints linear;
+        Floats probes;
+        Floats alongS; ///< the axis of the probes
+        Floats alongT;
+    };
+
+    [[nodiscard]] Choice choose(const Place& place) const {
+        const Plane& base = sampler_.planes_[0];
+        const auto squaredLength = [&](Floats s, Floats t) {
+            const Floats x = s * base.fWidth;
+            if (axes == 1)
+                return x * x;
+            const Floats y = t * base.fHeight;
+            return x * x + y * y;
+        };
+        const Floats squaredX = squaredLength(place.dsdx, place.dtdx);
+        const Floats squaredY = squaredLength(place.dsdy, place.dtdy);
+        const Ints defined = isFinite(squaredX) & isFinite(squaredY);
+
+        Choice choice;
+        choice.probes = floats(1);
+        Floats rho;
+        if (sampler_.maxProbes_ > 1) {
+            const Floats x = rooted(squaredX);
+            const Floats y = rooted(squaredY);
+            const Floats longer = greater(x, y);
+            const Floats ratio = longer > 0.0F ? longer / lesser(x, y) : floats(1);
+            const Floats probes = -flooredSmall(-lesser(ratio, floats(sampler_.maxProbes_)));
+            choice.probes = defined ? greater(probes, floats(1)) : floats(1);
+            choice.alongS = x > y ? place.dsdx : place.dsdy;
+            choice.alongT = x > y ? place.dtdx : place.dtdy;
+            rho = longer / choice.probes;
+        } else {
+            choice.alongS = choice.alongT = floats(0);
+            rho = rooted(greater(squaredX, squaredY));
+        }
+        rho = defined ? rho : floats(1);
+
+        const Floats biased = logarithms2(rho) + sampler_.bias_;
+        const Floats lambda = lesser(floats(texture_.maxLod), greater(floats(texture_.minLod), biased));
+        const Ints minified = lambda > sampler_.switchOver_;
+        const Ints magLinear = ints(texture_.magFilter == MagFilter::Linear ? -1 : 0);
+        const Ints minLinear = ints(isLinear(texture_.minFilter) ? -1 : 0);
+        choice.linear = (minified & minLinear) | (~minified & magLinear);
+        choice.first = choice.second = ints(0);
+        choice.share = floats(0);
+        if (!wantsMipmaps(texture_.minFilter))
+            return choice;
+        const Floats last = floats(sampler_.lastStep_);
+        if (blendsLevels(texture_.minFilter)) {
+            const Floats bounded = minified ? lesser(lambda, last) : floats(0);
+            const Floats whole = flooredSmall(bounded);
+            choice.share = bounded - whole;
+            choice.first = truncated(whole);
+            choice.second = choice.first - (choice.share > 0.0F);
+        } else {
+            const Floats rounded = -flooredSmall(-(lesser(lambda, last + 1.0F) + 0.5F)) - 1.0F;
+            choice.first = truncated((minified & (lambda > 0.5F)) ? lesser(rounded, last) : floats(0));
+            choice.second = choice.first;
+        }
+        return choice;
+    }
+
+    /// NEAREST: tau_ij.
+    [[nodiscard]] Colors nearest(const Levels& levels, Floats s, Floats t) const {
+        const Ints i = nearestTexels(wrapped(texture_.wrap[0], s, levels.width), levels.width);
+        const Ints j =
+            axes > 1 ? nearestTexels(wrapped(texture_.wrap[1], t, levels.height), levels.height) : ints(0);
+        Colors colors;
+        for (int lane = 0; lane < laneCount; ++lane) {
+            const auto at = static_cast<std::size_t>(lane);
+            colors[at] = usesBorder_ ? texelOrBorder(*levels.planes[at], i[lane], j[lane])
+                                     : texel(*levels.planes[at], i[lane], j[lane]);
+        }
+        return colors;
+    }
+
+    /// LINEAR: equations 3.23 and 3.24.
+    [[nodiscard]] Colors linearly(const Levels& levels, Floats s, Floats t) const {
+        const Wrap wrapS = texture_.wrap[0];
+        const TexelPairs i(wrapS, wrapped(wrapS, s, levels.width), levels.width);
+        Colors colors;
+        if constexpr (axes == 1) {
+            const Floats firstShare = 1.0F - i.share;
+            for (int lane = 0; lane < laneCount; ++lane) {
+                const auto at = static_cast<std::size_t>(lane);
+                const Plane& plane = *levels.planes[at];
+                colors[at] = firstShare[lane] * texelOrBorder(plane, i.first[lane], 0) +
+                             i.share[lane] * texelOrBorder(plane, i.second[lane], 0);
+            }
+            return colors;
+        }
+        const Wrap wrapT = texture_.wrap[1];
+        const TexelPairs j(wrapT, wrapped(wrapT, t, levels.height), levels.height);
+        const Floats share00 = (1.0F - i.share) * (1.0F - j.share);
+        const Floats share10 = i.share * (1.0F - j.share);
+        const Floats share01 = (1.0F - i.share) * j.share;
+        const Floats share11 = i.share * j.share;
+        for (int lane = 0; lane < laneCount; ++lane) {
+            const auto at = static_cast<std::size_t>(lane);
+            const Plane& plane = *levels.planes[at];
+            const auto blend = [&](const auto& read) {
+                return share00[lane] * read(plane, i.first[lane], j.first[lane]) +
+                       share10[lane] * read(plane, i.second[lane], j.first[lane]) +
+                       share01[lane] * read(plane, i.first[lane], j.second[lane]) +
+                       share11[lane] * read(plane, i.second[lane], j.second[lane]);
+            };
+            colors[at] = usesBorder_
+                             ? blend([this](const Plane& p, int x, int y) { return texelOrBorder(p, x, y); })
+                             : blend(texel);
+        }
+        return colors;
+    }
+
+    [[nodiscard]] Colors atLevel(Ints steps, Ints linear, Floats s, Floats t) const {
+        const Levels levels(sampler_, steps);
+        if (all(linear))
+            return linearly(levels, s, t);
+        Colors colors = nearest(levels, s, t);
+        if (any(linear)) {
+            const Colors smooth = linearly(levels, s, t);
+            for (std::size_t lane = 0; lane < colors.size(); ++lane)
+                colors[lane] = linear[static_cast<int>(lane)] ? smooth[lane] : colors[lane];
+        }
+        return colors;
+    }
+
+    /// One level, or two blended: equation 3.28.
+    [[nodiscard]] Colors filtered(const Choice& choice, Floats s, Floats t) const {
+        Colors colors = atLevel(choice.first, choice.linear, s, t);
+        if (any(choice.share > 0.0F)) {
+            const Colors second = atLevel(choice.second, choice.linear, s, t);
+            const Floats firstShare = 1.0F - choice.share;
+            for (int lane = 0; lane < laneCount; ++lane) {
+                const auto at = static_cast<std::size_t>(lane);
+                colors[at] = firstShare[lane] * colors[at] + choice.share[lane] * second[at];
+            }
+        }
+        return colors;
+    }
+
+    /// EXT_texture_filter_anisotropic, as sampler.cpp.
+    [[nodiscard]] Colors probed(const Choice& choice, const Place& place) const {
+        const Floats n = choice.probes;
+        const float most = std::max(std::max(n[0], n[1]), std::max(n[2], n[3]));
+        Colors sum{};
+        for (float i = 1; i <= most; ++i) {
+            const Floats offset = i / (n + 1.0F) - 0.5F;
+            const Ints several = n > 1.0F;
+            const Floats s = several ? place.s + choice.alongS * offset : place.s;
+            const Floats t = several ? place.t + choice.alongT * offset : place.t;
+            const Colors colors = filtered(choice, s, t);
+            const Ints counts = n >= i;
+            for (int lane = 0; lane < laneCount; ++lane) {
+                const auto at = static_cast<std::size_t>(lane);
+                sum[at] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(colors[at]) & counts[lane]);
+            }
+        }
+        for (int lane = 0; lane < laneCount; ++lane)
+            sum[static_cast<std::size_t>(lane)] /= n[lane];
+        return sum;
+    }
+
+    [[nodiscard]] static Floats texel(const Plane& plane, int i, int j) {
+        return load(plane.texels + static_cast<std::ptrdiff_t>(j) * plane.width + i);
+    }
+    [[nodiscard]] Floats texelOrBorder(const Plane& plane, int i, int j) const {
+        return i < 0 || j < 0 || i >= plane.width || j >= plane.height ? border_ : texel(plane, i, j);
+    }
+
+    static void write(const Colors& from, glm::vec4* to) { std::memcpy(to, from.data(), sizeof from); }
+
+    const FastSampler& sampler_;
+    const SampledTexture& texture_;
+    Floats border_;
+    bool usesBorder_;
+};
+
+void FastSampler::literally(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
+    for (int i = 0; i < count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        colors[i] = reference::sample(
+            *sampler.texture_, {row.s[at], row.t[at], row.r[at]},
+            {{row.dsdx[at], row.dtdx[at], row.drdx[at]}, {row.dsdy[at], row.dtdy[at], row.drdy[at]}},
+            sampler.options_);
+    }
+}
+
+template<int axes, bool baseOnly>
+void FastSampler::quickly(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
+    if constexpr (baseOnly)
+        Quartet<axes>(sampler).sampleBase(row, count, colors);
+    else
+        Quartet<axes>(sampler).sample(row, count, colors);
+}
+
+FastSampler::FastSampler(const SampledTexture& texture, const SampleOptions& options)
+    : texture_(&texture)
+    , options_(options) {
+    const bool flat = texture.target == Target::Texture1D || texture.target == Target::Texture2D;
+    const bool anisotropic = texture.maxAnisotropy > 1;
+    const bool ellipse = anisotropic && options.anisotropy == AnisotropyMethod::Ellipse &&
+                         texture.target == Target::Texture2D && isLinear(texture.minFilter);
+    const int steps = wantsMipmaps(texture.minFilter) ? lastMipLevel(texture) - texture.baseLevel : 0;
+    if (!flat || ellipse || steps >= maxLevels)
+        return;
+    for (int step = 0; step <= steps; ++step) {
+        const Level* level = texture.level(texture.baseLevel + step);
+        if (!level || level->border != 0)
+            return;
+        planes_[static_cast<std::size_t>(step)] = {level->texels.data(), level->width, level->height,
+                                                   static_cast<float>(level->width),
+                                                   static_cast<float>(level->height)};
+    }
+    lastStep_ = static_cast<float>(steps);
+    const float bias = options.objectBias + options.unitBias + options.shaderBias;
+    bias_ = std::isnan(bias) ? 0.0F : std::clamp(bias, -options.maxBias, options.maxBias);
+    switchOver_ = switchOverOf(texture.magFilter, texture.minFilter);
+    maxProbes_ = anisotropic ? std::min(std::floor(texture.maxAnisotropy), 1024.0F) : 1.0F;
+    readsR_ = false;
+    readsDerivatives_ = anisotropic || wantsMipmaps(texture.minFilter) ||
+                        (texture.magFilter == MagFilter::Linear) != isLinear(texture.minFilter);
+    const bool oneAxis = texture.target == Target::Texture1D;
+    if (readsDerivatives_)
+        sample_ = oneAxis ? &quickly<1, false> : &quickly<2, false>;
+    else
+        sample_ = oneAxis ? &quickly<1, true> : &quickly<2, true>;
+}
+
+} // namespace texplorer::reference
