@@ -23,6 +23,7 @@ enum ExitCode : int {
 using Action = std::function<ExitCode()>;
 
 void addShot(CLI::App& app, Action& action);
+void addProbe(CLI::App& app, Action& action);
 void addCheck(CLI::App& app, Action& action);
 void addParams(CLI::App& app, Action& action);
 void addDecode(CLI::App& app, Action& action);

@@ -1,5 +1,6 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/picture_argument.h"
 #include "app/screenshot/scene_argument.h"
 #include "app/screenshot/texture_io.h"
 #include "core/codec/png.h"
@@ -8,57 +9,22 @@
 #include "core/scene/diagnosis.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 namespace texplorer::screenshot {
 namespace {
 
-constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
-
 constexpr render::Size smallestWindow{320, 200}; // that of texplorer: panels don't fit into less
 
 struct Options {
     SceneArgument scene;
-    std::string size = "1280x800";
-    std::string time = "0";
+    PictureArgument picture;
     bool window = false;
     std::string tab;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string shaders;
     std::string out;
 };
-
-std::string asArgument(render::Size size) {
-    return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
-Result<render::Size> parseSize(std::string_view text, render::Size smallest) {
-    render::Size size;
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        if (height.ec == std::errc() && height.ptr == end && size.width >= smallest.width &&
-            size.width <= maxExtent && size.height >= smallest.height && size.height <= maxExtent)
-            return size;
-    }
-    return fail(ErrorCode::OutOfRange,
-                "expected WIDTHxHEIGHT from " + asArgument(smallest) + " to " +
-                    asArgument({maxExtent, maxExtent}) + ", found \"" + std::string(text) + "\"",
-                "--size");
-}
-
-Result<double> parseTime(std::string_view text) {
-    double seconds = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, seconds);
-    if (error == std::errc() && stop == end && std::isfinite(seconds))
-        return seconds;
-    return fail(ErrorCode::OutOfRange,
-                "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
-}
 
 std::string tabNames() {
     std::string names;
@@ -97,10 +63,10 @@ Result<Picture> drawByReference(const Drawing& drawing) {
 
 ExitCode shoot(const Options& options) {
     const Result<render::Size> size =
-        parseSize(options.size, options.window ? smallestWindow : render::Size{1, 1});
+        parsePictureSize(options.picture.size, options.window ? smallestWindow : render::Size{1, 1});
     if (!size)
         return complain(size.error(), wrongCall);
-    const Result<double> time = parseTime(options.time);
+    const Result<double> time = parseTime(options.picture.time);
     if (!time)
         return complain(time.error(), wrongCall);
 
@@ -161,9 +127,7 @@ void addShot(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("shot", "Draw a scene into a PNG.");
     auto options = std::make_shared<Options>();
     addSceneArgument(*command, options->scene);
-    command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
-    command->add_option("--time", options->time, "Seconds on the scene's clock, for what moves.")
-        ->capture_default_str();
+    addPictureArgument(*command, options->picture);
     CLI::Option* window =
         command->add_flag("--ui", options->window, "Draw the whole window with its panels.");
     command

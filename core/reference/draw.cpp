@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/mesh.h"
+#include "core/reference/contributions.h"
 #include "core/reference/pass_state.h"
 #include "core/reference/probe.h"
 #include "core/reference/raster.h"
@@ -143,6 +144,21 @@ Result<Explanation> ReferenceRenderer::probe(const Scene& scene, const ImageSour
         return explanation;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
+    }
+}
+
+Result<Contributions> ReferenceRenderer::contributions(const Scene& scene, const ImageSource& images,
+                                                       double time, int width, int height,
+                                                       const TexelQuestion& question,
+                                                       const DrawOptions& options) {
+    if (const Result<void> size = checkSize(width, height); !size)
+        return fail(size.error());
+    try {
+        state_->textures.keepFirst(scene.textures.size());
+        return findContributions(scene, images, time, {width, height}, question, options, state_->textures);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
+                                             extents(width, height) + " pixels");
     }
 }
 

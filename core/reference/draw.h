@@ -16,6 +16,8 @@ namespace texplorer::reference {
 
 struct Explanation; // see probe.h
 struct PixelPlace;
+struct Contributions; // see contributions.h
+struct TexelQuestion;
 
 struct DrawOptions {
     /// Off: coordinates and colours are interpolated straight across the window, as old hardware did it and
@@ -58,6 +60,12 @@ public:
     [[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time,
                                             int width, int height, PixelPlace pixel,
                                             const DrawOptions& options = {});
+
+    /// Which pixels of that picture a texel has a share in: see contributions.h.
+    [[nodiscard]] Result<Contributions> contributions(const Scene& scene, const ImageSource& images,
+                                                      double time, int width, int height,
+                                                      const TexelQuestion& question,
+                                                      const DrawOptions& options = {});
 
 private:
     struct State;

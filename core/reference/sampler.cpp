@@ -31,6 +31,19 @@ struct KeepAll {
     void tap(const Tap& tap) const { record.taps.push_back(tap); }
 };
 
+struct WeighTexel {
+    const TexelPlace& texel;
+    float& weight;
+    static void lod(const Lod& /*lod*/) {}
+    static void level(int /*number*/, float /*weight*/) {}
+    static void probe(glm::vec3 /*coords*/) {}
+    static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
+    void tap(const Tap& tap) const {
+        if (tap.level == texel.level && tap.index == texel.index)
+            weight += tap.weight;
+    }
+};
+
 /// The filters of one level. Section 3.8.8: NEAREST takes tau_ijk, LINEAR the weighted sum of 2, 4 or 8.
 template<class Recorder>
 class LevelFilter {
@@ -149,6 +162,14 @@ SampleRecord explainSample(const SampledTexture& texture, glm::vec3 coords, cons
     SampleRecord record;
     record.color = sampleWith(texture, coords, derivatives, options, KeepAll{record});
     return record;
+}
+
+float texelWeight(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
+                  const SampleOptions& options, const TexelPlace& texel) {
+    float weight = 0;
+    [[maybe_unused]] const glm::vec4 color =
+        sampleWith(texture, coords, derivatives, options, WeighTexel{texel, weight});
+    return weight;
 }
 
 } // namespace texplorer::reference

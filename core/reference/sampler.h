@@ -17,4 +17,15 @@ namespace texplorer::reference {
 [[nodiscard]] SampleRecord explainSample(const SampledTexture& texture, glm::vec3 coords,
                                          const Derivatives& derivatives, const SampleOptions& options = {});
 
+/// A texel of a texture; outside of the level it stands for the border there.
+struct TexelPlace {
+    int level = 0;
+    glm::ivec3 index{0};
+};
+
+/// The share that one texel has in the same sample: 0 where it isn't read.
+[[nodiscard]] float texelWeight(const SampledTexture& texture, glm::vec3 coords,
+                                const Derivatives& derivatives, const SampleOptions& options,
+                                const TexelPlace& texel);
+
 } // namespace texplorer::reference

@@ -1,0 +1,49 @@
+#include "app/screenshot/picture_argument.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
+
+std::string asArgument(render::Size size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+} // namespace
+
+void addPictureArgument(CLI::App& command, PictureArgument& argument) {
+    command.add_option("--size", argument.size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
+    command.add_option("--time", argument.time, "Seconds on the scene's clock, for what moves.")
+        ->capture_default_str();
+}
+
+Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest) {
+    render::Size size;
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.height);
+        if (height.ec == std::errc() && height.ptr == end && size.width >= smallest.width &&
+            size.width <= maxExtent && size.height >= smallest.height && size.height <= maxExtent)
+            return size;
+    }
+    return fail(ErrorCode::OutOfRange,
+                "expected WIDTHxHEIGHT from " + asArgument(smallest) + " to " +
+                    asArgument({maxExtent, maxExtent}) + ", found \"" + std::string(text) + "\"",
+                "--size");
+}
+
+Result<double> parseTime(std::string_view text) {
+    double seconds = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, seconds);
+    if (error == std::errc() && stop == end && std::isfinite(seconds))
+        return seconds;
+    return fail(ErrorCode::OutOfRange,
+                "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
+}
+
+} // namespace texplorer::screenshot

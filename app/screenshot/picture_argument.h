@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/render/frame.h"
+#include "app/screenshot/command.h"
+
+namespace texplorer::screenshot {
+
+/// How large a picture is and when it is taken, as the command line spells it.
+struct PictureArgument {
+    std::string size = "1280x800";
+    std::string time = "0";
+};
+
+/// Declares --size and --time.
+void addPictureArgument(CLI::App& command, PictureArgument& argument);
+
+[[nodiscard]] Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest = {1, 1});
+[[nodiscard]] Result<double> parseTime(std::string_view text);
+
+} // namespace texplorer::screenshot

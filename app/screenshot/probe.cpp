@@ -1,0 +1,168 @@
+#include "core/reference/probe.h"
+
+#include "app/screenshot/command.h"
+#include "app/screenshot/gl_module.h"
+#include "app/screenshot/picture_argument.h"
+#include "app/screenshot/probe_report.h"
+#include "app/screenshot/scene_argument.h"
+
+#include <algorithm>
+#include <charconv>
+#include <span>
+
+namespace texplorer::screenshot {
+namespace {
+
+struct Options {
+    SceneArgument scene;
+    PictureArgument picture;
+    std::string at;
+    std::string texel;
+    int pass = 0;
+    bool json = false;
+    bool withoutGl = false;
+};
+
+/// Exactly so many whole numbers with commas between them.
+bool parseNumbers(std::string_view text, std::span<int> numbers) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != ','))
+            return false;
+        const auto [stop, error] = std::from_chars(at, end, numbers[i]);
+        if (error != std::errc())
+            return false;
+        at = stop;
+    }
+    return at == end;
+}
+
+Result<reference::PixelPlace> parsePlace(std::string_view text, render::Size size) {
+    std::array<int, 2> place{};
+    if (!parseNumbers(text, place))
+        return fail(ErrorCode::OutOfRange, "expected X,Y, found \"" + std::string(text) + "\"", "--at");
+    const auto& [x, y] = place;
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height)
+        return fail(ErrorCode::OutOfRange,
+                    "expected a pixel from 0,0 to " + std::to_string(size.width - 1) + "," +
+                        std::to_string(size.height - 1) + ", found " + std::string(text),
+                    "--at");
+    return reference::PixelPlace{x, size.height - 1 - y};
+}
+
+Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
+    std::array<int, 5> numbers{};
+    const bool volume = parseNumbers(text, numbers);
+    if (!volume && (numbers = {}, !parseNumbers(text, std::span(numbers).first(4))))
+        return fail(ErrorCode::OutOfRange, "expected UNIT,LEVEL,I,J, found \"" + std::string(text) + "\"",
+                    "--texel");
+    return reference::TexelQuestion{
+        pass, numbers[0], {numbers[1], {numbers[2], numbers[3], volume ? numbers[4] : 0}}};
+}
+
+/// What OpenGL has at the pixel: the whole picture is drawn for it.
+std::vector<ReadBack> readBack(Drawing drawing, const reference::PixelPlace& pixel,
+                               std::vector<std::string>& problems) {
+    std::vector<ReadBack> all;
+    for (const RendererKind renderer : {RendererKind::Fixed, RendererKind::Shader}) {
+        drawing.renderer = renderer;
+        const Result<Picture> picture = draw(drawing);
+        if (!picture) {
+            all.push_back({renderer, fail(picture.error())});
+            continue;
+        }
+        for (const std::string& problem : picture->problems) {
+            if (std::ranges::find(problems, problem) == problems.end())
+                problems.push_back(problem);
+        }
+        reference::PixelBytes bytes{};
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] = std::to_integer<std::uint8_t>(picture->image.at(pixel.x, pixel.y)[i]);
+        all.push_back({renderer, bytes});
+    }
+    return all;
+}
+
+ExitCode print(const std::string& text, const std::vector<std::string>& problems) {
+    for (const std::string& problem : problems)
+        complain({ErrorCode::Driver, problem, {}});
+    if (const auto written = writeOutput("-", std::as_bytes(std::span(text))); !written)
+        return complain(written.error());
+    return success;
+}
+
+ExitCode probePixel(const Options& options, Drawing drawing) {
+    const Result<reference::PixelPlace> pixel = parsePlace(options.at, drawing.size);
+    if (!pixel)
+        return complain(pixel.error(), wrongCall);
+    Result<reference::Explanation> explanation =
+        reference::probe(drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height,
+                         *pixel, {.levels = drawing.levels});
+    if (!explanation)
+        return complain(explanation.error());
+    std::vector<std::string> problems = explanation->problems;
+    const std::vector<ReadBack> readBacks =
+        options.withoutGl ? std::vector<ReadBack>() : readBack(std::move(drawing), *pixel, problems);
+    return print(options.json ? asJson(*explanation, readBacks) : asText(*explanation, readBacks), problems);
+}
+
+ExitCode findPixels(const Options& options, const Drawing& drawing) {
+    const Result<reference::TexelQuestion> question = parseTexel(options.texel, options.pass);
+    if (!question)
+        return complain(question.error(), wrongCall);
+    const Result<reference::Contributions> found =
+        reference::contributions(drawing.scene, drawing.images, drawing.time, drawing.size.width,
+                                 drawing.size.height, *question, {.levels = drawing.levels});
+    if (!found)
+        return complain(found.error(), found.error().code == ErrorCode::OutOfRange ? wrongCall : failure);
+    return print(options.json ? asJson(*found, *question) : asText(*found, *question), found->problems);
+}
+
+ExitCode probe(const Options& options) {
+    if (options.at.empty() == options.texel.empty())
+        return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
+    const Result<render::Size> size = parsePictureSize(options.picture.size);
+    if (!size)
+        return complain(size.error(), wrongCall);
+    const Result<double> time = parseTime(options.picture.time);
+    if (!time)
+        return complain(time.error(), wrongCall);
+    auto opened = openScene(options.scene);
+    if (!opened)
+        return opened.error();
+    Drawing drawing;
+    drawing.scene = std::move(opened->scene);
+    drawing.images = std::move(opened->images);
+    drawing.file = options.scene.file;
+    drawing.time = *time;
+    drawing.size = *size;
+    drawing.levels.cache = BlockCache::ofUser();
+    if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
+        return complain(loaded.error());
+    return options.at.empty() ? findPixels(options, drawing) : probePixel(options, std::move(drawing));
+}
+
+} // namespace
+
+void addProbe(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("probe", "Explain why a pixel has its colour, number by number.");
+    auto options = std::make_shared<Options>();
+    addSceneArgument(*command, options->scene);
+    addPictureArgument(*command, options->picture);
+    command->add_option("--at", options->at,
+                        "The pixel, X,Y, counted from 0,0 at the top left, as in the PNG that \"texshot "
+                        "shot\" writes.");
+    command->add_option("--texel", options->texel,
+                        "The other way round: UNIT,LEVEL,I,J names a texel, I and J counted from s = 0 and "
+                        "t = 0 (UNIT,LEVEL,I,J,K in a volume); lists the pixels that it has a share in, with "
+                        "its weight in each. -1 and the level's extent stand for the border.");
+    command->add_option("--pass", options->pass, "With --texel: the pass that the unit belongs to.")
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "For programs: everything, as JSON.");
+    command->add_flag("--no-gl", options->withoutGl,
+                      "Don't draw the picture with OpenGL, to compare its pixel with the specification's.");
+    command->callback([&action, options] { action = [options] { return probe(*options); }; });
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,234 @@
+#include "app/screenshot/probe_report.h"
+#include "core/reference/explanation_steps.h"
+#include "core/reference/sampling_steps.h"
+
+#include <nlohmann/json.hpp>
+
+namespace texplorer::screenshot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace reference;
+
+Json listOf(glm::vec3 v) {
+    return Json::array({v.x, v.y, v.z});
+}
+Json listOf(glm::vec4 v) {
+    return Json::array({v.x, v.y, v.z, v.w});
+}
+Json listOf(glm::ivec3 v) {
+    return Json::array({v.x, v.y, v.z});
+}
+Json listOf(const PixelBytes& bytes) {
+    Json list = Json::array();
+    for (const std::uint8_t byte : bytes)
+        list.push_back(int{byte});
+    return list;
+}
+
+template<Enumerated E>
+Json nameOf(E value) {
+    return std::string(rowOf(value).name);
+}
+
+Json jsonOf(const CoordinateSteps& steps) {
+    return {{"given", listOf(steps.given)},
+            {"generated", listOf(steps.generated)},
+            {"transformed", listOf(steps.transformed)}};
+}
+
+Json jsonOf(const VertexExplanation& vertex) {
+    Json json{{"vertex", vertex.vertex},           {"weight", vertex.weight},
+              {"object", listOf(vertex.object)},   {"eye", listOf(vertex.eye)},
+              {"normal", listOf(vertex.normal)},   {"clip", listOf(vertex.clip)},
+              {"primary", listOf(vertex.primary)}, {"secondary", listOf(vertex.secondary)}};
+    if (vertex.lighting)
+        json["lighting"] = {
+            {"scene", listOf(vertex.lighting->scene)},     {"ambient", listOf(vertex.lighting->ambient)},
+            {"diffuse", listOf(vertex.lighting->diffuse)}, {"specular", listOf(vertex.lighting->specular)},
+            {"nDotVP", vertex.lighting->nDotVP},           {"nDotH", vertex.lighting->nDotH}};
+    return json;
+}
+
+Json jsonOf(const Equation& equation) {
+    return {{"symbols", equation.symbols}, {"numbers", equation.numbers}};
+}
+
+Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
+    const Lod& lod = sample.lod;
+    Json json{{"lod",
+               {{"texelsPerPixelX", lod.lengthX},
+                {"texelsPerPixelY", lod.lengthY},
+                {"probes", lod.probes},
+                {"ellipse", lod.ellipse},
+                {"rho", lod.rho},
+                {"log2Rho", lod.base},
+                {"bias", lod.bias},
+                {"biased", lod.biased},
+                {"lambda", lod.lambda},
+                {"c", lod.switchOver},
+                {"magnified", lod.magnified},
+                {"undefined", lod.undefined},
+                {"why", whyMagnified(unit)}}}};
+    Json& levels = json["levels"] = Json::array();
+    for (const LevelShare& share : sample.levels) {
+        Json entry{{"level", share.level}, {"weight", share.weight}};
+        for (const LevelExtent& extent : unit.extents) {
+            if (extent.level == share.level)
+                entry["size"] = listOf(extent.size);
+        }
+        levels.push_back(std::move(entry));
+    }
+    Json& probes = json["probes"] = Json::array();
+    for (const glm::vec3& probe : sample.probes)
+        probes.push_back(listOf(probe));
+    Json& wrapped = json["wrapped"] = Json::array();
+    for (const WrappedCoordinate& each : sample.wrapped)
+        wrapped.push_back({{"level", each.level},
+                           {"axis", std::string(1, "str"[each.axis])},
+                           {"wrap", nameOf(unit.wrap.at(static_cast<std::size_t>(each.axis)))},
+                           {"given", each.given},
+                           {"texels", each.texels}});
+    Json& taps = json["taps"] = Json::array();
+    for (const Tap& tap : sample.taps)
+        taps.push_back({{"level", tap.level},
+                        {"index", listOf(tap.index)},
+                        {"weight", tap.weight},
+                        {"color", listOf(tap.color)},
+                        {"border", tap.border}});
+    json["color"] = listOf(sample.color);
+    return json;
+}
+
+Json jsonOf(const UnitExplanation& unit) {
+    Json json{{"unit", unit.unit},
+              {"texture", unit.texture},
+              {"target", nameOf(unit.target)},
+              {"baseFormat", nameOf(unit.format)},
+              {"generates",
+               Json::array({unit.generates[0], unit.generates[1], unit.generates[2], unit.generates[3]})},
+              {"atVertices",
+               Json::array({jsonOf(unit.vertices[0]), jsonOf(unit.vertices[1]), jsonOf(unit.vertices[2])})},
+              {"here", jsonOf(unit.pixel)},
+              {"coords", listOf(unit.coords)},
+              {"perPixelX", listOf(unit.derivatives.dx)},
+              {"perPixelY", listOf(unit.derivatives.dy)},
+              {"magFilter", nameOf(unit.magFilter)},
+              {"minFilter", nameOf(unit.minFilter)}};
+    json["sample"] = jsonOf(unit.sample, unit);
+    json["environment"] = {{"mode", nameOf(unit.mode)},
+                           {"previous", listOf(unit.inputs.previous)},
+                           {"source", listOf(unit.inputs.source)},
+                           {"constant", listOf(unit.inputs.constant)},
+                           {"primary", listOf(unit.inputs.primary)},
+                           {"color", jsonOf(unit.equations.color)},
+                           {"alpha", jsonOf(unit.equations.alpha)},
+                           {"undefined", unit.equations.undefined},
+                           {"result", listOf(unit.result)}};
+    return json;
+}
+
+template<class T>
+Json jsonOf(const TestExplanation<T>& test) {
+    return {{"enabled", test.enabled},
+            {"function", nameOf(test.function)},
+            {"value", test.value},
+            {"with", test.with},
+            {"passed", test.passed}};
+}
+
+Json jsonOf(const BlendExplanation& blend) {
+    if (!blend.enabled)
+        return {{"enabled", false}};
+    return {{"enabled", true},
+            {"sourceFactor", nameOf(blend.sourceFactor)},
+            {"destinationFactor", nameOf(blend.destinationFactor)},
+            {"source", listOf(blend.source)},
+            {"sourceWeight", listOf(blend.sourceWeight)},
+            {"destination", listOf(blend.destination)},
+            {"destinationWeight", listOf(blend.destinationWeight)},
+            {"result", listOf(blend.result)}};
+}
+
+Json jsonOf(const FragmentExplanation& fragment) {
+    constexpr std::array outcomes{"drawn", "failed the alpha test", "failed the depth test"};
+    Json json{{"pass", fragment.pass},
+              {"model", fragment.model},
+              {"shape", nameOf(fragment.shape)},
+              {"face", fragment.face},
+              {"triangle", fragment.triangle},
+              {"clipped", fragment.clipped},
+              {"outcome", outcomes.at(static_cast<std::size_t>(fragment.outcome))},
+              {"vertices", Json::array({jsonOf(fragment.vertices[0]), jsonOf(fragment.vertices[1]),
+                                        jsonOf(fragment.vertices[2])})},
+              {"lighting", fragment.lighting},
+              {"flat", fragment.flat},
+              {"primary", listOf(fragment.primary)}};
+    Json& units = json["units"] = Json::array();
+    for (const UnitExplanation& unit : fragment.units)
+        units.push_back(jsonOf(unit));
+    Json& idle = json["unitsWithoutEffect"] = Json::array();
+    for (const IdleUnit& unit : fragment.idle)
+        idle.push_back({{"unit", unit.unit}, {"reason", unit.reason}});
+    json["textured"] = listOf(fragment.textured);
+    json["separateSpecular"] = fragment.separateSpecular;
+    json["secondary"] = listOf(fragment.secondary);
+    json["color"] = listOf(fragment.color);
+    json["alphaTest"] = jsonOf(fragment.alphaTest);
+    json["depth"] = fragment.depth;
+    json["depthTest"] = jsonOf(fragment.depthTest);
+    json["blend"] = jsonOf(fragment.blend);
+    json["before"] = listOf(fragment.before);
+    json["after"] = listOf(fragment.after);
+    return json;
+}
+
+std::string dumped(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // NaN and infinity become null
+}
+
+} // namespace
+
+std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& readBacks) {
+    const auto& [x, y] = explanation.pixel;
+    Json json{{"at", Json::array({x, explanation.height - 1 - y})},
+              {"window", Json::array({x, y})},
+              {"size", Json::array({explanation.width, explanation.height})},
+              {"time", explanation.time},
+              {"reference", listOf(explanation.bytes)}};
+    for (const ReadBack& each : readBacks) {
+        const std::string name(rowOf(each.renderer).name);
+        if (each.bytes)
+            json[name] = listOf(*each.bytes);
+        else
+            json[name] = {{"problem", describe(each.bytes.error())}};
+    }
+    json["color"] = listOf(explanation.color);
+    json["background"] = listOf(explanation.background);
+    Json& fragments = json["fragments"] = Json::array();
+    for (const FragmentExplanation& fragment : explanation.fragments)
+        fragments.push_back(jsonOf(fragment));
+    json["problems"] = explanation.problems;
+    return dumped(json);
+}
+
+std::string asJson(const Contributions& found, const TexelQuestion& question) {
+    Json json{{"pass", question.pass},
+              {"unit", question.unit},
+              {"level", question.texel.level},
+              {"texel", listOf(question.texel.index)},
+              {"size", Json::array({found.width, found.height})}};
+    Json& pixels = json["pixels"] = Json::array(); // x, y from the top left, weight
+    for (int y = found.height - 1; y >= 0; --y) {
+        for (int x = 0; x < found.width; ++x) {
+            const float weight =
+                found.weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(found.width) +
+                              static_cast<std::size_t>(x)];
+            if (weight > 0)
+                pixels.push_back(Json::array({x, found.height - 1 - y, weight}));
+        }
+    }
+    return dumped(json);
+}
+
+} // namespace texplorer::screenshot

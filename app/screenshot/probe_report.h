@@ -1,0 +1,31 @@
+#pragma once
+
+// What `texshot probe` says, as text and as JSON. Pixels are counted from the top left, as in the PNG.
+
+#include "core/base/result.h"
+#include "core/reference/contributions.h"
+#include "core/reference/explanation.h"
+#include "core/scene/renderer.h"
+
+#include <string>
+#include <vector>
+
+namespace texplorer::screenshot {
+
+/// The pixel as OpenGL drew it, or why there is none.
+struct ReadBack {
+    RendererKind renderer = RendererKind::Fixed;
+    Result<reference::PixelBytes> bytes;
+};
+
+[[nodiscard]] std::string asText(const reference::Explanation& explanation,
+                                 const std::vector<ReadBack>& readBacks);
+[[nodiscard]] std::string asJson(const reference::Explanation& explanation,
+                                 const std::vector<ReadBack>& readBacks);
+
+[[nodiscard]] std::string asText(const reference::Contributions& found,
+                                 const reference::TexelQuestion& question);
+[[nodiscard]] std::string asJson(const reference::Contributions& found,
+                                 const reference::TexelQuestion& question);
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,143 @@
+#include "app/screenshot/probe_report.h"
+#include "core/reference/explanation_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::screenshot {
+namespace {
+
+using reference::bytesText;
+using reference::PixelBytes;
+using reference::Step;
+using reference::StepRow;
+
+/// How many characters a terminal shows of a text in UTF-8.
+std::size_t columnsOf(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, std::size_t width) {
+    const std::size_t columns = columnsOf(text);
+    return columns < width ? text.append(width - columns, ' ') : text;
+}
+
+/// Rows with the same number of cells that follow each other share their columns.
+std::string tableOf(const std::vector<StepRow>& rows) {
+    constexpr std::size_t widestLabel = 28;
+    std::string text;
+    for (std::size_t first = 0; first < rows.size();) {
+        std::size_t last = first;
+        while (last < rows.size() && rows[last].cells.size() == rows[first].cells.size())
+            ++last;
+        std::size_t label = 0;
+        std::vector<std::size_t> widths(rows[first].cells.size());
+        for (std::size_t i = first; i < last; ++i) {
+            label = std::max(label, columnsOf(rows[i].label));
+            for (std::size_t c = 0; c < widths.size(); ++c)
+                widths[c] = std::max(widths[c], columnsOf(rows[i].cells[c].text));
+        }
+        label = std::clamp(label, std::size_t{16}, std::max(widestLabel, label));
+        for (std::size_t i = first; i < last; ++i) {
+            std::string line = "      " + (widths.empty() ? rows[i].label : padded(rows[i].label, label));
+            for (std::size_t c = 0; c < widths.size(); ++c)
+                line += "  " + padded(rows[i].cells[c].text, widths[c]);
+            text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+        }
+        first = last;
+    }
+    return text;
+}
+
+/// `whole`: with all its numbers, not just with what came of it.
+std::string textOf(const Step& step, bool whole) {
+    const std::string title = (step.unit < 0 ? "" : "unit " + std::to_string(step.unit) + ", ") + step.title;
+    return "  " + title + (step.summary.empty() ? "" : ": " + step.summary) + "\n" +
+           (whole ? tableOf(step.rows) : "");
+}
+
+std::string differenceText(const PixelBytes& ours, const PixelBytes& theirs) {
+    constexpr std::array names{"red", "green", "blue", "alpha"};
+    std::string text;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const int by = int{theirs[i]} - int{ours[i]};
+        if (by != 0)
+            text += (text.empty() ? "" : ", ") + std::string(names.at(i)) + (by > 0 ? " +" : " ") +
+                    std::to_string(by);
+    }
+    return text.empty() ? "the same" : text;
+}
+
+std::string placeText(const reference::TexelQuestion& question) {
+    const auto& [level, index] = question.texel;
+    return "passes[" + std::to_string(question.pass) + "].units[" + std::to_string(question.unit) +
+           "], level " + std::to_string(level) + ", texel " + std::to_string(index.x) + ", " +
+           std::to_string(index.y) + (index.z != 0 ? ", " + std::to_string(index.z) : "");
+}
+
+} // namespace
+
+std::string asText(const reference::Explanation& explanation, const std::vector<ReadBack>& readBacks) {
+    const auto& [x, y] = explanation.pixel;
+    std::string text = "pixel " + std::to_string(x) + ", " + std::to_string(explanation.height - 1 - y) +
+                       " of " + std::to_string(explanation.width) + " x " +
+                       std::to_string(explanation.height) + ", from the top left (in OpenGL's window " +
+                       std::to_string(x) + ", " + std::to_string(y) + ")\n";
+    text += "  reference  " + bytesText(explanation.bytes) + "\n";
+    for (const ReadBack& each : readBacks) {
+        text += "  " + padded(std::string(rowOf(each.renderer).name), 9) + "  ";
+        text += each.bytes ? padded(bytesText(*each.bytes), 15) + "  " +
+                                 differenceText(explanation.bytes, *each.bytes)
+                           : describe(each.bytes.error());
+        text += "\n";
+    }
+    const auto fragments = stepsOf(explanation);
+    if (fragments.empty())
+        text += "\nNo triangle covers it: it shows the background.\n";
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        text += "\nfragment " + std::to_string(i + 1) + " of " + std::to_string(fragments.size()) + ": " +
+                fragments[i].title + ": " + fragments[i].outcome + "\n";
+        for (const Step& step : fragments[i].steps)
+            text += textOf(step, fragments[i].drawn);
+    }
+    return text;
+}
+
+std::string asText(const reference::Contributions& found, const reference::TexelQuestion& question) {
+    constexpr std::size_t mostListed = 20;
+    struct Pixel {
+        int x;
+        int y;
+        float weight;
+    };
+    std::vector<Pixel> pixels;
+    double sum = 0;
+    for (std::size_t i = 0; i < found.weights.size(); ++i) {
+        if (!(found.weights[i] > 0))
+            continue;
+        const auto width = static_cast<std::size_t>(found.width);
+        pixels.push_back(
+            {static_cast<int>(i % width), found.height - 1 - static_cast<int>(i / width), found.weights[i]});
+        sum += static_cast<double>(found.weights[i]);
+    }
+    std::string text = placeText(question) + "\n";
+    if (pixels.empty())
+        return text + "No pixel that one sees reads it.\n";
+    const auto [left, right] = std::ranges::minmax(pixels, {}, &Pixel::x);
+    const auto [top, bottom] = std::ranges::minmax(pixels, {}, &Pixel::y);
+    std::ranges::stable_sort(pixels, std::ranges::greater(), &Pixel::weight);
+    text += std::to_string(pixels.size()) + (pixels.size() == 1 ? " pixel reads" : " pixels read") +
+            " it, x from " + std::to_string(left.x) + " to " + std::to_string(right.x) + ", y from " +
+            std::to_string(top.y) + " to " + std::to_string(bottom.y) + " (from the top left), " +
+            reference::numberText(static_cast<float>(sum)) + " pixels' worth of colour in all\n";
+    for (std::size_t i = 0; i < std::min(pixels.size(), mostListed); ++i)
+        text += "  " + padded(std::to_string(pixels[i].x) + ", " + std::to_string(pixels[i].y), 12) +
+                reference::numberText(pixels[i].weight) + "\n";
+    if (pixels.size() > mostListed)
+        text +=
+            "  and " + std::to_string(pixels.size() - mostListed) + " of lesser weight; --json lists all\n";
+    return text;
+}
+
+} // namespace texplorer::screenshot

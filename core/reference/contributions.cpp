@@ -1,0 +1,159 @@
+#include "core/reference/contributions.h"
+
+#include "core/mesh/mesh.h"
+#include "core/reference/fragment.h"
+#include "core/reference/raster.h"
+#include "core/reference/shade.h"
+#include "core/reference/vertex_stage.h"
+#include "core/scene/animation.h"
+
+#include <algorithm>
+
+namespace texplorer::reference {
+
+namespace {
+
+std::string nameOf(const TexelQuestion& question) {
+    return "passes[" + std::to_string(question.pass) + "].units[" + std::to_string(question.unit) + "]";
+}
+
+Result<const UnitState*> unitOf(const std::vector<PassState>& passes, const TexelQuestion& question) {
+    if (question.pass < 0 || static_cast<std::size_t>(question.pass) >= passes.size())
+        return fail(ErrorCode::OutOfRange, "there is no pass " + std::to_string(question.pass) +
+                                               ", the scene has " + std::to_string(passes.size()));
+    if (question.unit < 0 || question.unit >= maxUnits)
+        return fail(ErrorCode::OutOfRange, "expected a unit from 0 to " + std::to_string(maxUnits - 1) +
+                                               ", found " + std::to_string(question.unit));
+    const UnitState& unit =
+        passes[static_cast<std::size_t>(question.pass)].units[static_cast<std::size_t>(question.unit)];
+    if (!unit.texture)
+        return fail(ErrorCode::Unsupported,
+                    nameOf(question) + " samples nothing: it is off, or its texture can't be drawn");
+    return &unit;
+}
+
+/// A level with one texel around it, which stands for the border.
+Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& question) {
+    const auto& [number, index] = question.texel;
+    const Level* level = texture.level(number);
+    if (!level)
+        return fail(ErrorCode::OutOfRange, nameOf(question) + " has a texture without a level " +
+                                               std::to_string(number) + ": it has " +
+                                               std::to_string(texture.levels.size()));
+    constexpr std::array names{"i", "j", "k"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool used = axis < axesOf(texture.target);
+        const int low = used ? -1 : 0;
+        const int high = used ? level->size()[axis] : 0; // the border's
+        if (index[axis] < low || index[axis] > high)
+            return fail(ErrorCode::OutOfRange,
+                        std::string("expected ") + names.at(static_cast<std::size_t>(axis)) + " from " +
+                            std::to_string(low) + " to " + std::to_string(high) + " in level " +
+                            std::to_string(number) + ", its border included, found " +
+                            std::to_string(index[axis]));
+    }
+    return {};
+}
+
+class Weighing {
+public:
+    Weighing(Contributions& found, const TexelQuestion& question, const PassState* asked,
+             const UnitState& unit)
+        : found_(found)
+        , question_(question)
+        , asked_(asked)
+        , unit_(unit)
+        , depth_(found.weights.size(), farthestDepth) {}
+
+    void draw(const Triangle& triangle) {
+        for (int y = triangle.minY; y <= triangle.maxY; ++y) {
+            const Span span = coveredPixels(triangle, y, {0, found_.width - 1});
+            for (int x = span.first; x <= span.last; ++x)
+                draw(triangle, x, y);
+        }
+    }
+
+private:
+    void draw(const Triangle& triangle, int x, int y) {
+        const Pass& pass = *triangle.pass->pass;
+        const glm::vec2 offset = glm::vec2(x, y) - triangle.origin;
+        const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(found_.width) +
+                        static_cast<std::size_t>(x);
+        const std::uint32_t depth = pass.depthTest ? fragmentDepth(triangle, offset) : 0;
+        if (pass.depthTest && !passes(pass.depthFunc, depth, depth_[at]))
+            return;
+        if (pass.alphaTest &&
+            !passes(pass.alphaFunc, fragmentColor(triangle, offset).a, std::clamp(pass.alphaRef, 0.0F, 1.0F)))
+            return;
+        if (pass.depthTest)
+            depth_[at] = depth;
+        float weight = 0;
+        if (triangle.pass == asked_) {
+            const TexturePlace place =
+                texturePlace(triangle, static_cast<std::size_t>(question_.unit), offset);
+            weight =
+                texelWeight(*unit_.texture, place.coords, place.derivatives, unit_.sampling, question_.texel);
+        }
+        found_.weights[at] = pass.blend ? std::max(found_.weights[at], weight) : weight;
+    }
+
+    Contributions& found_;
+    const TexelQuestion& question_;
+    const PassState* asked_;
+    const UnitState& unit_;
+    std::vector<std::uint32_t> depth_;
+};
+
+} // namespace
+
+Result<Contributions> findContributions(const Scene& scene, const ImageSource& images, double time,
+                                        Viewport viewport, const TexelQuestion& question,
+                                        const DrawOptions& options, TextureStore& textures) {
+    Contributions found;
+    const std::vector<PassState> passes =
+        passStates(scene, images, time, options.levels, options.anisotropy, textures, found.problems);
+    const Result<const UnitState*> unit = unitOf(passes, question);
+    if (!unit)
+        return fail(unit.error());
+    if (const Result<void> texel = checkTexel(*(*unit)->texture, question); !texel)
+        return fail(texel.error());
+    found.width = viewport.width;
+    found.height = viewport.height;
+    found.weights.resize(static_cast<std::size_t>(viewport.width) *
+                         static_cast<std::size_t>(viewport.height));
+    Weighing weighing(found, question, &passes[static_cast<std::size_t>(question.pass)], **unit);
+    const glm::mat4 view = viewMatrix(scene.view);
+    const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
+                                                                  static_cast<float>(viewport.height));
+    for (const PassState& pass : passes) {
+        for (const Model& model : scene.models) {
+            if (!model.visible)
+                continue;
+            const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
+            const VertexStage stage(scene, pass, view * modelMatrix(model, time), projection);
+            const std::vector<ShadedVertex> vertices = shadeVertices(stage, model, mesh, pass);
+            for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+                if (options.stop.stop_requested())
+                    return fail(ErrorCode::Cancelled, "the search was stopped");
+                std::array corners{vertices[mesh.triangles[i]], vertices[mesh.triangles[i + 1]],
+                                   vertices[mesh.triangles[i + 2]]};
+                if (pass.flat)
+                    corners[0].primary = corners[1].primary = corners[2].primary;
+                const Polygon polygon = clip(corners[0], corners[1], corners[2]);
+                for (std::size_t corner = 2; corner < polygon.size(); ++corner) {
+                    if (const auto triangle = setUp(polygon[0], polygon[corner - 1], polygon[corner], pass,
+                                                    viewport, options.perspectiveCorrect))
+                        weighing.draw(*triangle);
+                }
+            }
+        }
+    }
+    return found;
+}
+
+Result<Contributions> contributions(const Scene& scene, const ImageSource& images, double time, int width,
+                                    int height, const TexelQuestion& question, const DrawOptions& options) {
+    return ReferenceRenderer().contributions(scene, images, time, width, height, question, options);
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,44 @@
+#pragma once
+
+// The probe the other way round: which pixels a texel has a share in.
+
+#include "core/reference/draw.h"
+#include "core/reference/sampler.h"
+#include "core/reference/texture_store.h"
+#include "core/reference/triangle.h"
+
+#include <vector>
+
+namespace texplorer::reference {
+
+/// A texel as a unit of a pass sees it.
+struct TexelQuestion {
+    int pass = 0;
+    int unit = 0;
+    TexelPlace texel{};
+};
+
+/// What one texel gives to each pixel of a picture.
+struct Contributions {
+    int width = 0;
+    int height = 0;
+    /// One a pixel, bottom row first: the texel's weight in the filtered colour of the fragment that one sees
+    /// there. Where later fragments were blended over it, the largest weight counts.
+    std::vector<float> weights;
+    std::vector<std::string> problems; ///< sentences: what could not be drawn
+};
+
+/// Errors: OutOfRange for a bad size, or where the pass, the unit, the level or the texel does not exist;
+/// Unsupported where the unit samples nothing; TooLarge without memory; Cancelled after a stop request.
+/// Texels of the border count from -1 to the level's extent.
+[[nodiscard]] Result<Contributions> contributions(const Scene& scene, const ImageSource& images, double time,
+                                                  int width, int height, const TexelQuestion& question,
+                                                  const DrawOptions& options = {});
+
+/// For whoever keeps a TextureStore. Throws std::bad_alloc.
+[[nodiscard]] Result<Contributions> findContributions(const Scene& scene, const ImageSource& images,
+                                                      double time, Viewport viewport,
+                                                      const TexelQuestion& question,
+                                                      const DrawOptions& options, TextureStore& textures);
+
+} // namespace texplorer::reference
