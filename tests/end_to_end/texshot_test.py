@@ -158,7 +158,7 @@ class Shot(Texshot):
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
-        self.complains(2, "expected one of shot, check, params, decode, info")
+        self.complains(2, "expected one of shot, probe, check, params, decode, info")
         for unknown in ["paint", "--paint", "-x", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
 
