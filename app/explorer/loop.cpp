@@ -32,8 +32,9 @@ void pace(Window& window, bool moving, bool settling, double lastFrame) {
 
 } // namespace
 
-Result<void> runLoop(Window& window, ui::Session& session, const std::vector<std::filesystem::path>& files) {
-    Result<stage::Stage> stage = stage::Stage::create(window.contentScale());
+Result<void> runLoop(Window& window, ui::Session& session, const std::vector<std::filesystem::path>& files,
+                     const std::filesystem::path& shaders) {
+    Result<stage::Stage> stage = stage::Stage::create(window.contentScale(), {shaders, Window::wake});
     if (!stage)
         return fail(stage.error());
     const Input input(window.handle());

@@ -5,9 +5,11 @@
 
 namespace texplorer::explorer {
 
-/// Opens `files` and draws and edits the session in the window until the user closes it. Sleeps while nothing
-/// moves and nothing is touched. The error says what the driver lacks.
+/// Opens `files` and draws and edits the session in the window until the user closes it. `shaders`: the
+/// folder of the shader renderer's files, empty: the built-in ones. Sleeps while nothing moves and nothing is
+/// touched. The error says what the driver lacks.
 [[nodiscard]] Result<void> runLoop(Window& window, ui::Session& session,
-                                   const std::vector<std::filesystem::path>& files);
+                                   const std::vector<std::filesystem::path>& files,
+                                   const std::filesystem::path& shaders = {});
 
 } // namespace texplorer::explorer

@@ -21,7 +21,7 @@ int complain(const std::string& sentence) {
     return failure;
 }
 
-int run(const std::vector<std::string>& files) {
+int run(const std::vector<std::string>& files, const std::string& shaders) {
     const std::vector<std::filesystem::path> paths(files.begin(), files.end());
     if (const Result<void> known = ui::checkArguments(paths); !known)
         return complain(describe(known.error()));
@@ -31,7 +31,7 @@ int run(const std::vector<std::string>& files) {
         return complain(
             describe(window.error()) +
             ". Without a display, texshot draws the same window: texshot shot --ui -o window.png");
-    if (const Result<void> ended = explorer::runLoop(*window, session, paths); !ended)
+    if (const Result<void> ended = explorer::runLoop(*window, session, paths, shaders); !ended)
         return complain(describe(ended.error()));
     return 0;
 }
@@ -46,10 +46,16 @@ int main(int argc, char** argv) {
     app.add_option(
         "FILE", files,
         "Scene files (JSON) and images. Images become textures of the scene, the first one is shown.");
+    std::string shaders;
+    app.add_option(
+           "--shaders", shaders,
+           "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
+           "at once. Without it: those that the program was built with.")
+        ->envname("TEXPLORER_SHADERS");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : wrongCall;
     }
-    return run(files);
+    return run(files, shaders);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct Frame {
     Size size;
     double milliseconds = 0; ///< wall time of the draw call, without waiting for the GPU
     std::vector<std::string>
-        problems;            ///< sentences: GL errors named with their call, textures that are missing
-    bool unfinished = false; ///< textures are still being uploaded: draw again
+        problems;               ///< sentences: GL errors named with their call, textures that are missing
+    bool unfinished = false;    ///< textures are still being uploaded: draw again
+    std::uint64_t revision = 0; ///< of the picture: the same number, the same pixels as in the frame before
 };
 
 } // namespace texplorer::render

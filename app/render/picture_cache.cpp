@@ -6,7 +6,7 @@
 
 namespace texplorer::render {
 
-unsigned PictureCache::show(const std::shared_ptr<const Image>& image) {
+unsigned PictureCache::show(const std::shared_ptr<const Image>& image, Use use) {
     if (!image || image->empty())
         return 0;
     const auto [slot, isNew] = slots_.try_emplace(image);
@@ -17,6 +17,7 @@ unsigned PictureCache::show(const std::shared_ptr<const Image>& image) {
             const StateGuard guard;
             Texture plain;
             plain.minFilter = MinFilter::Linear;
+            plain.magFilter = use == Use::Enlarged ? MagFilter::Nearest : MagFilter::Linear;
             plain.wrapS = plain.wrapT = Wrap::ClampToEdge;
             TextureLevels base;
             base.levels.push_back({0, *image});

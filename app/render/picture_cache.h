@@ -9,13 +9,18 @@
 
 namespace texplorer::render {
 
-/// Textures of the small pictures that panels show: uploaded when a picture is first shown, gone when it no
+/// Textures of the pictures that panels show: uploaded when a picture is first shown, gone when it no
 /// longer is. Belongs to the context that is current, on its thread, and must be destroyed before that.
 class PictureCache {
 public:
-    /// The name of a 2D texture of the image, filtered linearly; 0 where GL refused it. Stays valid until the
-    /// second `endFrame` from here.
-    [[nodiscard]] unsigned show(const std::shared_ptr<const Image>& image);
+    enum class Use {
+        Scaled,   ///< to any size: filtered linearly
+        Enlarged, ///< so that one sees its pixels
+    };
+
+    /// The name of a 2D texture of the image; 0 where GL refused it. Stays valid until the second `endFrame`
+    /// from here. An image is used in one way.
+    [[nodiscard]] unsigned show(const std::shared_ptr<const Image>& image, Use use = Use::Scaled);
 
     /// Forgets what was not shown since the last call.
     void endFrame();

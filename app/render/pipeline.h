@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <array>
+#include <cstdint>
 
 namespace texplorer::render {
 
@@ -30,6 +31,9 @@ public:
     /// said in `errors`.
     [[nodiscard]] virtual bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
                                          double time, GlErrors& errors) = 0;
+
+    /// Grows when it draws the same scene otherwise than before: somebody has edited its shaders.
+    [[nodiscard]] virtual std::uint64_t revision() const { return 0; }
 
     /// Before each model.
     virtual void placeModel(const glm::mat4& modelView) = 0;

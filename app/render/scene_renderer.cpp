@@ -13,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <new>
+#include <optional>
 
 namespace texplorer::render {
 
@@ -40,20 +41,32 @@ struct SceneRenderer::State {
         : capabilities(given)
         , pipeline(std::move(chosen))
         , limit(largestPicture(given))
-        , textures(given)
+        , textures(std::make_shared<TextureCache>(given))
         , meshes(pipeline->vertexInput()) {}
 
     void drawScene(const Scene& scene, const ImageSource& images, double time, Size size);
     BoundTextures texturesOf(const Scene& scene, std::size_t passIndex, const ImageSource& images);
     BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
                            const ImageSource& images);
+    void remember(const Scene& scene, double time, Size size);
+
+    /// What a picture was made of.
+    struct Drawn {
+        Scene scene;
+        double time = 0;
+        Size size;
+        std::uint64_t textures = 0;
+        std::uint64_t pipeline = 0;
+    };
 
     Capabilities capabilities;
     std::unique_ptr<Pipeline> pipeline;
     Size limit;
     RenderTarget target;
-    TextureCache textures;
+    std::shared_ptr<TextureCache> textures;
     MeshCache meshes;
+    std::optional<Drawn> drawn;
+    std::uint64_t revision = 0;
     LevelsSource* levels = nullptr; // of the frame that is being drawn
     GlErrors errors;                // of the frame that is being drawn
 };
@@ -81,13 +94,14 @@ Result<Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images,
         if (const Result<void> bound = state.target.bind(size); !bound)
             return fail(bound.error());
         state.drawScene(scene, images, time, size);
+        state.remember(scene, time, size);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return Frame{state.target.texture(), size, elapsed.count(), state.errors.sentences(),
-                 state.textures.isUploading()};
+    return Frame{state.target.texture(),        size,          elapsed.count(), state.errors.sentences(),
+                 state.textures->isUploading(), state.revision};
 }
 
 void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {
@@ -100,7 +114,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
 
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     pipeline->beginFrame(scene, projectionMatrix(scene.view, aspect), errors);
-    textures.keepFirst(scene.textures.size());
+    textures->keepFirst(scene.textures.size());
     meshes.beginFrame();
     const glm::mat4 view = viewMatrix(scene.view);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
@@ -122,6 +136,14 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
         }
         errors.check(where + ": glDrawRangeElements");
     }
+}
+
+void SceneRenderer::State::remember(const Scene& scene, double time, Size size) {
+    if (drawn && drawn->scene == scene && drawn->time == time && drawn->size == size &&
+        drawn->textures == textures->revision() && drawn->pipeline == pipeline->revision())
+        return;
+    drawn = {scene, time, size, textures->revision(), pipeline->revision()};
+    ++revision;
 }
 
 BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t passIndex,
@@ -152,12 +174,16 @@ BoundTexture SceneRenderer::State::textureOf(const Scene& scene, const Unit& uni
     }
     // Preparing binds the texture: on its own unit, or it would take the place of another's.
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unitIndex));
-    return textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, levels,
-                            errors);
+    return textures->prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, levels,
+                             errors);
+}
+
+void SceneRenderer::shareTextures(const SceneRenderer& other) {
+    state_->textures = other.state_->textures;
 }
 
 Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, Target target) {
-    const TextureObject* object = state_->textures.find(index, target);
+    const TextureObject* object = state_->textures->find(index, target);
     if (!object)
         return fail(ErrorCode::NotFound, "it has not been drawn as " + std::string(rowOf(target).name),
                     "textures[" + std::to_string(index) + "]");

@@ -33,6 +33,9 @@ public:
     [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size,
                                      LevelsSource* levels = nullptr);
 
+    /// Uses the textures of a renderer in the same context that draws the same scenes, instead of its own.
+    void shareTextures(const SceneRenderer& other);
+
     /// The levels of one of the textures that the last scene was drawn with, as the driver holds them: what
     /// it compressed is read back as blocks. Refused where the texture was not drawn with this target.
     [[nodiscard]] Result<std::vector<TextureLevel>> readTexture(std::size_t index,

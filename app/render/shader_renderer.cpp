@@ -91,8 +91,10 @@ public:
             programs_.clear();
         if (!folder_)
             return;
-        if (folder_->refresh())
+        if (folder_->refresh()) {
             newest_ = *folder_->pieces();
+            ++revision_;
+        }
         if (!folder_->problem().empty())
             errors.add(folder_->problem() + "; the last shaders that could be read stay");
     }
@@ -119,6 +121,8 @@ public:
         errors.check(where + ": glUniform");
         return true;
     }
+
+    [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
     void placeModel(const glm::mat4& modelView) override {
         program_->set("modelView", modelView);
@@ -164,6 +168,7 @@ private:
     std::map<std::pair<std::string, std::string>, Compiled> programs_; // by their two sources
     const ShaderProgram* program_ = nullptr;                           // of the pass that is being drawn
     glm::mat4 projection_{1};
+    std::uint64_t revision_ = 0; // of what is drawn with
     std::optional<ShaderFolder> folder_;
     std::optional<ShaderPieces> newest_; // of the folder
     std::optional<ShaderPieces> good_;   // the last of the folder's that compiled

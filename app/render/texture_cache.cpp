@@ -21,7 +21,11 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     }
 
     LiveTexture& slot = slots_[{index, target}];
-    slot.follow({std::move(image), imageSettings(texture), target}, &capabilities_, levels, where);
+    const LevelsRequest request{std::move(image), imageSettings(texture), target};
+    const bool wasThere = slot.shows(request);
+    slot.follow(request, &capabilities_, levels, where);
+    if (!wasThere && slot.shows(request))
+        ++revision_;
     errors.add(slot.errors().sentences());
     if (slot.object().name() == 0)
         return {};

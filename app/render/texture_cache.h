@@ -6,6 +6,7 @@
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 
+#include <cstdint>
 #include <map>
 
 namespace texplorer::render {
@@ -41,9 +42,13 @@ public:
     /// Whether an upload has to go on with the next frame.
     [[nodiscard]] bool isUploading() const;
 
+    /// Grows whenever a texture shows other texels than before.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
 private:
     Capabilities capabilities_;
     std::map<std::pair<std::size_t, Target>, LiveTexture> slots_;
+    std::uint64_t revision_ = 0;
 };
 
 } // namespace texplorer::render

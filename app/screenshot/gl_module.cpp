@@ -44,13 +44,16 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(drawing.size);
     if (!context)
         return fail(context.error());
-    Result<stage::Stage> stage = stage::Stage::create(1);
+    Result<stage::Stage> stage = stage::Stage::create(1, {drawing.shaders, {}});
     if (!stage)
         return fail(stage.error());
 
     ui::Session session = ui::makeSession(drawing.scene, drawing.images, drawing.file);
     session.levelsAtOnce =
         std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce, std::function<void()>(), drawing.levels);
+    session.referenceAtOnce = std::make_shared<reference::DrawWorker>(
+        reference::DrawWorker::When::AtOnce, std::function<void()>(), drawing.levels);
+    showOne(session.views, drawing.renderer);
     session.playback.time = drawing.time;
     session.showsFrameTime = false;
     session.wantedTab = drawing.tab;

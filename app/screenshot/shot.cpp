@@ -100,7 +100,8 @@ ExitCode shoot(const Options& options) {
         drawing.levels.progress = [&work = *compressing](float done) { work.report(done); };
         drawing.levels.stop = compressing->stopToken();
     }
-    Result<Picture> picture = *renderer == RendererKind::Reference ? drawByReference(drawing) : draw(drawing);
+    const bool needsGl = drawing.window || *renderer != RendererKind::Reference;
+    Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing);
     if (drawing.levels.stop.stop_requested())
         return complainInterrupted();
     compressing.reset();
@@ -137,8 +138,7 @@ void addShot(CLI::App& app, Action& action) {
     command
         ->add_option("--renderer", options->renderer,
                      "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
-        ->capture_default_str()
-        ->excludes(window);
+        ->capture_default_str();
     command
         ->add_option("--shaders", options->shaders,
                      "The folder of the shader renderer's files, a copy of shaders/. Without it: those that "

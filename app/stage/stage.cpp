@@ -1,6 +1,7 @@
 #include "app/stage/stage.h"
 
 #include "app/render/picture_cache.h"
+#include "app/stage/view_pictures.h"
 #include "app/ui/panes.h"
 #include "app/ui/theme.h"
 
@@ -51,26 +52,23 @@ void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
 
 struct Stage::State {
     render::Capabilities capabilities;
-    render::FixedRenderer renderer;
+    ViewPictures views;
     render::TexturePreview preview;
     render::PictureCache pictures;
     Panels panels;
     std::vector<std::string> problems;
 
-    State(render::Capabilities found, render::FixedRenderer made, float scale)
+    State(render::Capabilities found, const render::ShaderOptions& shaders, float scale)
         : capabilities(std::move(found))
-        , renderer(std::move(made))
+        , views(capabilities, shaders)
         , panels(scale) {}
 };
 
-Result<Stage> Stage::create(float scale) {
+Result<Stage> Stage::create(float scale, const render::ShaderOptions& shaders) {
     Result<render::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
-    Result<render::FixedRenderer> renderer = render::FixedRenderer::create(*capabilities);
-    if (!renderer)
-        return fail(renderer.error());
-    return Stage(std::make_unique<State>(std::move(*capabilities), std::move(*renderer), scale));
+    return Stage(std::make_unique<State>(std::move(*capabilities), shaders, scale));
 }
 
 Stage::Stage(std::unique_ptr<State> state)
@@ -101,10 +99,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     };
     const render::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
     LevelsWorker& levels = ui::levelsOf(session);
-    Result<render::Frame> drawn =
-        state_->renderer.draw(session.scene, session.images, session.playback.time, picture, &levels);
-    const render::Frame frame =
-        drawn ? std::move(*drawn) : render::Frame{0, picture, 0, {describe(drawn.error())}, false};
+    state_->views.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));
     const unsigned texture = bound ? state_->preview.show(*bound, session.images, &levels) : 0;
 
@@ -115,12 +110,14 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     if (feedInput)
         feedInput();
     ImGui::NewFrame();
-    ui::Requests requests = ui::drawWorkbench(
-        session,
-        {frame, texture, setBlending,
-         [this](const std::shared_ptr<const Image>& image) { return state_->pictures.show(image); }},
-        state_->capabilities, layout);
-    requests.unfinished = frame.unfinished || state_->preview.isUploading();
+    const auto textureOf = [this](const std::shared_ptr<const Image>& image) {
+        return state_->pictures.show(image);
+    };
+    ui::Requests requests = ui::drawWorkbench(session,
+                                              {state_->views.views(), state_->views.difference(),
+                                               state_->views.problems(), texture, setBlending, textureOf},
+                                              state_->capabilities, layout);
+    requests.unfinished = state_->views.isUnfinished() || state_->preview.isUploading();
     ImGui::Render();
 
     glViewport(0, 0, surface.pixels.width, surface.pixels.height);
@@ -128,7 +125,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
     state_->pictures.endFrame();
-    state_->problems = frame.problems;
+    state_->problems = state_->views.problems();
     return requests;
 }
 

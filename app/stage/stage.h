@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/capabilities.h"
-#include "app/render/fixed_renderer.h"
+#include "app/render/shader_renderer.h"
 #include "app/render/texture_preview.h"
 #include "app/ui/workbench.h"
 #include "core/base/result.h"
@@ -25,7 +25,8 @@ struct Surface {
 /// where GL is current.
 class Stage {
 public:
-    [[nodiscard]] static Result<Stage> create(float scale);
+    /// `shaders` are for the shader renderer, where one looks at its picture.
+    [[nodiscard]] static Result<Stage> create(float scale, const render::ShaderOptions& shaders = {});
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
     Stage(Stage&&) noexcept;
@@ -37,7 +38,7 @@ public:
     ui::Requests draw(ui::Session& session, const Surface& surface,
                       const std::function<void()>& feedInput = {});
 
-    /// What the renderer said of the last frame's scene.
+    /// What the renderers said of the last frame's scene.
     [[nodiscard]] const std::vector<std::string>& problems() const;
     [[nodiscard]] const render::Capabilities& capabilities() const;
 

@@ -2,6 +2,7 @@
 
 #include "app/ui/thumbnails.h"
 #include "core/base/file_watch.h"
+#include "core/reference/draw_worker.h"
 #include "core/scene/image_loader.h"
 #include "core/scene/levels_worker.h"
 
@@ -15,12 +16,14 @@ struct Background {
         : levels(LevelsWorker::When::WhenReady, wake, {cache})
         , loader(wake)
         , thumbnails(wake)
-        , watch(wake) {}
+        , watch(wake)
+        , reference(reference::DrawWorker::When::WhenReady, wake, {cache}) {}
 
     LevelsWorker levels; ///< of the scene's textures
     ImageLoader loader;  ///< what the user wants to see
     Thumbnails thumbnails;
-    FileWatch watch; ///< of every file that is loaded
+    FileWatch watch;                 ///< of every file that is loaded
+    reference::DrawWorker reference; ///< of the reference's picture
 };
 
 } // namespace texplorer::ui

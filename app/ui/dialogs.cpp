@@ -33,6 +33,7 @@ constexpr std::array keyLines{
     Line{"Ctrl+O, Ctrl+I", "open a scene, open an image"},
     Line{"Ctrl+S, Ctrl+Shift+S", "save, save as"},
     Line{"Space", "play or pause"},
+    Line{"1, 2, 3", "draw by fixed function, by shaders, by the reference"},
     Line{"F", "frame all models"},
     Line{"Home", "reset the camera"},
     Line{"Ctrl+Q", "quit"},

@@ -52,7 +52,7 @@ std::vector<std::string> sentencesOf(Session& session, const Pictures& pictures,
         if (std::ranges::find(sentences, sentence) == sentences.end())
             sentences.push_back(std::move(sentence));
     };
-    for (const std::string& problem : pictures.scene.problems) {
+    for (const std::string& problem : pictures.problems) {
         if (problem.starts_with(where))
             add(problem.substr(where.size()));
     }

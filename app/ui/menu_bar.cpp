@@ -99,6 +99,14 @@ void viewMenu(Session& session, const Layout& layout) {
             show(session, row, layout);
     }
     ImGui::Separator();
+    int key = 0;
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        const auto renderer = static_cast<RendererKind>(row.value);
+        const bool chosen = !isComparing(session.views) && session.views.renderer == renderer;
+        if (item(session, "Drawn by: " + std::string(row.label), std::to_string(++key).c_str(), true, chosen))
+            showOne(session.views, renderer);
+    }
+    ImGui::Separator();
     if (item(session, "Frame the models", "F"))
         frameAll(session, layout);
     if (item(session, "Reset camera", "Home"))
@@ -133,6 +141,8 @@ void drawMenuBar(Session& session, const Layout& layout) {
                 session.dialog = Dialog::Help;
             ImGui::EndMenu();
         }
+        drawRendererChoice(session,
+                           ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
         drawPlaybackControls(session);
         ImGui::EndMenuBar();
     } else {

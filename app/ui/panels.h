@@ -8,7 +8,10 @@ namespace texplorer::ui {
 // The parts of the window, one file each. All are called between ImGui::NewFrame and ImGui::Render.
 
 void drawMenuBar(Session& session, const Layout& layout);
+/// Who draws the picture, in the menu bar; nothing where `available` is too narrow.
+void drawRendererChoice(Session& session, float available);
 void drawPlaybackControls(Session& session);
+[[nodiscard]] float leastPlaybackWidth(); ///< they are left out of a bar with less room
 void drawParametersPanel(Session& session, const Layout& layout);
 void combineSection(Session& session);     ///< of the selected unit, whose mode is GL_COMBINE
 void coordinatesSection(Session& session); ///< generated ones, of the selected unit

@@ -11,6 +11,10 @@ namespace {
 
 constexpr float stepSeconds = 0.1F;
 constexpr float scrubSeconds = 10; // what the slider spans, unless the time has gone further
+// In widths of a letter m.
+constexpr float widestSlider = 11;
+constexpr float narrowestSlider = 4.5F;
+constexpr float speedWidth = 4.3F;
 constexpr float speeds[] = {0.1F, 0.25F, 0.5F, 1, 2, 4};
 
 /// A square button whose sign is drawn, so that it is crisp and centred at every scale.
@@ -50,6 +54,13 @@ void rewindSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
     draw.AddRectFilled({c.x - 1.1F * r, c.y - r}, {c.x - 0.6F * r, c.y + r}, tint);
 }
 
+/// Of all controls.
+float widthWith(float slider) {
+    const float em = ImGui::GetFontSize();
+    const float button = ImGui::GetFrameHeight() * 1.2F;
+    return 3 * button + 2 * em + slider + em * speedWidth + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
 std::string speedName(float speed) {
     char text[32];
     std::snprintf(text, sizeof text, "%g×", static_cast<double>(speed));
@@ -58,20 +69,20 @@ std::string speedName(float speed) {
 
 } // namespace
 
+float leastPlaybackWidth() {
+    return widthWith(ImGui::GetFontSize() * narrowestSlider);
+}
+
 void drawPlaybackControls(Session& session) {
     Playback& playback = session.playback;
     const float em = ImGui::GetFontSize();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float button = ImGui::GetFrameHeight() * 1.2F;
-    const float speedWidth = em * 4.3F;
     const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
-    float slider = em * 11;
-    const auto needed = [&] { return 3 * button + 2 * em + slider + speedWidth + 4 * gap; };
-    if (needed() > available)
-        slider = std::max(em * 4.5F, slider - (needed() - available));
-    if (needed() > available)
+    if (leastPlaybackWidth() > available)
         return; // a very narrow window keeps its menus; Space still plays
-    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - needed() + em,
+    const float widest = em * widestSlider;
+    const float slider = std::min(widest, widest - (widthWith(widest) - available));
+    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - widthWith(slider) + em,
                          (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2});
 
     const bool animated = isAnimated(session.scene);
@@ -104,7 +115,7 @@ void drawPlaybackControls(Session& session) {
     helpTip("The scene's time. Drag to scrub.");
 
     ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(speedWidth);
+    ImGui::SetNextItemWidth(em * speedWidth);
     if (ImGui::BeginCombo("##speed", speedName(playback.speed).c_str())) {
         for (const float speed : speeds) {
             if (ImGui::Selectable(speedName(speed).c_str(), speed == playback.speed))

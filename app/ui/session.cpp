@@ -20,7 +20,8 @@ Session::Session(Scene start, ImageSource source)
     , history(start)
     , saved(std::move(start))
     , images(std::move(source))
-    , levelsAtOnce(std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce)) {}
+    , levelsAtOnce(std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce))
+    , referenceAtOnce(std::make_shared<reference::DrawWorker>(reference::DrawWorker::When::AtOnce)) {}
 
 Session makeSession(Scene scene, ImageSource images, std::filesystem::path file) {
     Session session(std::move(scene), std::move(images));
@@ -97,6 +98,10 @@ std::string windowTitle(const Session& session) {
 
 LevelsWorker& levelsOf(Session& session) {
     return session.background ? session.background->levels : *session.levelsAtOnce;
+}
+
+reference::DrawWorker& referenceOf(Session& session) {
+    return session.background ? session.background->reference : *session.referenceAtOnce;
 }
 
 Model* selectedModel(Session& session) {

@@ -102,8 +102,9 @@ struct Session {
     std::set<std::string> damaged;    ///< files of `images` that changed and can't be read any more
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
     FileView fileView;
-    std::optional<Tab> wantedTab;               ///< comes to the front with the next frame
-    std::shared_ptr<LevelsWorker> levelsAtOnce; ///< where there is no Background
+    std::optional<Tab> wantedTab;                           ///< comes to the front with the next frame
+    std::shared_ptr<LevelsWorker> levelsAtOnce;             ///< where there is no Background
+    std::shared_ptr<reference::DrawWorker> referenceAtOnce; ///< likewise
 
     Notice notice;
     std::string lastChanged;          ///< the path of the parameter that was edited last
@@ -144,6 +145,9 @@ void redo(Session& session);
 
 /// Who makes the levels of the textures: the Background's worker, or one that makes them at once.
 [[nodiscard]] LevelsWorker& levelsOf(Session& session);
+
+/// Who draws the reference's picture: the Background's worker, or one that draws at once.
+[[nodiscard]] reference::DrawWorker& referenceOf(Session& session);
 
 // What the panels show.
 [[nodiscard]] Model* selectedModel(Session& session);

@@ -58,6 +58,11 @@ void handleShortcuts(Session& session, const Layout& layout) {
     }
     if (pressed(key::space))
         session.playback.playing = !session.playback.playing;
+    int digit = '1';
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        if (pressed(digit++))
+            showOne(session.views, static_cast<RendererKind>(row.value));
+    }
     if (pressed('F'))
         frameAll(session, layout);
     if (pressed(key::home))

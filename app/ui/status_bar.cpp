@@ -86,6 +86,25 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         reveal(session, finding.path);
 }
 
+/// "llvmpipe · 583 × 682 · 3.1 ms"
+std::string factsOf(std::span<const RenderedView> views, const render::Capabilities& capabilities,
+                    bool showsTime) {
+    const RenderedView& first = views.front();
+    const bool onlyReference = views.size() == 1 && first.renderer == RendererKind::Reference;
+    // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
+    std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
+                                      : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
+    facts += " · " + std::to_string(first.frame.size.width) + " × " + std::to_string(first.frame.size.height);
+    if (!showsTime)
+        return facts;
+    for (const RenderedView& view : views) {
+        std::array<char, 32> time{};
+        std::snprintf(time.data(), time.size(), " · %.1f ms", view.frame.milliseconds);
+        facts += view.whole ? time.data() : " · drawing";
+    }
+    return facts;
+}
+
 } // namespace
 
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
@@ -96,17 +115,7 @@ void drawStatusBar(Session& session, const Pictures& pictures, const render::Cap
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
     beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const render::Frame& frame = pictures.scene;
-    // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
-    const std::string renderer = capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
-    std::string facts =
-        renderer + " · " + std::to_string(frame.size.width) + " × " + std::to_string(frame.size.height);
-    if (session.showsFrameTime) {
-        std::array<char, 32> time{};
-        std::snprintf(time.data(), time.size(), " · %.1f ms", frame.milliseconds);
-        facts += time.data();
-    }
-    ImGui::TextDisabled("%s", facts.c_str());
+    ImGui::TextDisabled("%s", factsOf(pictures.views, capabilities, session.showsFrameTime).c_str());
     noteItem(session, "status");
     helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
             "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +
@@ -124,15 +133,15 @@ void drawStatusBar(Session& session, const Pictures& pictures, const render::Cap
         drawNotice(session);
     } else if (const auto problems = static_cast<std::size_t>(std::ranges::count_if(
                    session.findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
-               problems > 0 && (frame.problems.empty() || session.findings.front().drawnOtherwise)) {
+               problems > 0 && (pictures.problems.empty() || session.findings.front().drawnOtherwise)) {
         drawFinding(session, Finding(session.findings.front()), problems);
-    } else if (!frame.problems.empty()) {
-        const std::size_t count = frame.problems.size();
+    } else if (!pictures.problems.empty()) {
+        const std::size_t count = pictures.problems.size();
         const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
-        fittedText(more + frame.problems.front(), color::problem);
+        fittedText(more + pictures.problems.front(), color::problem);
         noteItem(session, "problem");
         std::string all;
-        for (const std::string& each : frame.problems)
+        for (const std::string& each : pictures.problems)
             all += (all.empty() ? "" : "\n") + each;
         helpTip(all);
     } else {

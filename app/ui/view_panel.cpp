@@ -7,6 +7,7 @@
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -153,12 +154,15 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     draw.PushClipRect(corner(pane.visible.x, pane.visible.y),
                       corner(pane.visible.right(), pane.visible.bottom()));
     draw.AddRectFilled(low, high, color::ground);
-    if (pictures.scene.texture != 0) {
+    const auto view = std::ranges::find(pictures.views, pane.renderer.value_or(RendererKind::Fixed),
+                                        &RenderedView::renderer);
+    const unsigned texture = view == pictures.views.end() ? 0 : view->frame.texture;
+    if (texture != 0) {
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, nullptr);
         // The picture's first row is its bottom one.
-        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures.scene.texture)), low,
-                      high, {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y});
+        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), low, high,
+                      {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y});
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, &draw);
     }
@@ -192,7 +196,7 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     toolRow(session, layout);
 
-    const render::Size picture = pictures.scene.size;
+    const render::Size picture = pictures.views.front().frame.size;
     const Panes panes(layout, session.views, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all())

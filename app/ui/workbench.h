@@ -3,19 +3,24 @@
 #include "app/render/capabilities.h"
 #include "app/render/frame.h"
 #include "app/ui/layout.h"
+#include "app/ui/rendered_view.h"
 #include "app/ui/session.h"
 
 #include <imgui.h>
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace texplorer::ui {
 
 /// The GL textures that the panels show. The workbench makes no GL call itself.
 struct Pictures {
-    const render::Frame& scene; ///< drawn at Layout::picture's size
-    unsigned texture = 0;       ///< the base level of boundTexture(session), nearest filtering; 0: none
+    std::span<const RenderedView> views; ///< of shownRenderers, at Layout::picture's size; never empty
+    const RenderedDifference* difference = nullptr; ///< of those that are compared; nullptr: not known
+    std::span<const std::string> problems = {};     ///< sentences: what the renderers said
+    unsigned texture = 0; ///< the base level of boundTexture(session), nearest filtering; 0: none
     /// Switches blending off, or back on where ImDrawCmd::UserCallbackData isn't null: a picture's alpha must
     /// not let the window shine through. (ImDrawCallback_ResetRenderState won't do: the OpenGL2 backend of
     /// Dear ImGui 1.86 pushes its matrices once more with each.)
@@ -34,8 +39,8 @@ struct Requests {
 
 /// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
 /// frame is:
-///   layout = layoutFor(…, session.columns, gridOf(session.views)); settle(session, layout); frame = renderer.draw(session.scene,
-///   …); ImGui::NewFrame(); drawWorkbench(…); ImGui::Render().
+///   layout = layoutFor(…, session.columns, gridOf(session.views)); settle(session, layout); frame =
+///   renderer.draw(session.scene, …); ImGui::NewFrame(); drawWorkbench(…); ImGui::Render().
 /// Dear ImGui needs two or three frames until new windows have their sizes.
 Requests drawWorkbench(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
                        const Layout& layout);

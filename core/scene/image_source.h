@@ -55,6 +55,9 @@ public:
         return names;
     }
 
+    /// The same images, not only equal ones.
+    bool operator==(const ImageSource&) const = default;
+
 private:
     std::filesystem::path directory_;
     std::map<std::string, std::shared_ptr<const TextureImage>> files_;

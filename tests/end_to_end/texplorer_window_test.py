@@ -210,6 +210,26 @@ class Window(unittest.TestCase):
         self.display.ask_to_close(self.window)
         self.assertEqual(self.program.wait(PATIENCE), 0)
 
+    def test_the_reference_draws_beside_the_window(self):
+        self.display.xdotool("mousemove", 2, 798)  # where there is no tooltip
+        before = self.display.screenshot()
+        place = (330, 70, 900, 740)
+        self.display.xdotool("key", "3")
+        wait_for(lambda: self.display.screenshot().crop(place).tobytes() != before.crop(place).tobytes(),
+                 "the reference's picture")
+        self.orbit()
+        wait_for(lambda: "•" in self.title(), "the mark of unsaved changes")
+        self.display.xdotool("key", "ctrl+z")
+        wait_for(lambda: "•" not in self.title(), "the undone change")
+        self.display.xdotool("mousemove", 2, 798, "key", "1")
+        wait_for(lambda: self.display.screenshot().crop(place).tobytes() == before.crop(place).tobytes(),
+                 "the picture of the first renderer again")
+        self.display.xdotool("key", "3")
+        time.sleep(2)  # the whole picture, and no more
+        begin = self.cpu_seconds()
+        time.sleep(2)
+        self.assertLess(self.cpu_seconds() - begin, 0.5, "two idle seconds")
+
     def test_sleeps_while_nothing_happens(self):
         time.sleep(2)  # the last pictures of the start
         begin = self.cpu_seconds()

@@ -220,6 +220,16 @@ class Shot(Texshot):
         self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
         self.assertEqual(Image.open(io.BytesIO(drawn.stdout)).size, (16, 16))
 
+    def test_the_window_shows_the_picture_of_each_renderer(self):
+        scene = self.path / "scene.json"
+        scene.write_text('{"version": 1, "view": {"azimuth": 33}}')  # a camera that the window need not fit
+        place = (321, 64, 321 + 583, 64 + 682)
+        for renderer in ("fixed", "shader", "reference"):
+            with self.subTest(renderer):
+                window = self.shot(scene, "--ui", "--renderer", renderer, "--size", "1280x800")
+                alone = self.shot(scene, "--renderer", renderer, "--size", "583x682")
+                self.assertIsNone(ImageChops.difference(window.crop(place), alone).getbbox())
+
     def test_a_renderer_that_does_not_exist_is_refused(self):
         self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
                        "shot", "--renderer", "metal", "-o", self.path / "out.png")

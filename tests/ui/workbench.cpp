@@ -1,9 +1,9 @@
 #include "tests/ui/workbench.h"
 
 #include "app/offscreen/osmesa_context.h"
-#include "app/render/fixed_renderer.h"
 #include "app/render/picture_cache.h"
 #include "app/render/texture_preview.h"
+#include "app/stage/view_pictures.h"
 #include "app/ui/keys.h"
 #include "app/ui/panes.h"
 #include "app/ui/theme.h"
@@ -36,7 +36,7 @@ struct Workbench::Drawing {
     explicit Drawing(render::Size size)
         : context(offscreen::OsmesaContext::create(size).value())
         , capabilities(render::loadCapabilities().value())
-        , renderer(render::FixedRenderer::create(capabilities).value()) {
+        , views(capabilities, {}) {
         ImGui_ImplOpenGL2_Init();
     }
     ~Drawing() { ImGui_ImplOpenGL2_Shutdown(); }
@@ -45,7 +45,7 @@ struct Workbench::Drawing {
 
     offscreen::OsmesaContext context;
     render::Capabilities capabilities;
-    render::FixedRenderer renderer;
+    stage::ViewPictures views;
     render::TexturePreview preview;
     render::PictureCache pictures;
 };
@@ -78,17 +78,13 @@ Workbench::~Workbench() {
     ImGui::DestroyContext();
 }
 
-void Workbench::build(const render::Frame& frame, unsigned texture) {
+void Workbench::build(const Pictures& pictures) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
     io.DeltaTime = frameSeconds;
     static const render::Capabilities madeUp = madeUpCapabilities();
     ImGui::NewFrame();
-    const auto textureOf = [this](const std::shared_ptr<const Image>& image) {
-        return drawing_ && drawsPictures_ ? drawing_->pictures.show(image) : 0U;
-    };
-    requests = drawWorkbench(*session, {frame, texture, setBlending, textureOf},
-                             drawing_ ? drawing_->capabilities : madeUp, layout);
+    requests = drawWorkbench(*session, pictures, drawing_ ? drawing_->capabilities : madeUp, layout);
     ImGui::Render();
     io.MouseWheel = 0;
 }
@@ -98,7 +94,10 @@ void Workbench::frames(int count) {
         receiveFiles(*session);
         layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
         settle(*session, layout);
-        build(render::Frame{0, {layout.picture.width, layout.picture.height}, 0, {}, false}, 0);
+        std::vector<RenderedView> views;
+        for (const RendererKind renderer : shownRenderers(session->views))
+            views.push_back({renderer, {0, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
+        build({views});
     }
 }
 
@@ -107,17 +106,14 @@ Image Workbench::picture() {
         drawing_ = std::make_unique<Drawing>(render::Size{width_, height_});
     layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
     settle(*session, layout);
-    const render::Frame frame = drawing_->renderer
-                                    .draw(session->scene, session->images, session->playback.time,
-                                          {layout.picture.width, layout.picture.height}, &levelsOf(*session))
-                                    .value();
-    EXPECT_EQ(frame.problems, std::vector<std::string>{});
+    drawing_->views.draw(*session, {layout.picture.width, layout.picture.height});
+    EXPECT_EQ(drawing_->views.problems(), std::vector<std::string>{});
     const Texture* bound = boundTexture(std::as_const(*session));
     const unsigned texture = bound ? drawing_->preview.show(*bound, session->images, &levelsOf(*session)) : 0;
     ImGui_ImplOpenGL2_NewFrame();
-    drawsPictures_ = true;
-    build(frame, texture);
-    drawsPictures_ = false;
+    build({drawing_->views.views(), drawing_->views.difference(), drawing_->views.problems(), texture,
+           setBlending,
+           [this](const std::shared_ptr<const Image>& image) { return drawing_->pictures.show(image); }});
     glViewport(0, 0, width_, height_);
     glClearColor(1, 0, 1, 1); // what no panel covers is glaring
     glClear(GL_COLOR_BUFFER_BIT);

@@ -61,14 +61,13 @@ private:
 
     void setModifiers();
     void rest(); ///< so long that the next click is no second one
-    void build(const render::Frame& frame, unsigned texture);
+    void build(const Pictures& pictures);
 
     Probe probe_;
     int width_ = 1280;
     int height_ = 800;
     float scale_ = 1;
     std::unique_ptr<Drawing> drawing_;
-    bool drawsPictures_ = false; // GL is only current, and asked, where a picture is wanted
 };
 
 constexpr int ctrl = 341; // GLFW's left control and shift keys

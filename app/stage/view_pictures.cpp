@@ -1,0 +1,119 @@
+#include "app/stage/view_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace texplorer::stage {
+
+ViewPictures::ViewPictures(const render::Capabilities& capabilities, render::ShaderOptions shaders)
+    : capabilities_(capabilities)
+    , shaders_(std::move(shaders)) {}
+
+ViewPictures::Live& ViewPictures::liveOf(RendererKind kind) {
+    const auto found = live_.find(kind);
+    if (found != live_.end())
+        return found->second;
+    Live made{render::createRenderer(kind, capabilities_, shaders_)};
+    const auto other =
+        std::ranges::find_if(live_, [](const auto& entry) { return entry.second.renderer.has_value(); });
+    if (made.renderer && other != live_.end())
+        made.renderer->shareTextures(*other->second.renderer);
+    return live_.emplace(kind, std::move(made)).first->second;
+}
+
+void ViewPictures::draw(ui::Session& session, render::Size size) {
+    views_.clear();
+    for (const RendererKind kind : ui::shownRenderers(session.views)) {
+        const auto drawn = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
+        if (drawn != views_.end()) // compared with itself
+            views_.push_back(ui::RenderedView(*drawn));
+        else
+            views_.push_back(kind == RendererKind::Reference ? drawReference(session, size)
+                                                             : drawLive(kind, session, size));
+    }
+    if (std::ranges::find(views_, RendererKind::Reference, &ui::RenderedView::renderer) == views_.end())
+        ui::referenceOf(session).rest();
+    compareViews(session.views);
+    pictures_.endFrame();
+    problems_.clear();
+    for (const ui::RenderedView& view : views_) {
+        for (const std::string& problem : view.frame.problems) {
+            if (std::ranges::find(problems_, problem) == problems_.end())
+                problems_.push_back(problem);
+        }
+    }
+}
+
+ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session, render::Size size) {
+    ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, false};
+    Live& live = liveOf(kind);
+    Result<render::Frame> frame =
+        live.renderer ? live.renderer->draw(session.scene, session.images, session.playback.time, size,
+                                            &ui::levelsOf(session))
+                      : fail(live.renderer.error());
+    if (!frame) {
+        view.frame.problems = {describe(frame.error())};
+        return view;
+    }
+    view.frame = std::move(*frame);
+    view.whole = true;
+    if (!ui::wantsPixels(session.views)) {
+        live.pixels.reset();
+        return view;
+    }
+    if (!live.pixels || live.revision != view.frame.revision) {
+        Result<Image> pixels = live.renderer->read();
+        if (!pixels) {
+            view.frame.problems.push_back(describe(pixels.error()));
+            return view;
+        }
+        live.pixels = std::make_shared<const Image>(std::move(*pixels));
+        live.revision = view.frame.revision;
+    }
+    view.image = live.pixels;
+    return view;
+}
+
+ui::RenderedView ViewPictures::drawReference(ui::Session& session, render::Size size) {
+    const reference::DrawWorker::Picture& picture = ui::referenceOf(session).picture(
+        {session.scene, session.images, session.playback.time, size.width, size.height});
+    const unsigned texture = pictures_.show(picture.image, render::PictureCache::Use::Enlarged);
+    return {RendererKind::Reference,
+            {texture, size, picture.milliseconds, picture.problems, false},
+            picture.whole ? picture.image : nullptr,
+            picture.whole};
+}
+
+void ViewPictures::compareViews(const ui::Views& views) {
+    const auto imageOf = [this](RendererKind kind) {
+        const auto found = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
+        return found == views_.end() ? nullptr : found->image;
+    };
+    const std::array images{imageOf(views.compared[0]), imageOf(views.compared[1])};
+    const HeatScale scale{views.tolerance, 255};
+    if (!ui::isComparing(views) || !images[0] || !images[1]) {
+        difference_.reset();
+        compared_ = {};
+        heatMap_.reset();
+        return;
+    }
+    if (difference_ && compared_ == images && difference_->scale == scale) {
+        difference_->heatMap = pictures_.show(heatMap_, render::PictureCache::Use::Enlarged);
+        return;
+    }
+    compared_ = images;
+    difference_.reset();
+    const Result<Difference> numbers = compare(*images[0], *images[1], views.tolerance, Compared::Rgb);
+    Result<Image> heat = heatMap(*images[0], *images[1], scale, Compared::Rgb);
+    if (!numbers || !heat)
+        return;
+    heatMap_ = std::make_shared<const Image>(std::move(*heat));
+    difference_ = {*numbers, scale, pictures_.show(heatMap_, render::PictureCache::Use::Enlarged)};
+}
+
+bool ViewPictures::isUnfinished() const {
+    return std::ranges::any_of(views_, [](const ui::RenderedView& view) { return view.frame.unfinished; });
+}
+
+} // namespace texplorer::stage

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/render/frame.h"
+#include "core/image/compare.h"
+#include "core/image/image.h"
+#include "core/scene/renderer.h"
+
+#include <memory>
+#include <optional>
+
+namespace texplorer::ui {
+
+/// What a renderer has drawn for the view.
+struct RenderedView {
+    RendererKind renderer = RendererKind::Fixed;
+    render::Frame frame;                ///< its texture may be smaller than its size: a coarse picture
+    std::shared_ptr<const Image> image; ///< the pixels, where the views want them and the picture is whole
+    bool whole = true;                  ///< of the scene as it is now, and not a coarse picture of it
+};
+
+/// How far the two pictures that are compared are apart.
+struct RenderedDifference {
+    Difference numbers;
+    HeatScale scale;
+    unsigned heatMap = 0; ///< a GL texture of the size of the pictures; 0: none could be had
+};
+
+} // namespace texplorer::ui

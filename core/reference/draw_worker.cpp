@@ -1,0 +1,225 @@
+#include "core/reference/draw_worker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace texplorer::reference {
+
+namespace {
+
+constexpr double noticed = 30; // milliseconds
+constexpr int coarsest = 8;
+constexpr double firstGuess = 2e-4; // milliseconds a pixel, before anything was drawn
+
+std::vector<std::shared_ptr<const TextureImage>> imagesOf(const DrawRequest& request) {
+    std::vector<std::shared_ptr<const TextureImage>> images;
+    for (const Texture& texture : request.scene.textures)
+        images.push_back(request.images.find(texture));
+    return images;
+}
+
+bool sameTextures(const DrawRequest& a, const DrawRequest& b) {
+    return a.scene.textures == b.scene.textures && imagesOf(a) == imagesOf(b);
+}
+
+} // namespace
+
+int coarseness(double expectedMilliseconds) {
+    int factor = 1;
+    while (factor < coarsest && expectedMilliseconds > noticed * factor * factor)
+        factor *= 2;
+    return factor;
+}
+
+struct DrawWorker::State {
+    State(When chosen, std::function<void()> onNews, LevelWork how)
+        : when(chosen)
+        , wake(std::move(onNews))
+        , levels(std::move(how)) {}
+
+    struct Job {
+        DrawRequest request;
+        std::stop_source all;   ///< the textures are others, or nobody looks
+        std::stop_source whole; ///< anything is different
+    };
+
+    const When when;
+    const std::function<void()> wake;
+    const LevelWork levels;
+    std::optional<DrawRequest> wanted; // of the thread that asks
+    Picture shown;                     // and what it was given last
+
+    mutable std::mutex mutex; // guards what follows
+    std::condition_variable_any arrived;
+    mutable std::condition_variable finished;
+    std::optional<Job> next;
+    std::optional<Job> current;
+    std::optional<Picture> news; // of `wanted`, or of what was wanted before
+
+    // Of the thread that draws.
+    ReferenceRenderer renderer;
+    double millisecondsPerPixel = firstGuess;
+
+    std::jthread thread; // last: it ends before the rest does
+
+    void ask(const DrawRequest& request);
+    void run(const std::stop_token& stop);
+    void work(const Job& job);
+    std::optional<Picture> draw(const DrawRequest& request, int factor, const std::stop_token& stop);
+    void publish(const Job& job, Picture picture);
+};
+
+/// Nothing where it was stopped.
+std::optional<DrawWorker::Picture> DrawWorker::State::draw(const DrawRequest& request, int factor,
+                                                           const std::stop_token& stop) {
+    const auto extent = [factor](int whole) { return factor == 1 ? whole : std::max(1, whole / factor); };
+    const int width = extent(request.width);
+    const int height = extent(request.height);
+    LevelWork work = levels;
+    if (stop.stop_possible())
+        work.stop = stop;
+    const auto begin = std::chrono::steady_clock::now();
+    Result<Drawn> drawn = renderer.draw(request.scene, request.images, request.time, width, height,
+                                        {.levels = std::move(work), .stop = stop});
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+    if (!drawn && drawn.error().code == ErrorCode::Cancelled)
+        return std::nullopt;
+    Picture picture;
+    picture.milliseconds = elapsed.count();
+    picture.whole = factor == 1;
+    if (!drawn) {
+        picture.problems = {describe(drawn.error())};
+        return picture;
+    }
+    picture.image = std::make_shared<const Image>(std::move(drawn->image));
+    picture.problems = std::move(drawn->problems);
+    millisecondsPerPixel = elapsed.count() / (static_cast<double>(width) * height);
+    return picture;
+}
+
+void DrawWorker::State::publish(const Job& job, Picture picture) {
+    {
+        const std::scoped_lock lock(mutex);
+        if (job.all.stop_requested())
+            return;
+        // Of an earlier request it is still nearer to what is wanted than what was there before.
+        picture.whole = picture.whole && !next;
+        news = std::move(picture);
+    }
+    if (wake)
+        wake();
+}
+
+void DrawWorker::State::work(const Job& job) {
+    const double pixels = static_cast<double>(job.request.width) * job.request.height;
+    int factor = coarseness(pixels * millisecondsPerPixel);
+    if (std::optional<Picture> first = draw(job.request, factor, job.all.get_token()))
+        publish(job, std::move(*first));
+    if (factor > 1 && !job.whole.stop_requested()) {
+        if (std::optional<Picture> whole = draw(job.request, 1, job.whole.get_token()))
+            publish(job, std::move(*whole));
+    }
+}
+
+void DrawWorker::State::run(const std::stop_token& stop) {
+    for (;;) {
+        Job job;
+        {
+            std::unique_lock lock(mutex);
+            if (!arrived.wait(lock, stop, [this] { return next.has_value(); }) || stop.stop_requested())
+                return;
+            job = *std::exchange(next, std::nullopt);
+            current = job;
+        }
+        const std::stop_callback atTheEnd(stop, [&job] {
+            job.all.request_stop();
+            job.whole.request_stop();
+        });
+        work(job);
+        {
+            const std::scoped_lock lock(mutex);
+            current.reset();
+        }
+        finished.notify_all();
+        if (wake)
+            wake();
+    }
+}
+
+void DrawWorker::State::ask(const DrawRequest& request) {
+    {
+        const std::scoped_lock lock(mutex);
+        if (current) {
+            current->whole.request_stop();
+            if (!sameTextures(current->request, request))
+                current->all.request_stop();
+        }
+        next = Job{request, {}, {}};
+        if (news)
+            news->whole = false;
+    }
+    if (!thread.joinable()) {
+        try {
+            thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+        } catch (const std::system_error&) { // no thread to be had: slower, but it works
+            const Job job = *std::exchange(next, std::nullopt);
+            work(job);
+            return;
+        }
+    }
+    arrived.notify_one();
+}
+
+DrawWorker::DrawWorker(When when, std::function<void()> wake, LevelWork levels)
+    : state_(std::make_unique<State>(when, std::move(wake), std::move(levels))) {}
+
+DrawWorker::~DrawWorker() = default;
+
+const DrawWorker::Picture& DrawWorker::picture(const DrawRequest& request) {
+    State& state = *state_;
+    if (state.wanted != request) {
+        state.wanted = request;
+        state.shown.whole = false;
+        if (state.when == When::AtOnce)
+            state.shown = state.draw(request, 1, {}).value_or(Picture{});
+        else
+            state.ask(request);
+    }
+    const std::scoped_lock lock(state.mutex);
+    if (state.news)
+        state.shown = *std::exchange(state.news, std::nullopt);
+    return state.shown;
+}
+
+void DrawWorker::rest() {
+    State& state = *state_;
+    if (!state.wanted)
+        return;
+    state.wanted.reset();
+    state.shown = {};
+    const std::scoped_lock lock(state.mutex);
+    state.next.reset();
+    state.news.reset();
+    if (state.current) {
+        state.current->all.request_stop();
+        state.current->whole.request_stop();
+    }
+}
+
+bool DrawWorker::isDrawing() const {
+    const std::scoped_lock lock(state_->mutex);
+    return state_->next || state_->current;
+}
+
+void DrawWorker::wait() const {
+    std::unique_lock lock(state_->mutex);
+    state_->finished.wait(lock, [this] { return !state_->next && !state_->current; });
+}
+
+} // namespace texplorer::reference

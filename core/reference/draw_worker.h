@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/reference/draw.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texplorer::reference {
+
+/// A picture that somebody wants to see.
+struct DrawRequest {
+    Scene scene;
+    ImageSource images;
+    double time = 0;
+    int width = 1;
+    int height = 1;
+
+    bool operator==(const DrawRequest&) const = default;
+};
+
+/// Draws for a window that must not wait: on a thread of its own, first coarsely where the whole picture
+/// takes long, then the whole. A new request ends the drawing of the last one; a coarse picture is ended only
+/// where the textures are others, so that there is something to see while a user drags or a scene moves. All
+/// functions are to be called from one thread; the first request starts the other one.
+class DrawWorker {
+public:
+    enum class When {
+        AtOnce,    ///< whoever asks waits for the whole picture: for programs without a user
+        WhenReady, ///< whoever asks gets what there is, and asks again when it is woken
+    };
+
+    /// `wake` is called on the working thread whenever `picture` has something new to give. Textures that are
+    /// compressed at run time are made as `levels` says.
+    explicit DrawWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
+    DrawWorker(const DrawWorker&) = delete;
+    DrawWorker& operator=(const DrawWorker&) = delete;
+    /// Ends what is being drawn, and waits for that.
+    ~DrawWorker();
+
+    struct Picture {
+        /// Bottom row first; nullptr: none yet. Smaller than was asked for where it is coarse. Of an earlier
+        /// request until there is one of this.
+        std::shared_ptr<const Image> image;
+        std::vector<std::string> problems; ///< as of Drawn, or why it can't be drawn
+        double milliseconds = 0;           ///< how long it took
+        bool whole = false;                ///< it is what drawReference makes of this request
+    };
+    /// The newest picture of what is wanted now.
+    [[nodiscard]] const Picture& picture(const DrawRequest& request);
+
+    /// Nobody looks any more: ends what is being drawn and forgets the picture.
+    void rest();
+
+    /// Whether a picture is still to come.
+    [[nodiscard]] bool isDrawing() const;
+
+    /// Sleeps until none is.
+    void wait() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// How many times smaller, on each axis, the first picture is: as fine as is expected to be there before the
+/// user notices, 1 where the whole one is.
+[[nodiscard]] int coarseness(double expectedMilliseconds);
+
+} // namespace texplorer::reference

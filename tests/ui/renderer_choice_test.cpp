@@ -1,0 +1,70 @@
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui::test {
+namespace {
+
+class RendererChoice : public Workbench {
+protected:
+    /// The pixels of the live picture, as the window shows them.
+    std::vector<std::byte> view() {
+        static_cast<void>(picture());
+        const Image window = picture(); // a new arrangement has its final layout with the second frame
+        std::vector<std::byte> pixels;
+        for (int y = layout.picture.y; y < layout.picture.bottom(); ++y) {
+            for (int x = layout.picture.x; x < layout.picture.right(); ++x) {
+                const auto pixel = window.at(x, window.height - 1 - y);
+                pixels.insert(pixels.end(), pixel.begin(), pixel.begin() + 3);
+            }
+        }
+        return pixels;
+    }
+};
+
+TEST_F(RendererChoice, TheMenuBarChoosesAmongThem) {
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        click("renderer:" + std::string(row.label));
+        EXPECT_EQ(session->views.renderer, static_cast<RendererKind>(row.value)) << row.label;
+    }
+    EXPECT_FALSE(session->history.canUndo()) << "it is no edit of the scene";
+}
+
+TEST_F(RendererChoice, KeysAndTheViewMenuChooseToo) {
+    key('3');
+    EXPECT_EQ(session->views.renderer, RendererKind::Reference);
+    key('2');
+    EXPECT_EQ(session->views.renderer, RendererKind::Shader);
+    click("menu:View");
+    click("menu:Drawn by: Fixed function");
+    EXPECT_EQ(session->views.renderer, RendererKind::Fixed);
+}
+
+TEST_F(RendererChoice, ANarrowWindowKeepsItsMenusAndItsClock) {
+    start(defaultScene(), 520, 400);
+    EXPECT_FALSE(has("renderer:Shader"));
+    EXPECT_TRUE(has("menu:View"));
+    EXPECT_TRUE(has("play"));
+}
+
+/// All agree closely; what is not GL differs in some pixel.
+TEST_F(RendererChoice, EachDrawsThePictureItself) {
+    start(defaultScene(), 800, 500);
+    std::vector<std::vector<std::byte>> pictures;
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        showOne(session->views, static_cast<RendererKind>(row.value));
+        pictures.push_back(view());
+    }
+    for (std::size_t i = 1; i < pictures.size(); ++i) {
+        ASSERT_EQ(pictures[i].size(), pictures[0].size());
+        std::size_t far = 0;
+        for (std::size_t at = 0; at < pictures[i].size(); ++at)
+            far +=
+                std::abs(std::to_integer<int>(pictures[i][at]) - std::to_integer<int>(pictures[0][at])) > 8;
+        EXPECT_LT(far, pictures[i].size() / 50) << i;
+    }
+    EXPECT_FALSE(pictures[2] == pictures[0]);
+}
+
+} // namespace
+} // namespace texplorer::ui::test
