@@ -8,18 +8,27 @@ in vec4 primaryColor;
 //@ inputs GL_FLAT
 // Interpolated between the vertices; a flat colour is that of a triangle's last vertex.
 flat in vec4 primaryColor;
+//@ inputs GL_SMOOTH GL_FASTEST
+// Interpolated straight across the window, without perspective.
+noperspective in vec4 primaryColor;
 //@ secondary input GL_SMOOTH
 in vec3 secondaryColor;
+//@ secondary input GL_SMOOTH GL_FASTEST
+noperspective in vec3 secondaryColor;
 //@ secondary input GL_FLAT
 flat in vec3 secondaryColor;
 //@ coordinate input
 in vec4 texCoordUNIT;
+//@ coordinate input GL_FASTEST
+noperspective in vec4 texCoordUNIT;
 //@ sampler GL_TEXTURE_1D
 uniform sampler1D textureUNIT;
 //@ sampler GL_TEXTURE_2D
 uniform sampler2D textureUNIT;
 //@ sampler GL_TEXTURE_3D
 uniform sampler3D textureUNIT;
+//@ sampler GL_TEXTURE_CUBE_MAP
+uniform samplerCube textureUNIT;
 //@ bias
 uniform float lodBiasUNIT; // GL_TEXTURE_LOD_BIAS of the unit
 //@ environment color
@@ -35,6 +44,10 @@ void main() {
     vec4 texelUNIT = textureProj(textureUNIT, texCoordUNIT); // divides by q
 //@ lookup with bias
     vec4 texelUNIT = textureProj(textureUNIT, texCoordUNIT, lodBiasUNIT); // divides by q
+//@ lookup of a direction
+    vec4 texelUNIT = texture(textureUNIT, texCoordUNIT.stp / texCoordUNIT.q); // of the face that it hits
+//@ lookup of a direction with bias
+    vec4 texelUNIT = texture(textureUNIT, texCoordUNIT.stp / texCoordUNIT.q, lodBiasUNIT);
 //@ primary color
     vec4 color = primaryColor;
 //@ color sum

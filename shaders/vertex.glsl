@@ -30,12 +30,20 @@ out vec4 primaryColor;
 // What the rasteriser interpolates for the fragments; a flat colour is that of a triangle's last vertex.
 invariant gl_Position; // a second pass hits exactly the depth of the first
 flat out vec4 primaryColor;
+//@ outputs GL_SMOOTH GL_FASTEST
+// What the rasteriser interpolates for the fragments: straight across the window, without perspective.
+invariant gl_Position; // a second pass hits exactly the depth of the first
+noperspective out vec4 primaryColor;
 //@ secondary output GL_SMOOTH
 out vec3 secondaryColor;
+//@ secondary output GL_SMOOTH GL_FASTEST
+noperspective out vec3 secondaryColor;
 //@ secondary output GL_FLAT
 flat out vec3 secondaryColor;
 //@ coordinate output
 out vec4 texCoordUNIT;
+//@ coordinate output GL_FASTEST
+noperspective out vec4 texCoordUNIT;
 //@ begin
 
 void main() {

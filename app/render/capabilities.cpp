@@ -34,6 +34,21 @@ int integer(GLenum name) {
     return value;
 }
 
+/// Whether a border of texels stays with its image. The texture that is bound is bound again.
+bool keepsBorders() {
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 3, 3, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    GLint border = 0;
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_BORDER, &border);
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+    glDeleteTextures(1, &name);
+    return GlErrors().check("glTexImage2D with a border") && border == 1;
+}
+
 /// glewInit() ends with a look at GLX, after it has loaded every function of OpenGL. Without GLX, that is
 /// under OSMesa and Wayland, it then returns one of two errors that say nothing about OpenGL.
 bool functionsAreLoaded(GLenum status) {
@@ -65,10 +80,12 @@ Result<Capabilities> loadCapabilities() {
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
     capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
+    capabilities.maxCubeMapSize = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);
     if (!GlErrors().check("glGetIntegerv") || capabilities.textureUnits < 1)
         return fail(ErrorCode::Unsupported,
                     std::string(needs) + offer + " without fixed functions (a core profile)");
+    capabilities.textureBorders = keepsBorders();
     if (has(anisotropy))
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &capabilities.maxAnisotropy);
     return capabilities;

@@ -13,10 +13,12 @@ struct Capabilities {
     std::string version;
     int maxTextureSize = 0; ///< texels along one axis
     int max3DTextureSize = 0;
-    int textureUnits = 0;    ///< of the fixed-function pipeline
-    float maxAnisotropy = 1; ///< 1 where GL_EXT_texture_filter_anisotropic is missing
-    bool s3tc = false;       ///< DXT1, DXT3, DXT5
-    bool rgtc = false;       ///< BC4, BC5
+    int maxCubeMapSize = 0;
+    int textureUnits = 0;        ///< of the fixed-function pipeline
+    float maxAnisotropy = 1;     ///< 1 where GL_EXT_texture_filter_anisotropic is missing
+    bool s3tc = false;           ///< DXT1, DXT3, DXT5
+    bool rgtc = false;           ///< BC4, BC5
+    bool textureBorders = false; ///< a border of texels stays; Mesa takes it away
 };
 
 /// Loads the GL entry points of the current context and asks it. An error names what Texplorer needs

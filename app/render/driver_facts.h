@@ -12,10 +12,13 @@ namespace texplorer::render {
     facts.maxTextureSize = capabilities.maxTextureSize;
     if (capabilities.max3DTextureSize > 0)
         facts.max3DTextureSize = capabilities.max3DTextureSize;
+    if (capabilities.maxCubeMapSize > 0)
+        facts.maxCubeMapSize = capabilities.maxCubeMapSize;
     facts.maxAnisotropy = capabilities.maxAnisotropy;
     facts.nonPowerOfTwo = true; // in every OpenGL that Texplorer accepts: since 2.0
     facts.s3tc = capabilities.s3tc;
     facts.rgtc = capabilities.rgtc;
+    facts.textureBorders = capabilities.textureBorders;
     return facts;
 }
 

@@ -5,6 +5,7 @@
 #include "core/gl/environment.h"
 #include "core/gl/error.h"
 #include "core/gl/fragment.h"
+#include "core/gl/hint.h"
 #include "core/gl/sampling.h"
 #include "core/gl/tex_gen.h"
 
@@ -43,7 +44,11 @@ static_assert(agrees<Wrap>({TEXPLORER_GL(GL_REPEAT), TEXPLORER_GL(GL_MIRRORED_RE
                             TEXPLORER_GL(GL_CLAMP_TO_EDGE), TEXPLORER_GL(GL_CLAMP_TO_BORDER),
                             TEXPLORER_GL(GL_CLAMP)}));
 static_assert(agrees<Target>({TEXPLORER_GL(GL_TEXTURE_1D), TEXPLORER_GL(GL_TEXTURE_2D),
-                              TEXPLORER_GL(GL_TEXTURE_3D)}));
+                              TEXPLORER_GL(GL_TEXTURE_3D), TEXPLORER_GL(GL_TEXTURE_CUBE_MAP)}));
+static_assert(agrees<CubeFace>(
+    {TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_POSITIVE_X), TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_NEGATIVE_X),
+     TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_POSITIVE_Y), TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y),
+     TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_POSITIVE_Z), TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_NEGATIVE_Z)}));
 static_assert(agrees<EnvMode>({TEXPLORER_GL(GL_REPLACE), TEXPLORER_GL(GL_MODULATE), TEXPLORER_GL(GL_DECAL),
                                TEXPLORER_GL(GL_BLEND), TEXPLORER_GL(GL_ADD), TEXPLORER_GL(GL_COMBINE)}));
 static_assert(agrees<CombineRgb>({TEXPLORER_GL(GL_REPLACE), TEXPLORER_GL(GL_MODULATE), TEXPLORER_GL(GL_ADD),
@@ -78,6 +83,8 @@ static_assert(agrees<BlendFactor>({TEXPLORER_GL(GL_ZERO), TEXPLORER_GL(GL_ONE), 
                                    TEXPLORER_GL(GL_ONE_MINUS_SRC_ALPHA), TEXPLORER_GL(GL_DST_ALPHA),
                                    TEXPLORER_GL(GL_ONE_MINUS_DST_ALPHA), TEXPLORER_GL(GL_DST_COLOR),
                                    TEXPLORER_GL(GL_ONE_MINUS_DST_COLOR)}));
+static_assert(agrees<HintMode>({TEXPLORER_GL(GL_DONT_CARE), TEXPLORER_GL(GL_FASTEST),
+                                TEXPLORER_GL(GL_NICEST)}));
 static_assert(agrees<GlError>({TEXPLORER_GL(GL_INVALID_ENUM), TEXPLORER_GL(GL_INVALID_VALUE),
                                TEXPLORER_GL(GL_INVALID_OPERATION), TEXPLORER_GL(GL_STACK_OVERFLOW),
                                TEXPLORER_GL(GL_STACK_UNDERFLOW), TEXPLORER_GL(GL_OUT_OF_MEMORY),

@@ -28,6 +28,8 @@ public:
         loadMatrix(GL_MODELVIEW, glm::mat4(1));
         applyLightAndMaterial(scene.light, scene.material);
         errors.check("glLight, glMaterial");
+        glHint(GL_PERSPECTIVE_CORRECTION_HINT, static_cast<GLenum>(scene.view.perspectiveHint));
+        errors.check("glHint");
     }
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,

@@ -11,7 +11,8 @@ namespace texplorer::render {
 
 namespace {
 
-constexpr auto targets = std::to_array<GLenum>({GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D});
+constexpr auto targets =
+    std::to_array<GLenum>({GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP});
 
 struct GeneratedCoordinate {
     GLenum coordinate;

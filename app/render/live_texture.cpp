@@ -88,8 +88,9 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
     if (capabilities) {
         const Surface& base = (*levels)->levels.front().surface;
         const int limit = request.target == Target::Texture3D ? capabilities->max3DTextureSize
+                          : request.target == Target::CubeMap ? capabilities->maxCubeMapSize
                                                               : capabilities->maxTextureSize;
-        if (std::max({widthOf(base), heightOf(base), depthOf(base)}) > limit)
+        if (std::max({widthOf(base), heightOf(base), depthOf(base)}) - 2 * (*levels)->border > limit)
             return refuse(request, where,
                           extents(base, request.target) + " texels exceed the driver's " +
                               std::to_string(limit) + " for " + std::string(rowOf(request.target).name));

@@ -100,7 +100,17 @@ struct Plan {
     [[nodiscard]] bool separateSpecular() const {
         return pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;
     }
-    [[nodiscard]] std::string shading() const { return nameOf(scene.material.shadeModel); }
+    /// How colours and coordinates come from the vertices to the fragments.
+    [[nodiscard]] bool affine() const { return scene.view.perspectiveHint == HintMode::Fastest; }
+    [[nodiscard]] std::string shading() const {
+        const std::string name = nameOf(scene.material.shadeModel);
+        return affine() && scene.material.shadeModel == ShadeModel::Smooth
+                   ? name + " " + nameOf(HintMode::Fastest)
+                   : name;
+    }
+    [[nodiscard]] std::string affinely() const {
+        return affine() ? " " + nameOf(HintMode::Fastest) : std::string();
+    }
 
     void forEachUnit(auto each) const {
         for (std::size_t i = 0; i < units.size(); ++i) {
@@ -171,7 +181,7 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
     if (plan.separateSpecular())
         stage.add("vertex", "secondary output " + plan.shading());
     plan.forEachUnit([&](const Unit&, const SampledUnit&, const std::string& index) {
-        stage.add("vertex", "coordinate output", {{"UNIT", index}});
+        stage.add("vertex", "coordinate output" + plan.affinely(), {{"UNIT", index}});
     });
     if (body.mentions("reflectionVector("))
         stage.add("texgen", "reflection vector");
@@ -254,7 +264,11 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
     Writer body(pieces);
     // All texels first: with crossbar a unit may ask for the texel of a later one.
     plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
-        body.add("fragment", unit.lodBias == 0 ? "lookup" : "lookup with bias", {{"UNIT", index}});
+        const bool direction = unit.target == Target::CubeMap;
+        body.add("fragment",
+                 std::string("lookup") + (direction ? " of a direction" : "") +
+                     (unit.lodBias == 0 ? "" : " with bias"),
+                 {{"UNIT", index}});
     });
     body.add("fragment", "primary color");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
@@ -279,7 +293,7 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
         stage.add("fragment", "secondary input " + plan.shading());
     plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
         const std::vector<Substitution> names{{"UNIT", index}};
-        stage.add("fragment", "coordinate input", names);
+        stage.add("fragment", "coordinate input" + plan.affinely(), names);
         stage.add("fragment", "sampler " + nameOf(unit.target), names);
         if (unit.lodBias != 0)
             stage.add("fragment", "bias", names);

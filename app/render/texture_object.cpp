@@ -48,47 +48,98 @@ GLenum pixelFormat(PixelFormat format) {
 /// How many times slower the driver compresses than it copies.
 constexpr std::size_t driverSlowness = 8;
 
+/// What glTexImage2D wants for it: a face has a target of its own.
+GLenum imageTarget(Target target, int face) {
+    return static_cast<GLenum>(target == Target::CubeMap ? static_cast<std::uint32_t>(cubeFaceAt(face))
+                                                         : static_cast<std::uint32_t>(target));
+}
+
 /// Returns the name of the call, for a message. Without `pixels` the level is made, but has no content yet.
-const char* uploadImage(Target target, GLint level, GLint stored, const Image& image,
+const char* uploadImage(Target target, const TextureLevel& level, GLint stored, int border,
                         const std::byte* pixels) {
+    const Image& image = std::get<Image>(level.surface);
     const GLenum given = pixelFormat(image.format);
-    switch (target) {
-    case Target::Texture1D:
-        glTexImage1D(GL_TEXTURE_1D, level, stored, image.width, 0, given, GL_UNSIGNED_BYTE, pixels);
+    const GLenum aim = imageTarget(target, level.face);
+    switch (axesOf(target)) {
+    case 1:
+        glTexImage1D(aim, level.number, stored, image.width, border, given, GL_UNSIGNED_BYTE, pixels);
         return "glTexImage1D";
-    case Target::Texture2D:
-        glTexImage2D(GL_TEXTURE_2D, level, stored, image.width, image.height, 0, given, GL_UNSIGNED_BYTE,
+    case 2:
+        glTexImage2D(aim, level.number, stored, image.width, image.height, border, given, GL_UNSIGNED_BYTE,
                      pixels);
         return "glTexImage2D";
-    case Target::Texture3D:
-        glTexImage3D(GL_TEXTURE_3D, level, stored, image.width, image.height, image.depth, 0, given,
+    default:
+        glTexImage3D(aim, level.number, stored, image.width, image.height, image.depth, border, given,
                      GL_UNSIGNED_BYTE, pixels);
         return "glTexImage3D";
     }
-    return "";
-}
-
-const char* uploadImage(Target target, GLint level, GLint stored, const Image& image) {
-    return uploadImage(target, level, stored, image, image.pixels.data());
 }
 
 /// Some rows of a picture, or slices of a volume.
-const char* uploadRows(Target target, GLint level, const Image& image, int first, int count) {
+const char* uploadRows(Target target, const TextureLevel& level, int first, int count) {
+    const Image& image = std::get<Image>(level.surface);
     const GLenum given = pixelFormat(image.format);
+    const GLenum aim = imageTarget(target, level.face);
     if (target == Target::Texture3D) {
-        glTexSubImage3D(GL_TEXTURE_3D, level, 0, 0, first, image.width, image.height, count, given,
+        glTexSubImage3D(aim, level.number, 0, 0, first, image.width, image.height, count, given,
                         GL_UNSIGNED_BYTE, image.pixels.data() + image.offset(0, 0, first));
         return "glTexSubImage3D";
     }
-    glTexSubImage2D(GL_TEXTURE_2D, level, 0, first, image.width, count, given, GL_UNSIGNED_BYTE,
+    glTexSubImage2D(aim, level.number, 0, first, image.width, count, given, GL_UNSIGNED_BYTE,
                     image.pixels.data() + image.offset(0, first, 0));
     return "glTexSubImage2D";
 }
 
-const char* uploadBlocks(GLint level, const BlockImage& image) {
-    glCompressedTexImage2D(GL_TEXTURE_2D, level, static_cast<GLenum>(image.format), image.width, image.height,
-                           0, static_cast<GLsizei>(image.blocks.size()), image.blocks.data());
+const char* uploadBlocks(Target target, const TextureLevel& level) {
+    const auto& image = std::get<BlockImage>(level.surface);
+    glCompressedTexImage2D(imageTarget(target, level.face), level.number, static_cast<GLenum>(image.format),
+                           image.width, image.height, 0, static_cast<GLsizei>(image.blocks.size()),
+                           image.blocks.data());
     return "glCompressedTexImage2D";
+}
+
+/// Whether OpenGL takes it at all: faces that aren't square are an error, without which the texture is just
+/// as incomplete.
+bool isAccepted(Target target, const Surface& surface) {
+    return target != Target::CubeMap || widthOf(surface) == heightOf(surface);
+}
+
+/// The levels of a texture that is bound, or of one of its faces.
+Result<void> readImages(GLenum aim, int face, int mostLevels, std::vector<TextureLevel>& levels) {
+    const auto ask = [aim](GLint level, GLenum what) {
+        GLint value = 0;
+        glGetTexLevelParameteriv(aim, level, what, &value);
+        return value;
+    };
+    for (GLint level = 0; level < mostLevels; ++level) {
+        const int width = ask(level, GL_TEXTURE_WIDTH);
+        if (width == 0)
+            continue;
+        const int height = ask(level, GL_TEXTURE_HEIGHT);
+        const int depth = ask(level, GL_TEXTURE_DEPTH);
+        if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE) {
+            Image image =
+                Image::uninitialised(PixelFormat::Rgba8, width, std::max(height, 1), std::max(depth, 1));
+            glGetTexImage(aim, level, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+            levels.push_back({level, std::move(image), face});
+            continue;
+        }
+        const auto format = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
+        const EnumRow* row = findRow(blockFormatRows, format);
+        if (!row)
+            return fail(ErrorCode::Unsupported, "the driver holds level " + std::to_string(level) +
+                                                    " in a compressed format that Texplorer does not know: " +
+                                                    std::to_string(format));
+        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(format), width, height);
+        const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
+        if (size != image.blocks.size())
+            return fail(ErrorCode::Driver, "level " + std::to_string(level) + " should have " +
+                                               std::to_string(image.blocks.size()) +
+                                               " bytes of blocks, the driver says " + std::to_string(size));
+        glGetCompressedTexImage(aim, level, image.blocks.data());
+        levels.push_back({level, std::move(image), face});
+    }
+    return {};
 }
 
 GLint enumerant(auto value) {
@@ -116,27 +167,31 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
     while (left > 0 && cursor.level < levels.levels.size()) {
-        const auto& [number, surface] = levels.levels[cursor.level];
-        const Image* image = std::get_if<Image>(&surface);
-        const int rows = !image                        ? 1
-                         : target == Target::Texture3D ? image->depth
-                         : target == Target::Texture2D ? image->height
-                                                       : 1;
-        const std::size_t all = byteCount(surface);
+        const TextureLevel& level = levels.levels[cursor.level];
+        if (!isAccepted(target, level.surface)) {
+            ++cursor.level;
+            continue;
+        }
+        const Image* image = std::get_if<Image>(&level.surface);
+        const int axes = image ? axesOf(target) : 1; // blocks can't be uploaded in part
+        const int rows = axes == 3 ? image->depth : axes == 2 ? image->height : 1;
+        const std::size_t all = byteCount(level.surface);
         const char* call = nullptr;
-        if (cursor.row == 0 && (all <= left || rows == 1)) {
-            call = image ? uploadImage(target, number, stored, *image)
-                         : uploadBlocks(number, std::get<BlockImage>(surface));
+        // Where a border has been taken away by the driver, the place of a row is not what it was.
+        const bool whole = rows == 1 || levels.border != 0;
+        if (cursor.row == 0 && (all <= left || whole)) {
+            call = image ? uploadImage(target, level, stored, levels.border, image->pixels.data())
+                         : uploadBlocks(target, level);
             left -= std::min(left, all);
             ++cursor.level;
         } else {
             if (cursor.row == 0)
-                uploadImage(target, number, stored, *image, nullptr);
+                uploadImage(target, level, stored, 0, nullptr);
             const std::size_t perRow = std::max<std::size_t>(1, all / static_cast<std::size_t>(rows));
             // Four rows at least, and a multiple of four: blocks can't be uploaded in part.
             const int fitting = static_cast<int>(std::min<std::size_t>(left / perRow, 1U << 20)) / 4 * 4;
             const int count = std::min(std::max(4, fitting), rows - cursor.row);
-            call = uploadRows(target, number, *image, cursor.row, count);
+            call = uploadRows(target, level, cursor.row, count);
             left -= std::min(left, perRow * static_cast<std::size_t>(count));
             cursor.row += count;
             if (cursor.row == rows) {
@@ -144,7 +199,7 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
                 ++cursor.level;
             }
         }
-        errors.check(std::string(where) + ": " + call + " level " + std::to_string(number));
+        errors.check(std::string(where) + ": " + call + " level " + std::to_string(level.number));
     }
     return cursor.level == levels.levels.size();
 }
@@ -175,43 +230,18 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
 }
 
 Result<std::vector<TextureLevel>> TextureObject::read() const {
+    const auto target = static_cast<Target>(target_);
     GLint largest = 0;
-    glGetIntegerv(target_ == GL_TEXTURE_3D ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &largest);
+    glGetIntegerv(target == Target::Texture3D ? GL_MAX_3D_TEXTURE_SIZE
+                  : target == Target::CubeMap ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                              : GL_MAX_TEXTURE_SIZE,
+                  &largest);
     const int mostLevels = mipLevelCount(largest, 1); // to ask for a level beyond is an error
     std::vector<TextureLevel> levels;
     glBindTexture(target_, handle_.name());
-    const auto ask = [this](GLint level, GLenum what) {
-        GLint value = 0;
-        glGetTexLevelParameteriv(target_, level, what, &value);
-        return value;
-    };
-    for (GLint level = 0; level < mostLevels; ++level) {
-        const int width = ask(level, GL_TEXTURE_WIDTH);
-        if (width == 0)
-            continue;
-        const int height = ask(level, GL_TEXTURE_HEIGHT);
-        const int depth = ask(level, GL_TEXTURE_DEPTH);
-        if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE) {
-            Image image =
-                Image::uninitialised(PixelFormat::Rgba8, width, std::max(height, 1), std::max(depth, 1));
-            glGetTexImage(target_, level, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-            levels.push_back({level, std::move(image)});
-            continue;
-        }
-        const auto format = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
-        const EnumRow* row = findRow(blockFormatRows, format);
-        if (!row)
-            return fail(ErrorCode::Unsupported, "the driver holds level " + std::to_string(level) +
-                                                    " in a compressed format that Texplorer does not know: " +
-                                                    std::to_string(format));
-        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(format), width, height);
-        const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
-        if (size != image.blocks.size())
-            return fail(ErrorCode::Driver, "level " + std::to_string(level) + " should have " +
-                                               std::to_string(image.blocks.size()) +
-                                               " bytes of blocks, the driver says " + std::to_string(size));
-        glGetCompressedTexImage(target_, level, image.blocks.data());
-        levels.push_back({level, std::move(image)});
+    for (int face = 0; face < facesOf(target); ++face) {
+        if (Result<void> read = readImages(imageTarget(target, face), face, mostLevels, levels); !read)
+            return fail(read.error());
     }
     GlErrors errors;
     if (!errors.check("glGetTexImage, glGetCompressedTexImage"))

@@ -1,8 +1,10 @@
 #include "app/render/texture_preview.h"
 
 #include "app/render/state_guard.h"
+#include "core/image/cube_faces.h"
 #include "core/scene/texture_levels.h"
 
+#include <array>
 #include <new>
 
 namespace texplorer::render {
@@ -23,12 +25,33 @@ Texture baseSettings(const Texture& texture) {
     return settings;
 }
 
+/// Six faces as one picture.
+TextureImage unfolded(const TextureImage& image) {
+    std::array<Image, cubeFaceCount> faces;
+    for (int face = 0; face < cubeFaceCount; ++face) {
+        Image& made = faces[static_cast<std::size_t>(face)];
+        made = toImage(image.surface(face, 0));
+        if (!image.topFirst)
+            flipVertically(made);
+    }
+    TextureImage picture = textureOf(cubeCross(faces), image.format);
+    picture.topFirst = true;
+    return picture;
+}
+
 } // namespace
 
 unsigned TexturePreview::show(const Texture& texture, const ImageSource& images, LevelsSource* levels) {
     std::shared_ptr<const TextureImage> image = images.find(texture);
     if (!image)
         return 0;
+    if (image->faces == cubeFaceCount) {
+        if (faces_ != image) {
+            faces_ = image;
+            unfolded_ = std::make_shared<const TextureImage>(unfolded(*image));
+        }
+        image = unfolded_;
+    }
     const LevelsRequest request{std::move(image), baseSettings(texture), Target::Texture2D};
     if (!live_.shows(request) || live_.isUploading()) {
         try {

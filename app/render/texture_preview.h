@@ -4,6 +4,7 @@
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 
+#include <memory>
 #include <string>
 
 namespace texplorer::render {
@@ -14,7 +15,8 @@ namespace texplorer::render {
 class TexturePreview {
 public:
     /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
-    /// refused it. Uploads only what changed. Of a volume it shows the middle slice.
+    /// refused it. Uploads only what changed. Of a volume it shows the middle slice, of a file with six faces
+    /// all of them as an unfolded cube.
     /// With `levels` it may be the picture of before, or 0, until it is made and uploaded.
     [[nodiscard]] unsigned show(const Texture& texture, const ImageSource& images,
                                 LevelsSource* levels = nullptr);
@@ -24,6 +26,8 @@ public:
 
 private:
     LiveTexture live_;
+    std::shared_ptr<const TextureImage> faces_; ///< what unfolded_ was made of
+    std::shared_ptr<const TextureImage> unfolded_;
 };
 
 } // namespace texplorer::render

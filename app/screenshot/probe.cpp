@@ -155,7 +155,8 @@ void addProbe(CLI::App& app, Action& action) {
                         "shot\" writes.");
     command->add_option("--texel", options->texel,
                         "The other way round: UNIT,LEVEL,I,J names a texel, I and J counted from s = 0 and "
-                        "t = 0 (UNIT,LEVEL,I,J,K in a volume); lists the pixels that it has a share in, with "
+                        "t = 0 (UNIT,LEVEL,I,J,K in a volume; K is the face of a cube map, 0 to 5); lists "
+                        "the pixels that it has a share in, with "
                         "its weight in each. -1 and the level's extent stand for the border.");
     command->add_option("--pass", options->pass, "With --texel: the pass that the unit belongs to.")
         ->capture_default_str();

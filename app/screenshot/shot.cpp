@@ -14,6 +14,8 @@
 namespace texplorer::screenshot {
 namespace {
 
+using reference::AnisotropyMethod;
+
 constexpr render::Size smallestWindow{320, 200}; // that of texplorer: panels don't fit into less
 
 struct Options {
@@ -22,6 +24,7 @@ struct Options {
     bool window = false;
     std::string tab;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
+    std::string anisotropy = std::string(rowOf(AnisotropyMethod::Probes).name);
     std::string shaders;
     std::string out;
 };
@@ -43,19 +46,29 @@ Result<ui::Tab> parseTab(std::string_view name) {
                 "expected one of " + tabNames() + ", found \"" + std::string(name) + "\"", "--tab");
 }
 
-Result<RendererKind> parseRenderer(std::string_view name) {
-    const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
+template<Enumerated E>
+Result<E> parseChoice(std::string_view name, const char* option) {
+    const std::span<const EnumRow> rows = EnumTable<E>::rows;
     if (const EnumRow* row = findRow(rows, name))
-        return static_cast<RendererKind>(row->value);
+        return static_cast<E>(row->value);
     return fail(ErrorCode::OutOfRange,
-                "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", "--renderer");
+                "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", option);
+}
+
+/// What each choice is: "probes: … ellipse: …"
+template<Enumerated E>
+std::string explainChoices() {
+    std::string text;
+    for (const EnumRow& row : EnumTable<E>::rows)
+        text += " " + std::string(row.name) + ": " + std::string(row.help);
+    return text;
 }
 
 /// Without OpenGL: the module that holds it is not even loaded.
-Result<Picture> drawByReference(const Drawing& drawing) {
+Result<Picture> drawByReference(const Drawing& drawing, AnisotropyMethod anisotropy) {
     Result<reference::Drawn> drawn =
         reference::drawReference(drawing.scene, drawing.images, drawing.time, drawing.size.width,
-                                 drawing.size.height, {.levels = drawing.levels});
+                                 drawing.size.height, {.anisotropy = anisotropy, .levels = drawing.levels});
     if (!drawn)
         return fail(drawn.error());
     return Picture{std::move(drawn->image), std::move(drawn->problems), {}};
@@ -74,9 +87,17 @@ ExitCode shoot(const Options& options) {
     if (!tab)
         return complain(tab.error(), wrongCall);
 
-    const Result<RendererKind> renderer = parseRenderer(options.renderer);
+    const Result<RendererKind> renderer = parseChoice<RendererKind>(options.renderer, "--renderer");
     if (!renderer)
         return complain(renderer.error(), wrongCall);
+    const Result<AnisotropyMethod> anisotropy =
+        parseChoice<AnisotropyMethod>(options.anisotropy, "--anisotropy");
+    if (!anisotropy)
+        return complain(anisotropy.error(), wrongCall);
+    if (options.anisotropy != rowOf(AnisotropyMethod::Probes).name && *renderer != RendererKind::Reference)
+        return complain({ErrorCode::OutOfRange, "OpenGL's driver decides; only the reference has a choice",
+                         "--anisotropy"},
+                        wrongCall);
 
     auto opened = openScene(options.scene);
     if (!opened)
@@ -101,7 +122,7 @@ ExitCode shoot(const Options& options) {
         drawing.levels.stop = compressing->stopToken();
     }
     const bool needsGl = drawing.window || *renderer != RendererKind::Reference;
-    Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing);
+    Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing, *anisotropy);
     if (drawing.levels.stop.stop_requested())
         return complainInterrupted();
     compressing.reset();
@@ -139,6 +160,14 @@ void addShot(CLI::App& app, Action& action) {
         ->add_option("--renderer", options->renderer,
                      "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
         ->capture_default_str();
+    command
+        ->add_option(
+            "--anisotropy", options->anisotropy,
+            "How the reference filters a texture whose max anisotropy is above 1, which OpenGL leaves "
+            "open." +
+                explainChoices<AnisotropyMethod>())
+        ->capture_default_str()
+        ->excludes(window);
     command
         ->add_option("--shaders", options->shaders,
                      "The folder of the shader renderer's files, a copy of shaders/. Without it: those that "

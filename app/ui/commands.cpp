@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <iterator>
 #include <utility>
 
@@ -17,10 +18,19 @@ std::string ownerOf(const std::string& path) {
     return dot == std::string::npos ? std::string{} : path.substr(0, dot);
 }
 
-/// The parts of the units that decide nothing: units that are off, GL_COMBINE's state under another mode,
-/// coordinates that aren't generated. Their calls are left out.
+/// The parts that decide nothing: formats of an image that is uploaded with another, units that are off,
+/// GL_COMBINE's state under another mode, coordinates that aren't generated. Their calls are left out.
 std::vector<std::string> idleParts(const Scene& scene) {
     std::vector<std::string> parts;
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
+        const Compression compression = scene.textures[i].compression;
+        const bool compressed = compression == Compression::Driver || compression == Compression::Cached;
+        for (const char* key : {"internalFormat", "border"})
+            if (compressed)
+                parts.push_back("textures[" + std::to_string(i) + "]." + key);
+        if (!compressed)
+            parts.push_back("textures[" + std::to_string(i) + "].compressedFormat");
+    }
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = scene.passes[p].units[u];
@@ -52,6 +62,53 @@ std::size_t rank(std::string_view owner) {
     const auto found =
         std::ranges::find_if(order, [&](std::string_view root) { return owner.starts_with(root); });
     return static_cast<std::size_t>(found - order.begin());
+}
+
+/// Of "textures[3]".
+std::size_t indexOf(const std::string& owner) {
+    return static_cast<std::size_t>(std::strtoul(owner.c_str() + owner.find('[') + 1, nullptr, 10));
+}
+
+/// The target that a texture is shown as first; of one that nobody shows, a picture's.
+Target targetOf(const Scene& scene, std::size_t texture) {
+    for (const Pass& pass : scene.passes) {
+        for (const Unit& unit : pass.units) {
+            if (unit.enabled && unit.texture == static_cast<int>(texture))
+                return unit.target;
+        }
+    }
+    return Target::Texture2D;
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
+/// The rows of a texture name the target of a picture.
+std::string forTarget(std::string call, Target target) {
+    const std::string_view name = rowOf(target).name;
+    switch (target) {
+    case Target::Texture1D:
+        replaceAll(call, "glTexImage2D", "glTexImage1D");
+        replaceAll(call, "width, height", "width");
+        break;
+    case Target::Texture2D:
+        return call;
+    case Target::Texture3D:
+        replaceAll(call, "glTexImage2D", "glTexImage3D");
+        replaceAll(call, "width, height", "width, height, depth");
+        break;
+    case Target::CubeMap:
+        if (call.starts_with("glTexImage2D")) {
+            replaceAll(call, rowOf(Target::Texture2D).name,
+                       std::string(rowOf(CubeFace::PositiveX).name) + " + face");
+            return call;
+        }
+        break;
+    }
+    replaceAll(call, rowOf(Target::Texture2D).name, name);
+    return call;
 }
 
 /// Replaces the words of a call that are keys beside its own: "glAlphaFunc(GL_LESS, alphaRef)".
@@ -98,8 +155,10 @@ std::vector<Command> commandsOf(const Scene& scene) {
             blocks.push_back({{Command::Kind::Heading, owner, {}, false}});
         }
         std::vector<Command>& block = blocks.back();
-        Command command{Command::Kind::Call, withSiblings(scene, formatCall(row, value), owner) + ";", path,
-                        changed};
+        std::string call = withSiblings(scene, formatCall(row, value), owner);
+        if (owner.starts_with("textures["))
+            call = forTarget(std::move(call), targetOf(scene, indexOf(owner)));
+        Command command{Command::Kind::Call, std::move(call) + ";", path, changed};
         if (block.back().text == command.text) // two parameters of one call
             block.back().changed |= command.changed;
         else

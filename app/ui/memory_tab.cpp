@@ -32,6 +32,8 @@ std::string extentsOf(const LevelReport& level, Target target) {
         text += " × " + std::to_string(level.height);
     if (target == Target::Texture3D)
         text += " × " + std::to_string(level.depth);
+    if (level.faces > 1)
+        text += " × " + std::to_string(level.faces) + " faces";
     return text;
 }
 

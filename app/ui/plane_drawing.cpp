@@ -2,6 +2,7 @@
 
 #include "app/ui/theme.h"
 #include "app/ui/tiling.h"
+#include "core/image/cube_faces.h"
 
 #include <glm/glm.hpp>
 
@@ -114,6 +115,18 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     draw.AddRectFilled({canvas.low.x, high.y}, canvas.high, dark);
     draw.AddRectFilled({canvas.low.x, low.y}, {low.x, high.y}, dark);
     draw.AddRectFilled({high.x, low.y}, {canvas.high.x, high.y}, dark);
+}
+
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image, unsigned id) {
+    const Surface& first = image.surfaces.front();
+    const float width = static_cast<float>(widthOf(first));
+    const bool isOneFace = cubeLayout(widthOf(first), heightOf(first)) == CubeLayout::Same;
+    const float tall = image.faces == cubeFaceCount ? 0.75F // a cross, see TexturePreview
+                       : isOneFace                  ? 1.0F
+                                                    : static_cast<float>(heightOf(first)) / width;
+    const ImVec2 low = canvas.toPixel(0, 0.5F + tall / 2);
+    const ImVec2 high = canvas.toPixel(1, 0.5F - tall / 2);
+    draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)), low, high, {0, 1}, {1, 0});
 }
 
 void drawAxes(ImDrawList& draw, const Canvas& canvas) {

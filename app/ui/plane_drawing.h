@@ -46,6 +46,9 @@ struct Bounds {
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
                unsigned id, const Bounds& used);
 
+/// The picture of a cube map with its faces side by side, as wide as the image is in drawTiles.
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image, unsigned id);
+
 /// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.
 void drawAxes(ImDrawList& draw, const Canvas& canvas);
 

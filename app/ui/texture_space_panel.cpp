@@ -108,7 +108,9 @@ void drawCanvas(Session& session, const Pictures& pictures) {
     const bool dragged = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     const Canvas canvas(topLeft, size, session.plane);
 
-    const Model* model = selectedModel(session);
+    // A direction has no place in this plane: there is no vertex to show or to move.
+    const bool isCube = selectedUnit(session).target == Target::CubeMap;
+    const Model* model = isCube ? nullptr : selectedModel(session);
     const Mesh& mesh = selectedMesh(session);
     const auto current = [&] {
         return model ? effectiveTexCoords(*model, mesh, session.selection.unit) : TexCoords{};
@@ -133,10 +135,14 @@ void drawCanvas(Session& session, const Pictures& pictures) {
     draw.AddRectFilled(canvas.low, canvas.high, color::ground);
     const Texture* texture = boundTexture(std::as_const(session));
     const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
-    if (image && pictures.texture != 0)
+    if (isCube && image && pictures.texture != 0)
+        drawUnfolded(draw, canvas, *image, pictures.texture);
+    else if (image && pictures.texture != 0)
         drawTiles(draw, canvas, *texture, image->surfaces.front(), pictures.texture, boundsOf(coords));
-    drawAxes(draw, canvas);
-    drawMesh(draw, canvas, mesh, coords, session.selection.vertex, under);
+    if (!isCube) {
+        drawAxes(draw, canvas);
+        drawMesh(draw, canvas, mesh, coords, session.selection.vertex, under);
+    }
     draw.PopClipRect();
     if (session.probe) {
         for (std::size_t vertex = 0; vertex < coords.size(); ++vertex) {
@@ -158,14 +164,16 @@ void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Lay
     const std::string what = "unit " + std::to_string(session.selection.unit) + " · " +
                              (image ? std::to_string(widthOf(image->surfaces.front())) + " × " +
                                           std::to_string(heightOf(image->surfaces.front()))
-                                    : std::string("no texture"));
+                                    : std::string("no texture")) +
+                             (selectedUnit(session).target == Target::CubeMap ? " · cube map" : "");
     const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)
         ImGui::TextDisabled("%s", what.c_str());
     ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
     if (ImGui::Button("Fit")) {
-        const Model* model = selectedModel(session);
+        const bool isCube = selectedUnit(session).target == Target::CubeMap;
+        const Model* model = isCube ? nullptr : selectedModel(session);
         fitPlane(session.plane,
                  model ? effectiveTexCoords(*model, selectedMesh(session), session.selection.unit)
                        : TexCoords{});

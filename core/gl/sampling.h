@@ -25,7 +25,43 @@ enum class Wrap : std::uint32_t {
     Clamp = 0x2900,
 };
 
-enum class Target : std::uint32_t { Texture1D = 0x0DE0, Texture2D = 0x0DE1, Texture3D = 0x806F };
+enum class Target : std::uint32_t {
+    Texture1D = 0x0DE0,
+    Texture2D = 0x0DE1,
+    Texture3D = 0x806F,
+    CubeMap = 0x8513,
+};
+
+/// The images of a cube map, in OpenGL's order.
+enum class CubeFace : std::uint32_t {
+    PositiveX = 0x8515,
+    NegativeX = 0x8516,
+    PositiveY = 0x8517,
+    NegativeY = 0x8518,
+    PositiveZ = 0x8519,
+    NegativeZ = 0x851A,
+};
+
+/// How many axes the images of a target have.
+[[nodiscard]] constexpr int axesOf(Target target) {
+    return target == Target::Texture1D ? 1 : target == Target::Texture3D ? 3 : 2;
+}
+
+/// How many of s, t and r a target looks at.
+[[nodiscard]] constexpr int coordinatesOf(Target target) {
+    return target == Target::CubeMap ? 3 : axesOf(target);
+}
+
+/// How many images each of its levels has.
+[[nodiscard]] constexpr int facesOf(Target target) {
+    return target == Target::CubeMap ? 6 : 1;
+}
+
+/// Counted from 0.
+[[nodiscard]] constexpr CubeFace cubeFaceAt(int index) {
+    return static_cast<CubeFace>(static_cast<std::uint32_t>(CubeFace::PositiveX) +
+                                 static_cast<std::uint32_t>(index));
+}
 
 inline constexpr std::array magFilterRows{
     row(MagFilter::Nearest, "GL_NEAREST", "Nearest",
@@ -68,7 +104,24 @@ inline constexpr std::array wrapRows{
 inline constexpr std::array targetRows{
     row(Target::Texture1D, "GL_TEXTURE_1D", "1D", "A line of texels, indexed by s alone.", "1.0"),
     row(Target::Texture2D, "GL_TEXTURE_2D", "2D", "An image, indexed by s and t.", "1.0"),
-    row(Target::Texture3D, "GL_TEXTURE_3D", "3D", "A volume of slices, indexed by s, t and r.", "1.2"),
+    row(Target::Texture3D, "GL_TEXTURE_3D", "3D",
+        "A volume of slices, indexed by s, t and r; a picture is a volume of one slice.", "1.2"),
+    row(Target::CubeMap, "GL_TEXTURE_CUBE_MAP", "Cube map",
+        "Six square faces around a centre: s, t and r are a direction, and the face that it hits is "
+        "sampled. A picture of 6:1, 1:6, 4:3 or 3:4 is cut up into faces; any other is on all six.",
+        "1.3"),
+};
+
+inline constexpr std::array cubeFaceRows{
+    row(CubeFace::PositiveX, "GL_TEXTURE_CUBE_MAP_POSITIVE_X", "+x", "What lies to the right of the centre.",
+        "1.3"),
+    row(CubeFace::NegativeX, "GL_TEXTURE_CUBE_MAP_NEGATIVE_X", "-x", "What lies to the left of the centre.",
+        "1.3"),
+    row(CubeFace::PositiveY, "GL_TEXTURE_CUBE_MAP_POSITIVE_Y", "+y", "What lies above the centre.", "1.3"),
+    row(CubeFace::NegativeY, "GL_TEXTURE_CUBE_MAP_NEGATIVE_Y", "-y", "What lies below the centre.", "1.3"),
+    row(CubeFace::PositiveZ, "GL_TEXTURE_CUBE_MAP_POSITIVE_Z", "+z",
+        "What lies before the centre, towards the viewer.", "1.3"),
+    row(CubeFace::NegativeZ, "GL_TEXTURE_CUBE_MAP_NEGATIVE_Z", "-z", "What lies behind the centre.", "1.3"),
 };
 
 template<>
@@ -87,8 +140,12 @@ template<>
 struct EnumTable<Target> {
     static constexpr std::span<const EnumRow> rows = targetRows;
 };
+template<>
+struct EnumTable<CubeFace> {
+    static constexpr std::span<const EnumRow> rows = cubeFaceRows;
+};
 
 static_assert(magFilterRows.size() == 2 && minFilterRows.size() == 6);
-static_assert(wrapRows.size() == 5 && targetRows.size() == 3);
+static_assert(wrapRows.size() == 5 && targetRows.size() == 4 && cubeFaceRows.size() == 6);
 
 } // namespace texplorer

@@ -24,6 +24,8 @@ Image drawPattern(Pattern pattern) {
         return drawMipColors();
     case Pattern::Marble:
         return drawMarble();
+    case Pattern::CubeFaces:
+        return drawCubeFaces();
     }
     return drawChecker();
 }

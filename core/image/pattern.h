@@ -17,6 +17,7 @@ enum class Pattern : std::uint32_t {
     Tree,
     MipColors,
     Marble,
+    CubeFaces,
 };
 
 inline constexpr std::array patternRows{
@@ -37,6 +38,8 @@ inline constexpr std::array patternRows{
         "Every mip level has a colour of its own, so that one sees which level is sampled."),
     row(Pattern::Marble, "marble", "Marble volume",
         "A block of veined marble, 32 x 32 x 32 texels: for 3D textures."),
+    row(Pattern::CubeFaces, "cube-faces", "Cube faces",
+        "Six named faces, each with a colour of its own, as an unfolded cube: for cube maps."),
 };
 
 template<>
@@ -44,7 +47,7 @@ struct EnumTable<Pattern> {
     static constexpr std::span<const EnumRow> rows = patternRows;
 };
 
-static_assert(patternRows.size() == 9);
+static_assert(patternRows.size() == 10);
 
 /// The base level of a pattern as Rgba8. The same bytes at every call, on every machine.
 [[nodiscard]] Image drawPattern(Pattern pattern);

@@ -17,10 +17,23 @@ float distance(const glm::vec4& plane, const glm::vec4& clip) {
     return plane.x * clip.x + plane.y * clip.y + plane.z * clip.z + plane.w * clip.w;
 }
 
+/// Where `made` lies between two others as the window shows them.
+float shareInWindow(const glm::vec4& from, const glm::vec4& to, const glm::vec4& made, float otherwise) {
+    for (int axis = 0; axis < 2; ++axis) {
+        const float length = to[axis] / to.w - from[axis] / from.w;
+        const float share = (made[axis] / made.w - from[axis] / from.w) / length;
+        if (from[axis] != to[axis] && std::isfinite(share))
+            return share;
+    }
+    return otherwise;
+}
+
 /// Section 2.14.8: colours and coordinates are clipped along with the position.
-ShadedVertex between(const ShadedVertex& from, const ShadedVertex& to, float t) {
+ShadedVertex between(const ShadedVertex& from, const ShadedVertex& to, float t, bool perspective) {
     ShadedVertex made;
     made.clip = glm::mix(from.clip, to.clip, t);
+    if (!perspective)
+        t = shareInWindow(from.clip, to.clip, made.clip, t);
     made.primary = glm::mix(from.primary, to.primary, t);
     made.secondary = glm::mix(from.secondary, to.secondary, t);
     for (std::size_t unit = 0; unit < made.texCoords.size(); ++unit)
@@ -28,7 +41,7 @@ ShadedVertex between(const ShadedVertex& from, const ShadedVertex& to, float t) 
     return made;
 }
 
-Polygon cut(const Polygon& polygon, const glm::vec4& plane) {
+Polygon cut(const Polygon& polygon, const glm::vec4& plane, bool perspective) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const ShadedVertex& from = polygon[i];
@@ -40,9 +53,9 @@ Polygon cut(const Polygon& polygon, const glm::vec4& plane) {
         // From the inside outwards, whichever way the edge runs: two triangles that share it get the same
         // point.
         if (a >= 0 && b < 0)
-            kept.push_back(between(from, to, a / (a - b)));
+            kept.push_back(between(from, to, a / (a - b), perspective));
         else if (a < 0 && b >= 0)
-            kept.push_back(between(to, from, b / (b - a)));
+            kept.push_back(between(to, from, b / (b - a), perspective));
     }
     return kept;
 }
@@ -55,7 +68,7 @@ constexpr std::array planes{
 
 } // namespace
 
-Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c) {
+Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c, bool perspective) {
     Polygon polygon{a, b, c};
     for (const ShadedVertex& vertex : polygon) {
         if (!isFinite(vertex.clip))
@@ -66,7 +79,7 @@ Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c
         for (const ShadedVertex& vertex : polygon)
             crosses = crosses || distance(plane, vertex.clip) < 0;
         if (crosses)
-            polygon = cut(polygon, plane);
+            polygon = cut(polygon, plane, perspective);
     }
     for (const ShadedVertex& vertex : polygon) {
         if (!isFinite(vertex.clip) || !(vertex.clip.w > 0))

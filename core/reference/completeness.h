@@ -13,6 +13,7 @@ enum class CompletenessRule : std::uint8_t {
     LevelMissing,      ///< the minification filter uses mipmaps, and one is not there
     LevelSize,         ///< a level has not half the extents of the one before
     LevelBorder,       ///< a level has another border than the base level
+    CubeFaces,         ///< the six faces of a cube map are not squares of one size, or one is missing
 };
 
 /// Whether a texture is complete, or which rule it breaks at which level. A texture that is not complete is

@@ -41,7 +41,10 @@ Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& ques
                                                std::to_string(number) + ": it has " +
                                                std::to_string(texture.levels.size()));
     constexpr std::array names{"i", "j", "k"};
-    for (int axis = 0; axis < 3; ++axis) {
+    if (const int face = index.z; texture.target == Target::CubeMap && (face < 0 || face > 5))
+        return fail(ErrorCode::OutOfRange,
+                    "expected k from 0 to 5 for a face of a cube map, found " + std::to_string(face));
+    for (int axis = 0; axis < (texture.target == Target::CubeMap ? 2 : 3); ++axis) {
         const bool used = axis < axesOf(texture.target);
         const int low = used ? -1 : 0;
         const int high = used ? level->size()[axis] : 0; // the border's
@@ -139,10 +142,10 @@ Result<Contributions> findContributions(const Scene& scene, const ImageSource& i
                                    vertices[mesh.triangles[i + 2]]};
                 if (pass.flat)
                     corners[0].primary = corners[1].primary = corners[2].primary;
-                const Polygon polygon = clip(corners[0], corners[1], corners[2]);
+                const Polygon polygon = clip(corners[0], corners[1], corners[2], pass.perspective);
                 for (std::size_t corner = 2; corner < polygon.size(); ++corner) {
                     if (const auto triangle = setUp(polygon[0], polygon[corner - 1], polygon[corner], pass,
-                                                    viewport, options.perspectiveCorrect))
+                                                    viewport, pass.perspective))
                         weighing.draw(*triangle);
                 }
             }

@@ -34,7 +34,7 @@ public:
                 corners[0].primary = corners[1].primary = corners[2].primary;
                 corners[0].secondary = corners[1].secondary = corners[2].secondary;
             }
-            add(clip(corners[0], corners[1], corners[2]), pass);
+            add(clip(corners[0], corners[1], corners[2], pass.perspective), pass);
             if (triangles_.size() >= batch)
                 flush();
         }
@@ -48,8 +48,8 @@ public:
 private:
     void add(const Polygon& polygon, const PassState& pass) {
         for (std::size_t i = 2; i < polygon.size(); ++i) {
-            if (const auto triangle = setUp(polygon[0], polygon[i - 1], polygon[i], pass, canvas_.viewport(),
-                                            options_.perspectiveCorrect))
+            if (const auto triangle =
+                    setUp(polygon[0], polygon[i - 1], polygon[i], pass, canvas_.viewport(), pass.perspective))
                 triangles_.push_back(*triangle);
         }
     }

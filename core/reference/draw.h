@@ -20,9 +20,6 @@ struct Contributions; // see contributions.h
 struct TexelQuestion;
 
 struct DrawOptions {
-    /// Off: coordinates and colours are interpolated straight across the window, as old hardware did it and
-    /// GL_PERSPECTIVE_CORRECTION_HINT allowed it.
-    bool perspectiveCorrect = true;
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
     unsigned threads = 0; ///< 0: as many as the processor has
     /// Draws every pixel by itself, with the functions that are written to be read (shade.h, sampler.h), many

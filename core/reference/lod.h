@@ -15,9 +15,15 @@ struct Derivatives {
 };
 
 /// Which way a texture with a maximal anisotropy above 1 is filtered; the extension leaves it open.
-enum class AnisotropyMethod : std::uint8_t {
-    Probes,  ///< the text of EXT_texture_filter_anisotropic: N samples along the longer axis
-    Ellipse, ///< an elliptical weighted average over the texels of one level, as Mesa's softpipe and llvmpipe
+enum class AnisotropyMethod : std::uint32_t { Probes, Ellipse };
+
+inline constexpr std::array anisotropyMethodRows{
+    row(AnisotropyMethod::Probes, "probes", "Probes",
+        "As the text of EXT_texture_filter_anisotropic: up to max anisotropy samples in a line along the "
+        "longer axis of what a pixel covers."),
+    row(AnisotropyMethod::Ellipse, "ellipse", "Ellipse",
+        "An elliptical weighted average of all texels that a pixel covers, as Mesa's softpipe and llvmpipe "
+        "do it."),
 };
 
 struct SampleOptions {
@@ -45,7 +51,8 @@ struct Lod {
         false; ///< a derivative is NaN or infinite, or the clamp is empty: lambda was chosen here
 };
 
-/// The level-of-detail parameter and whether the texture is magnified.
+/// The level-of-detail parameter and whether the texture is magnified. Of a cube map the derivatives are
+/// those on the face (cube.h).
 [[nodiscard]] Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
                                 const SampleOptions& options);
 
@@ -84,3 +91,9 @@ struct LevelChoice {
 [[nodiscard]] int lastMipLevel(const SampledTexture& texture);
 
 } // namespace texplorer::reference
+
+template<>
+struct texplorer::EnumTable<texplorer::reference::AnisotropyMethod> {
+    static constexpr std::span<const EnumRow> rows = texplorer::reference::anisotropyMethodRows;
+};
+static_assert(texplorer::reference::anisotropyMethodRows.size() == 2);

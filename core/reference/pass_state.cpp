@@ -35,6 +35,7 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
         const Pass& pass = scene.passes[i];
         PassState& state = states.emplace_back();
         state.pass = &pass;
+        state.perspective = scene.view.perspectiveHint != HintMode::Fastest;
         state.flat = scene.material.shadeModel == ShadeModel::Flat;
         state.separateSpecular = pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;
         for (std::size_t u = 0; u < pass.units.size(); ++u) {

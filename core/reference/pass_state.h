@@ -30,6 +30,7 @@ struct PassState {
     std::array<UnitState, maxUnits> units{};
     int unitsUsed = 0; ///< one more than the last unit that takes part
     bool flat = false;
+    bool perspective = true;       ///< off: GL_PERSPECTIVE_CORRECTION_HINT is GL_FASTEST
     bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)
 };
 

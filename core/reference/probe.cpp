@@ -118,21 +118,20 @@ std::vector<Cover> Prober::cover(const std::array<ShadedVertex, 3>& corners, con
         marked[static_cast<std::size_t>(i)].primary = glm::vec4(0);
         marked[static_cast<std::size_t>(i)].primary[i] = 1;
     }
-    const Polygon polygon = clip(corners[0], corners[1], corners[2]);
+    const Polygon polygon = clip(corners[0], corners[1], corners[2], pass.perspective);
     if (polygon.size() < 3)
         return found;
-    const Polygon weights = clip(marked[0], marked[1], marked[2]);
+    const Polygon weights = clip(marked[0], marked[1], marked[2], pass.perspective);
     const auto [x, y] = explanation_.pixel;
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         const auto triangle =
-            setUp(polygon[0], polygon[i - 1], polygon[i], pass, viewport_, options_.perspectiveCorrect);
+            setUp(polygon[0], polygon[i - 1], polygon[i], pass, viewport_, pass.perspective);
         if (!triangle || y < triangle->minY || y > triangle->maxY)
             continue;
         const Span span = coveredPixels(*triangle, y, {x, x});
         if (span.first > span.last)
             continue;
-        const auto shares =
-            setUp(weights[0], weights[i - 1], weights[i], pass, viewport_, options_.perspectiveCorrect);
+        const auto shares = setUp(weights[0], weights[i - 1], weights[i], pass, viewport_, pass.perspective);
         const glm::vec2 offset = offsetOf(*triangle);
         const glm::vec4 share = shares ? shares->primary.at(offset) / shares->invW.at(offset) : glm::vec4(0);
         const bool cut = polygon.size() > 3 || polygon[0].clip != corners[0].clip ||

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/reference/lod.h"
+#include "core/reference/cube.h"
 
+#include <optional>
 #include <vector>
 
 namespace texplorer::reference {
@@ -9,7 +10,7 @@ namespace texplorer::reference {
 /// One texel that was read.
 struct Tap {
     int level = 0;
-    glm::ivec3 index{0}; ///< i, j, k; outside of the level in the border
+    glm::ivec3 index{0}; ///< i, j, k; outside of the level in the border. Of a cube map k is the face
     float weight = 0;    ///< of this reading in the filtered colour
     glm::vec4 color{0};
     bool border = false;
@@ -32,6 +33,7 @@ struct LevelShare {
 /// once).
 struct SampleRecord {
     Lod lod;
+    std::optional<CubePlace> cube; ///< what the direction hits, where the texture is a cube map
     std::vector<LevelShare> levels;
     std::vector<glm::vec3> probes; ///< the coordinates of an anisotropic filter's samples; else the one place
     std::vector<WrappedCoordinate> wrapped;

@@ -36,11 +36,26 @@ BaseFormat baseFormat(BlockFormat format) {
     return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
 }
 
-const Level* SampledTexture::level(int number) const {
-    if (number < 0 || static_cast<std::size_t>(number) >= levels.size())
+const Level* SampledTexture::level(int number, int face) const {
+    const auto other = static_cast<std::size_t>(face) - 1;
+    if (face != 0 && other >= otherFaces.size())
         return nullptr;
-    const Level& found = levels[static_cast<std::size_t>(number)];
+    const std::vector<Level>& all = face == 0 ? levels : otherFaces[other];
+    if (number < 0 || static_cast<std::size_t>(number) >= all.size())
+        return nullptr;
+    const Level& found = all[static_cast<std::size_t>(number)];
     return found.exists() ? &found : nullptr;
+}
+
+Level& SampledTexture::levelToFill(int number, int face) {
+    const auto other = static_cast<std::size_t>(face) - 1;
+    if (face != 0 && other >= otherFaces.size())
+        otherFaces.resize(other + 1);
+    std::vector<Level>& all = face == 0 ? levels : otherFaces[other];
+    const auto at = static_cast<std::size_t>(number);
+    if (at >= all.size())
+        all.resize(at + 1);
+    return all[at];
 }
 
 glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel) {
@@ -85,13 +100,11 @@ SampledTexture sampledTexture(const Texture& texture, const TextureLevels& level
         notes.push_back("what a driver compresses to is its own affair: compressed to " +
                         std::string(rowOf(*levels.driverFormat).name) + " by Texplorer's encoder");
     for (const TextureLevel& each : levels.levels) {
-        const auto at = static_cast<std::size_t>(each.number);
-        if (sampled.levels.size() <= at)
-            sampled.levels.resize(at + 1);
+        Level& level = sampled.levelToFill(each.number, each.face);
         const auto* blocks = std::get_if<BlockImage>(&each.surface);
         if (blocks) {
             sampled.format = baseFormat(blocks->format);
-            sampled.levels[at] = blockLevel(*blocks);
+            level = blockLevel(*blocks);
             continue;
         }
         const Image& image = std::get<Image>(each.surface);
@@ -100,9 +113,9 @@ SampledTexture sampledTexture(const Texture& texture, const TextureLevels& level
                                 : Result<BlockImage>(fail(ErrorCode::Unsupported, ""));
         if (encoded) {
             sampled.format = baseFormat(encoded->format);
-            sampled.levels[at] = blockLevel(*encoded);
+            level = blockLevel(*encoded);
         } else
-            sampled.levels[at] = levelOf(image, texture.internalFormat, target);
+            level = levelOf(image, texture.internalFormat, target, levels.border);
     }
     setParameters(sampled, texture, levels.lastLevel);
     return sampled;
@@ -112,11 +125,12 @@ SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, T
     SampledTexture shape;
     shape.target = target;
     shape.format = levels.driverFormat ? baseFormat(*levels.driverFormat) : internalFormat;
-    for (const auto& [number, surface] : levels.levels) {
-        const auto at = static_cast<std::size_t>(number);
-        if (shape.levels.size() <= at)
-            shape.levels.resize(at + 1);
-        shape.levels[at] = {widthOf(surface), heightOf(surface), depthOf(surface)};
+    for (const auto& [number, surface, face] : levels.levels) {
+        const int both = 2 * levels.border;
+        shape.levelToFill(number, face) = {.width = widthOf(surface) - both,
+                                           .height = heightOf(surface) - (axesOf(target) > 1 ? both : 0),
+                                           .depth = depthOf(surface) - (axesOf(target) > 2 ? both : 0),
+                                           .border = levels.border};
         if (const auto* blocks = std::get_if<BlockImage>(&surface))
             shape.format = baseFormat(blocks->format);
     }

@@ -26,16 +26,12 @@ struct Level {
     [[nodiscard]] glm::ivec3 size() const { return {width, height, depth}; }
 };
 
-/// How many of s, t and r a target looks at.
-[[nodiscard]] constexpr int axesOf(Target target) {
-    return target == Target::Texture1D ? 1 : target == Target::Texture2D ? 2 : 3;
-}
-
 /// A texture object with its images: everything that OpenGL 2.1's section 3.8.12 calls texture state.
 struct SampledTexture {
     Target target = Target::Texture2D;
     BaseFormat format = BaseFormat::Rgba; ///< decides what the environment does with a sample
-    std::vector<Level> levels{};          ///< the index is GL's level number
+    std::vector<Level> levels{};          ///< the index is GL's level number; of a cube map: of its face +x
+    std::vector<std::vector<Level>> otherFaces{}; ///< of a cube map: -x, +y, -y, +z, -z
     MagFilter magFilter = MagFilter::Linear;
     MinFilter minFilter = MinFilter::NearestMipmapLinear;
     std::array<Wrap, 3> wrap{Wrap::Repeat, Wrap::Repeat, Wrap::Repeat}; ///< for s, t and r
@@ -46,8 +42,10 @@ struct SampledTexture {
     float maxLod = 1000;
     float maxAnisotropy = 1;
 
-    /// The level with this number, or nullptr.
-    [[nodiscard]] const Level* level(int number) const;
+    /// The level with this number, or nullptr. Faces as in CubeFace, counted from 0.
+    [[nodiscard]] const Level* level(int number, int face = 0) const;
+    /// Makes room for it.
+    [[nodiscard]] Level& levelToFill(int number, int face);
 };
 
 /// Table 3.15, then table 3.20: the components that a base internal format keeps of a colour, widened to the

@@ -14,6 +14,7 @@ namespace {
 
 struct KeepNothing {
     static void lod(const Lod& /*lod*/) {}
+    static void cube(const CubePlace& /*place*/) {}
     static void level(int /*number*/, float /*weight*/) {}
     static void probe(glm::vec3 /*coords*/) {}
     static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
@@ -23,6 +24,7 @@ struct KeepNothing {
 struct KeepAll {
     SampleRecord& record;
     void lod(const Lod& lod) const { record.lod = lod; }
+    void cube(const CubePlace& place) const { record.cube = place; }
     void level(int number, float weight) const { record.levels.push_back({number, weight}); }
     void probe(glm::vec3 coords) const { record.probes.push_back(coords); }
     void wrapped(int level, int axis, float given, float texels) const {
@@ -35,6 +37,7 @@ struct WeighTexel {
     const TexelPlace& texel;
     float& weight;
     static void lod(const Lod& /*lod*/) {}
+    static void cube(const CubePlace& /*place*/) {}
     static void level(int /*number*/, float /*weight*/) {}
     static void probe(glm::vec3 /*coords*/) {}
     static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
@@ -48,12 +51,14 @@ struct WeighTexel {
 template<class Recorder>
 class LevelFilter {
 public:
-    LevelFilter(const SampledTexture& texture, const Recorder& recorder)
+    /// `face`: of a cube map, else 0.
+    LevelFilter(const SampledTexture& texture, int face, const Recorder& recorder)
         : texture_(texture)
+        , face_(face)
         , recorder_(recorder) {}
 
     glm::vec4 operator()(int number, bool linear, glm::vec3 coords, float weight) const {
-        const Level* level = texture_.level(number);
+        const Level* level = texture_.level(number, face_);
         if (!level)
             return {0, 0, 0, 1};
         glm::vec3 uvw(0);
@@ -98,19 +103,28 @@ private:
     glm::vec4 read(const Level& level, int number, glm::ivec3 index, float weight) const {
         const bool border = isBeyond(level, index, axes());
         const glm::vec4 color = border ? texture_.borderColor : texelAt(level, index, axes());
+        if (texture_.target == Target::CubeMap)
+            index.z = face_;
         recorder_.tap({number, index, weight, color, border});
         return color;
     }
 
     const SampledTexture& texture_;
+    int face_;
     const Recorder& recorder_;
 };
 
-/// One place: one level, or two that are blended (equation 3.28).
+/// One place: one level, or two that are blended (equation 3.28). For a cube map `coords` is a direction.
 template<class Recorder>
 glm::vec4 filterLevels(const SampledTexture& texture, const LevelChoice& choice, glm::vec3 coords,
                        float weight, const Recorder& recorder) {
-    const LevelFilter<Recorder> filter(texture, recorder);
+    int face = 0;
+    if (texture.target == Target::CubeMap) {
+        const CubePlace place = cubePlace(coords, {});
+        face = place.face;
+        coords = place.coords;
+    }
+    const LevelFilter<Recorder> filter(texture, face, recorder);
     if (choice.first == choice.second)
         return filter(choice.first, choice.linear, coords, weight);
     const float share = choice.share;
@@ -121,7 +135,13 @@ glm::vec4 filterLevels(const SampledTexture& texture, const LevelChoice& choice,
 template<class Recorder>
 glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
                      const SampleOptions& options, const Recorder& recorder) {
-    const Lod lod = levelOfDetail(texture, derivatives, options);
+    Derivatives onImage = derivatives;
+    if (texture.target == Target::CubeMap) {
+        const CubePlace place = cubePlace(coords, derivatives);
+        recorder.cube(place);
+        onImage = place.derivatives;
+    }
+    const Lod lod = levelOfDetail(texture, onImage, options);
     recorder.lod(lod);
     const LevelChoice choice = chooseLevels(texture, lod);
     // Mesa does this for magnified textures, too.

@@ -8,6 +8,7 @@
 namespace texplorer::reference {
 
 /// The filtered colour (a texture source colour, table 3.20) at `coords` = (s, t, r), already divided by q.
+/// Of a cube map they are a direction; filtering stays on the face that it hits, as OpenGL 2.1 says.
 /// A texture without the levels that are needed, an incomplete one, gives opaque black, as in GLSL: see
 /// completeness.h.
 [[nodiscard]] glm::vec4 sample(const SampledTexture& texture, glm::vec3 coords,
@@ -17,7 +18,7 @@ namespace texplorer::reference {
 [[nodiscard]] SampleRecord explainSample(const SampledTexture& texture, glm::vec3 coords,
                                          const Derivatives& derivatives, const SampleOptions& options = {});
 
-/// A texel of a texture; outside of the level it stands for the border there.
+/// A texel of a texture; outside of the level it stands for the border there. Of a cube map k is the face.
 struct TexelPlace {
     int level = 0;
     glm::ivec3 index{0};

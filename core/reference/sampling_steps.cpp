@@ -33,7 +33,7 @@ std::string percent(float share) {
 }
 
 Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
-    const int axes = axesOf(unit.target);
+    const int axes = coordinatesOf(unit.target);
     Step step{StepKind::Coordinates, unit.unit, "Texture coordinates", {}};
     for (int i = 0; i < axes; ++i)
         step.summary += std::string(i > 0 ? ", " : "") + coordinateNames.at(static_cast<std::size_t>(i)) +
@@ -59,6 +59,12 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     if (unit.matrix != glm::mat4(1))
         stage("after the matrix", &CoordinateSteps::transformed);
     step.rows.push_back(coordinates("over q", glm::vec4(unit.coords, 0), 3));
+    if (unit.sample.cube) {
+        const auto& [face, place, change] = *unit.sample.cube;
+        step.rows.push_back(
+            coordinates("a direction, which hits face " + std::string(rowOf(cubeFaceAt(face)).label) + " at",
+                        glm::vec4(place, 0), 2));
+    }
     if (!std::isfinite(unit.coords.s) || (axes > 1 && !std::isfinite(unit.coords.t)) ||
         (axes > 2 && !std::isfinite(unit.coords.r)))
         step.rows.push_back(
@@ -77,9 +83,11 @@ Step lodStep(const UnitExplanation& unit) {
     const int axes = axesOf(unit.target);
     Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
     step.summary = "lambda " + numberText(lod.lambda) + ": " + (lod.magnified ? "magnified" : "minified");
-    step.rows.push_back(heading("from pixel to pixel", axes));
-    step.rows.push_back(coordinates("  d/dx", glm::vec4(unit.derivatives.dx, 0), axes));
-    step.rows.push_back(coordinates("  d/dy", glm::vec4(unit.derivatives.dy, 0), axes));
+    const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
+    step.rows.push_back(
+        heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
+    step.rows.push_back(coordinates("  d/dx", glm::vec4(change.dx, 0), axes));
+    step.rows.push_back(coordinates("  d/dy", glm::vec4(change.dy, 0), axes));
     const auto value = [&](std::string label, float number) {
         step.rows.push_back({std::move(label), {{numberText(number)}}});
     };
@@ -146,8 +154,11 @@ Step wrapStep(const UnitExplanation& unit) {
     return step;
 }
 
-std::string placeText(const Tap& tap, int axes) {
-    std::string text = "level " + std::to_string(tap.level) + " (" + std::to_string(tap.index.x);
+std::string placeText(const Tap& tap, Target target) {
+    const int axes = axesOf(target);
+    std::string text =
+        target == Target::CubeMap ? std::string(rowOf(cubeFaceAt(tap.index.z)).label) + " " : "";
+    text += "level " + std::to_string(tap.level) + " (" + std::to_string(tap.index.x);
     for (int axis = 1; axis < axes; ++axis)
         text += ", " + std::to_string(tap.index[axis]);
     return text + ")";
@@ -170,7 +181,7 @@ Step texelsStep(const UnitExplanation& unit) {
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
-        StepRow row{placeText(tap, axesOf(unit.target)) + (tap.border ? " border" : ""),
+        StepRow row{placeText(tap, unit.target) + (tap.border ? " border" : ""),
                     {{numberText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)

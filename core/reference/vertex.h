@@ -28,7 +28,9 @@ using Polygon = std::vector<ShadedVertex>;
 inline constexpr float guardBand = 8;
 
 /// Cuts a triangle at the near and far planes and at the guard band; empty where nothing is left, or where a
-/// vertex is NaN or infinite. What is behind the eye (w <= 0) is beyond the near plane.
-[[nodiscard]] Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c);
+/// vertex is NaN or infinite. What is behind the eye (w <= 0) is beyond the near plane. Without `perspective`
+/// colours and coordinates stay linear in the window, as OpenGL 3.0 says of `noperspective` (section 2.17).
+[[nodiscard]] Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
+                           bool perspective = true);
 
 } // namespace texplorer::reference

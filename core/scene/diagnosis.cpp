@@ -47,10 +47,9 @@ TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& i
     reference::SampledTexture sampled;
     sampled.target = target;
     for (const PlannedLevel& each : facts.plan.levels) {
-        const auto number = static_cast<std::size_t>(each.number);
-        if (sampled.levels.size() <= number)
-            sampled.levels.resize(number + 1);
-        sampled.levels[number] = {each.width, each.height, each.depth, 0, {}};
+        for (int face = 0; face < facesOf(target); ++face)
+            sampled.levelToFill(each.number,
+                                face) = {each.width, each.height, each.depth, facts.plan.border, {}};
     }
     if (facts.plan.blocks)
         facts.format = reference::baseFormat(*facts.plan.blocks);

@@ -18,10 +18,12 @@ struct DriverFacts {
     int textureUnits = maxUnits; ///< of the fixed functions
     int maxTextureSize = 1 << 30;
     int max3DTextureSize = 1 << 30;
+    int maxCubeMapSize = 1 << 30;
     float maxAnisotropy = 16; ///< 1 where there is no anisotropic filtering
     bool nonPowerOfTwo = true;
     bool s3tc = true;
     bool rgtc = true;
+    bool textureBorders = true; ///< a border of texels stays with its image
 
     bool operator==(const DriverFacts&) const = default;
 };

@@ -1,5 +1,6 @@
 // Which settings of a texture object change nothing at present.
 
+#include "core/image/border.h"
 #include "core/scene/diagnosis_rules.h"
 
 #include <algorithm>
@@ -36,6 +37,11 @@ bool isPowerOfTwo(const Surface& surface) {
 std::string noFlip(const Texture& texture, const TextureFacts& facts) {
     if (texture.source == SourceKind::Pattern)
         return "a built-in pattern is upright";
+    const auto isCube = [](const TargetFacts& each) { return each.target == Target::CubeMap; };
+    if (std::ranges::any_of(facts.targets, isCube)) // whose rows begin at the top
+        return facts.image && facts.image->fileTopFirst && std::ranges::all_of(facts.targets, isCube)
+                   ? "the file begins with the top row, as the faces of a cube map do"
+                   : "";
     if (facts.image && !facts.image->fileTopFirst)
         return "the file begins with the bottom row, as OpenGL does";
     return {};
@@ -73,6 +79,17 @@ std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
                        nameOf(Wrap::Clamp) + " under a linear filter";
 }
 
+/// Where the border is cut off the image, the image is another one.
+std::string noBorder(const Texture& texture, const TextureFacts& facts) {
+    const bool cuts = facts.image && std::ranges::any_of(facts.targets, [&](const TargetFacts& each) {
+                          const Surface& base = facts.image->surfaces.front();
+                          const int axes = axesOf(each.target);
+                          return texture.mipmaps != MipPolicy::FromFile &&
+                                 hasBorderExtents(widthOf(base), heightOf(base), depthOf(base), axes);
+                      });
+    return cuts ? "" : noBorderColor(texture, facts);
+}
+
 std::string noMipmaps(const Texture& texture, const TextureFacts&) {
     return samplesMipmaps(texture) ? "" : nameOf(texture.minFilter) + " reads no mipmaps";
 }
@@ -85,12 +102,12 @@ std::string noLod(const Texture& texture, const TextureFacts&) {
 }
 
 constexpr std::array settings{
-    Setting{"flip", noFlip},         Setting{"internalFormat", noInternalFormat},
-    Setting{"npot", noScaling},      Setting{"wrapT", noWrapT},
-    Setting{"wrapR", noWrapR},       Setting{"borderColor", noBorderColor},
-    Setting{"mipFilter", noMipmaps}, Setting{"mipGamma", noMipmaps},
-    Setting{"maxLevel", noMipmaps},  Setting{"minLod", noLod},
-    Setting{"maxLod", noLod},
+    Setting{"flip", noFlip},        Setting{"internalFormat", noInternalFormat},
+    Setting{"npot", noScaling},     Setting{"wrapT", noWrapT},
+    Setting{"wrapR", noWrapR},      Setting{"borderColor", noBorderColor},
+    Setting{"border", noBorder},    Setting{"mipFilter", noMipmaps},
+    Setting{"mipGamma", noMipmaps}, Setting{"maxLevel", noMipmaps},
+    Setting{"minLod", noLod},       Setting{"maxLod", noLod},
 };
 
 void noEffect(const Case& about, Report& report) {
@@ -100,6 +117,14 @@ void noEffect(const Case& about, Report& report) {
             if (!reason.empty())
                 report.add(at("textures", i) + "." + std::string(setting.key), std::move(reason));
         }
+    }
+}
+
+/// A border of texels stands where the border colour would (below equation 3.23).
+void ownBorder(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        if (about.scene.textures[i].border != 0 && about.driver.textureBorders)
+            report.add(at("textures", i) + ".borderColor", "the texture has a border of its own texels");
     }
 }
 
@@ -136,6 +161,7 @@ void unused(const Case& about, Report& report) {
 
 constexpr std::array rules{
     Rule{"texture-setting", Severity::Hint, noEffect},
+    Rule{"own-border", Severity::Hint, ownBorder},
     Rule{"texture-not-shown", Severity::Hint, notShown},
     Rule{"other-texture-choice", Severity::Unused, unused},
 };

@@ -140,11 +140,27 @@ void otherShape(const Case& about, Report& report) {
     }
 }
 
+void ignoredHint(const Case& about, Report& report) {
+    const View& view = about.scene.view;
+    if (view.perspectiveHint == HintMode::Fastest && view.projection == Projection::Perspective)
+        report.add("view.perspectiveHint",
+                   "fixed functions may ignore this hint, and most drivers do; the shaders and the reference "
+                   "interpolate without perspective",
+                   Fix{"Correct the perspective", {{"view.perspectiveHint", nameOf(HintMode::Nicest)}}});
+}
+
+void nothingToCorrect(const Case& about, Report& report) {
+    if (about.scene.view.projection == Projection::Orthographic)
+        report.add("view.perspectiveHint", "an orthographic view has no perspective to correct");
+}
+
 constexpr std::array rules{
     Rule{"infinite-coordinate", Severity::Error, infiniteCoordinates},
     Rule{"zero-q-of-vertex", Severity::Warning, zeroQ},
     Rule{"nothing-passes", Severity::Warning, nothingPasses},
     Rule{"hidden-pass", Severity::Warning, hiddenPass},
+    Rule{"ignored-hint", Severity::Warning, ignoredHint},
+    Rule{"no-perspective", Severity::Hint, nothingToCorrect},
     Rule{"fragment-test", Severity::Hint, noFragmentTest},
     Rule{"light", Severity::Hint, noLight},
     Rule{"other-shape", Severity::Unused, otherShape},

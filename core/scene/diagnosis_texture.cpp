@@ -45,6 +45,8 @@ void incomplete(const Case& about, Report& report) {
             return report.add(path + "baseLevel", sentence,
                               Fix{"Begin at level " + level, {{path + "baseLevel", level}}});
         }
+        case Rule::CubeFaces:
+            return report.add(path + (texture.source == SourceKind::File ? "file" : "pattern"), sentence);
         default:
             const bool none = texture.mipmaps == MipPolicy::None;
             return report.add(path + (none ? "minFilter" : "mipmaps"), sentence,
@@ -112,6 +114,7 @@ void sizeLimit(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         for (const TargetFacts& each : facts.targets) {
             const int limit = each.target == Target::Texture3D ? about.driver.max3DTextureSize
+                              : each.target == Target::CubeMap ? about.driver.maxCubeMapSize
                                                                : about.driver.maxTextureSize;
             if (each.plan.levels.empty())
                 continue;
@@ -135,6 +138,18 @@ void lacksFormat(const Case& about, Report& report) {
     });
 }
 
+void lostBorder(const Case& about, Report& report) {
+    if (about.driver.textureBorders)
+        return;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (texture.border != 0)
+            report.add(path + "border",
+                       "the driver takes a texture's border away, and the border colour stands for it: the "
+                       "reference renderer shows the border",
+                       Fix{"Do without it", {{path + "border", "0"}}});
+    });
+}
+
 constexpr std::array rules{
     Rule{"missing-file", Severity::Error, missingFile, true},
     Rule{"size-limit", Severity::Error, sizeLimit, true},
@@ -143,6 +158,7 @@ constexpr std::array rules{
     Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},
     Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
+    Rule{"lost-border", Severity::Warning, lostBorder},
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 // collapse, and what changes nothing.
 
 #include "core/gl/combine_arguments.h"
+#include "core/reference/lod.h"
 #include "core/scene/diagnosis_rules.h"
 #include "core/scene/param_text.h"
 
@@ -9,6 +10,15 @@
 
 namespace texplorer::diagnosis {
 namespace {
+
+struct Generated {
+    const char* key;
+    TexGen Unit::*state;
+};
+constexpr std::array<Generated, 4> generated{{{"texGenS", &Unit::texGenS},
+                                              {"texGenT", &Unit::texGenT},
+                                              {"texGenR", &Unit::texGenR},
+                                              {"texGenQ", &Unit::texGenQ}}};
 
 void missingTexture(const Case& about, Report& report) {
     const std::size_t count = about.textures.size();
@@ -69,7 +79,7 @@ void collapsingMatrix(const Case& about, Report& report) {
             std::string mended;
             for (int axis = 0; axis < 3; ++axis) {
                 const bool zero = step.amount[axis] == 0 && step.rate[axis] == 0;
-                if (zero && axis < reference::axesOf(unit.target))
+                if (zero && axis < coordinatesOf(unit.target))
                     collapsed += (collapsed.empty() ? "" : " and ") +
                                  std::string(1, letters[static_cast<std::size_t>(axis)]);
                 mended += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
@@ -83,14 +93,58 @@ void collapsingMatrix(const Case& about, Report& report) {
     });
 }
 
-struct Generated {
-    const char* key;
-    TexGen Unit::*state;
-};
-constexpr std::array<Generated, 4> generated{{{"texGenS", &Unit::texGenS},
-                                              {"texGenT", &Unit::texGenT},
-                                              {"texGenR", &Unit::texGenR},
-                                              {"texGenQ", &Unit::texGenQ}}};
+/// Whether r can be anything but 0 when it comes from the models: the meshes have none.
+bool modelsHaveR(const Scene& scene, std::size_t unit) {
+    return std::ranges::any_of(scene.models, [&](const Model& model) {
+        return std::ranges::any_of(model.texCoords[unit], [](const glm::vec4& each) { return each.z != 0; });
+    });
+}
+
+void flatDirection(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const Unit& unit = about.scene.passes[p].units[u];
+            if (!unit.enabled || unit.target != Target::CubeMap || unit.texGenR.enabled ||
+                !unit.matrix.empty() || modelsHaveR(about.scene, u))
+                continue;
+            Fix fix{"Reflect", {}};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::string own = unitPath(p, u) + generated[axis].key;
+                fix.assignments.push_back({own + ".mode", nameOf(TexGenMode::ReflectionMap)});
+                fix.assignments.push_back({own + ".enabled", "true"});
+            }
+            report.add(unitPath(p, u) + "target",
+                       "a cube map takes s, t and r as a direction, and r is 0 at every vertex: only a line "
+                       "around the sides of the cube is seen; " +
+                           nameOf(TexGenMode::ReflectionMap) + " or " + nameOf(TexGenMode::NormalMap) +
+                           " generates all three",
+                       std::move(fix));
+        }
+    }
+}
+
+/// Section 3.8.7 wraps s and t of the one face that is hit: GL_REPEAT blends opposite edges.
+void cubeSeams(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        const bool linear = texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
+        const auto leaves = [](Wrap wrap) {
+            return wrap != Wrap::ClampToEdge && wrap != Wrap::MirroredRepeat;
+        };
+        if (!about.textures[i].shown || !about.textures[i].hasTarget(Target::CubeMap) || !linear ||
+            (!leaves(texture.wrapS) && !leaves(texture.wrapT)))
+            continue;
+        const std::string path = at("textures", i) + ".";
+        const bool ofS = leaves(texture.wrapS);
+        const std::string edge = nameOf(Wrap::ClampToEdge);
+        report.add(path + (ofS ? "wrapS" : "wrapT"),
+                   nameOf(ofS ? texture.wrapS : texture.wrapT) +
+                       " reaches beyond the edge of each face of a cube map, which then shows as a "
+                       "seam; some drivers take " +
+                       edge + " whatever is asked for",
+                   Fix{"Clamp to the edges", {{path + "wrapS", edge}, {path + "wrapT", edge}}});
+    }
+}
 
 /// GL's initial planes for q are 0: whoever enables it alone divides by zero.
 void generatedZeroQ(const Case& about, Report& report) {
@@ -152,7 +206,7 @@ void noGeneration(const Case& about, Report& report) {
                 report.add(own + "eyePlane", reason);
         }
         // Without a matrix that could carry them over, coordinates that the target has not are lost.
-        const int axes = reference::axesOf(unit.target);
+        const int axes = coordinatesOf(unit.target);
         for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
@@ -218,6 +272,8 @@ constexpr std::array rules{
     Rule{"undefined-decal", Severity::Warning, undefinedDecal},
     Rule{"collapsing-matrix", Severity::Warning, collapsingMatrix},
     Rule{"zero-q", Severity::Warning, generatedZeroQ},
+    Rule{"flat-direction", Severity::Warning, flatDirection},
+    Rule{"cube-seams", Severity::Warning, cubeSeams},
     Rule{"env-color", Severity::Hint, noEnvColor},
     Rule{"lod-bias", Severity::Hint, noLodBias},
     Rule{"generation", Severity::Hint, noGeneration},

@@ -12,7 +12,7 @@ namespace texplorer {
 
 struct PlannedLevel {
     int number = 0; ///< GL's: 0 is the base
-    int width = 0;
+    int width = 0;  ///< extents without a border
     int height = 1;
     int depth = 1;
 
@@ -20,8 +20,9 @@ struct PlannedLevel {
 };
 
 struct LevelPlan {
-    std::vector<PlannedLevel> levels;  ///< ascending
+    std::vector<PlannedLevel> levels;  ///< ascending; those of every face alike
     int lastLevel = 1000;              ///< as TextureLevels has it
+    int border = 0;                    ///< as TextureLevels has it
     std::optional<BlockFormat> blocks; ///< kept from the file, or what the driver shall compress to
 };
 

@@ -23,15 +23,22 @@ constexpr std::array rows{
                                   "The colour that the stencil makes invisible; its alpha says nothing."),
     param<&Texture::internalFormat>(
         "internalFormat", "Image", "Internal format",
-        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, 0, format, GL_UNSIGNED_BYTE, pixels)",
+        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, border, format, GL_UNSIGNED_BYTE, pixels)",
         "Which components the texture keeps of the image; the environment treats each format differently."),
+    param<&Texture::border>(
+        "border", "Image", "Border",
+        "glTexImage2D(GL_TEXTURE_2D, level, internalFormat, width, height, {}, format, GL_UNSIGNED_BYTE, "
+        "pixels)",
+        "1: a ring of texels around each level replaces the border colour. It is the outer ring of an image "
+        "of 2^k + 2 texels a side; any other repeats its edge.",
+        {0, 1, 0.02F, {}}),
     param<&Texture::compression>(
         "compression", "Compression", "Compression", "",
         "Whether four by four texels share one small block, and who makes the blocks. A compressed texture "
         "has its own internal format."),
     param<&Texture::compressedFormat>(
         "compressedFormat", "Compression", "Format",
-        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, 0, format, GL_UNSIGNED_BYTE, pixels)",
+        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, border, format, GL_UNSIGNED_BYTE, pixels)",
         "What it is compressed to, by the driver or at run time; a file that is compressed has its own."),
     param<&Texture::compressionQuality>(
         "compressionQuality", "Compression", "Quality", "",
@@ -87,7 +94,7 @@ constexpr std::array rows{
         "priority", "Residency", "Priority", "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_PRIORITY, {})",
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
-static_assert(rows.size() == 26 && rows.size() == build::memberCount<Texture>());
+static_assert(rows.size() == 27 && rows.size() == build::memberCount<Texture>());
 
 } // namespace
 

@@ -12,7 +12,7 @@ constexpr std::array unitRows{
     param<&Unit::enabled>("enabled", "Unit", "Enabled", "glEnable(target)",
                           "Whether this unit applies its texture to the result of the units before it."),
     param<&Unit::target>("target", "Unit", "Target", "glEnable({})",
-                         "Whether the texture is a line, a picture or a volume."),
+                         "Whether the texture is a line, a picture, a volume or the six faces of a cube."),
     param<&Unit::texture>("texture", "Unit", "Texture", "glBindTexture(target, textures[{}])",
                           "Which of the scene's textures is bound, counted from 0.",
                           {0, static_cast<float>(maxTextures - 1), 0.05F, {}}),

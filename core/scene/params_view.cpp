@@ -26,12 +26,16 @@ constexpr std::array rows{
         "fieldOfView", "Camera", "Field of view", "gluPerspective({}, aspect, zNear, zFar)",
         "The vertical opening angle. An orthographic view shows the same height at the target.",
         {1, 170, 0.25F, "deg"}),
+    param<&View::perspectiveHint>(
+        "perspectiveHint", "Camera", "Perspective hint", "glHint(GL_PERSPECTIVE_CORRECTION_HINT, {})",
+        "GL_FASTEST interpolates straight across the window, as old hardware did: images swim. The shaders "
+        "and the reference do so; most drivers ignore the hint."),
     color<&View::background>(
         "background", "Background", "Background", "glClearColor({})",
         "What the frame is cleared to. Its alpha shows only where a blend factor asks for it; "
         "screenshots are opaque."),
 };
-static_assert(rows.size() == 7 && rows.size() == build::memberCount<View>());
+static_assert(rows.size() == 8 && rows.size() == build::memberCount<View>());
 
 } // namespace
 

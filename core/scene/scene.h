@@ -8,6 +8,7 @@
 #include "core/gl/combine.h"
 #include "core/gl/environment.h"
 #include "core/gl/fragment.h"
+#include "core/gl/hint.h"
 #include "core/gl/sampling.h"
 #include "core/gl/tex_gen.h"
 #include "core/image/mipmaps.h"
@@ -43,6 +44,7 @@ struct View {
     glm::vec3 target{0};
     Projection projection = Projection::Perspective;
     float fieldOfView = 40; ///< vertical, degrees; orthographic views show the same height at the target
+    HintMode perspectiveHint = HintMode::DontCare; ///< GL_PERSPECTIVE_CORRECTION_HINT
     glm::vec4 background{0, 0, 0, 0};
 
     bool operator==(const View&) const = default;
@@ -98,6 +100,7 @@ struct Texture {
     Transparency transparency = Transparency::File;
     glm::vec4 stencilColor{0, 0, 0, 1};           ///< for Transparency::Stencil; its alpha says nothing
     BaseFormat internalFormat = BaseFormat::Rgba; ///< of a texture that is not compressed
+    int border = 0;                               ///< 0 or 1: glTexImage's; see core/image/border.h
     Compression compression = Compression::FromFile;
     CompressedFormat compressedFormat = CompressedFormat::Dxt1;
     EncodeQuality compressionQuality = EncodeQuality::Normal; ///< for Compression::Cached

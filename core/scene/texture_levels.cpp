@@ -1,5 +1,7 @@
 #include "core/scene/texture_levels.h"
 
+#include "core/image/border.h"
+#include "core/image/cube_faces.h"
 #include "core/image/resample.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
@@ -9,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <new>
+#include <span>
 
 namespace texplorer {
 
@@ -50,7 +54,7 @@ public:
         , image_(image)
         , target_(target)
         , work_(work)
-        , turn_(fileOrder() ? image.topFirst != image.fileTopFirst : image.topFirst) {}
+        , turn_(fileOrder() ? image.topFirst != image.fileTopFirst : image.topFirst != isCube()) {}
 
     Result<TextureLevels> run();
     [[nodiscard]] LevelPlan plan();
@@ -58,23 +62,37 @@ public:
 private:
     /// Whether rows are wanted as a naive loader gives them to OpenGL: the file's first row first.
     [[nodiscard]] bool fileOrder() const {
-        return texture_.flip == FlipMode::Coordinates || texture_.flip == FlipMode::Matrix ||
-               texture_.flip == FlipMode::None;
+        const bool drawnHere = isCube() && texture_.source == SourceKind::Pattern; // has no file
+        return !drawnHere && (texture_.flip == FlipMode::Coordinates || texture_.flip == FlipMode::Matrix ||
+                              texture_.flip == FlipMode::None);
+    }
+    /// Then the top row of a picture goes to t = 0 (core/image/cube_faces.h).
+    [[nodiscard]] bool isCube() const { return target_ == Target::CubeMap; }
+    /// Whether the faces of a cube map have to be found in one picture.
+    [[nodiscard]] bool cutsFaces() const {
+        return isCube() && image_.faces != cubeFaceCount &&
+               cubeLayout(widthOf(base()), heightOf(base())) != CubeLayout::Same;
     }
     [[nodiscard]] bool generates() const {
         return texture_.mipmaps == MipPolicy::Generated || texture_.mipmaps == MipPolicy::Colored ||
                texture_.mipmaps == MipPolicy::Missing;
     }
+    [[nodiscard]] bool hasBorder() const { return texture_.border != 0; }
     [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }
+    /// A file without faces has the same for all.
+    [[nodiscard]] const Surface& surface(int face, int level) const {
+        return image_.surface(image_.faces == cubeFaceCount ? face : 0, level);
+    }
 
     [[nodiscard]] int levelCount() const;
     [[nodiscard]] PlannedLevel extentsFor(int number) const;
     [[nodiscard]] bool keepsBlocks();
     [[nodiscard]] Result<void> takeBlocks();
-    [[nodiscard]] Image pixels(const Surface& surface) const;
+    [[nodiscard]] Image pixels(int face, int level) const;
     void takePixels();
     [[nodiscard]] Result<void> compress();
     [[nodiscard]] Result<void> compressHere();
+    [[nodiscard]] Result<void> compressHere(std::span<TextureLevel> levels);
     void leaveOneOut();
     void note(std::string sentence) { out_.notes.push_back(std::move(sentence)); }
 
@@ -90,16 +108,24 @@ private:
 int Preparation::levelCount() const {
     if (texture_.mipmaps != MipPolicy::FromFile)
         return 1;
-    const int full = mipLevelCount(widthOf(base()), target_ == Target::Texture1D ? 1 : heightOf(base()),
-                                   target_ == Target::Texture3D ? depthOf(base()) : 1);
+    const PlannedLevel first = extentsFor(0);
+    const int full = mipLevelCount(first.width, first.height, first.depth);
     return std::min(image_.levels, full);
 }
 
 bool Preparation::keepsBlocks() {
     if (!std::holds_alternative<BlockImage>(base()) || texture_.compression != Compression::FromFile)
         return false;
-    if (target_ != Target::Texture2D) {
+    if (axesOf(target_) != 2) {
         note("OpenGL has compressed pictures only: decompressed for " + std::string(rowOf(target_).name));
+        return false;
+    }
+    if (cutsFaces()) {
+        note("cutting the faces of a cube map out of a picture needs pixels: decompressed");
+        return false;
+    }
+    if (hasBorder()) {
+        note("OpenGL has compressed textures without a border only: decompressed");
         return false;
     }
     if (generates()) {
@@ -133,54 +159,71 @@ bool Preparation::keepsBlocks() {
 }
 
 Result<void> Preparation::takeBlocks() {
-    for (int level = 0; level < levelCount(); ++level) {
-        const auto& from = std::get<BlockImage>(image_.surface(0, level));
-        BlockImage blocks = from.depth > 1 ? middleSlice(from) : from;
-        if (turn_) {
-            if (const Result<void> flipped = flipVertically(blocks); !flipped)
-                return fail(flipped.error());
+    for (int face = 0; face < facesOf(target_); ++face) {
+        for (int level = 0; level < levelCount(); ++level) {
+            const auto& from = std::get<BlockImage>(surface(face, level));
+            BlockImage blocks = from.depth > 1 ? middleSlice(from) : from;
+            if (turn_) {
+                if (const Result<void> flipped = flipVertically(blocks); !flipped)
+                    return fail(flipped.error());
+            }
+            out_.levels.push_back({level, std::move(blocks), face});
         }
-        out_.levels.push_back({level, std::move(blocks)});
     }
     return {};
 }
 
-/// One surface's part for the target, the right way up.
-Image Preparation::pixels(const Surface& surface) const {
+/// One face's part of a level for the target, the right way up.
+Image Preparation::pixels(int face, int level) const {
     // A line is the middle row of the picture as it is uploaded: it is taken after the flip.
-    const Target picked = target_ == Target::Texture1D ? Target::Texture2D : target_;
+    const Target picked = axesOf(target_) == 3 ? Target::Texture3D : Target::Texture2D;
+    const Surface& from = surface(face, level);
     Image part;
-    if (const Image* image = std::get_if<Image>(&surface))
+    if (const Image* image = std::get_if<Image>(&from))
         part = imageForTarget(*image, picked);
     else {
-        const auto& blocks = std::get<BlockImage>(surface);
+        const auto& blocks = std::get<BlockImage>(from);
         part = decodeBlocks(picked == Target::Texture2D && blocks.depth > 1 ? middleSlice(blocks) : blocks);
     }
     if (turn_)
         flipVertically(part);
+    if (cutsFaces())
+        part = cubeFace(part, face);
     if (texture_.transparency != Transparency::File)
         part = applyTransparency(std::move(part), texture_.transparency, stencil(texture_));
     return target_ == Target::Texture1D ? imageForTarget(part, target_) : part;
 }
 
 void Preparation::takePixels() {
-    MipChain chain;
-    if (texture_.mipmaps == MipPolicy::FromFile) {
-        for (int level = 0; level < levelCount(); ++level)
-            chain.push_back(pixels(image_.surface(0, level)));
-    } else {
-        chain = applyMipPolicy(texture_.mipmaps, pixels(base()),
-                               {texture_.mipFilter, texture_.mipGamma, texture_.npot});
+    const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot};
+    const int axes = axesOf(target_);
+    out_.border = hasBorder() ? 1 : 0;
+    for (int face = 0; face < facesOf(target_); ++face) {
+        MipChain chain;
+        if (texture_.mipmaps == MipPolicy::FromFile) {
+            for (int level = 0; level < levelCount(); ++level) {
+                Image image = pixels(face, level);
+                chain.push_back(hasBorder() ? repeatEdges(image, axes) : std::move(image));
+            }
+        } else if (hasBorder())
+            chain = applyMipPolicyWithBorder(texture_.mipmaps, pixels(face, 0), axes, options);
+        else
+            chain = applyMipPolicy(texture_.mipmaps, pixels(face, 0), options);
+        int number = 0;
+        for (Image& level : chain)
+            out_.levels.push_back({number++, std::move(level), face});
     }
-    for (Image& level : chain)
-        out_.levels.push_back({static_cast<int>(out_.levels.size()), std::move(level)});
 }
 
 Result<void> Preparation::compress() {
     if (texture_.compression != Compression::Driver && texture_.compression != Compression::Cached)
         return {};
-    if (target_ != Target::Texture2D) {
+    if (axesOf(target_) != 2) {
         note("OpenGL has compressed pictures only: not compressed for " + std::string(rowOf(target_).name));
+        return {};
+    }
+    if (hasBorder()) {
+        note("OpenGL has compressed textures without a border only: not compressed");
         return {};
     }
     if (texture_.compression == Compression::Cached)
@@ -189,41 +232,56 @@ Result<void> Preparation::compress() {
     return {};
 }
 
-/// From the cache, else anew and then kept there.
+/// From the cache, else anew and then kept there. Each face of a cube map is kept for itself.
 Result<void> Preparation::compressHere() {
+    const auto perFace = out_.levels.size() / static_cast<std::size_t>(facesOf(target_));
+    out_.fromCache = true;
+    for (std::size_t first = 0; first < out_.levels.size(); first += perFace) {
+        if (const Result<void> made = compressHere(std::span(out_.levels).subspan(first, perFace)); !made)
+            return made;
+    }
+    return {};
+}
+
+Result<void> Preparation::compressHere(std::span<TextureLevel> levels) {
     const BlockFormat format = blockFormat(texture_.compressedFormat);
-    for (TextureLevel& level : out_.levels)
-        out_.source.push_back(std::get<Image>(std::move(level.surface)));
-    const std::filesystem::path file = work_.cache.fileFor(out_.source, format, texture_.compressionQuality);
-    auto blocks = work_.cache.find(file, out_.source, format);
-    out_.fromCache = blocks.has_value();
+    MipChain source;
+    for (TextureLevel& level : levels)
+        source.push_back(std::get<Image>(std::move(level.surface)));
+    const std::filesystem::path file = work_.cache.fileFor(source, format, texture_.compressionQuality);
+    auto blocks = work_.cache.find(file, source, format);
+    out_.fromCache = out_.fromCache && blocks.has_value();
     if (!blocks) {
-        auto made =
-            encodeLevels(out_.source, format, texture_.compressionQuality, work_.progress, work_.stop);
+        auto made = encodeLevels(source, format, texture_.compressionQuality, work_.progress, work_.stop);
         if (!made)
             return fail(made.error());
         if (const Result<void> kept = work_.cache.keep(file, *made); !kept)
             note("the compressed levels are not kept for the next time: " + describe(kept.error()));
         blocks = *std::move(made);
     }
-    for (std::size_t i = 0; i < out_.levels.size(); ++i)
-        out_.levels[i].surface = std::move((*blocks)[i]);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        levels[i].surface = std::move((*blocks)[i]);
+    std::ranges::move(source, std::back_inserter(out_.source));
     return {};
 }
 
 void Preparation::leaveOneOut() {
-    const int missing = missingLevel(static_cast<int>(out_.levels.size()));
+    const int missing = missingLevel(out_.levels.empty() ? 0 : out_.levels.back().number + 1);
     if (missing < 0)
         return note("there is only a base level: none can be left out");
-    out_.levels.erase(out_.levels.begin() + missing);
-    if (!out_.source.empty())
-        out_.source.erase(out_.source.begin() + missing);
+    for (std::size_t i = out_.levels.size(); i-- > 0;) {
+        if (out_.levels[i].number != missing)
+            continue;
+        out_.levels.erase(out_.levels.begin() + static_cast<std::ptrdiff_t>(i));
+        if (!out_.source.empty())
+            out_.source.erase(out_.source.begin() + static_cast<std::ptrdiff_t>(i));
+    }
 }
 
 Result<TextureLevels> Preparation::run() {
-    if (image_.faces > 1)
+    if (image_.faces > 1 && !isCube())
         note("the file is a cube map of " + number(image_.faces) + " faces; its first, +x, is drawn");
-    if (fileOrder() && texture_.flip != FlipMode::None && image_.fileTopFirst)
+    if (fileOrder() && !isCube() && texture_.flip != FlipMode::None && image_.fileTopFirst)
         out_.lateFlip = texture_.flip == FlipMode::Coordinates ? LateFlip::Coordinates : LateFlip::Matrix;
     if (texture_.mipmaps == MipPolicy::FromFile)
         out_.lastLevel = levelCount() - 1;
@@ -244,6 +302,10 @@ Result<TextureLevels> Preparation::run() {
 /// The part of a level of the file that the target takes.
 PlannedLevel Preparation::extentsFor(int number) const {
     const Surface& surface = image_.surface(0, number);
+    if (cutsFaces()) {
+        const auto [width, height] = cubeFaceExtents(widthOf(surface), heightOf(surface));
+        return {number, width, height, 1};
+    }
     return {number, widthOf(surface), target_ == Target::Texture1D ? 1 : heightOf(surface),
             target_ == Target::Texture3D ? depthOf(surface) : 1};
 }
@@ -260,12 +322,17 @@ LevelPlan Preparation::plan() {
     }
     const bool compresses =
         texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
-    if (compresses && target_ == Target::Texture2D)
+    if (compresses && axesOf(target_) == 2 && !hasBorder())
         plan.blocks = blockFormat(texture_.compressedFormat);
+    plan.border = hasBorder() ? 1 : 0;
     if (texture_.mipmaps == MipPolicy::FromFile)
         return plan;
     PlannedLevel level = plan.levels.front();
-    if (texture_.npot == NpotPolicy::PowerOfTwo)
+    if (hasBorder() && hasBorderExtents(level.width, level.height, level.depth, axesOf(target_))) {
+        level.width -= 2;
+        level.height -= axesOf(target_) > 1 ? 2 : 0;
+        level.depth -= axesOf(target_) > 2 ? 2 : 0;
+    } else if (texture_.npot == NpotPolicy::PowerOfTwo)
         level = {0, nearestPowerOfTwo(level.width), nearestPowerOfTwo(level.height),
                  nearestPowerOfTwo(level.depth)};
     plan.levels = {level};

@@ -23,13 +23,15 @@ enum class LateFlip : std::uint8_t { None, Coordinates, Matrix };
 struct TextureLevel {
     int number = 0; ///< GL's: 0 is the base
     Surface surface;
+    int face = 0; ///< of a cube map: counted as CubeFace
 };
 
 struct TextureLevels {
-    std::vector<TextureLevel> levels; ///< ascending; row 0 goes to t = 0
+    std::vector<TextureLevel> levels; ///< ascending, one face after the other; row 0 goes to t = 0
     /// The last level of a file that holds fewer than a full chain: GL_TEXTURE_MAX_LEVEL must not exceed it.
     int lastLevel = 1000;
     LateFlip lateFlip = LateFlip::None;
+    int border = 0; ///< how many texels of every level's extents are border, on each side of each axis
     std::optional<BlockFormat> driverFormat; ///< what the driver shall compress the levels to
     /// What compressed levels were made of, in the same order: what their loss is measured against. Empty
     /// where nothing was compressed here.
@@ -67,9 +69,11 @@ struct LevelReport {
     int width = 0;
     int height = 0;
     int depth = 1;
-    std::size_t bytes = 0;
-    /// Peak signal-to-noise ratio against the source, in dB over those of red, green, blue and alpha that the
-    /// format keeps; infinite where both are equal, none where there is no source to compare with.
+    int faces = 1;         ///< 6 for a cube map
+    std::size_t bytes = 0; ///< of all faces
+    /// Of the worst face: peak signal-to-noise ratio against the source, in dB over those of red, green, blue
+    /// and alpha that the format keeps; infinite where both are equal, none where there is no source to
+    /// compare with.
     std::optional<double> psnr;
 };
 

@@ -4,6 +4,7 @@
 #include "core/s3tc/decode.h"
 #include "core/scene/texture_levels.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -95,7 +96,7 @@ TextureReport reportOn(const TextureLevels& levels) {
     for (LevelReport& level : report.levels) {
         const auto blocks = [](int extent) { return (static_cast<std::size_t>(extent) + 3) / 4; };
         level.bytes = blocks(level.width) * blocks(level.height) * static_cast<std::size_t>(level.depth) *
-                      bytesPerBlock(*levels.driverFormat);
+                      static_cast<std::size_t>(level.faces) * bytesPerBlock(*levels.driverFormat);
         report.bytes += level.bytes;
     }
     if (before == 0)
@@ -112,15 +113,18 @@ TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& 
     double texels = 0;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const Surface& surface = levels[i].surface;
-        LevelReport& level = report.levels.emplace_back();
+        const auto known = std::ranges::find(report.levels, levels[i].number, &LevelReport::number);
+        const bool isNew = known == report.levels.end();
+        LevelReport& level = isNew ? report.levels.emplace_back() : *known;
         level.number = levels[i].number;
         level.width = widthOf(surface);
         level.height = heightOf(surface);
         level.depth = depthOf(surface);
-        level.bytes = byteCount(surface);
-        if (i < source.size())
-            level.psnr = psnrOf(surface, source[i]);
-        report.bytes += level.bytes;
+        level.faces += isNew ? 0 : 1;
+        level.bytes += byteCount(surface);
+        if (const auto psnr = i < source.size() ? psnrOf(surface, source[i]) : std::nullopt; psnr)
+            level.psnr = std::min(level.psnr.value_or(*psnr), *psnr);
+        report.bytes += byteCount(surface);
         texels += static_cast<double>(level.width) * level.height * level.depth;
     }
     if (report.bytes == 0)
@@ -138,6 +142,8 @@ std::string describe(const TextureReport& report) {
         std::string extents = std::to_string(level.width) + " x " + std::to_string(level.height);
         if (level.depth > 1)
             extents += " x " + std::to_string(level.depth);
+        if (level.faces > 1)
+            extents += ", " + std::to_string(level.faces) + " faces";
         std::snprintf(line.data(), line.size(), "level %2d  %-16s %10zu bytes", level.number, extents.c_str(),
                       level.bytes);
         text.append(line.data()).append(psnrText(level.psnr)).append("\n");

@@ -230,6 +230,39 @@ class Shot(Texshot):
                 alone = self.shot(scene, "--renderer", renderer, "--size", "583x682")
                 self.assertIsNone(ImageChops.difference(window.crop(place), alone).getbbox())
 
+    def test_the_reference_knows_two_ways_of_anisotropy(self):
+        floor = ["--size", "64x48", "--renderer", "reference", "--set", "models[0].shape=floor",
+                 "--set", "textures[0].maxAnisotropy=8"]
+        probes = self.shot(*floor)
+        self.assertEqual(self.shot(*floor, "--anisotropy", "probes").tobytes(), probes.tobytes())
+        self.assertNotEqual(self.shot(*floor, "--anisotropy", "ellipse").tobytes(), probes.tobytes())
+        out = self.path / "out.png"
+        self.complains(2, 'expected one of probes, ellipse, found "fast"',
+                       "shot", "--renderer", "reference", "--anisotropy", "fast", "-o", out)
+        self.complains(2, "only the reference has a choice", "shot", "--anisotropy", "ellipse", "-o", out)
+
+    def test_a_cross_is_cut_into_the_faces_of_a_cube_map(self):
+        cross = Image.new("RGB", (64, 48))
+        colours = {"+x": (255, 0, 0), "-x": (0, 255, 255), "+y": (0, 255, 0), "-y": (255, 0, 255),
+                   "+z": (0, 0, 255), "-z": (255, 255, 0)}
+        places = {"+x": (2, 1), "-x": (0, 1), "+y": (1, 0), "-y": (1, 2), "+z": (1, 1), "-z": (3, 1)}
+        for name, (column, row) in places.items():
+            cross.paste(colours[name], (16 * column, 16 * row, 16 * column + 16, 16 * row + 16))
+        cross.save(self.path / "cross.png")
+        (self.path / "cube.json").write_text("""{"version": 1, "models": [{"shape": "cube"}],
+            "textures": [{"source": "file", "file": "cross.png", "magFilter": "GL_NEAREST",
+                          "minFilter": "GL_NEAREST"}],
+            "passes": [{"depthTest": true, "units": [{"enabled": true, "target": "GL_TEXTURE_CUBE_MAP",
+              "envMode": "GL_REPLACE", "texGenS": {"enabled": true, "mode": "GL_OBJECT_LINEAR"},
+              "texGenT": {"enabled": true, "mode": "GL_OBJECT_LINEAR"},
+              "texGenR": {"enabled": true, "mode": "GL_OBJECT_LINEAR", "objectPlane": [0, 0, 1, 0]}}]}]}""")
+        views = {"+z": (0, 0), "+x": (90, 0), "-z": (180, 0), "-x": (270, 0), "+y": (0, 89), "-y": (0, -89)}
+        for renderer in ("fixed", "shader", "reference"):
+            for name, (azimuth, elevation) in views.items():
+                seen = self.shot(self.path / "cube.json", "--size", "33x33", "--renderer", renderer,
+                                 "--set", f"view.azimuth={azimuth}", "--set", f"view.elevation={elevation}")
+                self.assertEqual(seen.getpixel((16, 16))[:3], colours[name], f"{renderer} {name}")
+
     def test_a_renderer_that_does_not_exist_is_refused(self):
         self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
                        "shot", "--renderer", "metal", "-o", self.path / "out.png")

@@ -1,6 +1,7 @@
 // The diagnosis against the driver: what it calls incomplete is drawn as if the unit were off, and what it
 // says has no effect changes no pixel when it is set to something else.
 
+#include "app/render/driver_facts.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/params.h"
 #include "tests/support/flat_scene.h"
@@ -101,7 +102,7 @@ Value otherThan(const ParamRow& row, const Value& value) {
     if (bool* flag = std::get_if<bool>(&other))
         *flag = !*flag;
     else if (int* whole = std::get_if<int>(&other))
-        *whole = *whole == 3 ? 2 : 3;
+        *whole = *whole == 3 ? 2 : std::min(3, static_cast<int>(row.range.max));
     else if (float* number = std::get_if<float>(&other))
         *number = *number == row.range.max ? row.range.min : row.range.max;
     else if (auto* vector = std::get_if<glm::vec4>(&other))
@@ -119,7 +120,7 @@ class EffectOnTheDriver : public RenderTest {};
 
 /// Scenes that differ in what decides whether settings matter.
 std::vector<Scene> variants() {
-    std::vector<Scene> scenes(8, defaultScene());
+    std::vector<Scene> scenes(10, defaultScene());
     for (Scene& scene : scenes) {
         scene.view.background = {0.2F, 0.1F, 0.3F, 1};
         scene.textures[0].pattern = Pattern::UvTemplate;
@@ -146,6 +147,14 @@ std::vector<Scene> variants() {
     scenes[7].light.specular = {0, 0, 0, 1};
     scenes[7].passes[0].units[1] = scenes[7].passes[0].units[0];
     scenes[7].passes[0].units[1].envMode = EnvMode::Replace;
+    scenes[8].textures[0].pattern = Pattern::CubeFaces;
+    scenes[8].textures[0].wrapS = scenes[8].textures[0].wrapT = Wrap::ClampToEdge;
+    scenes[8].passes[0].units[0].target = Target::CubeMap;
+    for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR}) {
+        (scenes[8].passes[0].units[0].*each).enabled = true;
+        (scenes[8].passes[0].units[0].*each).mode = TexGenMode::NormalMap;
+    }
+    scenes[9].textures[0].border = 1;
     return scenes;
 }
 
@@ -155,7 +164,7 @@ TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
     for (const Scene& scene : variants()) {
         const Image before = picture(scene, 96);
         EXPECT_TRUE(problems.empty());
-        const std::vector<Finding> findings = diagnose(scene, images);
+        const std::vector<Finding> findings = diagnose(scene, images, render::driverFacts(capabilities));
         forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
             const Finding* idle = idleReasonOf(findings, path);
             // Units that are off have nothing to show; a file would have to be there.

@@ -270,6 +270,76 @@ TEST_F(Reference, GeneratesTheSameCoordinates) {
     }
 }
 
+// The hint is for fixed functions, and Mesa ignores it; the shaders interpolate as the reference does.
+TEST_F(Reference, InterpolatesWithoutPerspectiveAsTheShadersDo) {
+    Scene scene = texturedScene();
+    images.put("image",
+               rgbaImage(2, 2, 1, {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 99, 199, 255}}));
+    scene.view.projection = Projection::Perspective;
+    scene.view.distance = 2;
+    scene.models[0].rotation = {50, 20, 0};
+    scene.models[0].position.x = 1; // partly outside of the view
+    scene.models[0].texCoords[0] = quadCoords({0, 0, 0, 1}, {5, 7, 0, 1});
+    agree(scene, 0.005);
+    scene.view.perspectiveHint = HintMode::Fastest;
+    if (testedRenderer() == RendererKind::Shader) {
+        agree(scene, 0.005);
+    } else {
+        const Image hinted = picture(scene, 96);
+        scene.view.perspectiveHint = HintMode::Nicest;
+        EXPECT_EQ(picture(scene, 96), hinted);
+    }
+}
+
+TEST_F(Reference, InterpolatesColoursWithoutPerspectiveAsTheShadersDo) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].enabled = false;
+    scene.models.erase(scene.models.begin());
+    scene.models[0].slices = 4;
+    scene.models[0].stacks = 2;
+    scene.view.fieldOfView = 120;
+    scene.view.distance = 1.8F;
+    scene.light.colorControl = ColorControl::SeparateSpecular;
+    scene.view.perspectiveHint = HintMode::Fastest;
+    if (testedRenderer() == RendererKind::Shader)
+        agree(scene, 0.005);
+}
+
+// Where the driver takes the border away, the inside and the border colour must be the same.
+TEST_F(Reference, DrawsTheInsideOfAnImageWithABorderAlike) {
+    Image framed = Image::uninitialised(PixelFormat::Rgba8, 10, 10);
+    for (int y = 0; y < 10; ++y) {
+        for (int x = 0; x < 10; ++x) {
+            const bool border = x == 0 || y == 0 || x == 9 || y == 9;
+            const auto texel = framed.at(x, y);
+            texel[0] = static_cast<std::byte>(border ? 255 : 20 * x);
+            texel[1] = static_cast<std::byte>(border ? 255 : 20 * y);
+            texel[2] = static_cast<std::byte>(border ? 255 : 50);
+            texel[3] = std::byte{255};
+        }
+    }
+    images.put("image", framed);
+    Scene scene = texturedScene();
+    scene.textures[0].border = 1;
+    scene.textures[0].mipmaps = MipPolicy::Generated;
+    scene.models[0].texCoords[0] = quadCoords({0, 0, 0, 1}, {1, 1, 0, 1});
+    for (const MinFilter filter : {MinFilter::Nearest, MinFilter::LinearMipmapNearest}) {
+        scene.textures[0].minFilter = filter;
+        agree(scene, 0, 1, 64);
+        agree(scene, 0, 1, 2);
+    }
+    // Outside the reference shows white texels, Mesa the border colour.
+    scene.textures[0].wrapS = scene.textures[0].wrapT = Wrap::ClampToBorder;
+    scene.textures[0].borderColor = {0.2F, 0.4F, 0.6F, 1};
+    scene.models[0].texCoords[0] = quadCoords({3, 3, 0, 1});
+    const Result<reference::Drawn> ours = reference::drawReference(scene, images, 0, 8, 8);
+    ASSERT_TRUE(ours);
+    EXPECT_TRUE(isColor(colorAt(ours->image, 4, 4), glm::vec4(1), 0));
+    if (!capabilities.textureBorders) {
+        EXPECT_TRUE(isColor(onlyColor(scene), {0.2F, 0.4F, 0.6F, 1}));
+    }
+}
+
 // --- Filters
 
 struct Filter {

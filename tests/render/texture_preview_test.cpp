@@ -67,6 +67,37 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Alpha", BaseFormat::Alpha, {255, 255, 255, 128}}),
     [](const auto& test) { return test.param.name; });
 
+TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
+    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    ASSERT_TRUE(loadCapabilities().has_value());
+    TextureImage file;
+    file.faces = 6;
+    file.topFirst = true;
+    for (int face = 0; face < 6; ++face) {
+        Image image = Image::uninitialised(PixelFormat::Luminance8, 1, 1);
+        image.pixels[0] = static_cast<std::byte>(40 + face);
+        file.surfaces.emplace_back(std::move(image));
+    }
+    ImageSource images;
+    images.put("cube", std::move(file));
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.file = "cube";
+    TexturePreview preview;
+    const unsigned name = preview.show(texture, images);
+    ASSERT_NE(name, 0U);
+    EXPECT_EQ(preview.show(texture, images), name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    std::array<unsigned char, 12> shown{};
+    GLint width = 0;
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    ASSERT_EQ(width, 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_UNSIGNED_BYTE, shown.data());
+    // Bottom row first: -y, then -x +z +x -z, then +y.
+    EXPECT_EQ(shown, (std::array<unsigned char, 12>{0, 43, 0, 0, 41, 44, 40, 45, 0, 42, 0, 0}));
+}
+
 TEST(TexturePreview, ShowsNothingWhereTheImageIsNotLoaded) {
     const auto context = offscreen::OsmesaContext::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());

@@ -55,6 +55,33 @@ TEST(Commands, DisableWhatIsOffAndFillInTheirNeighbours) {
     EXPECT_THAT(calls(scene), Contains("glEnable(GL_DEPTH_TEST);"));
 }
 
+TEST(Commands, NameTheTargetThatTheTextureIsShownAs) {
+    Scene scene = defaultScene();
+    scene.textures[0].border = 1;
+    const auto upload = [&](Target target) {
+        scene.passes[0].units[0].target = target;
+        for (const std::string& call : calls(scene)) {
+            if (call.starts_with("glTexImage"))
+                return call;
+        }
+        return std::string();
+    };
+    EXPECT_EQ(upload(Target::Texture1D),
+              "glTexImage1D(GL_TEXTURE_1D, level, GL_RGBA, width, 1, format, GL_UNSIGNED_BYTE, pixels);");
+    EXPECT_EQ(upload(Target::Texture2D),
+              "glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA, width, height, 1, format, "
+              "GL_UNSIGNED_BYTE, pixels);");
+    EXPECT_EQ(upload(Target::Texture3D),
+              "glTexImage3D(GL_TEXTURE_3D, level, GL_RGBA, width, height, depth, 1, "
+              "format, GL_UNSIGNED_BYTE, pixels);");
+    EXPECT_EQ(upload(Target::CubeMap), "glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_RGBA, "
+                                       "width, height, 1, format, GL_UNSIGNED_BYTE, pixels);");
+    EXPECT_THAT(calls(scene),
+                Contains("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_REPEAT);"));
+    EXPECT_THAT(calls(scene), Contains("glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_DONT_CARE);"));
+    EXPECT_THAT(calls(scene), Contains(testing::StartsWith("glTexImage")).Times(1));
+}
+
 TEST(Commands, LeaveOutUnitsThatAreOff) {
     Scene scene = defaultScene();
     EXPECT_EQ(find(commandsOf(scene), "passes[0].units[1].envMode"), nullptr);

@@ -66,6 +66,21 @@ TEST_F(TextureSpace, DraggingElsewhereMovesThePlaneNotTheScene) {
     EXPECT_NEAR(session->plane.s, 0.5F, 1e-5F);
 }
 
+// Faces of a third of the picture's height, +x in the third column.
+TEST_F(TextureSpace, ShowsTheFacesOfACubeMapSideBySide) {
+    scene().textures[0].pattern = Pattern::CubeFaces;
+    scene().passes[0].units[0].target = Target::CubeMap;
+    frames(2);
+    EXPECT_FALSE(has("coord:0")) << "a direction has no place here";
+    const ImVec2 inPositiveX = at(0.69F, 0.4F);
+    EXPECT_GT(channel(inPositiveX, 0), channel(inPositiveX, 1) + 80);
+    const ImVec2 inPositiveY = at(0.44F, 0.66F);
+    EXPECT_GT(channel(inPositiveY, 1), channel(inPositiveY, 0) + 60);
+    const Scene before = scene();
+    drag(at(0, 0), {30, 10});
+    EXPECT_EQ(scene(), before);
+}
+
 struct Heavy {
     const char* name;
     Shape shape;

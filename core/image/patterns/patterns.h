@@ -15,5 +15,6 @@ namespace texplorer {
 [[nodiscard]] Image drawTree();
 [[nodiscard]] Image drawMipColors();
 [[nodiscard]] Image drawMarble();
+[[nodiscard]] Image drawCubeFaces();
 
 } // namespace texplorer

@@ -61,6 +61,7 @@ constexpr Extents allPatterns[] = {
     {"Tree", Pattern::Tree, 256, 256, 1},
     {"MipColors", Pattern::MipColors, 128, 128, 1},
     {"Marble", Pattern::Marble, 32, 32, 32},
+    {"CubeFaces", Pattern::CubeFaces, 512, 384, 1},
 };
 static_assert(std::size(allPatterns) == patternRows.size());
 

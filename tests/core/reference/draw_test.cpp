@@ -88,7 +88,8 @@ TEST(DrawReference, InterpolatesPerspectiveCorrectlyOrNot) {
     images.put("halves", halves);
 
     const auto light = [&](bool perspective) {
-        const Image image = drawn(scene, 64, {.perspectiveCorrect = perspective}, images);
+        scene.view.perspectiveHint = perspective ? HintMode::Nicest : HintMode::Fastest;
+        const Image image = drawn(scene, 64, {}, images);
         int count = 0;
         for (int y = 0; y < 64; ++y)
             count += pixelAt(image, 32, y)[0] == 200 ? 1 : 0;
@@ -164,7 +165,8 @@ TEST_P(BadScene, IsDrawnWithoutHarm) {
     GetParam().spoil(scene);
     EXPECT_EQ(drawn(scene, 48), drawn(scene, 48, {.literal = true}));
     scene.textures[0].maxAnisotropy = 16;
-    DrawOptions options{.perspectiveCorrect = false, .anisotropy = AnisotropyMethod::Ellipse};
+    scene.view.perspectiveHint = HintMode::Fastest;
+    DrawOptions options{.anisotropy = AnisotropyMethod::Ellipse};
     const Image quick = drawn(scene, 48, options);
     options.literal = true;
     EXPECT_EQ(quick, drawn(scene, 48, options));

@@ -161,7 +161,9 @@ TEST(FastDraw, GivesTheBytesOfTheLiteralOneForEveryDepthFunction) {
 
 TEST(FastDraw, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
     for (Scene scene : {defaultScene(), floorScene()}) {
-        expectTheSame(scene, {.perspectiveCorrect = false});
+        scene.view.perspectiveHint = HintMode::Fastest;
+        expectTheSame(scene);
+        scene.view.perspectiveHint = HintMode::DontCare;
         scene.textures[0].maxAnisotropy = 8;
         expectTheSame(scene, {.anisotropy = AnisotropyMethod::Ellipse});
     }

@@ -332,69 +332,86 @@ void showOnly(Scene& scene, Shape shape) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, EveryPixel,
-    testing::Values(
-        Case{"Default", [](Scene&) {}}, Case{"Floor", [](Scene& it) { showOnly(it, Shape::Floor); }},
-        Case{"Anisotropic",
-             [](Scene& it) {
-                 showOnly(it, Shape::Floor);
-                 it.textures[0].maxAnisotropy = 8;
-             }},
-        Case{"AnisotropicEllipse",
-             [](Scene& it) {
-                 showOnly(it, Shape::Floor);
-                 it.textures[0].maxAnisotropy = 8;
-             },
-             {.anisotropy = AnisotropyMethod::Ellipse}},
-        Case{"Affine", [](Scene& it) { showOnly(it, Shape::Floor); }, {.perspectiveCorrect = false}},
-        Case{"EyeInside", [](Scene& it) { it.view.distance = 0.5F; }},
-        Case{"Flat",
-             [](Scene& it) {
-                 it.material.shadeModel = ShadeModel::Flat;
-                 it.models[1].spin = {10, 20, 30};
-             }},
-        Case{"SeparateSpecular", [](Scene& it) { it.light.colorControl = ColorControl::SeparateSpecular; }},
-        Case{"TwoPasses",
-             [](Scene& it) {
-                 it.passes.push_back(it.passes[0]);
-                 it.passes[1].blend = true;
-                 it.passes[1].blendSrc = BlendFactor::OneMinusDstColor;
-                 it.passes[1].blendDst = BlendFactor::One;
-                 it.passes[1].depthFunc = CompareFunc::LessEqual;
-                 it.passes[1].units[0].texGenS = {true, TexGenMode::SphereMap, {}, {}};
-                 it.passes[1].units[0].texGenT = {true, TexGenMode::SphereMap, {}, {}};
-             }},
-        Case{"Transparent",
-             [](Scene& it) {
-                 it.material.color.a = 0.4F;
-                 it.passes[0].depthTest = false;
-                 it.passes[0].blend = true;
-                 it.passes[0].blendSrc = BlendFactor::SrcAlpha;
-                 it.passes[0].blendDst = BlendFactor::OneMinusSrcAlpha;
-             }},
-        Case{"AlphaTest",
-             [](Scene& it) {
-                 it.textures[0].internalFormat = BaseFormat::Intensity;
-                 it.passes[0].alphaTest = true;
-                 it.passes[0].alphaFunc = CompareFunc::Greater;
-                 it.passes[0].alphaRef = 0.6F;
-             }},
-        Case{"Combine",
-             [](Scene& it) {
-                 Unit& first = it.passes[0].units[0];
-                 Unit& second = it.passes[0].units[1];
-                 second = first;
-                 second.envMode = EnvMode::Combine;
-                 second.combine.rgb = CombineRgb::Dot3Rgba;
-                 second.combine.source1Rgb = CombineSource::Texture0;
-                 second.combine.rgbScale = CombineScale::Two;
-                 second.matrix = {{.op = MatrixOp::Rotate, .amount = {0, 0, 1}, .angle = 30}};
-             }},
-        Case{"Incomplete", [](Scene& it) { it.textures[0].mipmaps = MipPolicy::None; }},
-        Case{"NanCoordinates",
-             [](Scene& it) {
-                 it.models[0].texCoords[0] = TexCoords(24, glm::vec4(nan));
-                 it.models[1].position.x = infinity;
-             }}),
+    testing::Values(Case{"Default", [](Scene&) {}},
+                    Case{"Floor", [](Scene& it) { showOnly(it, Shape::Floor); }},
+                    Case{"Anisotropic",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Floor);
+                             it.textures[0].maxAnisotropy = 8;
+                         }},
+                    Case{"AnisotropicEllipse",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Floor);
+                             it.textures[0].maxAnisotropy = 8;
+                         },
+                         {.anisotropy = AnisotropyMethod::Ellipse}},
+                    Case{"Affine",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Floor);
+                             it.view.perspectiveHint = HintMode::Fastest;
+                         }},
+                    Case{"CubeMap",
+                         [](Scene& it) {
+                             it.passes[0].units[0].target = Target::CubeMap;
+                             it.textures[0].pattern = Pattern::CubeFaces;
+                             for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR})
+                                 it.passes[0].units[0].*each = {true, TexGenMode::NormalMap, {}, {}};
+                         }},
+                    Case{"Border",
+                         [](Scene& it) {
+                             it.textures[0].border = 1;
+                             it.textures[0].wrapS = it.textures[0].wrapT = Wrap::Clamp;
+                         }},
+                    Case{"EyeInside", [](Scene& it) { it.view.distance = 0.5F; }},
+                    Case{"Flat",
+                         [](Scene& it) {
+                             it.material.shadeModel = ShadeModel::Flat;
+                             it.models[1].spin = {10, 20, 30};
+                         }},
+                    Case{"SeparateSpecular",
+                         [](Scene& it) { it.light.colorControl = ColorControl::SeparateSpecular; }},
+                    Case{"TwoPasses",
+                         [](Scene& it) {
+                             it.passes.push_back(it.passes[0]);
+                             it.passes[1].blend = true;
+                             it.passes[1].blendSrc = BlendFactor::OneMinusDstColor;
+                             it.passes[1].blendDst = BlendFactor::One;
+                             it.passes[1].depthFunc = CompareFunc::LessEqual;
+                             it.passes[1].units[0].texGenS = {true, TexGenMode::SphereMap, {}, {}};
+                             it.passes[1].units[0].texGenT = {true, TexGenMode::SphereMap, {}, {}};
+                         }},
+                    Case{"Transparent",
+                         [](Scene& it) {
+                             it.material.color.a = 0.4F;
+                             it.passes[0].depthTest = false;
+                             it.passes[0].blend = true;
+                             it.passes[0].blendSrc = BlendFactor::SrcAlpha;
+                             it.passes[0].blendDst = BlendFactor::OneMinusSrcAlpha;
+                         }},
+                    Case{"AlphaTest",
+                         [](Scene& it) {
+                             it.textures[0].internalFormat = BaseFormat::Intensity;
+                             it.passes[0].alphaTest = true;
+                             it.passes[0].alphaFunc = CompareFunc::Greater;
+                             it.passes[0].alphaRef = 0.6F;
+                         }},
+                    Case{"Combine",
+                         [](Scene& it) {
+                             Unit& first = it.passes[0].units[0];
+                             Unit& second = it.passes[0].units[1];
+                             second = first;
+                             second.envMode = EnvMode::Combine;
+                             second.combine.rgb = CombineRgb::Dot3Rgba;
+                             second.combine.source1Rgb = CombineSource::Texture0;
+                             second.combine.rgbScale = CombineScale::Two;
+                             second.matrix = {{.op = MatrixOp::Rotate, .amount = {0, 0, 1}, .angle = 30}};
+                         }},
+                    Case{"Incomplete", [](Scene& it) { it.textures[0].mipmaps = MipPolicy::None; }},
+                    Case{"NanCoordinates",
+                         [](Scene& it) {
+                             it.models[0].texCoords[0] = TexCoords(24, glm::vec4(nan));
+                             it.models[1].position.x = infinity;
+                         }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace

@@ -145,6 +145,60 @@ INSTANTIATE_TEST_SUITE_P(
                 s.showFile(64, 2);
             },
             [](Stage& s) { s.showFile(32, 2); }},
+        Row{"FacesNotSquare", "incomplete", Warning, "textures[0].file",
+            "must be square, and they have 8 x 4",
+            [](Stage& s) {
+                s.showFile(8, 4);
+                s.unit().target = Target::CubeMap;
+            },
+            [](Stage& s) { s.showFile(24, 4); }},
+        Row{"CubeTooLarge", "size-limit", Error, "textures[0].file", "64 x 64 texels exceed the driver's 32",
+            [](Stage& s) {
+                s.driver.maxCubeMapSize = 32;
+                s.showFile(384, 64);
+                s.unit().target = Target::CubeMap;
+            },
+            [](Stage& s) { s.showFile(192, 32); }},
+        Row{"CubeSeams", "cube-seams", Warning, "textures[0].wrapS", "GL_REPEAT reaches beyond the edge",
+            [](Stage& s) { s.unit().target = Target::CubeMap; }},
+        Row{"CubeSeamsOfT", "cube-seams", Warning, "textures[0].wrapT", "GL_CLAMP reaches beyond the edge",
+            [](Stage& s) {
+                s.unit().target = Target::CubeMap;
+                s.texture().wrapS = Wrap::ClampToEdge;
+                s.texture().wrapT = Wrap::Clamp;
+            },
+            [](Stage& s) {
+                s.texture().minFilter = MinFilter::Nearest;
+                s.texture().magFilter = MagFilter::Nearest;
+            }},
+        Row{"FlatDirection", "flat-direction", Warning, "passes[0].units[0].target", "r is 0 at every vertex",
+            [](Stage& s) { s.unit().target = Target::CubeMap; }},
+        Row{"FlatDirectionOfVertices", "flat-direction", Warning, "passes[0].units[0].target",
+            "as a direction", [](Stage& s) { s.unit().target = Target::CubeMap; },
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0].assign(24, {1, 1, 1, 1});
+            }},
+        Row{"LostBorder", "lost-border", Warning, "textures[0].border", "the reference renderer shows",
+            [](Stage& s) {
+                s.driver.textureBorders = false;
+                s.texture().border = 1;
+            }},
+        Row{"BorderNotSeen", "texture-setting", Hint, "textures[0].border", "no wrap mode shows the border",
+            [](Stage& s) { s.texture().border = 1; },
+            [](Stage& s) { s.texture().wrapT = Wrap::ClampToBorder; }},
+        Row{"BorderNotSeenUnlessCutOff", "texture-setting", Hint, "textures[0].border", "no wrap mode",
+            [](Stage& s) {
+                s.texture().border = 1;
+                s.showFile(64, 64);
+            },
+            [](Stage& s) { s.showFile(66, 66); }},
+        Row{"OwnBorder", "own-border", Hint, "textures[0].borderColor", "a border of its own texels",
+            [](Stage& s) { s.texture().border = 1; }, [](Stage& s) { s.driver.textureBorders = false; }},
+        Row{"IgnoredHint", "ignored-hint", Warning, "view.perspectiveHint", "may ignore this hint",
+            [](Stage& s) { s.scene.view.perspectiveHint = HintMode::Fastest; }},
+        Row{"NoPerspective", "no-perspective", Hint, "view.perspectiveHint", "no perspective to correct",
+            [](Stage& s) { s.scene.view.projection = Projection::Orthographic; },
+            [](Stage& s) { s.scene.view.projection = Projection::Perspective; }},
         Row{"NoS3tc", "missing-format", Warning, "textures[0].compression", "DXT1",
             [](Stage& s) {
                 s.driver.s3tc = false;

@@ -26,6 +26,7 @@ TEST(WriteScene, ReadsLikeThis) {
     "target": [0, 0, 0],
     "projection": "perspective",
     "fieldOfView": 40,
+    "perspectiveHint": "GL_DONT_CARE",
     "background": [0.1, 0, 0.25, 1]
   },
   "light": {
@@ -72,6 +73,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "transparency": "file",
       "stencilColor": [0, 0, 0, 1],
       "internalFormat": "GL_RGBA",
+      "border": 0,
       "compression": "file",
       "compressedFormat": "GL_COMPRESSED_RGB_S3TC_DXT1_EXT",
       "compressionQuality": "normal",

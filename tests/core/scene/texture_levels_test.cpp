@@ -384,5 +384,116 @@ TEST(Report, LeavesOutTheComponentsThatAFormatDoesNotHave) {
     }
 }
 
+// --- Cube maps
+
+/// Six faces of a 1 x 2 picture, whose rows are letters: 'a' over 'A' for +x, 'b' over 'B' for -x …
+TextureImage sixFaces(bool topFirst) {
+    TextureImage file;
+    file.format = "DDS";
+    file.faces = 6;
+    file.topFirst = topFirst;
+    file.fileTopFirst = topFirst;
+    for (int face = 0; face < 6; ++face) {
+        Image image = Image::uninitialised(PixelFormat::Luminance8, 1, 2);
+        image.pixels[topFirst ? 0 : 1] = static_cast<std::byte>('a' + face);
+        image.pixels[topFirst ? 1 : 0] = static_cast<std::byte>('A' + face);
+        file.surfaces.emplace_back(std::move(image));
+    }
+    return file;
+}
+
+std::string rowsOf(const TextureLevel& level) {
+    std::string text;
+    for (const std::byte each : std::get<Image>(level.surface).pixels)
+        text += static_cast<char>(each);
+    return text;
+}
+
+// The first row that OpenGL gets of a face is its top one.
+TEST(CubeLevels, BeginEachFaceWithItsTopRow) {
+    Texture texture;
+    texture.source = SourceKind::File;
+    for (const bool topFirst : {false, true}) {
+        for (const FlipMode flip : {FlipMode::Blocks, FlipMode::Pixels}) {
+            texture.flip = flip;
+            const auto made = prepareLevels(texture, sixFaces(topFirst), Target::CubeMap);
+            ASSERT_TRUE(made);
+            ASSERT_EQ(made->levels.size(), 6U);
+            EXPECT_EQ(rowsOf(made->levels[0]), "aA");
+            EXPECT_EQ(rowsOf(made->levels[5]), "fF");
+            EXPECT_EQ(made->levels[5].face, 5);
+            EXPECT_EQ(made->lateFlip, LateFlip::None);
+            EXPECT_THAT(made->notes, IsEmpty());
+        }
+    }
+    // As a naive loader does it, a file that begins at the top is right, and only such a one.
+    for (const FlipMode flip : {FlipMode::None, FlipMode::Matrix, FlipMode::Coordinates}) {
+        texture.flip = flip;
+        EXPECT_EQ(rowsOf(prepareLevels(texture, sixFaces(true), Target::CubeMap)->levels[0]), "aA");
+        EXPECT_EQ(rowsOf(prepareLevels(texture, sixFaces(false), Target::CubeMap)->levels[0]), "Aa");
+        EXPECT_EQ(prepareLevels(texture, sixFaces(true), Target::CubeMap)->lateFlip, LateFlip::None);
+    }
+    // A picture takes the first face, the right way up for a picture.
+    texture.flip = FlipMode::Blocks;
+    const auto picture = prepareLevels(texture, sixFaces(true), Target::Texture2D);
+    ASSERT_EQ(picture->levels.size(), 1U);
+    EXPECT_EQ(rowsOf(picture->levels[0]), "Aa");
+    EXPECT_THAT(picture->notes, ElementsAre(HasSubstr("its first, +x, is drawn")));
+}
+
+TEST(CubeLevels, HaveAChainForEachFaceOfAStrip) {
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.mipmaps = MipPolicy::Missing;
+    const auto made = prepareLevels(texture, textureOf(randomImage(24, 4), {}), Target::CubeMap);
+    ASSERT_TRUE(made);
+    std::vector<std::pair<int, int>> found;
+    for (const TextureLevel& level : made->levels) {
+        found.emplace_back(level.face, level.number);
+        EXPECT_EQ(widthOf(level.surface), 4 >> level.number);
+    }
+    const std::vector<std::pair<int, int>> expected{{0, 0}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 2},
+                                                    {3, 0}, {3, 2}, {4, 0}, {4, 2}, {5, 0}, {5, 2}};
+    EXPECT_EQ(found, expected);
+    const TextureReport report = reportOn(*made);
+    ASSERT_EQ(report.levels.size(), 2U);
+    EXPECT_EQ(report.levels[0].faces, 6);
+    EXPECT_EQ(report.levels[0].bytes, 6U * 4 * 4 * 4);
+    EXPECT_EQ(report.bytes, 6U * (16 + 1) * 4);
+}
+
+TEST(CubeLevels, KeepTheBlocksOfAFile) {
+    TextureImage file = blockTexture(8, 8, 2);
+    file.faces = 6;
+    for (int face = 1; face < 6; ++face) {
+        file.surfaces.emplace_back(randomBlocks(BlockFormat::Dxt5, 8, 8));
+        file.surfaces.emplace_back(randomBlocks(BlockFormat::Dxt5, 4, 4));
+    }
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.mipmaps = MipPolicy::FromFile;
+    const auto made = prepareLevels(texture, file, Target::CubeMap);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made->levels.size(), 12U);
+    for (std::size_t i = 0; i < 12; ++i)
+        EXPECT_EQ(std::get<BlockImage>(made->levels[i].surface), std::get<BlockImage>(file.surfaces[i])) << i;
+}
+
+TEST(Levels, WithABorderAreNeverCompressed) {
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.border = 1;
+    const auto kept = prepareLevels(texture, blockTexture(8, 8, 1), Target::Texture2D);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(widthOf(kept->levels[0].surface), 10);
+    EXPECT_EQ(kept->border, 1);
+    EXPECT_THAT(kept->notes, ElementsAre(HasSubstr("without a border only: decompressed")));
+    texture.compression = Compression::Driver;
+    const auto driver = prepareLevels(texture, textureOf(randomImage(8, 8), {}), Target::Texture2D);
+    ASSERT_TRUE(driver);
+    EXPECT_FALSE(driver->driverFormat);
+    EXPECT_THAT(driver->notes, ElementsAre(HasSubstr("without a border only: not compressed")));
+}
+
 } // namespace
 } // namespace texplorer

@@ -1,0 +1,25 @@
+#pragma once
+
+// What OpenGL is asked to take care of, and may ignore: OpenGL 2.1, section 5.6.
+
+#include "core/gl/enum_row.h"
+
+namespace texplorer {
+
+enum class HintMode : std::uint32_t { DontCare = 0x1100, Fastest = 0x1101, Nicest = 0x1102 };
+
+inline constexpr std::array hintModeRows{
+    row(HintMode::DontCare, "GL_DONT_CARE", "Don't care", "OpenGL chooses.", "1.0"),
+    row(HintMode::Fastest, "GL_FASTEST", "Fastest",
+        "The quickest way that OpenGL knows, whatever it looks like.", "1.0"),
+    row(HintMode::Nicest, "GL_NICEST", "Nicest", "The most correct way that OpenGL knows.", "1.0"),
+};
+
+template<>
+struct EnumTable<HintMode> {
+    static constexpr std::span<const EnumRow> rows = hintModeRows;
+};
+
+static_assert(hintModeRows.size() == 3);
+
+} // namespace texplorer
