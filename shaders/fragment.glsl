@@ -19,8 +19,6 @@ noperspective in vec3 secondaryColor;
 flat in vec3 secondaryColor;
 //@ coordinate input
 in vec4 texCoordUNIT;
-//@ coordinate input GL_FASTEST
-noperspective in vec4 texCoordUNIT;
 //@ sampler GL_TEXTURE_1D
 uniform sampler1D textureUNIT;
 //@ sampler GL_TEXTURE_2D

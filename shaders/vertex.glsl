@@ -42,8 +42,6 @@ noperspective out vec3 secondaryColor;
 flat out vec3 secondaryColor;
 //@ coordinate output
 out vec4 texCoordUNIT;
-//@ coordinate output GL_FASTEST
-noperspective out vec4 texCoordUNIT;
 //@ begin
 
 void main() {
@@ -62,5 +60,8 @@ void main() {
     texCoordUNIT = textureMatrixUNIT * coordUNIT;
 //@ coordinate as it is
     texCoordUNIT = coordUNIT;
+//@ coordinate without perspective
+    // Interpolation divides by w; so it comes out linear in the window. q takes its part in it.
+    texCoordUNIT *= gl_Position.w;
 //@ end
 }

@@ -108,9 +108,6 @@ struct Plan {
                    ? name + " " + nameOf(HintMode::Fastest)
                    : name;
     }
-    [[nodiscard]] std::string affinely() const {
-        return affine() ? " " + nameOf(HintMode::Fastest) : std::string();
-    }
 
     void forEachUnit(auto each) const {
         for (std::size_t i = 0; i < units.size(); ++i) {
@@ -149,6 +146,8 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         body.add("vertex", "unlit");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         writeCoordinate(body, unit, sampled, index);
+        if (plan.affine()) // `noperspective` would say it, but Mesa 22.3 clips wrongly with it
+            body.add("vertex", "coordinate without perspective", {{"UNIT", index}});
     });
     body.add("vertex", "end");
 
@@ -181,7 +180,7 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
     if (plan.separateSpecular())
         stage.add("vertex", "secondary output " + plan.shading());
     plan.forEachUnit([&](const Unit&, const SampledUnit&, const std::string& index) {
-        stage.add("vertex", "coordinate output" + plan.affinely(), {{"UNIT", index}});
+        stage.add("vertex", "coordinate output", {{"UNIT", index}});
     });
     if (body.mentions("reflectionVector("))
         stage.add("texgen", "reflection vector");
@@ -293,7 +292,7 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
         stage.add("fragment", "secondary input " + plan.shading());
     plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
         const std::vector<Substitution> names{{"UNIT", index}};
-        stage.add("fragment", "coordinate input" + plan.affinely(), names);
+        stage.add("fragment", "coordinate input", names);
         stage.add("fragment", "sampler " + nameOf(unit.target), names);
         if (unit.lodBias != 0)
             stage.add("fragment", "bias", names);

@@ -112,7 +112,8 @@ TEST_P(TextureParameters, AnisotropyIsLeftAloneWhereTheDriverHasNone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, TextureParameters,
-                         testing::Values(Target::Texture1D, Target::Texture2D, Target::Texture3D, Target::CubeMap),
+                         testing::Values(Target::Texture1D, Target::Texture2D, Target::Texture3D,
+                                         Target::CubeMap),
                          [](const auto& test) { return std::string(rowOf(test.param).name); });
 
 struct FormatCase {
