@@ -58,6 +58,14 @@ void drawSeams(Session& session, const Layout& layout) {
     }
 }
 
+/// What can be drawn: where only the reference draws, it is not for the driver to say.
+DriverFacts factsFor(const Session& session, const render::Capabilities& capabilities) {
+    const std::vector<RendererKind> shown = shownRenderers(session.views);
+    const bool asksGl =
+        std::ranges::any_of(shown, [](RendererKind renderer) { return renderer != RendererKind::Reference; });
+    return asksGl || shown.empty() ? render::driverFacts(capabilities) : DriverFacts{};
+}
+
 } // namespace
 
 void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
@@ -79,7 +87,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     drawMenuBar(session, layout);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         session.shownParam.clear();
-    diagnoseSession(session, render::driverFacts(capabilities));
+    diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected
     drawParametersPanel(session, layout);
     settle(session, layout);

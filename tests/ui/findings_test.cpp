@@ -26,6 +26,18 @@ TEST_F(Findings, AWarningIsShownAndMendedByOneClick) {
     EXPECT_TRUE(has("finding"));
 }
 
+TEST_F(Findings, WhatADriverLacksIsNoMatterWhereOnlyTheReferenceDraws) {
+    texture().border = 1; // Mesa takes it away
+    frames(2);
+    EXPECT_TRUE(has("textures[0].border#problem"));
+    showOne(session->views, RendererKind::Reference);
+    frames(2);
+    EXPECT_FALSE(has("textures[0].border#problem"));
+    showComparison(session->views, {RendererKind::Fixed, RendererKind::Reference});
+    frames(2);
+    EXPECT_TRUE(has("textures[0].border#problem"));
+}
+
 TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
     Unit& third = scene().passes[0].units[2];
     third.enabled = true;
