@@ -9,7 +9,7 @@
 
 namespace texplorer::reference {
 
-/// Sections 4.1.4 and 4.1.6: whether `value` compares with `with` as the function asks.
+/// Section 4.1.6: whether `value` compares with `with` as the function asks.
 template<class T>
 [[nodiscard]] constexpr bool passes(CompareFunc function, T value, T with) {
     switch (function) {
@@ -31,6 +31,15 @@ template<class T>
         return true;
     }
     return true;
+}
+
+/// Section 4.1.4: alpha and the reference are compared as fixed-point numbers, with the eight bits that the
+/// framebuffer has for alpha (section 2.14.9). NaN counts as 0.
+[[nodiscard]] constexpr bool passes(CompareFunc function, float alpha, float reference) {
+    const auto fixedPoint = [](float value) {
+        return value > 0 ? static_cast<int>((value < 1 ? value : 1) * 255 + 0.5F) : 0;
+    };
+    return passes<int>(function, fixedPoint(alpha), fixedPoint(reference));
 }
 
 /// Table 4.2.
