@@ -30,6 +30,7 @@ void addDecode(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addFlip(CLI::App& app, Action& action);
 void addCompress(CLI::App& app, Action& action);
+void addConform(CLI::App& app, Action& action);
 void addConvert(CLI::App& app, Action& action);
 
 /// Prints "texshot: …" on standard error and returns `code`.

@@ -5,7 +5,11 @@
 
 namespace texplorer::screenshot {
 
-Result<Picture> draw(const Drawing& drawing) {
+namespace {
+
+/// An entry point of the module beside this program.
+template<class Entry>
+Result<Entry> findEntry(const char* name) {
     std::error_code ignored;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     const std::filesystem::path module = program.parent_path().parent_path() / "lib/texplorer/texshot_gl.so";
@@ -14,14 +18,30 @@ Result<Picture> draw(const Drawing& drawing) {
     void* handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
         return fail(ErrorCode::Driver, std::string("can't load the part that draws: ") + dlerror());
-    const auto entry = reinterpret_cast<DrawEntry>(dlsym(handle, drawEntryName));
+    const auto entry = reinterpret_cast<Entry>(dlsym(handle, name));
     if (!entry)
-        return fail(ErrorCode::Driver, std::string("it has no entry point ") + drawEntryName,
-                    module.string());
+        return fail(ErrorCode::Driver, std::string("it has no entry point ") + name, module.string());
+    return entry;
+}
 
+} // namespace
+
+Result<Picture> draw(const Drawing& drawing) {
+    const Result<DrawEntry> entry = findEntry<DrawEntry>(drawEntryName);
+    if (!entry)
+        return fail(entry.error());
     Result<Picture> picture;
-    entry(drawing, picture);
+    (*entry)(drawing, picture);
     return picture;
+}
+
+Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders) {
+    const Result<StudioEntry> entry = findEntry<StudioEntry>(studioEntryName);
+    if (!entry)
+        return fail(entry.error());
+    Result<std::unique_ptr<Studio>> studio;
+    (*entry)(shaders, studio);
+    return studio;
 }
 
 } // namespace texplorer::screenshot

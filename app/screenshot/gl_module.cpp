@@ -12,6 +12,8 @@
 
 #include <GL/glew.h>
 
+#include <map>
+
 namespace texplorer::screenshot {
 namespace {
 
@@ -65,6 +67,53 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     return Picture{std::move(image), stage->problems(), render::driverFacts(stage->capabilities())};
 }
 
+class OsmesaStudio : public Studio {
+public:
+    OsmesaStudio(offscreen::OsmesaContext context, render::Capabilities capabilities,
+                 std::filesystem::path shaders)
+        : context_(std::move(context))
+        , capabilities_(std::move(capabilities))
+        , shaders_(std::move(shaders)) {}
+
+    conform::Driver driver() const override {
+        return {capabilities_.renderer, capabilities_.version, {}, render::driverFacts(capabilities_)};
+    }
+
+    Result<conform::Painting> draw(RendererKind kind, const Scene& scene, render::Size size) override {
+        auto found = renderers_.find(kind);
+        if (found == renderers_.end()) {
+            Result<render::SceneRenderer> made = render::createRenderer(kind, capabilities_, {shaders_, {}});
+            if (!made)
+                return fail(made.error());
+            found = renderers_.emplace(kind, std::move(*made)).first;
+        }
+        Result<render::Frame> frame = found->second.draw(scene, images_, 0, size);
+        if (!frame)
+            return fail(frame.error());
+        Result<Image> image = found->second.read();
+        if (!image)
+            return fail(image.error());
+        return conform::Painting{std::move(*image), std::move(frame->problems)};
+    }
+
+private:
+    offscreen::OsmesaContext context_; // goes last
+    render::Capabilities capabilities_;
+    std::filesystem::path shaders_;
+    ImageSource images_;
+    std::map<RendererKind, render::SceneRenderer> renderers_;
+};
+
+Result<std::unique_ptr<Studio>> openOsmesaStudio(const std::filesystem::path& shaders) {
+    Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+    if (!context)
+        return fail(context.error());
+    Result<render::Capabilities> capabilities = render::loadCapabilities();
+    if (!capabilities)
+        return fail(capabilities.error());
+    return std::make_unique<OsmesaStudio>(std::move(*context), std::move(*capabilities), shaders);
+}
+
 } // namespace
 } // namespace texplorer::screenshot
 
@@ -73,4 +122,10 @@ texshotDraw(const texplorer::screenshot::Drawing& drawing,
             texplorer::Result<texplorer::screenshot::Picture>& picture) {
     using namespace texplorer::screenshot;
     picture = drawing.window ? drawWindow(drawing) : drawScene(drawing);
+}
+
+extern "C" [[gnu::visibility("default")]] void
+texshotStudio(const std::filesystem::path& shaders,
+              texplorer::Result<std::unique_ptr<texplorer::screenshot::Studio>>& studio) {
+    studio = texplorer::screenshot::openOsmesaStudio(shaders);
 }

@@ -6,12 +6,17 @@
 #include "app/render/frame.h"
 #include "app/ui/details_tabs.h"
 #include "core/base/result.h"
+#include "core/conform/painter.h"
+#include "core/conform/pair.h"
 #include "core/image/image.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/image_source.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
 #include "core/scene/texture_levels.h"
+
+#include <filesystem>
+#include <memory>
 
 namespace texplorer::screenshot {
 
@@ -34,11 +39,30 @@ struct Picture {
     DriverFacts driver;                ///< of the driver that drew it
 };
 
-/// The module's one entry point, found by this name.
+/// A context that stays, and its renderers, for many small pictures. Used on the thread that opened it.
+class Studio {
+public:
+    Studio() = default;
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+    virtual ~Studio() = default;
+
+    [[nodiscard]] virtual conform::Driver driver() const = 0;
+    /// Fixed function or the shaders, at time 0. Files are not read: textures are built-in patterns.
+    [[nodiscard]] virtual Result<conform::Painting> draw(RendererKind renderer, const Scene& scene,
+                                                         render::Size size) = 0;
+};
+
+/// The module's entry points, found by these names.
 using DrawEntry = void (*)(const Drawing& drawing, Result<Picture>& picture);
 inline constexpr const char* drawEntryName = "texshotDraw";
+using StudioEntry = void (*)(const std::filesystem::path& shaders, Result<std::unique_ptr<Studio>>& studio);
+inline constexpr const char* studioEntryName = "texshotStudio";
 
 /// Loads the module beside this program and draws. The error says where the module was looked for.
 [[nodiscard]] Result<Picture> draw(const Drawing& drawing);
+
+/// Loads the module and opens a studio. `shaders` as in Drawing.
+[[nodiscard]] Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders);
 
 } // namespace texplorer::screenshot

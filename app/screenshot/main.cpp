@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
 
     Action action;
     for (const auto add :
-         {addShot, addProbe, addCheck, addParams, addDecode, addInfo, addConvert, addFlip, addCompress})
+         {addShot, addProbe, addCheck, addConform, addParams, addDecode, addInfo, addConvert, addFlip,
+          addCompress})
         add(app, action);
 
     // CLI11 would say only that a subcommand is missing.

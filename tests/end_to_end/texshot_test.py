@@ -530,6 +530,77 @@ class Check(Texshot):
         self.assertEqual(Image.open(io.BytesIO(result.stdout)).size, (32, 32))
 
 
+class Conform(Texshot):
+    FEW = ("conform", "--feature", "wrap", "--feature", "environment", "--scenes", "16")
+
+    def test_the_three_renderers_agree(self):
+        said = self.succeeds(*self.FEW).decode()
+        self.assertRegex(said, r"shader against fixed\nfeature +scenes")
+        self.assertRegex(said, r"reference against fixed\nfeature +scenes")
+        self.assertEqual(len([line for line in said.splitlines() if " agree " in line]), 4)
+        self.assertIn("with GALLIVM_PERF=no_rho_approx", said)
+
+    def test_one_pair_as_json(self):
+        report = json.loads(self.succeeds(*self.FEW, "--json", "--renderer", "shader", "--against", "reference"))
+        self.assertTrue(report["agrees"])
+        self.assertEqual([(pair["renderer"], pair["against"]) for pair in report["pairs"]], [("shader", "reference")])
+        for feature in report["pairs"][0]["features"]:
+            self.assertEqual(feature["all"]["over"], 0)
+            self.assertEqual(feature["all"]["pixels"], 64 * 64 * feature["all"]["scenes"])
+
+    def test_the_same_seed_gives_the_same_report(self):
+        self.assertEqual(self.succeeds(*self.FEW, "--json"), self.succeeds(*self.FEW, "--json"))
+        self.assertNotEqual(self.succeeds(*self.FEW, "--json"), self.succeeds(*self.FEW, "--json", "--seed", "2"))
+
+    def test_the_folder_holds_worst_scenes_that_can_be_drawn_again(self):
+        folder = self.path / "new" / "report"
+        self.succeeds(*self.FEW, "-o", folder)
+        self.assertEqual(json.loads((folder / "report.json").read_text())["scenes"], 16)
+        page = (folder / "index.html").read_text()
+        self.assertIn("wrap-reference-fixed.json", page)
+        for renderer in ("reference", "fixed"):
+            kept = Image.open(folder / f"wrap-reference-fixed-{renderer}.png").convert("RGB")
+            again = self.shot(folder / "wrap-reference-fixed.json", "--renderer", renderer, "--size", "64x64")
+            self.assertIsNone(ImageChops.difference(kept, again.convert("RGB")).getbbox())
+
+    def test_shaders_that_are_wrong_are_found(self):
+        shaders = self.path / "shaders"
+        shutil.copytree(Path(__file__).parents[2] / "shaders", shaders)
+        environment = shaders / "environment.glsl"
+        text = environment.read_text()
+        self.assertIn("color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);", text)
+        environment.write_text(text.replace("color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);", "color.rgb = texelUNIT.rgb;"))
+        result = texshot("conform", "--feature", "environment", "--renderer", "shader", "--shaders", shaders)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        self.assertRegex(result.stdout.decode(), r"environment .* DIFFER")
+
+    def test_the_list_gives_features_and_reasons(self):
+        said = self.succeeds("conform", "--list").decode()
+        for expected in ("trilinear", "dEQP", "undefined-decal", "3.8.13"):
+            self.assertIn(expected, said)
+
+    def test_wrong_calls(self):
+        for expected, *arguments in (
+            ("--feature: expected one of coverage, depth, ", "--feature", "none"),
+            ("--renderer: expected one of fixed, shader, reference, found \"gpu\"", "--renderer", "gpu"),
+            ("expected two different renderers, found \"fixed\" twice", "--renderer", "fixed"),
+            ("--scenes", "--scenes", "0"),
+            ("--seed", "--seed", "some"),
+        ):
+            with self.subTest(expected=expected):
+                self.complains(2, expected, "conform", *arguments)
+
+    def test_an_interrupt_writes_nothing(self):
+        work = subprocess.Popen([TEXSHOT, "conform", "--scenes", "100000", "-o", self.path / "report"],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(3)
+        work.send_signal(signal.SIGINT)
+        out, said = work.communicate(timeout=60)
+        self.assertEqual((work.returncode, out), (130, b""))
+        self.assertIn(b"interrupted", said)
+        self.assertEqual(os.listdir(self.path), [])
+
+
 class Probe(Texshot):
     """A square of 2 x 2 texels that fills a picture of 4 x 4 pixels exactly."""
 

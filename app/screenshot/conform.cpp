@@ -1,0 +1,198 @@
+#include "app/screenshot/command.h"
+#include "app/screenshot/gl_module.h"
+#include "app/screenshot/texture_io.h"
+#include "core/base/file_io.h"
+#include "core/conform/report.h"
+#include "core/scene/param_text.h"
+
+#include <cstdlib>
+
+namespace texplorer::screenshot {
+namespace {
+
+struct Options {
+    std::string renderer;
+    std::string against;
+    std::vector<std::string> features;
+    std::string folder;
+    std::string shaders;
+    unsigned seed = 1;
+    int scenes = 0; // 0: as many as the features have
+    bool json = false;
+    bool list = false;
+};
+
+/// One of OpenGL's renderers in a studio.
+class StudioPainter : public conform::Painter {
+public:
+    StudioPainter(Studio& studio, RendererKind kind)
+        : studio_(studio)
+        , kind_(kind) {}
+    Result<conform::Painting> paint(const Scene& scene) override {
+        return studio_.draw(kind_, scene, {conform::extent, conform::extent});
+    }
+
+private:
+    Studio& studio_;
+    RendererKind kind_;
+};
+
+/// Mesa takes shortcuts where it chooses mip levels and filters, unless it is told not to before it is
+/// loaded: without them, what remains are errors. Whoever has chosen himself is left alone. Returns what it
+/// was told.
+std::string askMesaForPrecision() {
+    constexpr const char* variable = "GALLIVM_PERF";
+    ::setenv(variable, "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling", 0);
+    // A picture is one tile: threads would only wait for each other. The other processors draw the reference.
+    ::setenv("LP_NUM_THREADS", "0", 0);
+    return std::string(variable) + "=" + std::getenv(variable);
+}
+
+Result<RendererKind> rendererOf(const std::string& name, const char* option) {
+    const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
+    if (name.empty())
+        return RendererKind::Fixed;
+    if (const EnumRow* row = findRow(rows, name))
+        return static_cast<RendererKind>(row->value);
+    return fail(ErrorCode::OutOfRange, "expected one of " + listNames(rows) + ", found \"" + name + "\"",
+                option);
+}
+
+Result<std::vector<conform::Pair>> pairsOf(const Options& options) {
+    if (options.renderer.empty() && options.against.empty())
+        return std::vector(conform::defaultPairs.begin(), conform::defaultPairs.end());
+    const Result<RendererKind> subject = rendererOf(options.renderer, "--renderer");
+    const Result<RendererKind> against = rendererOf(options.against, "--against");
+    for (const Result<RendererKind>* each : {&subject, &against}) {
+        if (!*each)
+            return fail(each->error());
+    }
+    if (*subject == *against)
+        return fail(ErrorCode::OutOfRange, "expected two different renderers, found \"" +
+                                               std::string(rowOf(*subject).name) + "\" twice");
+    return std::vector{conform::Pair{*subject, *against}};
+}
+
+Result<conform::Selection> selectionOf(const Options& options) {
+    conform::Selection selection;
+    selection.seed = options.seed;
+    int scenes = 0;
+    for (const std::string& name : options.features) {
+        const conform::Feature* feature = conform::findFeature(name);
+        if (!feature) {
+            std::string known;
+            for (const conform::Feature& each : conform::features())
+                known.append(known.empty() ? "" : ", ").append(each.name);
+            return fail(ErrorCode::OutOfRange, "expected one of " + known + "; found \"" + name + "\"",
+                        "--feature");
+        }
+        selection.features.push_back(feature);
+        scenes += feature->scenes;
+    }
+    selection.scenes = options.scenes > 0           ? options.scenes
+                       : selection.features.empty() ? conform::defaultScenes
+                                                    : scenes;
+    return selection;
+}
+
+Result<void> writeFolder(const std::filesystem::path& folder, const conform::Report& report) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        return fail(ErrorCode::Unwritable, "can't make the folder: " + error.message(), folder.string());
+    const Result<std::vector<conform::ReportFile>> files = conform::asFolder(report);
+    if (!files)
+        return fail(files.error());
+    for (const conform::ReportFile& file : *files) {
+        if (const Result<void> written = writeFileAtomically(folder / file.name, file.bytes); !written)
+            return written;
+    }
+    return {};
+}
+
+ExitCode conformTo(const Options& options) {
+    if (options.list) {
+        const std::string text = conform::listing();
+        const Result<void> written = writeOutput("-", viewBytes(text));
+        return written ? success : complain(written.error());
+    }
+    const Result<std::vector<conform::Pair>> pairs = pairsOf(options);
+    if (!pairs)
+        return complain(pairs.error(), wrongCall);
+    const Result<conform::Selection> selection = selectionOf(options);
+    if (!selection)
+        return complain(selection.error(), wrongCall);
+
+    const std::string settings = askMesaForPrecision();
+    const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders);
+    if (!studio)
+        return complain(studio.error());
+    StudioPainter fixed(**studio, RendererKind::Fixed);
+    StudioPainter shader(**studio, RendererKind::Shader);
+    LongWork work("texshot: comparing");
+    conform::SweepOptions sweep;
+    sweep.selection = *selection;
+    sweep.pairs = *pairs;
+    sweep.driver = (*studio)->driver();
+    sweep.driver.settings = settings;
+    sweep.progress = [&work](float done) { work.report(done); };
+    sweep.stop = work.stopToken();
+    const Result<conform::Report> report = conform::sweep(sweep, {&fixed, &shader});
+    work.finish();
+    if (!report)
+        return report.error().code == ErrorCode::Cancelled ? complainInterrupted() : complain(report.error());
+
+    if (!options.folder.empty()) {
+        if (const Result<void> written = writeFolder(options.folder, *report); !written)
+            return complain(written.error());
+    }
+    const std::string text = options.json ? conform::asJson(*report) : conform::asText(*report);
+    if (const Result<void> written = writeOutput("-", viewBytes(text)); !written)
+        return complain(written.error());
+    return report->agrees() ? success : failure;
+}
+
+} // namespace
+
+void addConform(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand(
+        "conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
+    auto options = std::make_shared<Options>();
+    const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
+    command->add_option("--renderer", options->renderer,
+                        "Who is compared, " + renderers +
+                            ". Without it and --against: shader against fixed, and reference against fixed.");
+    command->add_option("--against", options->against, "With whom, " + renderers + ".");
+    command->add_option("--feature", options->features, "Only these features; --list names them.");
+    command
+        ->add_option("--scenes", options->scenes,
+                     "How many, shared out among the features. Without it: " +
+                         std::to_string(conform::defaultScenes) + ".")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--seed", options->seed, "Other scenes; the same number gives the same ones.")
+        ->capture_default_str();
+    command->add_option("-o,--out", options->folder,
+                        "A folder for the report: index.html, report.json, and for each feature its worst "
+                        "scene with both pictures and their difference.");
+    command
+        ->add_option(
+            "--shaders", options->shaders,
+            "The folder of the shader renderer's files. Without it: those that the program was built "
+            "with.")
+        ->envname("TEXPLORER_SHADERS");
+    command->add_flag("--json", options->json, "The report as JSON, for programs.");
+    command->add_flag(
+        "--list", options->list,
+        "Name the features, the rules that they are held to with their reasons, and what is not "
+        "compared.");
+    command->footer(
+        "A table on standard output: \"over\" are the pixels that differ by more than the rule's "
+        "bound (in 255ths),\n"
+        "\"unexplained\" those of them that the driver's precision, as the rule grants it, does not "
+        "explain.\n"
+        "Exit status: 0 all agree, 1 not all do or nothing could be drawn, 2 a wrong call, 130 "
+        "Ctrl+C.");
+    command->callback([&action, options] { action = [options] { return conformTo(*options); }; });
+}
+
+} // namespace texplorer::screenshot

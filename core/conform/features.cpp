@@ -1,0 +1,89 @@
+#include "core/conform/feature.h"
+#include "core/conform/scenes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::conform {
+
+namespace {
+
+constexpr std::array rows{
+    Feature{"coverage", "shapes, projections, sizes, without texture", "3.5.1", 48, scenes::coverage,
+            rules::outline, rules::outline},
+    Feature{"depth", "depth functions, three models through each other", "4.1.6", 48, scenes::depth,
+            rules::outline, rules::outline},
+    Feature{"lighting", "shade models, colour control, viewer, light at infinity or not", "2.14.1", 64,
+            scenes::lighting, rules::outline, rules::outline},
+    Feature{"specular", "separate specular over each environment mode", "3.9", 40, scenes::separateSpecular,
+            rules::texelEdge, rules::lastBit},
+    Feature{"environment", "modes x base formats", "3.8.13", 144, scenes::environment, rules::exact,
+            rules::exact},
+    Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 160,
+            scenes::combine, rules::exact, rules::exact},
+    Feature{"units", "two to four units of any mode, format and texture", "3.8.13", 72, scenes::units,
+            rules::exact, rules::exact},
+    Feature{"wrap", "wrap modes of s x t x r, 1D, 2D and 3D, nearest", "3.8.7", 100, scenes::wrap,
+            rules::exact, rules::exact},
+    Feature{"wrap-linear", "the same, linear: borders blend in", "3.8.7", 100, scenes::wrapLinear,
+            rules::texelEdge, rules::exact},
+    Feature{"texgen-linear", "object and eye planes of s, t and r, models that have moved", "2.11.4", 72,
+            scenes::linearTexGen, rules::exact, rules::exact},
+    Feature{"texgen-maps", "every mode of s and t, generated q, a texture matrix after it", "2.11.4", 80,
+            scenes::mappedTexGen, rules::texelEdgeOnQuads, rules::lastBit},
+    Feature{"texgen-shapes", "every mode on every shape", "2.11.4", 80, scenes::texGenOnShapes,
+            rules::texelEdge, rules::lastBit},
+    Feature{"matrix", "texture matrix: pairs of steps, and a q for each vertex", "2.11.2", 72, scenes::matrix,
+            rules::texelEdgeOnQuads, rules::lastBit},
+    Feature{"nearest", "GL_NEAREST x wrap x shapes", "3.8.8", 80, scenes::nearest, rules::texelEdge,
+            rules::exact},
+    Feature{"linear", "GL_LINEAR x wrap x shapes", "3.8.8", 48, scenes::linear, rules::texelEdge,
+            rules::exact},
+    Feature{"magnification", "one filter near, the other far: x wrap x shapes", "3.8.9", 24,
+            scenes::magnification, rules::levelChoice, rules::exact},
+    Feature{"mipmap-nearest", "*_MIPMAP_NEAREST x magnification x wrap x shapes", "3.8.8", 112,
+            scenes::mipmapNearest, rules::levelChoice, rules::exact},
+    Feature{"trilinear", "*_MIPMAP_LINEAR x magnification x wrap x shapes", "3.8.8", 112, scenes::trilinear,
+            rules::levelBlend, rules::exact},
+    Feature{"lod", "bias, limits of lambda, base and max level x *_MIPMAP_NEAREST", "3.8.8", 80,
+            scenes::lodOfOneLevel, rules::levelChoice, rules::exact},
+    Feature{"lod-trilinear", "bias, limits of lambda, base and max level x *_MIPMAP_LINEAR", "3.8.8", 80,
+            scenes::lodOfTwoLevels, rules::levelBlend, rules::exact},
+    Feature{"anisotropy", "2x to 16x, linear", "EXT_texture_filter_anisotropic", 32, scenes::anisotropy,
+            rules::ellipse, rules::exact},
+    Feature{"targets", "1D and 3D textures on every shape, linear", "3.8.1", 48, scenes::targets,
+            rules::texelEdge, rules::lastBit},
+    Feature{"compression", "S3TC formats, made by Texplorer and by the driver", "3.8.3", 32,
+            scenes::compression, rules::blocks, rules::exact},
+    Feature{"incomplete", "mip levels that are missing x filters", "3.8.10", 32, scenes::incomplete,
+            rules::exact, rules::exact},
+    Feature{"alpha-test", "functions and references", "4.1.4", 64, scenes::alphaTest, rules::exact,
+            rules::exact},
+    Feature{"blend", "factors of source x destination", "4.1.8", 80, scenes::blend, rules::exact,
+            rules::exact},
+    Feature{"passes", "two and three passes of two units, depth equal, blended", "4.1", 48, scenes::passes,
+            rules::passes, rules::exact},
+    Feature{"mixture", "anything with anything, several units and passes", "2.11 to 4.1", 48, scenes::mixture,
+            rules::levelBlend, rules::lastBit},
+};
+
+constexpr int sumOfWeights() {
+    int sum = 0;
+    for (const Feature& row : rows)
+        sum += row.scenes;
+    return sum;
+}
+static_assert(rows.size() == 28 && sumOfWeights() == defaultScenes);
+
+} // namespace
+
+std::span<const Feature> features() {
+    return rows;
+}
+
+const Feature* findFeature(std::string_view name) {
+    const auto found = std::ranges::find(rows, name, &Feature::name);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+} // namespace texplorer::conform

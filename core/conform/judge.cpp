@@ -1,0 +1,122 @@
+#include "core/conform/judge.h"
+
+#include "core/conform/lambda_range.h"
+#include "core/reference/lod.h"
+
+#include <algorithm>
+
+namespace texplorer::conform {
+
+namespace {
+
+using reference::PixelBytes;
+
+constexpr float texelError = 1.0F / 128; // dEQP: uvwBits = 7
+
+void forEachUnit(Scene& scene, auto each) {
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units) {
+            if (unit.enabled)
+                each(unit, scene.textures[static_cast<std::size_t>(unit.texture)]);
+        }
+    }
+}
+
+/// Coordinates of all units moved by `texels`, after the texture matrix.
+Scene moved(Scene scene, glm::vec3 texels) {
+    forEachUnit(scene, [&](Unit& unit, const Texture& texture) {
+        if (unit.matrix.size() < maxMatrixSteps)
+            unit.matrix.insert(unit.matrix.begin(), {.op = MatrixOp::Translate,
+                                                     .amount = texels / baseSizeOf(texture, unit.target)});
+    });
+    return scene;
+}
+
+/// Whether colours run from one to the next, so that everything between two ends is possible.
+bool blends(Scene scene, Latitude latitude) {
+    bool found = false;
+    forEachUnit(scene, [&](const Unit&, const Texture& texture) {
+        found = found || reference::blendsLevels(texture.minFilter) ||
+                (latitude == Latitude::TexelEdge &&
+                 (reference::isLinear(texture.minFilter) || texture.magFilter == MagFilter::Linear));
+    });
+    return found;
+}
+
+PixelBytes bytesAt(const Image& image, std::size_t pixel) {
+    PixelBytes bytes{};
+    for (std::size_t c = 0; c < 4; ++c)
+        bytes[c] = std::to_integer<std::uint8_t>(image.pixels[4 * pixel + c]);
+    return bytes;
+}
+
+bool isNear(const PixelBytes& a, const PixelBytes& b, int bound) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        if (std::abs(a[c] - b[c]) > bound)
+            return false;
+    }
+    return true;
+}
+
+/// Whether a colour is one of these, or lies between them where that is possible.
+bool isAmong(const std::vector<PixelBytes>& ends, const PixelBytes& found, int bound, bool between) {
+    if (std::ranges::any_of(ends, [&](const PixelBytes& end) { return isNear(end, found, bound); }))
+        return true;
+    for (std::size_t c = 0; c < 4 && between; ++c) {
+        const auto [low, high] = std::ranges::minmax(ends, {}, [c](const PixelBytes& end) { return end[c]; });
+        between = found[c] >= low[c] - bound && found[c] <= high[c] + bound;
+    }
+    return between;
+}
+
+} // namespace
+
+std::vector<Scene> movedByTexelError(const Scene& scene) {
+    std::vector<Scene> scenes;
+    for (const float s : {-texelError, texelError}) {
+        for (const float t : {-texelError, texelError})
+            scenes.push_back(moved(scene, {s, t, s}));
+    }
+    return scenes;
+}
+
+Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours, const Image& theirs,
+                        Explainer& reference) {
+    Result<Difference> difference = compare(ours, theirs, rule.bound);
+    if (!difference)
+        return fail(difference.error());
+    Judgement judgement{*difference, difference->over};
+    if (difference->over == 0 || rule.latitude == Latitude::None)
+        return judgement;
+
+    std::vector<Image> moved{ours};
+    for (const Scene& end : movedByTexelError(scene)) {
+        Result<Painting> painted = reference.paint(end);
+        if (!painted)
+            return fail(painted.error());
+        moved.push_back(std::move(painted->image));
+    }
+    judgement.unexplained = 0;
+    std::vector<PixelBytes> ends;
+    for (std::size_t i = 0; i < difference->pixels; ++i) {
+        const PixelBytes found = bytesAt(theirs, i);
+        if (isNear(bytesAt(ours, i), found, rule.bound))
+            continue;
+        ends.clear();
+        for (const Image& each : moved)
+            ends.push_back(bytesAt(each, i));
+        bool explained = isAmong(ends, found, rule.bound, blends(scene, Latitude::TexelEdge));
+        if (!explained && rule.latitude == Latitude::Lambda) {
+            const auto width = static_cast<std::size_t>(ours.width);
+            Result<std::vector<PixelBytes>> colors =
+                reference.overLambda(scene, {static_cast<int>(i % width), static_cast<int>(i / width)});
+            if (!colors)
+                return fail(colors.error());
+            explained = isAmong(*colors, found, rule.bound, blends(scene, Latitude::Lambda));
+        }
+        judgement.unexplained += explained ? 0 : 1;
+    }
+    return judgement;
+}
+
+} // namespace texplorer::conform

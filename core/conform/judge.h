@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/conform/painter.h"
+#include "core/conform/rule.h"
+#include "core/image/compare.h"
+
+#include <vector>
+
+namespace texplorer::conform {
+
+struct Judgement {
+    Difference difference;       ///< over the rule's bound
+    std::size_t unexplained = 0; ///< of these pixels, those that the rule's latitude doesn't allow either
+};
+
+/// Holds two pictures of a scene against a rule. `ours` is what the reference drew; `reference` draws what
+/// the rule's latitude allows. Errors: those of compare() and of the drawing.
+[[nodiscard]] Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
+                                      const Image& theirs, Explainer& reference);
+
+/// The scene with all coordinates moved by 1/128 of a texel, in four directions.
+[[nodiscard]] std::vector<Scene> movedByTexelError(const Scene& scene);
+
+} // namespace texplorer::conform

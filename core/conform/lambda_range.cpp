@@ -1,0 +1,137 @@
+#include "core/conform/lambda_range.h"
+
+#include "core/reference/cube.h"
+#include "core/reference/probe.h"
+#include "core/scene/image_source.h"
+#include "core/scene/level_plan.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::conform {
+
+namespace {
+
+constexpr float lambdaError = 1.0F / 64; // dEQP: lodBits = 6
+
+/// Texture coordinates anywhere in the plane of a triangle, from its corners.
+class CoordinatePlane {
+public:
+    CoordinatePlane(const reference::Explanation& pixel, const reference::FragmentExplanation& fragment,
+                    const reference::UnitExplanation& unit) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec4 clip(fragment.vertices[i].clip);
+            window_[i] = {(clip.x / clip.w + 1) / 2 * pixel.width - 0.5,
+                          (clip.y / clip.w + 1) / 2 * pixel.height - 0.5};
+            overW_[i] = glm::dvec4(unit.vertices[i].transformed) / clip.w;
+        }
+    }
+
+    /// s / q, t / q and r / q at the centre of a pixel.
+    [[nodiscard]] glm::dvec3 at(glm::dvec2 place) const {
+        // Both a coordinate and q are planes over the window once they are divided by w, which so cancels
+        // out.
+        const double area = cross(window_[1] - window_[0], window_[2] - window_[0]);
+        const double b = cross(place - window_[0], window_[2] - window_[0]) / area;
+        const double c = cross(window_[1] - window_[0], place - window_[0]) / area;
+        const glm::dvec4 sum = overW_[0] * (1 - b - c) + overW_[1] * b + overW_[2] * c;
+        return glm::dvec3(sum) / sum.w;
+    }
+
+private:
+    static double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+    std::array<glm::dvec2, 3> window_{};
+    std::array<glm::dvec4, 3> overW_{};
+};
+
+/// The line through log2 at the powers of two.
+float log2OfBits(float value) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent); // 0.5 to 1
+    return static_cast<float>(exponent - 1) + (2 * mantissa - 1);
+}
+
+} // namespace
+
+glm::vec3 baseSizeOf(const Texture& texture, Target target) {
+    const auto image = ImageSource().find(texture);
+    const LevelPlan plan = image ? planLevels(texture, *image, target) : LevelPlan{};
+    for (const PlannedLevel& level : plan.levels) {
+        if (level.number == texture.baseLevel)
+            return {level.width, level.height, level.depth};
+    }
+    return {1, 1, 1};
+}
+
+LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::FragmentExplanation& fragment,
+                        const reference::UnitExplanation& unit, glm::vec3 baseSize) {
+    const CoordinatePlane plane(pixel, fragment, unit);
+    const glm::dvec2 corner(pixel.pixel.x & ~1, pixel.pixel.y & ~1);
+    glm::dvec3 size(0); // axes that the target doesn't have say nothing
+    for (int axis = 0; axis < axesOf(unit.target); ++axis)
+        size[axis] = baseSize[axis];
+    const auto coords = [&](glm::dvec2 place) {
+        const glm::dvec3 given = plane.at(place);
+        if (unit.target != Target::CubeMap)
+            return given;
+        return glm::dvec3(reference::cubePlace(glm::vec3(given), {}).coords); // on the face
+    };
+    const glm::dvec3 here = coords(corner);
+    const double alongX = glm::length((coords(corner + glm::dvec2(1, 0)) - here) * size);
+    const double alongY = glm::length((coords(corner + glm::dvec2(0, 1)) - here) * size);
+    const double longer = std::max(alongX, alongY);
+    const double rho = unit.sample.lod.ellipse // then the shorter axis decides
+                           ? std::max(std::min(alongX, alongY), longer / double{unit.maxAnisotropy})
+                           : longer;
+    const auto squared = static_cast<float>(rho * rho);
+    LambdaRange range{-lambdaError, lambdaError};
+    if (!std::isfinite(squared) || squared <= 0 || !std::isfinite(unit.sample.lod.base))
+        return range;
+    for (const float lambda : {std::log2(squared) / 2, log2OfBits(squared) / 2}) {
+        range.low = std::min(range.low, lambda - unit.sample.lod.base - lambdaError);
+        range.high = std::max(range.high, lambda - unit.sample.lod.base + lambdaError);
+    }
+    return range;
+}
+
+Result<std::vector<reference::PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
+                                                            const Scene& scene, int extent,
+                                                            reference::PixelPlace pixel,
+                                                            const reference::DrawOptions& options) {
+    const ImageSource images;
+    const Result<reference::Explanation> exact =
+        renderer.probe(scene, images, 0, extent, extent, pixel, options);
+    if (!exact)
+        return fail(exact.error());
+    constexpr std::array places{0.0F, 0.25F, 0.5F, 0.75F, 1.0F}; // within the range
+    std::vector<reference::PixelBytes> colors;
+    for (const float place : places) {
+        Scene biased = scene;
+        // Of the fragments of a pass the last one that is drawn is the one that is seen.
+        for (const reference::FragmentExplanation& fragment : exact->fragments) {
+            if (fragment.outcome != reference::FragmentOutcome::Drawn)
+                continue;
+            for (const reference::UnitExplanation& unit : fragment.units) {
+                const Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
+                const LambdaRange range =
+                    lambdaRange(*exact, fragment, unit, baseSizeOf(texture, unit.target));
+                const auto pass = static_cast<std::size_t>(fragment.pass);
+                const auto index = static_cast<std::size_t>(unit.unit);
+                biased.passes[pass].units[index].lodBias =
+                    scene.passes[pass].units[index].lodBias + std::lerp(range.low, range.high, place);
+            }
+        }
+        const Result<reference::Explanation> found =
+            renderer.probe(biased, images, 0, extent, extent, pixel, options);
+        if (!found)
+            return fail(found.error());
+        colors.push_back(found->bytes);
+    }
+    return colors;
+}
+
+} // namespace texplorer::conform

@@ -1,0 +1,84 @@
+#include "core/conform/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace texplorer::conform {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json asJson(const Tally& tally) {
+    return {{"scenes", tally.scenes},           {"pixels", tally.pixels}, {"over", tally.over},
+            {"unexplained", tally.unexplained}, {"max", tally.max},       {"mean", tally.mean()}};
+}
+
+Json asJson(const Rule& rule) {
+    return {{"name", rule.name},
+            {"bound", rule.bound},
+            {"share", rule.share},
+            {"explained", rule.explained},
+            {"explainedOfEachScene", rule.explainedScene},
+            {"reason", rule.reason}};
+}
+
+Json asJson(const PairReport& pair, const Outcome& outcome) {
+    Json json{{"feature", outcome.feature->name},        {"sweeps", outcome.feature->sweeps},
+              {"section", outcome.feature->section},     {"agrees", outcome.agrees()},
+              {"rule", asJson(*outcome.rule)},           {"all", asJson(outcome.all)},
+              {"worstShareOfAScene", outcome.worstScene}};
+    Json shapes = Json::object();
+    for (const auto& [shape, tally] : outcome.shapes)
+        shapes[std::string(rowOf(shape).name)] = asJson(tally);
+    json["shapes"] = std::move(shapes);
+    Json skipped = Json::array();
+    for (const auto& [skip, count] : outcome.skipped)
+        skipped.push_back({{"name", skip->name}, {"scenes", count}, {"reason", skip->reason}});
+    json["skipped"] = std::move(skipped);
+    if (!outcome.problem.empty())
+        json["problem"] = outcome.problem;
+    if (outcome.worst) {
+        const Judgement& judgement = outcome.worst->judgement;
+        json["worst"] = {{"files", worstName(pair, outcome)},
+                         {"scene", outcome.worst->number},
+                         {"over", judgement.difference.over},
+                         {"unexplained", judgement.unexplained},
+                         {"max", judgement.difference.max},
+                         {"at", {judgement.difference.worst.x, judgement.difference.worst.y}}};
+    }
+    return json;
+}
+
+} // namespace
+
+std::string worstName(const PairReport& pair, const Outcome& outcome) {
+    return std::string(outcome.feature->name) + "-" + std::string(rowOf(pair.pair.subject).name) + "-" +
+           std::string(rowOf(pair.pair.against).name);
+}
+
+std::string asJson(const Report& report) {
+    Json pairs = Json::array();
+    for (const PairReport& pair : report.pairs) {
+        Json outcomes = Json::array();
+        for (const Outcome& outcome : pair.outcomes)
+            outcomes.push_back(asJson(pair, outcome));
+        pairs.push_back({{"renderer", rowOf(pair.pair.subject).name},
+                         {"against", rowOf(pair.pair.against).name},
+                         {"agrees", pair.agrees()},
+                         {"features", std::move(outcomes)}});
+    }
+    // The time is not in it: the same sweep on the same machine gives the same bytes.
+    const Json json{{"driver",
+                     {{"renderer", report.driver.name},
+                      {"version", report.driver.version},
+                      {"settings", report.driver.settings}}},
+                    {"seed", report.selection.seed},
+                    {"scenes", report.scenes},
+                    {"extent", extent},
+                    {"agrees", report.agrees()},
+                    {"pairs", std::move(pairs)}};
+    // A driver's name may be no UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace texplorer::conform

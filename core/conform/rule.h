@@ -1,0 +1,150 @@
+#pragma once
+
+// How far two renderers may be apart, and why: a row for each reason, never one number for everything.
+
+#include <cstdint>
+#include <string_view>
+
+namespace texplorer::conform {
+
+/// What a driver may do otherwise without being wrong, because the specification leaves it open or its
+/// arithmetic has only so many bits. A pixel that differs is then compared with what the reference draws at
+/// both ends of that freedom.
+enum class Latitude : std::uint8_t {
+    None,
+    /// Coordinates within 1/128 of a texel: next to an edge either of two texels is right.
+    TexelEdge,
+    /// Lambda within its error at this pixel (lambda_range.h), or coordinates as above: where levels are
+    /// blended, the colour lies between those that lambda spans; where one is chosen, it is that of one.
+    Lambda,
+};
+
+struct Rule {
+    std::string_view name;
+    int bound;    ///< of a component, in 255ths: a pixel that differs by more is over
+    double share; ///< of the pixels of all scenes that must not be over
+    Latitude latitude;
+    double explained; ///< of the pixels of all scenes, what must not be over once the latitude is granted
+    double explainedScene; ///< the same of the pixels of any single scene: none may be altogether wrong
+    std::string_view reason;
+};
+
+namespace rules {
+
+inline constexpr Rule exact{
+    "exact",
+    1,
+    1,
+    Latitude::None,
+    1,
+    1,
+    "The specification says every step, and no coordinate comes near to the edge of a texel: what is left is "
+    "the rounding to 8 bits (OpenGL 2.1, section 2.14.9), which may go either way."};
+
+inline constexpr Rule passes{
+    "passes",
+    3,
+    1,
+    Latitude::None,
+    1,
+    1,
+    "Each pass is rounded to 8 bits before the next one reads it, and rounding may go either way: one 255th "
+    "for each of two or three passes (OpenGL 2.1, sections 2.14.9 and 4.1.8)."};
+
+inline constexpr Rule blocks{
+    "blocks",
+    2,
+    1,
+    Latitude::None,
+    1,
+    1,
+    "EXT_texture_compression_s3tc gives the colours between two ends as fractions and leaves their rounding "
+    "open; the picture is rounded once more."};
+
+inline constexpr Rule texelEdge{
+    "texel-edge",
+    2,
+    0.999,
+    Latitude::TexelEdge,
+    0.9995,
+    0.99,
+    "Coordinates have so many bits: next to the edge of a texel either neighbour is right, and filter "
+    "weights "
+    "are off by as much. dEQP's texture lookup verifier grants 7 bits of a texel (uvwBits = 7). A corner may "
+    "be snapped to another 256th of a pixel, and with it a pixel on the outline."};
+
+inline constexpr Rule texelEdgeOnQuads{
+    "texel-edge-quads",
+    1,
+    0.999,
+    Latitude::TexelEdge,
+    1,
+    1,
+    "A flat quad that covers the picture has neither an outline nor lambda at stake, but generated "
+    "coordinates are no round numbers: each pixel has the colour of a texel within 7 bits of its place "
+    "(dEQP: "
+    "uvwBits = 7)."};
+
+inline constexpr Rule levelChoice{
+    "level-choice",
+    2,
+    0.99,
+    Latitude::Lambda,
+    0.9995,
+    0.99,
+    "Half-way between two levels, and between magnification and minification, the error of lambda decides "
+    "which texels are taken. The specification leaves rho open within wide bounds (OpenGL 2.1, section "
+    "3.8.8: "
+    "max(m_u, m_v) <= f <= m_u + m_v). Granted are 6 bits, as dEQP does (lodBits = 6), and llvmpipe's own "
+    "arithmetic: one derivative for 2 x 2 pixels, log2(rho^2) from the bits of a float."};
+
+inline constexpr Rule levelBlend{
+    "level-blend",
+    2,
+    0.97,
+    Latitude::Lambda,
+    0.9995,
+    0.99,
+    "Between two levels the error of lambda shows as a colour, so GL's must lie among those that lambda "
+    "spans "
+    "at this pixel: 6 bits, as dEQP grants (lodBits = 6), and llvmpipe's own arithmetic, which takes one "
+    "derivative for 2 x 2 pixels and log2(rho^2) from the bits of a float, at most 0.0861 too little. "
+    "Because "
+    "of that one, 97 % have to be within the bound and not 99 %."};
+
+inline constexpr Rule ellipse{
+    "ellipse",
+    16,
+    0.98,
+    Latitude::None,
+    0.98,
+    0.8,
+    "EXT_texture_filter_anisotropic leaves the method open. The reference averages over an ellipse as Mesa "
+    "does; but Mesa takes the axes of the ellipse from one derivative for 2 x 2 pixels and its weights from "
+    "a "
+    "table, so that colours are off by more than the bound along edges of the image."};
+
+inline constexpr Rule outline{
+    "outline",
+    1,
+    0.9995,
+    Latitude::None,
+    0.9995,
+    0.99,
+    "Which pixels a polygon covers is said for exact corners; they are snapped to 1/256 of a pixel "
+    "(GL_SUBPIXEL_BITS), so that one on the outline may fall on the other side."};
+
+inline constexpr Rule lastBit{
+    "last-bit",
+    1,
+    0.9999,
+    Latitude::None,
+    0.9999,
+    0.99,
+    "Two vertex programs of one driver need not multiply in the same order, so that positions and "
+    "coordinates may differ in their last bits: a corner is snapped otherwise, or a pixel on the edge of a "
+    "texel gets its neighbour."};
+
+} // namespace rules
+
+} // namespace texplorer::conform

@@ -1,0 +1,48 @@
+#pragma once
+
+// The scenes of each feature, for its row in features.cpp.
+
+#include "core/conform/dice.h"
+#include "core/scene/scene.h"
+
+namespace texplorer::conform::scenes {
+
+// Which pixels, and their colour without a texture.
+Scene coverage(int number, Dice& state, Dice& values);
+Scene depth(int number, Dice& state, Dice& values);
+Scene lighting(int number, Dice& state, Dice& values);
+Scene separateSpecular(int number, Dice& state, Dice& values);
+
+// Where a texture is looked up.
+Scene wrap(int number, Dice& state, Dice& values);
+Scene wrapLinear(int number, Dice& state, Dice& values);
+Scene linearTexGen(int number, Dice& state, Dice& values);
+Scene mappedTexGen(int number, Dice& state, Dice& values);
+Scene texGenOnShapes(int number, Dice& state, Dice& values);
+Scene matrix(int number, Dice& state, Dice& values);
+
+// How it is filtered.
+Scene nearest(int number, Dice& state, Dice& values);
+Scene linear(int number, Dice& state, Dice& values);
+Scene magnification(int number, Dice& state, Dice& values);
+Scene mipmapNearest(int number, Dice& state, Dice& values);
+Scene trilinear(int number, Dice& state, Dice& values);
+Scene lodOfOneLevel(int number, Dice& state, Dice& values);
+Scene lodOfTwoLevels(int number, Dice& state, Dice& values);
+Scene anisotropy(int number, Dice& state, Dice& values);
+Scene targets(int number, Dice& state, Dice& values);
+Scene compression(int number, Dice& state, Dice& values);
+Scene incomplete(int number, Dice& state, Dice& values);
+
+// What becomes of the texel.
+Scene environment(int number, Dice& state, Dice& values);
+Scene combine(int number, Dice& state, Dice& values);
+Scene units(int number, Dice& state, Dice& values);
+Scene alphaTest(int number, Dice& state, Dice& values);
+Scene blend(int number, Dice& state, Dice& values);
+Scene passes(int number, Dice& state, Dice& values);
+
+// Everything at once.
+Scene mixture(int number, Dice& state, Dice& values);
+
+} // namespace texplorer::conform::scenes

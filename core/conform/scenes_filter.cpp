@@ -1,0 +1,124 @@
+#include "core/conform/scenes.h"
+#include "core/conform/surfaces.h"
+
+namespace texplorer::conform::scenes {
+
+namespace {
+
+Scene filtered(int& number, MagFilter mag, MinFilter min, Dice& state, Dice& values) {
+    Scene scene = surface(pick<Shape>(number), values);
+    Texture& texture = scene.textures[0];
+    texture.magFilter = mag;
+    texture.minFilter = min;
+    texture.wrapS = state.any<Wrap>();
+    texture.wrapT = state.any<Wrap>();
+    texture.borderColor = values.color();
+    return scene;
+}
+
+/// Bias, the limits of lambda, and which levels there are.
+void limitLod(Scene& scene, Dice& values) {
+    Texture& texture = scene.textures[0];
+    // A bias in 256ths: some drivers keep no more of it.
+    scene.passes[0].units[0].lodBias = static_cast<float>(values.below(1025) - 512) / 256;
+    if (values.chance(2))
+        texture.minLod = values.number(-1, 3);
+    if (values.chance(2))
+        texture.maxLod = texture.minLod > -100 ? texture.minLod + values.number(0, 3) : values.number(0, 5);
+    if (values.chance(3))
+        texture.baseLevel = values.below(4);
+    if (values.chance(3))
+        texture.maxLevel = texture.baseLevel + values.below(4);
+}
+
+} // namespace
+
+Scene nearest(int number, Dice& state, Dice& values) {
+    return filtered(number, MagFilter::Nearest, MinFilter::Nearest, state, values);
+}
+
+Scene linear(int number, Dice& state, Dice& values) {
+    return filtered(number, MagFilter::Linear, MinFilter::Linear, state, values);
+}
+
+Scene magnification(int number, Dice& state, Dice& values) {
+    const bool nearIsLinear = number % 2 == 0;
+    number /= 2;
+    return filtered(number, nearIsLinear ? MagFilter::Linear : MagFilter::Nearest,
+                    nearIsLinear ? MinFilter::Nearest : MinFilter::Linear, state, values);
+}
+
+Scene mipmapNearest(int number, Dice& state, Dice& values) {
+    const MagFilter mag = pick<MagFilter>(number);
+    const MinFilter min = number % 2 == 0 ? MinFilter::NearestMipmapNearest : MinFilter::LinearMipmapNearest;
+    number /= 2;
+    return filtered(number, mag, min, state, values);
+}
+
+Scene trilinear(int number, Dice& state, Dice& values) {
+    const MagFilter mag = pick<MagFilter>(number);
+    const MinFilter min = number % 2 == 0 ? MinFilter::NearestMipmapLinear : MinFilter::LinearMipmapLinear;
+    number /= 2;
+    return filtered(number, mag, min, state, values);
+}
+
+Scene lodOfOneLevel(int number, Dice& state, Dice& values) {
+    Scene scene = mipmapNearest(number, state, values);
+    limitLod(scene, values);
+    return scene;
+}
+
+Scene lodOfTwoLevels(int number, Dice& state, Dice& values) {
+    Scene scene = trilinear(number, state, values);
+    limitLod(scene, values);
+    return scene;
+}
+
+Scene anisotropy(int number, Dice& state, Dice& values) {
+    const MinFilter min = number % 2 == 0 ? MinFilter::LinearMipmapLinear : MinFilter::LinearMipmapNearest;
+    number /= 2;
+    Scene scene = filtered(number, MagFilter::Linear, min, state, values);
+    scene.view.elevation = values.number(8, 20); // the flatter, the longer the ellipses
+    scene.textures[0].maxAnisotropy = static_cast<float>(2 << values.below(4));
+    return scene;
+}
+
+Scene targets(int number, Dice& /*state*/, Dice& values) {
+    const Target target = number % 2 == 0 ? Target::Texture3D : Target::Texture1D;
+    number /= 2;
+    Scene scene = surface(pick<Shape>(number), values);
+    Texture& texture = scene.textures[0];
+    texture.pattern = target == Target::Texture3D ? Pattern::Marble : Pattern::ColorLine;
+    texture.minFilter = MinFilter::Linear;
+    texture.wrapR = pick<Wrap>(number);
+    Unit& unit = scene.passes[0].units[0];
+    unit.target = target;
+    if (target == Target::Texture3D) // r of a mesh is 0 everywhere
+        unit.texGenR = {
+            true, TexGenMode::ObjectLinear, {values.number(-1, 1), 0.3F, values.number(-1, 1), 0.5F}, {}};
+    return scene;
+}
+
+Scene compression(int number, Dice& /*state*/, Dice& values) {
+    constexpr std::array sources{Source{Pattern::Tree, 3, 32, 32}, Source{Pattern::Brick, 4, 16, 16}};
+    const bool byDriver = number % 2 == 1;
+    number /= 2;
+    const CompressedFormat format = pick<CompressedFormat>(number);
+    Scene scene = texturedQuad(sources[static_cast<std::size_t>(number) % sources.size()], values);
+    scene.textures[0].compression = byDriver ? Compression::Driver : Compression::Cached;
+    scene.textures[0].compressedFormat = format;
+    scene.textures[0].compressionQuality = EncodeQuality::Fast;
+    return scene;
+}
+
+Scene incomplete(int number, Dice& state, Dice& values) {
+    constexpr std::array filters{MinFilter::NearestMipmapNearest, MinFilter::LinearMipmapNearest,
+                                 MinFilter::NearestMipmapLinear, MinFilter::LinearMipmapLinear};
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    scene.textures[0].baseLevel = 0;
+    scene.textures[0].mipmaps = number % 2 == 0 ? MipPolicy::None : MipPolicy::Missing;
+    scene.textures[0].minFilter = filters[static_cast<std::size_t>(number / 2) % filters.size()];
+    return scene;
+}
+
+} // namespace texplorer::conform::scenes

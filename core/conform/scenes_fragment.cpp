@@ -1,0 +1,192 @@
+#include "core/conform/scenes.h"
+#include "core/conform/surfaces.h"
+
+#include <algorithm>
+
+namespace texplorer::conform::scenes {
+
+namespace {
+
+CombineSource anySource(Dice& state, int units) {
+    // The texture of a unit that is off is undefined.
+    const auto source = state.any<CombineSource>();
+    const int unit = static_cast<int>(source) - static_cast<int>(CombineSource::Texture0);
+    return unit >= units && unit < maxUnits ? CombineSource::Previous : source;
+}
+
+Combine anyCombine(int& number, Dice& state, int units) {
+    Combine c;
+    c.rgb = pick<CombineRgb>(number);
+    c.alpha = state.any<CombineAlpha>();
+    for (CombineSource* source :
+         {&c.source0Rgb, &c.source1Rgb, &c.source2Rgb, &c.source0Alpha, &c.source1Alpha, &c.source2Alpha})
+        *source = anySource(state, units);
+    for (OperandRgb* operand : {&c.operand0Rgb, &c.operand1Rgb, &c.operand2Rgb})
+        *operand = state.any<OperandRgb>();
+    for (OperandAlpha* operand : {&c.operand0Alpha, &c.operand1Alpha, &c.operand2Alpha})
+        *operand = state.any<OperandAlpha>();
+    c.rgbScale = pick<CombineScale>(number);
+    c.alphaScale = state.any<CombineScale>();
+    return c;
+}
+
+/// Lets so many units show pictures, one after the other.
+void addUnits(Scene& scene, int count, Dice& state, Dice& values) {
+    scene.textures.resize(static_cast<std::size_t>(count), scene.textures[0]);
+    for (std::size_t u = 1; u < static_cast<std::size_t>(count); ++u) {
+        const Source source = state.of(coloredSources);
+        setSource(scene.textures[u], source);
+        placeTexels(scene.models[0], u, source, values);
+        Unit& unit = scene.passes[0].units[u];
+        unit.enabled = true;
+        unit.texture = static_cast<int>(u);
+    }
+}
+
+constexpr std::array definedDecals{BaseFormat::Rgb, BaseFormat::Rgba};
+
+/// An environment mode and a base format, of which the tables say what they do.
+void setEnvironment(Unit& unit, Texture& texture, Dice& state) {
+    unit.envMode = state.any<EnvMode>();
+    texture.internalFormat =
+        unit.envMode == EnvMode::Decal ? state.of(definedDecals) : state.any<BaseFormat>();
+}
+
+} // namespace
+
+Scene environment(int number, Dice& state, Dice& values) {
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    Unit& unit = scene.passes[0].units[0];
+    unit.envMode = pick<EnvMode>(number);
+    scene.textures[0].internalFormat = pick<BaseFormat>(number);
+    unit.envColor = values.color();
+    return scene;
+}
+
+Scene combine(int number, Dice& state, Dice& values) {
+    const int count = 1 + number % 3;
+    number /= 3;
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    addUnits(scene, count, state, values);
+    for (int u = 0; u < count; ++u) {
+        Unit& unit = scene.passes[0].units[static_cast<std::size_t>(u)];
+        unit.envMode = EnvMode::Combine;
+        unit.combine = anyCombine(number, state, count);
+        unit.envColor = values.color();
+    }
+    return scene;
+}
+
+Scene units(int number, Dice& state, Dice& values) {
+    const int count = 2 + number % 3;
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    addUnits(scene, count, state, values);
+    for (std::size_t u = 0; u < static_cast<std::size_t>(count); ++u) {
+        Unit& unit = scene.passes[0].units[u];
+        setEnvironment(unit, scene.textures[u], state);
+        unit.combine = anyCombine(number, state, count);
+        unit.envColor = values.color();
+    }
+    return scene;
+}
+
+Scene alphaTest(int number, Dice& state, Dice& values) {
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    Pass& pass = scene.passes[0];
+    pass.alphaTest = true;
+    pass.alphaFunc = pick<CompareFunc>(number);
+    // Both are rounded to 8 bits (section 4.1.4): a quarter beside one of them decides nothing.
+    pass.alphaRef = (static_cast<float>(values.below(256)) + values.number(-0.25F, 0.25F)) / 255;
+    return scene;
+}
+
+Scene blend(int number, Dice& state, Dice& values) {
+    constexpr std::array sourceFactors{BlendFactor::Zero,     BlendFactor::One,
+                                       BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha,
+                                       BlendFactor::DstAlpha, BlendFactor::OneMinusDstAlpha,
+                                       BlendFactor::DstColor, BlendFactor::OneMinusDstColor};
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    Pass& pass = scene.passes[0];
+    pass.blend = true;
+    pass.blendSrc = sourceFactors[static_cast<std::size_t>(number) % sourceFactors.size()];
+    number /= static_cast<int>(sourceFactors.size());
+    pass.blendDst = pick<BlendFactor>(number);
+    return scene;
+}
+
+Scene passes(int number, Dice& state, Dice& values) {
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    addUnits(scene, 2, state, values);
+    const int count = 2 + number % 2;
+    scene.passes.resize(static_cast<std::size_t>(count), scene.passes[0]);
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        Pass& pass = scene.passes[i];
+        pass.depthTest = true;
+        pass.depthFunc = i == 0 ? CompareFunc::Less : i == 1 ? CompareFunc::Equal : CompareFunc::LessEqual;
+        pass.blend = i > 0;
+        pass.blendSrc = state.chance(2) ? BlendFactor::One : BlendFactor::SrcAlpha;
+        pass.blendDst = state.chance(2) ? BlendFactor::SrcColor : BlendFactor::OneMinusSrcAlpha;
+        for (std::size_t u = 0; u < 2; ++u) {
+            pass.units[u].envMode = state.chance(2) ? EnvMode::Modulate : EnvMode::Replace;
+            pass.units[u].enabled = u == 0 || state.chance(2);
+            pass.units[u].texture = state.below(2) == 0 ? static_cast<int>(u) : 1 - static_cast<int>(u);
+        }
+    }
+    return scene;
+}
+
+Scene mixture(int number, Dice& state, Dice& values) {
+    Scene scene = surface(pick<Shape>(number), values);
+    if (state.chance(2))
+        setLight(scene, values);
+    scene.light.colorControl = state.any<ColorControl>();
+    scene.material.shadeModel = state.any<ShadeModel>();
+    const int count = 1 + state.below(3);
+    scene.textures.resize(static_cast<std::size_t>(count), scene.textures[0]);
+    scene.passes.resize(1 + static_cast<std::size_t>(state.below(2)), scene.passes[0]);
+    for (std::size_t u = 0; u < static_cast<std::size_t>(count); ++u) {
+        Texture& texture = scene.textures[u];
+        texture.pattern = u == 0 ? texture.pattern : Pattern::Checker;
+        texture.minFilter = state.any<MinFilter>();
+        texture.magFilter = state.any<MagFilter>();
+        texture.wrapS = state.any<Wrap>();
+        texture.wrapT = state.any<Wrap>();
+        texture.borderColor = values.color();
+        if (state.chance(4))
+            texture.compression = Compression::Cached;
+        texture.compressedFormat = state.any<CompressedFormat>();
+        texture.compressionQuality = EncodeQuality::Fast;
+        Unit unit;
+        unit.enabled = true;
+        unit.texture = static_cast<int>(u);
+        setEnvironment(unit, texture, state);
+        if (texture.compression == Compression::Cached && unit.envMode == EnvMode::Decal)
+            unit.envMode = EnvMode::Modulate;
+        int which = state.below(1000);
+        unit.combine = anyCombine(which, state, count);
+        unit.envColor = values.color();
+        if (state.chance(3))
+            unit.texGenS = {true, state.any<TexGenMode>(), values.color(), values.color()};
+        if (state.chance(4))
+            unit.texGenQ = {true,
+                            static_cast<TexGenMode>(state.of(texGenModesOfQ).value),
+                            {values.number(-0.1F, 0.1F), 0, values.number(-0.1F, 0.1F), 1},
+                            {values.number(-0.1F, 0.1F), 0, 0, 1}};
+        if (state.chance(3))
+            unit.matrix = {
+                {.op = state.any<MatrixOp>(),
+                 .amount = {values.number(0.5F, 2), values.number(0.5F, 2), values.number(0.5F, 2)},
+                 .angle = values.number(0, 360)}};
+        for (Pass& pass : scene.passes)
+            pass.units[u] = unit;
+    }
+    if (scene.passes.size() > 1) {
+        scene.passes[1].depthFunc = CompareFunc::LessEqual;
+        scene.passes[1].blend = true;
+        scene.passes[1].blendSrc = BlendFactor::SrcAlpha;
+        scene.passes[1].blendDst = BlendFactor::OneMinusSrcAlpha;
+    }
+    return scene;
+}
+
+} // namespace texplorer::conform::scenes

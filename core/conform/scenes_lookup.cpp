@@ -1,0 +1,140 @@
+#include "core/conform/scenes.h"
+#include "core/conform/surfaces.h"
+
+#include <algorithm>
+
+namespace texplorer::conform::scenes {
+
+namespace {
+
+constexpr Source volume{Pattern::Marble, 0, 32, 32};
+constexpr Source line{Pattern::ColorLine, 0, 8, 1};
+
+/// A quad that shows a picture, a line or a volume.
+Scene quadOf(Target target, const Source& picture, Dice& values) {
+    Scene scene = texturedQuad(target == Target::Texture1D   ? line
+                               : target == Target::Texture3D ? volume
+                                                             : picture,
+                               values);
+    scene.passes[0].units[0].target = target;
+    return scene;
+}
+
+/// The plane over a flat quad along which a coordinate runs as placeTexels() would have it: u = first + 1/32
+/// + step / 8 texels a pixel, to the right by `right` and upwards by `up` steps.
+glm::vec4 planeOf(int texels, int right, int up, int first) {
+    // A pixel is 1/32 wide. Both axes together: (2 i + 1) right / 16 + (2 j + 1) up / 16 + 1/32.
+    const auto size = static_cast<float>(texels);
+    const float x = static_cast<float>(right) * 4 / size;
+    const float y = static_cast<float>(up) * 4 / size;
+    return {x, y, 0, x + y + (static_cast<float>(first) + 1.0F / 32) / size};
+}
+
+TexGen generated(TexGenMode mode, glm::vec4 plane) {
+    // On a flat quad the eye is at distance 1 before the model: z differs, x and y don't.
+    return {true, mode, plane, plane};
+}
+
+} // namespace
+
+Scene wrap(int number, Dice& state, Dice& values) {
+    const Wrap s = pick<Wrap>(number);
+    const Wrap t = pick<Wrap>(number);
+    // Three pictures to a volume and a line.
+    const int other = state.below(5);
+    const Target target = other == 3 ? Target::Texture3D : other == 4 ? Target::Texture1D : Target::Texture2D;
+    Scene scene = quadOf(target, state.of(coloredSources), values);
+    Texture& texture = scene.textures[0];
+    texture.wrapS = s;
+    texture.wrapT = t;
+    texture.wrapR = state.any<Wrap>();
+    texture.borderColor = values.color();
+    return scene;
+}
+
+Scene wrapLinear(int number, Dice& state, Dice& values) {
+    Scene scene = wrap(number, state, values);
+    scene.textures[0].magFilter = MagFilter::Linear;
+    scene.textures[0].minFilter = MinFilter::Linear;
+    return scene;
+}
+
+Scene linearTexGen(int number, Dice& state, Dice& values) {
+    const TexGenMode mode = number % 2 == 0 ? TexGenMode::ObjectLinear : TexGenMode::EyeLinear;
+    const Target target = number / 2 % 3 == 2 ? Target::Texture3D : Target::Texture2D;
+    const Source picture = state.of(coloredSources);
+    Scene scene = quadOf(target, picture, values);
+    const Source& source = target == Target::Texture3D ? volume : picture;
+    Unit& unit = scene.passes[0].units[0];
+    const auto plane = [&](int texels) {
+        const int right = values.below(17) - 8;
+        const int up = values.below(17) - 8;
+        return planeOf(texels, right, up, values.below(4 * texels) - 2 * texels);
+    };
+    unit.texGenS = generated(mode, plane(source.width));
+    unit.texGenT = generated(number / 6 % 2 == 0 ? mode : TexGenMode::ObjectLinear, plane(source.height));
+    if (target == Target::Texture3D) // a whole number of slices from one slice's middle to another's
+        unit.texGenR = generated(mode, {0, 0, 0, (static_cast<float>(values.below(32)) + 0.5F) / 32});
+    // Both planes say the same of a model that is where it was made, and something else once it has moved.
+    if (values.chance(2))
+        scene.models[0].position.z = values.number(-0.1F, 0.1F);
+    return scene;
+}
+
+Scene mappedTexGen(int number, Dice& state, Dice& values) {
+    const TexGenMode mode = pick<TexGenMode>(number);
+    const bool divides = number % 2 == 1;
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    Unit& unit = scene.passes[0].units[0];
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT})
+        *each = {true,
+                 mode,
+                 {values.number(-1, 1), values.number(-1, 1), 0.25F, values.number(-1, 1)},
+                 {values.number(-1, 1), values.number(-1, 1), 0.25F, values.number(-1, 1)}};
+    if (divides) {
+        const glm::vec4 q{values.number(-0.3F, 0.3F), values.number(-0.3F, 0.3F), 0, 1};
+        unit.texGenQ = generated(number / 2 % 2 == 0 ? TexGenMode::ObjectLinear : TexGenMode::EyeLinear, q);
+    }
+    unit.matrix = {{.op = MatrixOp::Translate, .amount = {values.number(0, 1), values.number(0, 1), 0}},
+                   {.op = MatrixOp::Scale, .amount = {values.number(0.5F, 2), values.number(0.5F, 2), 1}}};
+    return scene;
+}
+
+Scene texGenOnShapes(int number, Dice& state, Dice& values) {
+    const TexGenMode mode = pick<TexGenMode>(number);
+    Scene scene = surface(pick<Shape>(number), values);
+    setSource(scene.textures[0], state.of(coloredSources));
+    scene.textures[0].magFilter = MagFilter::Linear;
+    scene.textures[0].minFilter = MinFilter::Linear;
+    Unit& unit = scene.passes[0].units[0];
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT})
+        *each = {true,
+                 mode,
+                 {values.number(-1, 1), values.number(-1, 1), values.number(-1, 1), 0.5F},
+                 {values.number(-1, 1), values.number(-1, 1), values.number(-1, 1), 0.5F}};
+    return scene;
+}
+
+Scene matrix(int number, Dice& state, Dice& values) {
+    const MatrixOp first = pick<MatrixOp>(number);
+    const MatrixOp second = pick<MatrixOp>(number);
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    const auto step = [&](MatrixOp op) {
+        MatrixStep made{.op = op};
+        if (op == MatrixOp::Rotate) {
+            made.amount = {0, 0, 1};
+            made.angle = values.number(0, 360);
+        } else {
+            made.amount = {values.number(0.5F, 2), values.number(0.5F, 2), values.number(0.5F, 2)};
+        }
+        return made;
+    };
+    scene.passes[0].units[0].matrix = {step(first), step(second)};
+    // Every vertex with a q of its own: s / q is no longer a plane over the quad.
+    if (number % 2 == 1)
+        std::ranges::for_each(scene.models[0].texCoords[0],
+                              [&](glm::vec4& coord) { coord *= values.number(0.5F, 2); });
+    return scene;
+}
+
+} // namespace texplorer::conform::scenes

@@ -1,0 +1,112 @@
+#include "core/conform/skip.h"
+
+#include "core/reference/lod.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::conform {
+
+namespace {
+
+bool isDefinedDecal(BaseFormat format) {
+    return format == BaseFormat::Rgb || format == BaseFormat::Rgba;
+}
+
+bool anyUnit(const Scene& scene, auto condition) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return std::ranges::any_of(pass.units, [&](const Unit& unit) {
+            return unit.enabled && condition(unit, scene.textures[static_cast<std::size_t>(unit.texture)]);
+        });
+    });
+}
+
+constexpr bool isCompressed(const Texture& texture) {
+    return texture.compression == Compression::Cached || texture.compression == Compression::Driver;
+}
+
+constexpr std::array rows{
+    Skip{
+        "undefined-decal",
+        [](const Scene& scene, const Pair&, const Driver&) {
+            return anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                return unit.envMode == EnvMode::Decal && !isCompressed(texture) &&
+                       !isDefinedDecal(texture.internalFormat);
+            });
+        },
+        "GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.22)"},
+    Skip{"switch-over",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                    anyUnit(scene, [](const Unit&, const Texture& texture) {
+                        return reference::switchOverOf(texture.magFilter, texture.minFilter) > 0;
+                    });
+         },
+         "llvmpipe takes 0 for the constant c between magnification and minification; the specification has "
+         "0.5 for these filters (OpenGL 2.1, section 3.8.9)"},
+    Skip{"driver-compression",
+         [](const Scene& scene, const Pair& pair, const Driver&) {
+             return pair.has(RendererKind::Reference) &&
+                    anyUnit(scene, [](const Unit&, const Texture& texture) {
+                        return texture.compression == Compression::Driver;
+                    });
+         },
+         "what a driver's own encoder makes of an image is its own affair (OpenGL 2.1, section 3.8.1)"},
+    Skip{"no-s3tc",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && !driver.facts.s3tc &&
+                    anyUnit(scene, [](const Unit&, const Texture& texture) { return isCompressed(texture); });
+         },
+         "the driver lacks GL_EXT_texture_compression_s3tc"},
+    Skip{"no-anisotropy",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) &&
+                    anyUnit(scene, [&](const Unit&, const Texture& texture) {
+                        return texture.maxAnisotropy > driver.facts.maxAnisotropy;
+                    });
+         },
+         "the driver has less anisotropy than the texture asks for, or none"},
+    Skip{"anisotropy-method",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && !driver.name.starts_with("llvmpipe") &&
+                    !driver.name.starts_with("softpipe") &&
+                    anyUnit(scene,
+                            [](const Unit&, const Texture& texture) { return texture.maxAnisotropy > 1; });
+         },
+         "EXT_texture_filter_anisotropic leaves the method open, and this driver's is not known"},
+    Skip{"mirrored-ellipse",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                    anyUnit(scene, [](const Unit&, const Texture& texture) {
+                        return texture.maxAnisotropy > 1 && (texture.wrapS == Wrap::MirroredRepeat ||
+                                                             texture.wrapT == Wrap::MirroredRepeat);
+                    });
+         },
+         "llvmpipe's ellipse looks texels up at their lower edge and not at their middle, so that a mirrored "
+         "image is off by one texel"},
+    Skip{"too-few-units",
+         [](const Scene& scene, const Pair&, const Driver& driver) {
+             return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+                 for (std::size_t u = 0; u < pass.units.size(); ++u) {
+                     if (pass.units[u].enabled && static_cast<int>(u) >= driver.facts.textureUnits)
+                         return true;
+                 }
+                 return false;
+             });
+         },
+         "the driver has fewer texture units than the scene uses"},
+};
+
+} // namespace
+
+std::span<const Skip> skips() {
+    return rows;
+}
+
+const Skip* skipOf(const Scene& scene, const Pair& pair, const Driver& driver) {
+    const auto found =
+        std::ranges::find_if(rows, [&](const Skip& row) { return row.applies(scene, pair, driver); });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+} // namespace texplorer::conform

@@ -1,0 +1,24 @@
+#pragma once
+
+// What is not compared: always by a row with its reason, and counted.
+
+#include "core/conform/pair.h"
+#include "core/scene/scene.h"
+
+#include <span>
+#include <string_view>
+
+namespace texplorer::conform {
+
+struct Skip {
+    std::string_view name;
+    bool (*applies)(const Scene& scene, const Pair& pair, const Driver& driver);
+    std::string_view reason;
+};
+
+[[nodiscard]] std::span<const Skip> skips();
+
+/// Why these two can't be compared by this scene; nullptr: they can.
+[[nodiscard]] const Skip* skipOf(const Scene& scene, const Pair& pair, const Driver& driver);
+
+} // namespace texplorer::conform

@@ -1,0 +1,275 @@
+#include "core/conform/sweep.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <new>
+#include <thread>
+#include <tuple>
+
+namespace texplorer::conform {
+
+namespace {
+
+const Rule& ruleOf(const Feature& feature, const Pair& pair) {
+    return pair.has(RendererKind::Reference) ? feature.reference : feature.shader;
+}
+
+/// A scene with what OpenGL made of it, on its way to the threads that compare.
+struct Drawn {
+    const Case* item = nullptr;
+    std::map<RendererKind, Painting> paintings;
+};
+
+/// Scenes between the thread that has the context and those that compare. Short, because pictures that nobody
+/// looks at yet are only memory.
+class Queue {
+public:
+    void push(Drawn drawn) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return items_.size() < limit || closed_; });
+        items_.push_back(std::move(drawn));
+        changed_.notify_all();
+    }
+    std::optional<Drawn> pop() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return !items_.empty() || closed_; });
+        if (items_.empty())
+            return std::nullopt;
+        Drawn drawn = std::move(items_.front());
+        items_.pop_front();
+        changed_.notify_all();
+        return drawn;
+    }
+    void close() {
+        const std::scoped_lock lock(mutex_);
+        closed_ = true;
+        changed_.notify_all();
+    }
+
+private:
+    static constexpr std::size_t limit = 64;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Drawn> items_;
+    bool closed_ = false;
+};
+
+/// By how much `a` is worse; of two that are alike the first is kept, so that the order of threads decides
+/// nothing.
+auto badness(const Worst& worst) {
+    const Judgement& j = worst.judgement;
+    return std::tuple(j.unexplained, j.difference.over, j.difference.max, -worst.number);
+}
+
+/// What the threads have found so far.
+class Outcomes {
+public:
+    explicit Outcomes(const SweepOptions& options, const std::vector<Case>& cases) {
+        for (const Pair& pair : options.pairs) {
+            PairReport report{pair, {}};
+            for (const Case& item : cases) {
+                if (report.outcomes.empty() || report.outcomes.back().feature != item.feature) {
+                    Outcome& outcome = report.outcomes.emplace_back();
+                    outcome.feature = item.feature;
+                    outcome.rule = &ruleOf(*item.feature, pair);
+                }
+            }
+            pairs_.push_back(std::move(report));
+        }
+    }
+
+    void skip(std::size_t pair, const Case& item, const Skip& skip) {
+        const std::scoped_lock lock(mutex_);
+        ++of(pair, item).skipped[&skip];
+    }
+
+    void add(std::size_t pair, const Case& item, const Judgement& judgement, const Painting& subject,
+             const Painting& against) {
+        const std::scoped_lock lock(mutex_);
+        Outcome& outcome = of(pair, item);
+        outcome.all.add(judgement);
+        if (!item.scene.models.empty())
+            outcome.shapes[item.scene.models.front().shape].add(judgement);
+        outcome.worstScene =
+            std::max(outcome.worstScene, static_cast<double>(judgement.unexplained) /
+                                             static_cast<double>(judgement.difference.pixels));
+        // What neither can do, as a compression without a cache, is no disagreement.
+        if (subject.problems != against.problems) {
+            const std::string sentence = (subject.problems.empty() ? against : subject).problems.front();
+            if (outcome.problem.empty() || sentence < outcome.problem)
+                outcome.problem = sentence;
+        }
+        Worst candidate{item.number, item.scene, subject.image, against.image, judgement};
+        if (!outcome.worst || badness(*outcome.worst) < badness(candidate))
+            outcome.worst = std::move(candidate);
+    }
+
+    void fail(Error error) {
+        const std::scoped_lock lock(mutex_);
+        if (!error_)
+            error_ = std::move(error);
+    }
+    [[nodiscard]] std::optional<Error> error() const {
+        const std::scoped_lock lock(mutex_);
+        return error_;
+    }
+    [[nodiscard]] std::vector<PairReport> take() { return std::move(pairs_); }
+
+private:
+    Outcome& of(std::size_t pair, const Case& item) {
+        return *std::ranges::find(pairs_[pair].outcomes, item.feature, &Outcome::feature);
+    }
+
+    mutable std::mutex mutex_;
+    std::vector<PairReport> pairs_;
+    std::optional<Error> error_;
+};
+
+/// Compares what comes out of the queue, until there is no more.
+void compareAll(const SweepOptions& options, const Painters& painters, Queue& queue, Outcomes& outcomes) {
+    const std::unique_ptr<Explainer> reference = painters.reference();
+    while (std::optional<Drawn> drawn = queue.pop()) {
+        if (options.stop.stop_requested() || outcomes.error())
+            continue;
+        const Case& item = *drawn->item;
+        for (std::size_t i = 0; i < options.pairs.size(); ++i) {
+            const Pair& pair = options.pairs[i];
+            if (const Skip* skip = skipOf(item.scene, pair, options.driver)) {
+                outcomes.skip(i, item, *skip);
+                continue;
+            }
+            if (pair.has(RendererKind::Reference) && !drawn->paintings.contains(RendererKind::Reference)) {
+                Result<Painting> painted = reference->paint(item.scene);
+                if (!painted)
+                    return outcomes.fail(painted.error());
+                drawn->paintings.emplace(RendererKind::Reference, std::move(*painted));
+            }
+            const Painting& subject = drawn->paintings.at(pair.subject);
+            const Painting& against = drawn->paintings.at(pair.against);
+            const bool turned = pair.against == RendererKind::Reference;
+            const Result<Judgement> judgement =
+                judge(ruleOf(*item.feature, pair), item.scene, turned ? against.image : subject.image,
+                      turned ? subject.image : against.image, *reference);
+            if (!judgement)
+                return outcomes.fail(judgement.error());
+            outcomes.add(i, item, *judgement, subject, against);
+        }
+    }
+}
+
+/// What OpenGL makes of a scene, as far as a pair wants it.
+Result<Drawn> drawByOpenGl(const SweepOptions& options, const Painters& painters, const Case& item) {
+    Drawn drawn{&item, {}};
+    for (const auto& [kind, painter] :
+         {std::pair{RendererKind::Fixed, painters.fixed}, std::pair{RendererKind::Shader, painters.shader}}) {
+        const bool wanted = std::ranges::any_of(options.pairs, [&, kind = kind](const Pair& pair) {
+            return pair.has(kind) && !skipOf(item.scene, pair, options.driver);
+        });
+        if (!wanted)
+            continue;
+        Result<Painting> painted = painter->paint(item.scene);
+        if (!painted)
+            return fail(painted.error());
+        drawn.paintings.emplace(kind, std::move(*painted));
+    }
+    return drawn;
+}
+
+} // namespace
+
+void Tally::add(const Judgement& judgement) {
+    ++scenes;
+    pixels += judgement.difference.pixels;
+    over += judgement.difference.over;
+    unexplained += judgement.unexplained;
+    max = std::max(max, judgement.difference.max);
+    // A whole number: the order in which threads add does not matter.
+    sum += static_cast<std::uint64_t>(
+        std::llround(judgement.difference.mean * static_cast<double>(judgement.difference.pixels) * 4));
+}
+
+bool Outcome::agrees() const {
+    return problem.empty() && all.shareOver() <= 1 - rule->share &&
+           all.shareUnexplained() <= 1 - rule->explained && worstScene <= 1 - rule->explainedScene;
+}
+
+bool PairReport::agrees() const {
+    return std::ranges::all_of(outcomes, &Outcome::agrees);
+}
+
+bool Report::agrees() const {
+    return std::ranges::all_of(pairs, &PairReport::agrees);
+}
+
+Scene sceneOf(const Feature& feature, unsigned seed, int number) {
+    const int state = number / scenesPerState;
+    Dice ofState(feature.name, ~seed, state);
+    Dice ofValues(feature.name, seed, number);
+    return feature.scene(state, ofState, ofValues);
+}
+
+std::vector<Case> casesOf(const Selection& selection) {
+    std::vector<const Feature*> chosen = selection.features;
+    if (chosen.empty()) {
+        for (const Feature& feature : features())
+            chosen.push_back(&feature);
+    }
+    long long sum = 0;
+    for (const Feature* feature : chosen)
+        sum += feature->scenes;
+    std::vector<Case> cases;
+    for (const Feature* feature : chosen) {
+        const long long share = (static_cast<long long>(feature->scenes) * selection.scenes + sum / 2) / sum;
+        for (int i = 0; i < std::max(1LL, share); ++i)
+            cases.push_back({feature, i, sceneOf(*feature, selection.seed, i)});
+    }
+    return cases;
+}
+
+Result<Report> sweep(const SweepOptions& options, const Painters& painters) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Case> cases = casesOf(options.selection);
+    Outcomes outcomes(options, cases);
+    Queue queue;
+    {
+        std::vector<std::jthread> comparers;
+        const unsigned threads = std::max(1U, (options.threads == 0 ? processorThreads() : options.threads));
+        for (unsigned i = 0; i < threads; ++i)
+            comparers.emplace_back([&] {
+                try {
+                    compareAll(options, painters, queue, outcomes);
+                } catch (const std::bad_alloc&) {
+                    outcomes.fail({ErrorCode::TooLarge, "there is no memory for the pictures", {}});
+                }
+                queue.close(); // only an error ends it early: nobody shall wait for it
+            });
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            if (options.progress)
+                options.progress(static_cast<float>(i) / static_cast<float>(cases.size()));
+            if (options.stop.stop_requested() || outcomes.error())
+                break;
+            Result<Drawn> drawn = drawByOpenGl(options, painters, cases[i]);
+            if (!drawn) {
+                outcomes.fail(drawn.error());
+                break;
+            }
+            queue.push(std::move(*drawn));
+        }
+        queue.close();
+    }
+    if (options.stop.stop_requested())
+        return fail(ErrorCode::Cancelled, "the comparison was stopped");
+    if (auto error = outcomes.error())
+        return fail(std::move(*error));
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    return Report{options.driver, options.selection, static_cast<int>(cases.size()), elapsed.count(),
+                  outcomes.take()};
+}
+
+} // namespace texplorer::conform

@@ -1,0 +1,119 @@
+#pragma once
+
+// A sweep: which scenes there are, drawing them with two renderers or three, and what came out.
+
+#include "core/conform/feature.h"
+#include "core/conform/judge.h"
+#include "core/conform/pair.h"
+#include "core/conform/skip.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace texplorer::conform {
+
+struct Case {
+    const Feature* feature;
+    int number; ///< within the feature
+    Scene scene;
+};
+
+/// Which scenes a sweep has. The same seed gives the same scenes on every machine; more scenes are the same
+/// ones and others.
+struct Selection {
+    unsigned seed = 1;
+    int scenes = defaultScenes;           ///< in all; at least one of each feature
+    std::vector<const Feature*> features; ///< empty: all
+};
+
+[[nodiscard]] std::vector<Case> casesOf(const Selection& selection);
+
+/// One scene of a feature.
+[[nodiscard]] Scene sceneOf(const Feature& feature, unsigned seed, int number);
+
+/// Sums over scenes.
+struct Tally {
+    int scenes = 0;
+    std::size_t pixels = 0;
+    std::size_t over = 0;        ///< pixels over the rule's bound
+    std::size_t unexplained = 0; ///< of these, what the rule's latitude doesn't allow
+    int max = 0;                 ///< the worst component, in 255ths
+    std::uint64_t sum = 0;       ///< of all components' differences
+
+    void add(const Judgement& judgement);
+    [[nodiscard]] double mean() const {
+        return pixels == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(pixels) / 4;
+    }
+    [[nodiscard]] double shareOver() const { return share(over); }
+    [[nodiscard]] double shareUnexplained() const { return share(unexplained); }
+
+private:
+    [[nodiscard]] double share(std::size_t count) const {
+        return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels);
+    }
+};
+
+/// The scene in which two renderers are furthest apart.
+struct Worst {
+    int number = 0;
+    Scene scene;
+    Image subject;
+    Image against;
+    Judgement judgement;
+};
+
+/// A feature, as far as two renderers agree on it.
+struct Outcome {
+    const Feature* feature = nullptr;
+    const Rule* rule = nullptr;
+    Tally all;
+    std::map<Shape, Tally> shapes;
+    double worstScene = 0; ///< the largest share of unexplained pixels of one scene
+    std::map<const Skip*, int> skipped;
+    std::optional<Worst> worst; ///< none where no scene was drawn
+    std::string problem; ///< a sentence of a renderer that could not draw a scene as it is; empty: none
+
+    [[nodiscard]] bool agrees() const;
+};
+
+struct PairReport {
+    Pair pair;
+    std::vector<Outcome> outcomes; ///< in the order of the features
+
+    [[nodiscard]] bool agrees() const;
+};
+
+struct Report {
+    Driver driver;
+    Selection selection;
+    int scenes = 0;
+    double seconds = 0;
+    std::vector<PairReport> pairs;
+
+    [[nodiscard]] bool agrees() const;
+};
+
+/// Who draws. OpenGL's two are used on the calling thread alone; a pair without them needs none.
+struct Painters {
+    Painter* fixed = nullptr;
+    Painter* shader = nullptr;
+    std::function<std::unique_ptr<Explainer>()> reference = referencePainter; ///< one for each thread
+};
+
+struct SweepOptions {
+    Selection selection{};
+    std::vector<Pair> pairs{defaultPairs.begin(), defaultPairs.end()};
+    Driver driver{};
+    unsigned threads = 0;                  ///< for the reference; 0: as many as the processor has
+    std::function<void(float)> progress{}; ///< on the calling thread, from 0 to 1
+    std::stop_token stop{};
+};
+
+/// The same report whatever the number of threads, but for its time. Errors: a renderer that can't draw at
+/// all; Cancelled.
+[[nodiscard]] Result<Report> sweep(const SweepOptions& options, const Painters& painters);
+
+} // namespace texplorer::conform

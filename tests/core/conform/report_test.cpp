@@ -1,0 +1,112 @@
+#include "core/codec/png.h"
+#include "core/conform/report.h"
+#include "core/scene/json.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace texplorer::conform {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// The reference, with wrap modes of s and t exchanged.
+class Swapped : public Painter {
+public:
+    Result<Painting> paint(const Scene& scene) override {
+        Scene changed = scene;
+        for (Texture& texture : changed.textures)
+            std::swap(texture.wrapS, texture.wrapT);
+        return reference_->paint(changed);
+    }
+
+private:
+    std::unique_ptr<Painter> reference_ = referencePainter();
+};
+
+Report reportOf(std::vector<const Feature*> chosen) {
+    Swapped swapped;
+    SweepOptions options;
+    options.selection = {1, 20 * static_cast<int>(chosen.size()), std::move(chosen)};
+    options.pairs = {Pair{RendererKind::Reference, RendererKind::Fixed}};
+    options.driver = {"llvmpipe <&>", "4.5", "A=b", {}};
+    return *sweep(options, {&swapped, nullptr});
+}
+
+TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
+    const Report report =
+        reportOf({findFeature("wrap"), findFeature("incomplete"), findFeature("compression")});
+    EXPECT_FALSE(report.agrees());
+    const std::string text = asText(report);
+    EXPECT_THAT(text, HasSubstr("reference against fixed\nfeature"));
+    EXPECT_THAT(text, HasSubstr("DIFFER"));
+    EXPECT_THAT(text, HasSubstr("agree"));
+    EXPECT_THAT(text, HasSubstr("skipped: driver-compression, "));
+    EXPECT_THAT(text, HasSubstr("on llvmpipe <&> with A=b: not all agree\n"));
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    std::getline(lines, line);
+    const std::size_t column = line.find("verdict");
+    for (int row = 0; row < 3; ++row) {
+        std::getline(lines, line);
+        const std::string verdict = line.substr(column, 5);
+        EXPECT_TRUE(verdict == "agree" || verdict == "DIFFE") << line;
+    }
+}
+
+TEST(Report, IsJsonForPrograms) {
+    const Report report = reportOf({findFeature("wrap"), findFeature("incomplete")});
+    const auto json = nlohmann::json::parse(asJson(report));
+    EXPECT_EQ(json["agrees"], false);
+    EXPECT_EQ(json["scenes"], report.scenes);
+    const auto& wrap = json["pairs"][0]["features"][0];
+    EXPECT_EQ(wrap["feature"], "wrap");
+    EXPECT_EQ(wrap["agrees"], false);
+    EXPECT_GT(wrap["all"]["over"], 0);
+    EXPECT_EQ(wrap["all"]["pixels"], wrap["shapes"]["quad"]["pixels"]);
+    EXPECT_EQ(wrap["worst"]["files"], "wrap-reference-fixed");
+    EXPECT_EQ(json["pairs"][0]["features"][1]["agrees"], true);
+}
+
+TEST(Report, IsAFolderWithTheWorstScenes) {
+    const Result<std::vector<ReportFile>> files = asFolder(reportOf({findFeature("wrap")}));
+    ASSERT_TRUE(files);
+    const auto file = [&](std::string_view name) {
+        const auto found = std::ranges::find(*files, name, &ReportFile::name);
+        EXPECT_NE(found, files->end()) << name;
+        return found == files->end() ? Bytes() : found->bytes;
+    };
+    const Bytes scene = file("wrap-reference-fixed.json");
+    const auto parsed = parseScene({reinterpret_cast<const char*>(scene.data()), scene.size()});
+    ASSERT_TRUE(parsed) << describe(parsed.error());
+    // The picture is the one that the scene gives.
+    const Result<TextureImage> picture = decodePng(file("wrap-reference-fixed-reference.png"), {});
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(toImage(picture->surface(0, 0)), referencePainter()->paint(*parsed)->image);
+    EXPECT_TRUE(decodePng(file("wrap-reference-fixed-fixed.png"), {}));
+    EXPECT_TRUE(decodePng(file("wrap-reference-fixed-difference.png"), {}));
+    EXPECT_FALSE(file("report.json").empty());
+    const Bytes page = file("index.html");
+    const std::string text(reinterpret_cast<const char*>(page.data()), page.size());
+    EXPECT_THAT(text, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
+    EXPECT_THAT(text, HasSubstr("llvmpipe &lt;&amp;>"));
+    EXPECT_THAT(text, Not(HasSubstr("src=\"http")));
+}
+
+TEST(Report, ListsEveryFeatureRuleAndSkip) {
+    const std::string text = listing();
+    for (const Feature& feature : features()) {
+        EXPECT_THAT(text, HasSubstr(std::string(feature.name)));
+        EXPECT_THAT(text, HasSubstr(std::string(feature.reference.reason)));
+    }
+    for (const Skip& skip : skips())
+        EXPECT_THAT(text, HasSubstr(std::string(skip.reason)));
+}
+
+} // namespace
+} // namespace texplorer::conform

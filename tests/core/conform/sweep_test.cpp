@@ -1,0 +1,371 @@
+#include "core/conform/sweep.h"
+#include "core/scene/diagnosis.h"
+#include "core/scene/json.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <string>
+
+namespace texplorer::conform {
+namespace {
+
+/// Draws each scene as the reference does, but for what is wrong with it.
+class Mutant : public Painter {
+public:
+    using Change = void (*)(Scene&);
+    using Blur = void (*)(Image&);
+    explicit Mutant(Change change, Blur blur = nullptr)
+        : change_(change)
+        , blur_(blur) {}
+
+    Result<Painting> paint(const Scene& scene) override {
+        Scene changed = scene;
+        if (change_)
+            change_(changed);
+        Result<Painting> painted = reference_->paint(changed);
+        if (painted && blur_)
+            blur_(painted->image);
+        return painted;
+    }
+
+private:
+    Change change_;
+    Blur blur_;
+    std::unique_ptr<Painter> reference_ = referencePainter();
+};
+
+SweepOptions optionsFor(const std::vector<const Feature*>& features, int scenes) {
+    SweepOptions options;
+    options.selection = {1, scenes, features};
+    options.pairs = {Pair{RendererKind::Reference, RendererKind::Fixed}};
+    options.driver.name = "llvmpipe"; // whose peculiarities the rows of skips name
+    return options;
+}
+
+TEST(Sweep, FindsThatTheReferenceAgreesWithItself) {
+    Mutant same(nullptr);
+    const Result<Report> report = sweep(optionsFor({}, 120), {&same, nullptr});
+    ASSERT_TRUE(report) << describe(report.error());
+    EXPECT_TRUE(report->agrees());
+    ASSERT_EQ(report->pairs.size(), 1U);
+    EXPECT_EQ(report->pairs[0].outcomes.size(), features().size());
+    for (const Outcome& outcome : report->pairs[0].outcomes) {
+        EXPECT_EQ(outcome.all.over, 0U) << outcome.feature->name;
+        EXPECT_EQ(outcome.all.max, 0) << outcome.feature->name;
+    }
+}
+
+TEST(Sweep, IsTheSameWithAnyNumberOfThreads) {
+    SweepOptions options = optionsFor({findFeature("wrap"), findFeature("trilinear")}, 40);
+    std::vector<Report> reports;
+    for (const unsigned threads : {1U, 3U}) {
+        options.threads = threads;
+        Mutant biased([](Scene& scene) { scene.passes[0].units[0].lodBias += 0.05F; });
+        reports.push_back(*sweep(options, {&biased, nullptr}));
+    }
+    for (std::size_t i = 0; i < reports[0].pairs[0].outcomes.size(); ++i) {
+        const Outcome& one = reports[0].pairs[0].outcomes[i];
+        const Outcome& other = reports[1].pairs[0].outcomes[i];
+        EXPECT_EQ(one.all.over, other.all.over);
+        EXPECT_EQ(one.all.sum, other.all.sum);
+        ASSERT_TRUE(one.worst && other.worst);
+        EXPECT_EQ(one.worst->number, other.worst->number);
+    }
+}
+
+TEST(Sweep, StopsWhenItIsAskedTo) {
+    std::stop_source stop;
+    SweepOptions options = optionsFor({}, 2000);
+    options.stop = stop.get_token();
+    options.progress = [&](float done) {
+        if (done > 0.002F)
+            stop.request_stop();
+    };
+    Mutant same(nullptr);
+    const Result<Report> report = sweep(options, {&same, nullptr});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
+}
+
+class Broken : public Painter {
+public:
+    Result<Painting> paint(const Scene& /*scene*/) override {
+        return fail(ErrorCode::Driver, "the context is gone");
+    }
+};
+
+TEST(Sweep, EndsWithTheErrorOfARendererThatCanNotDraw) {
+    Broken broken;
+    const Result<Report> report = sweep(optionsFor({}, 100), {&broken, nullptr});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().message, "the context is gone");
+}
+
+// --- The scenes
+
+TEST(Cases, AreTheSameForTheSameSeed) {
+    const auto texts = [](unsigned seed, int scenes) {
+        std::vector<std::string> all;
+        for (const Case& item : casesOf({seed, scenes, {}}))
+            all.push_back(std::string(item.feature->name) + std::to_string(item.number) +
+                          writeScene(item.scene));
+        return all;
+    };
+    EXPECT_EQ(texts(1, 100), texts(1, 100));
+    EXPECT_NE(texts(1, 100), texts(2, 100));
+    // More scenes are the same ones and others.
+    const std::vector<std::string> more = texts(1, 400);
+    const std::set<std::string> known(more.begin(), more.end());
+    for (const std::string& text : texts(1, 100))
+        EXPECT_TRUE(known.contains(text));
+}
+
+// std::mt19937 is the same everywhere. Its first number from the FNV-1a hash of these, worked out in Python.
+TEST(Cases, AreTheSameOnEveryMachine) {
+    Dice dice("environment", 1, 0);
+    EXPECT_EQ(dice.below(1000000), 728812);
+}
+
+TEST(Cases, OfEachFeatureAreScenesThatAFileCanHold) {
+    for (const Case& item : casesOf({1, 400, {}})) {
+        const Result<Scene> read = parseScene(writeScene(item.scene));
+        ASSERT_TRUE(read) << item.feature->name << " " << item.number << ": " << describe(read.error());
+        EXPECT_EQ(*read, item.scene) << item.feature->name << " " << item.number;
+    }
+}
+
+// A scene that can't be drawn as it says would be compared with nothing.
+TEST(Cases, AskForNothingThatIsMissing) {
+    for (const Case& item : casesOf({1, 400, {}})) {
+        if (item.feature->name == "incomplete")
+            continue;
+        for (const texplorer::Finding& each : diagnose(item.scene, ImageSource()))
+            EXPECT_NE(each.severity, Severity::Error)
+                << item.feature->name << " " << item.number << ": " << each.path << ": " << each.sentence;
+    }
+}
+
+TEST(Cases, OfAStateDifferInNumbersAlone) {
+    for (const Feature& feature : features()) {
+        for (int state = 0; state < 3; ++state) {
+            const Scene first = sceneOf(feature, 1, state * scenesPerState);
+            for (int i = 1; i < scenesPerState; ++i) {
+                const Scene other = sceneOf(feature, 1, state * scenesPerState + i);
+                ASSERT_EQ(other.passes.size(), first.passes.size()) << feature.name;
+                ASSERT_EQ(other.textures.size(), first.textures.size()) << feature.name;
+                for (std::size_t p = 0; p < first.passes.size(); ++p) {
+                    for (std::size_t u = 0; u < maxUnits; ++u) {
+                        const Unit& a = first.passes[p].units[u];
+                        const Unit& b = other.passes[p].units[u];
+                        EXPECT_EQ(a.enabled, b.enabled) << feature.name;
+                        EXPECT_EQ(a.envMode, b.envMode) << feature.name;
+                        EXPECT_EQ(a.combine, b.combine) << feature.name;
+                        EXPECT_EQ(a.target, b.target) << feature.name;
+                    }
+                }
+                for (std::size_t t = 0; t < first.textures.size(); ++t) {
+                    EXPECT_EQ(first.textures[t].minFilter, other.textures[t].minFilter) << feature.name;
+                    EXPECT_EQ(first.textures[t].wrapS, other.textures[t].wrapS) << feature.name;
+                    EXPECT_EQ(first.textures[t].internalFormat, other.textures[t].internalFormat)
+                        << feature.name;
+                }
+            }
+        }
+    }
+}
+
+TEST(Features, HaveUniqueNamesAndSomethingToSay) {
+    std::set<std::string_view> names;
+    for (const Feature& feature : features()) {
+        EXPECT_TRUE(names.insert(feature.name).second) << feature.name;
+        EXPECT_FALSE(feature.sweeps.empty() || feature.section.empty()) << feature.name;
+        EXPECT_EQ(findFeature(feature.name), &feature);
+    }
+    EXPECT_EQ(findFeature("none"), nullptr);
+}
+
+// --- Renderers that are wrong on purpose: each must be caught by the feature that it is wrong about
+
+void eachUnit(Scene& scene, auto change) {
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units)
+            change(unit);
+    }
+}
+void eachTexture(Scene& scene, auto change) {
+    for (Texture& texture : scene.textures)
+        change(texture);
+}
+
+struct Wrong {
+    const char* name;
+    const char* feature;
+    Mutant::Change change;
+    Mutant::Blur blur = nullptr;
+    int scenes = 40; ///< enough for each to be caught; under a sanitizer they take long
+};
+class WrongRenderer : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongRenderer, IsCaughtByItsFeature) {
+    const Feature* feature = findFeature(GetParam().feature);
+    ASSERT_NE(feature, nullptr);
+    Mutant mutant(GetParam().change, GetParam().blur);
+    const Result<Report> report = sweep(optionsFor({feature}, GetParam().scenes), {&mutant, nullptr});
+    ASSERT_TRUE(report) << describe(report.error());
+    const Outcome& outcome = report->pairs[0].outcomes[0];
+    EXPECT_FALSE(outcome.agrees()) << outcome.all.over << " of " << outcome.all.pixels << " pixels over, "
+                                   << outcome.all.unexplained << " unexplained";
+}
+
+const Wrong wrongs[] = {
+    {"WrapModesSwapped", "wrap",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { std::swap(t.wrapS, t.wrapT); }); }},
+    {"OneCombinationOfWrapModesWrong", "wrap",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.wrapS == Wrap::MirroredRepeat && t.wrapT == Wrap::ClampToEdge)
+                 t.wrapS = Wrap::Repeat;
+         });
+     },
+     nullptr, 100},
+    {"BorderColorLost", "wrap", [](Scene& s) { eachTexture(s, [](Texture& t) { t.borderColor = {}; }); }},
+    {"ClampAsClampToEdge", "wrap-linear",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) { t.wrapS = t.wrapS == Wrap::Clamp ? Wrap::ClampToEdge : t.wrapS; });
+     }},
+    {"RoundedDown", "combine", nullptr,
+     [](Image& image) {
+         for (std::byte& each : image.pixels)
+             each = static_cast<std::byte>(std::max(0, std::to_integer<int>(each) - 2));
+     }},
+    {"ModulateAsReplace", "environment",
+     [](Scene& s) {
+         eachUnit(s,
+                  [](Unit& u) { u.envMode = u.envMode == EnvMode::Modulate ? EnvMode::Replace : u.envMode; });
+     }},
+    {"IntensityAsLuminance", "environment",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.internalFormat == BaseFormat::Intensity)
+                 t.internalFormat = BaseFormat::Luminance;
+         });
+     },
+     nullptr, 144},
+    {"EnvironmentColorLost", "environment", [](Scene& s) { eachUnit(s, [](Unit& u) { u.envColor = {}; }); }},
+    {"OperandInverted", "combine",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             if (u.combine.operand1Rgb == OperandRgb::OneMinusSrcAlpha)
+                 u.combine.operand1Rgb = OperandRgb::SrcAlpha;
+         });
+     }},
+    {"CrossbarIgnored", "combine",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             if (u.combine.source0Rgb == CombineSource::Texture0)
+                 u.combine.source0Rgb = CombineSource::Texture;
+         });
+     }},
+    {"AlphaScaleIgnored", "combine",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { u.combine.alphaScale = CombineScale::One; }); }},
+    {"LastUnitDropped", "units", [](Scene& s) { s.passes[0].units[s.textures.size() - 1].enabled = false; }},
+    {"EyePlanesAsObjectPlanes", "texgen-linear",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             u.texGenS.mode = TexGenMode::ObjectLinear;
+             u.texGenS.objectPlane.w += u.texGenS.eyePlane.z;
+         });
+         s.models[0].position = {};
+         eachUnit(s, [](Unit& u) { u.texGenT.enabled = false; });
+     }},
+    {"SphereMapAsReflection", "texgen-maps",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             if (u.texGenS.mode == TexGenMode::SphereMap)
+                 u.texGenS.mode = TexGenMode::ReflectionMap;
+         });
+     }},
+    {"GeneratedQIgnored", "texgen-maps",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { u.texGenQ.enabled = false; }); }},
+    {"NormalMapAsReflection", "texgen-shapes",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             if (u.texGenT.mode == TexGenMode::NormalMap)
+                 u.texGenT.mode = TexGenMode::ReflectionMap;
+         });
+     }},
+    {"MatrixBackwards", "matrix",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { std::ranges::reverse(u.matrix); }); }},
+    {"TexelsBesideByASixteenth", "nearest",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             u.matrix = {{.op = MatrixOp::Translate, .amount = {1.0F / 1024, 0, 0}}};
+         });
+     }},
+    {"LinearAsNearest", "linear",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.minFilter = MinFilter::Nearest; }); }},
+    {"FiltersSwapped", "magnification",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             const bool linear = t.magFilter == MagFilter::Linear;
+             t.magFilter = linear ? MagFilter::Nearest : MagFilter::Linear;
+             t.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+         });
+     }},
+    {"LevelsRoundedDown", "mipmap-nearest",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { u.lodBias -= 0.5F; }); }},
+    {"LambdaOffByATenth", "trilinear", [](Scene& s) { eachUnit(s, [](Unit& u) { u.lodBias += 0.1F; }); }},
+    {"BiasIgnored", "lod", [](Scene& s) { eachUnit(s, [](Unit& u) { u.lodBias = 0; }); }},
+    {"MinLodIgnored", "lod-trilinear",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.minLod = -1000; }); }},
+    {"MaxLodIgnored", "lod-trilinear", [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxLod = 1000; }); }},
+    {"BaseLevelIgnored", "lod", [](Scene& s) { eachTexture(s, [](Texture& t) { t.baseLevel = 0; }); }},
+    {"MaxLevelIgnored", "lod", [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxLevel = 1000; }); }},
+    {"AnisotropyIgnored", "anisotropy",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxAnisotropy = 1; }); }},
+    {"VolumesAsPictures", "targets",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { u.texGenR.enabled = false; }); }},
+    {"CompressionIgnored", "compression",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.compression = Compression::None; }); }},
+    {"IncompleteDrawnAnyway", "incomplete",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.mipmaps = MipPolicy::Generated; }); }},
+    {"AlphaTestBackwards", "alpha-test",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             if (pass.alphaFunc == CompareFunc::GreaterEqual)
+                 pass.alphaFunc = CompareFunc::LessEqual;
+     }},
+    {"BlendFactorsSwapped", "blend",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             if (pass.blendSrc == BlendFactor::DstAlpha)
+                 pass.blendSrc = BlendFactor::OneMinusDstAlpha;
+     }},
+    {"LastPassDropped", "passes", [](Scene& s) { s.passes.pop_back(); }},
+    {"DepthFunctionIgnored", "depth",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             if (pass.depthFunc == CompareFunc::Greater)
+                 pass.depthFunc = CompareFunc::Less;
+     }},
+    {"FlatAsSmooth", "lighting", [](Scene& s) { s.material.shadeModel = ShadeModel::Smooth; }},
+    {"ViewerNotLocal", "lighting", [](Scene& s) { s.light.localViewer = false; }},
+    {"HighlightUnderTheTexture", "specular", [](Scene& s) { s.light.colorControl = ColorControl::Single; }},
+    {"APixelTooFarRight", "coverage", [](Scene& s) { s.models[0].position.x += 0.02F; }},
+    {"SecondUnitAsFirst", "mixture", [](Scene& s) { eachUnit(s, [](Unit& u) { u.texture = 0; }); }},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, WrongRenderer, testing::ValuesIn(wrongs),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+// Every feature has somebody who is wrong about it.
+TEST(WrongRenderers, ThereIsOneForEachFeature) {
+    for (const Feature& feature : features())
+        EXPECT_TRUE(std::ranges::any_of(wrongs, [&](const Wrong& wrong) {
+            return wrong.feature == feature.name;
+        })) << feature.name;
+}
+
+} // namespace
+} // namespace texplorer::conform
