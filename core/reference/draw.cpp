@@ -19,6 +19,9 @@ namespace {
 /// memory that they take.
 constexpr std::size_t batch = 8192;
 
+/// A depth buffer up to this size is kept for the next picture: fresh memory costs more than to draw into it.
+constexpr std::size_t keptDepth = std::size_t{1} << 24;
+
 class Drawing {
 public:
     Drawing(Canvas& canvas, const DrawOptions& options)
@@ -64,6 +67,7 @@ private:
 
 struct ReferenceRenderer::State {
     TextureStore textures;
+    std::vector<std::uint32_t> depth; ///< memory for the next picture's
 
     Drawn draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
                const DrawOptions& options) {
@@ -71,7 +75,7 @@ struct ReferenceRenderer::State {
         textures.keepFirst(scene.textures.size());
         const std::vector<PassState> passes =
             passStates(scene, images, time, options.levels, options.anisotropy, textures, problems);
-        Canvas canvas(viewport, scene.view.background);
+        Canvas canvas(viewport, scene.view.background, std::move(depth));
         Drawing drawing(canvas, options);
         const glm::mat4 view = viewMatrix(scene.view);
         const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
@@ -86,6 +90,8 @@ struct ReferenceRenderer::State {
             }
         }
         drawing.flush();
+        if (canvas.depth.size() <= keptDepth)
+            depth = std::move(canvas.depth);
         return {std::move(canvas.color), std::move(problems)};
     }
 };

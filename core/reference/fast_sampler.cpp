@@ -18,7 +18,7 @@ using Colors = std::array<Floats, laneCount>; ///< red, green, blue and alpha of
 }
 
 /// wrapCoordinate() of wrap.h. A branch for four pixels, the same for the whole texture, costs nothing.
-[[nodiscard]] Floats wrapped(Wrap wrap, Floats coordinates, Floats size) {
+[[nodiscard, gnu::always_inline]] inline Floats wrapped(Wrap wrap, Floats coordinates, Floats size) {
     const Floats s = isFinite(coordinates) ? coordinates : floats(0);
     switch (wrap) {
     case Wrap::Repeat:
@@ -225,7 +225,7 @@ private:
     }
 
     /// LINEAR: equations 3.23 and 3.24.
-    [[nodiscard]] Colors linearly(const Levels& levels, Floats s, Floats t) const {
+    [[nodiscard, gnu::always_inline]] Colors linearly(const Levels& levels, Floats s, Floats t) const {
         const Wrap wrapS = texture_.wrap[0];
         const TexelPairs i(wrapS, wrapped(wrapS, s, levels.width), levels.width);
         Colors colors;
@@ -263,14 +263,14 @@ private:
 
     [[nodiscard]] Colors atLevel(Ints steps, Ints linear, Floats s, Floats t) const {
         const Levels levels(sampler_, steps);
+        if (!any(linear))
+            return nearest(levels, s, t);
+        Colors colors = linearly(levels, s, t);
         if (all(linear))
-            return linearly(levels, s, t);
-        Colors colors = nearest(levels, s, t);
-        if (any(linear)) {
-            const Colors smooth = linearly(levels, s, t);
-            for (std::size_t lane = 0; lane < colors.size(); ++lane)
-                colors[lane] = linear[static_cast<int>(lane)] ? smooth[lane] : colors[lane];
-        }
+            return colors;
+        const Colors rough = nearest(levels, s, t);
+        for (std::size_t lane = 0; lane < colors.size(); ++lane)
+            colors[lane] = linear[static_cast<int>(lane)] ? colors[lane] : rough[lane];
         return colors;
     }
 
@@ -289,7 +289,7 @@ private:
     }
 
     /// EXT_texture_filter_anisotropic, as sampler.cpp.
-    [[nodiscard]] Colors probed(const Choice& choice, const Place& place) const {
+    [[nodiscard, gnu::noinline]] Colors probed(const Choice& choice, const Place& place) const {
         const Floats n = choice.probes;
         const float most = std::max(std::max(n[0], n[1]), std::max(n[2], n[3]));
         Colors sum{};

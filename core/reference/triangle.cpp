@@ -43,7 +43,8 @@ EdgeFunction edgeOf(const Corner& from, const Corner& to) {
     const std::int64_t x = to.x - from.x;
     const std::int64_t y = to.y - from.y;
     const bool owns = y < 0 || (y == 0 && x > 0);
-    return {y * from.x - x * from.y - (owns ? 0 : 1), -y * subPixels, x * subPixels};
+    return {y * from.x - x * from.y - (owns ? 0 : 1), -y * subPixels, x * subPixels,
+            1 / std::abs(static_cast<double>(y * subPixels))};
 }
 
 int pixelAtOrAfter(std::int64_t snapped) {

@@ -30,6 +30,7 @@ struct EdgeFunction {
     std::int64_t origin = 0; ///< at the centre of pixel (0, 0)
     std::int64_t dx = 0;
     std::int64_t dy = 0;
+    double inverse = 0; ///< 1 / |dx|; infinite where dx is 0
 };
 
 /// Window positions are snapped to 1/256 of a pixel for the edges, so that triangles which share one leave no
