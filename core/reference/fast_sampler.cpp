@@ -13,6 +13,15 @@ namespace {
 
 using Colors = std::array<Floats, laneCount>; ///< red, green, blue and alpha of four pixels
 
+/// Calls work with 0, 1, 2 and 3, known when it is compiled: lanes stay in registers.
+template<class Work>
+[[gnu::always_inline]] inline void forEachLane(const Work& work) {
+    work(std::size_t{0});
+    work(std::size_t{1});
+    work(std::size_t{2});
+    work(std::size_t{3});
+}
+
 [[nodiscard]] Floats clamped(Floats values, Floats low, Floats high) {
     return greater(lesser(values, high), low);
 }
@@ -216,10 +225,14 @@ private:
         const Ints j =
             axes > 1 ? nearestTexels(wrapped(texture_.wrap[1], t, levels.height), levels.height) : ints(0);
         Colors colors;
-        for (int lane = 0; lane < laneCount; ++lane) {
-            const auto at = static_cast<std::size_t>(lane);
-            colors[at] = usesBorder_ ? texelOrBorder(*levels.planes[at], i[lane], j[lane])
-                                     : texel(*levels.planes[at], i[lane], j[lane]);
+        if (usesBorder_) {
+            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+                colors[lane] = texelOrBorder(*levels.planes[lane], i[lane], j[lane]);
+            });
+        } else {
+            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+                colors[lane] = texel(*levels.planes[lane], i[lane], j[lane]);
+            });
         }
         return colors;
     }
@@ -231,12 +244,11 @@ private:
         Colors colors;
         if constexpr (axes == 1) {
             const Floats firstShare = 1.0F - i.share;
-            for (int lane = 0; lane < laneCount; ++lane) {
-                const auto at = static_cast<std::size_t>(lane);
-                const Plane& plane = *levels.planes[at];
-                colors[at] = firstShare[lane] * texelOrBorder(plane, i.first[lane], 0) +
-                             i.share[lane] * texelOrBorder(plane, i.second[lane], 0);
-            }
+            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+                const Plane& plane = *levels.planes[lane];
+                colors[lane] = firstShare[lane] * texelOrBorder(plane, i.first[lane], 0) +
+                               i.share[lane] * texelOrBorder(plane, i.second[lane], 0);
+            });
             return colors;
         }
         const Wrap wrapT = texture_.wrap[1];
@@ -245,19 +257,24 @@ private:
         const Floats share10 = i.share * (1.0F - j.share);
         const Floats share01 = (1.0F - i.share) * j.share;
         const Floats share11 = i.share * j.share;
-        for (int lane = 0; lane < laneCount; ++lane) {
-            const auto at = static_cast<std::size_t>(lane);
-            const Plane& plane = *levels.planes[at];
-            const auto blend = [&](const auto& read) {
-                return share00[lane] * read(plane, i.first[lane], j.first[lane]) +
-                       share10[lane] * read(plane, i.second[lane], j.first[lane]) +
-                       share01[lane] * read(plane, i.first[lane], j.second[lane]) +
-                       share11[lane] * read(plane, i.second[lane], j.second[lane]);
-            };
-            colors[at] = usesBorder_
-                             ? blend([this](const Plane& p, int x, int y) { return texelOrBorder(p, x, y); })
-                             : blend(texel);
+        if (usesBorder_) {
+            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+                const Plane& plane = *levels.planes[lane];
+                colors[lane] = share00[lane] * texelOrBorder(plane, i.first[lane], j.first[lane]) +
+                               share10[lane] * texelOrBorder(plane, i.second[lane], j.first[lane]) +
+                               share01[lane] * texelOrBorder(plane, i.first[lane], j.second[lane]) +
+                               share11[lane] * texelOrBorder(plane, i.second[lane], j.second[lane]);
+            });
+            return colors;
         }
+        forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+            const Plane& plane = *levels.planes[lane];
+            const glm::vec4* first = plane.texels + std::ptrdiff_t{j.first[lane]} * plane.width;
+            const glm::vec4* second = plane.texels + std::ptrdiff_t{j.second[lane]} * plane.width;
+            colors[lane] =
+                share00[lane] * load(first + i.first[lane]) + share10[lane] * load(first + i.second[lane]) +
+                share01[lane] * load(second + i.first[lane]) + share11[lane] * load(second + i.second[lane]);
+        });
         return colors;
     }
 
@@ -269,8 +286,9 @@ private:
         if (all(linear))
             return colors;
         const Colors rough = nearest(levels, s, t);
-        for (std::size_t lane = 0; lane < colors.size(); ++lane)
-            colors[lane] = linear[static_cast<int>(lane)] ? colors[lane] : rough[lane];
+        forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+            colors[lane] = linear[lane] ? colors[lane] : rough[lane];
+        });
         return colors;
     }
 
@@ -280,10 +298,9 @@ private:
         if (any(choice.share > 0.0F)) {
             const Colors second = atLevel(choice.second, choice.linear, s, t);
             const Floats firstShare = 1.0F - choice.share;
-            for (int lane = 0; lane < laneCount; ++lane) {
-                const auto at = static_cast<std::size_t>(lane);
-                colors[at] = firstShare[lane] * colors[at] + choice.share[lane] * second[at];
-            }
+            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+                colors[lane] = firstShare[lane] * colors[lane] + choice.share[lane] * second[lane];
+            });
         }
         return colors;
     }
@@ -300,13 +317,11 @@ private:
             const Floats t = several ? place.t + choice.alongT * offset : place.t;
             const Colors colors = filtered(choice, s, t);
             const Ints counts = n >= i;
-            for (int lane = 0; lane < laneCount; ++lane) {
-                const auto at = static_cast<std::size_t>(lane);
-                sum[at] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(colors[at]) & counts[lane]);
-            }
+            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
+                sum[lane] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(colors[lane]) & counts[lane]);
+            });
         }
-        for (int lane = 0; lane < laneCount; ++lane)
-            sum[static_cast<std::size_t>(lane)] /= n[lane];
+        forEachLane([&](std::size_t lane) __attribute__((always_inline)) { sum[lane] /= n[lane]; });
         return sum;
     }
 

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/reference/fast_shade.h"
 #include "core/reference/fragment.h"
+#include "core/reference/lanes.h"
 #include "core/reference/shade.h"
 #include "core/reference/stored_color.h"
 
@@ -128,6 +129,9 @@ private:
             for (int x = left_; x <= right_;) {
                 const std::uint32_t* owner = owners(x, y);
                 int end = x + 1;
+                const Ints same = ints(static_cast<int>(*owner));
+                while (end + laneCount - 1 <= right_ && all(loadAs<Ints>(owner + (end - x)) == same))
+                    end += laneCount;
                 while (end <= right_ && owner[end - x] == *owner)
                     ++end;
                 if (*owner != nobody)

@@ -36,7 +36,12 @@ public:
     void Finalize() override {
         ConsoleReporter::Finalize();
         std::printf("\n");
-        for (const Comparison& row : comparisons) {
+        std::vector<Comparison> rows(comparisons.begin(), comparisons.end());
+#ifdef DRIVER_FRAMES
+        const std::vector<Comparison> frames = frameComparisons();
+        rows.insert(rows.end(), frames.begin(), frames.end());
+#endif
+        for (const Comparison& row : rows) {
             const auto ours = seconds_.find(row.ours);
             const auto peer = seconds_.find(row.peer);
             if (ours != seconds_.end() && peer != seconds_.end())
@@ -47,7 +52,8 @@ public:
 private:
     /// The processor's time, which other programs hardly change; of what waits or has threads, the clock's.
     static double timeOf(const Run& run) {
-        const bool realTime = run.run_name.time_type == "real_time";
+        const std::string& type = run.run_name.time_type;
+        const bool realTime = type == "real_time" || type == "manual_time";
         return realTime ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
     }
 

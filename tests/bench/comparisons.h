@@ -4,6 +4,7 @@
 // them.
 
 #include <array>
+#include <vector>
 
 namespace texplorer::bench {
 
@@ -84,5 +85,8 @@ inline constexpr std::array comparisons{
     Comparison{"texshot shot", "processTexshotShot/real_time", "processMinimalOsmesa/real_time",
                "a minimal OSMesa program", Goal::CostsUpTo, 1.5},
 };
+
+/// The rows of bench_reference.cpp: one for each scene and filter.
+[[nodiscard]] std::vector<Comparison> frameComparisons();
 
 } // namespace texplorer::bench

@@ -1,5 +1,6 @@
 // A peer of the reference renderer: one of Mesa's drivers, which GALLIUM_DRIVER chooses once for a whole
-// process. Draws a frame for every byte that it reads and says how long it took.
+// process. Says which driver it got; then, for every line with the names of a scene and of a filter, draws a
+// frame and says how many seconds of the processor's time it took, all threads together.
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/fixed_renderer.h"
@@ -8,9 +9,9 @@
 
 #include <GL/glew.h>
 
-#include <chrono>
-#include <cstdio>
 #include <ctime>
+#include <iostream>
+#include <string>
 
 namespace {
 
@@ -22,36 +23,34 @@ double processorSeconds() {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1e9;
 }
 
-double clockSeconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 } // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 3)
-        return 2;
-    const auto scene = bench::frameScene(argv[1], argv[2]);
+int main() {
     const auto context = offscreen::OsmesaContext::create({1, 1});
     auto renderer = render::loadCapabilities().and_then(&render::FixedRenderer::create);
-    if (!scene || !context || !renderer)
+    if (!context || !renderer)
         return 1;
+    std::cout << reinterpret_cast<const char*>(glGetString(GL_RENDERER)) << std::endl;
+
     const ImageSource images;
-    const auto draw = [&] {
-        const auto drawn = renderer->draw(*scene, images, 0, {bench::frameWidth, bench::frameHeight});
-        glFinish();
-        return drawn && drawn->problems.empty();
-    };
-    if (!draw() || !draw()) // textures and compiled state
-        return 1;
-    std::printf("%s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
-    std::fflush(stdout);
-    while (std::getchar() != EOF) {
-        const double clock = clockSeconds();
-        const double processor = processorSeconds();
+    std::string sceneName;
+    std::string filterName;
+    std::optional<Scene> drawn;
+    while (std::cin >> sceneName >> filterName) {
+        const std::optional<Scene> scene = bench::frameScene(sceneName, filterName);
+        if (!scene)
+            return 1;
+        const auto draw = [&] {
+            const auto frame = renderer->draw(*scene, images, 0, {bench::frameWidth, bench::frameHeight});
+            glFinish();
+            return frame && frame->problems.empty();
+        };
+        if (drawn != scene && !draw()) // a first time: textures, compiled state
+            return 1;
+        drawn = scene;
+        const double before = processorSeconds();
         draw();
-        std::printf("%.9f %.9f\n", clockSeconds() - clock, processorSeconds() - processor);
-        std::fflush(stdout);
+        std::cout << processorSeconds() - before << std::endl;
     }
     return 0;
 }

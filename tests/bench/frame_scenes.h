@@ -1,7 +1,7 @@
 #pragma once
 
-// The scenes whose frames are compared: what texplorer shows first, and a floor that runs to the horizon, each
-// with every way of filtering.
+// The scenes whose frames are compared: what texplorer shows first, and a floor that runs to the horizon,
+// each with every way of filtering.
 
 #include "core/scene/scene.h"
 

@@ -223,6 +223,24 @@ INSTANTIATE_TEST_SUITE_P(
                    [](SampledTexture& it, SampleOptions&) { it.maxAnisotropy = infinity; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(FastSampler, LeavesCubeMapsAndBordersToTheLiteralOne) {
+    Numbers numbers;
+    SampledTexture cube = texture(Target::Texture2D, {16, 16, 1});
+    cube.target = Target::CubeMap;
+    cube.otherFaces.assign(5, cube.levels);
+    cube.otherFaces[2][0].texels[7] = glm::vec4(0.5F);
+    SampledTexture bordered = texture(Target::Texture2D, {16, 16, 1});
+    for (Level& level : bordered.levels)
+        level = makeLevel(
+            level.size(), [](int i, int j, int) { return glm::vec4(i + 1, j + 1, 3, 9) / 18.0F; }, 1, 2);
+    bordered.wrap.fill(Wrap::Clamp);
+    for (int i = 0; i < 20; ++i) {
+        const SampleRow row = randomRow(numbers);
+        expectTheSame(cube, {}, row);
+        expectTheSame(bordered, {}, row);
+    }
+}
+
 TEST(FastSampler, WritesNoMoreThanTheLastFour) {
     SampledTexture made = texture(Target::Texture2D, {8, 8, 1});
     made.minFilter = MinFilter::Linear;

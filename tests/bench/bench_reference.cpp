@@ -1,0 +1,185 @@
+// A frame of the reference renderer, of every scene and way of filtering in frame_scenes.h, against Mesa's
+// drivers. Each driver runs in a process of its own, because it is chosen once for a whole process, and draws
+// its frames between ours.
+
+#include "core/reference/draw.h"
+#include "tests/bench/comparisons.h"
+#include "tests/bench/frame_scenes.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <map>
+#include <memory>
+#include <spawn.h>
+#include <string>
+#include <string_view>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+extern char** environ;
+
+namespace texplorer::bench {
+namespace {
+
+/// A process that draws frames with one of Mesa's drivers.
+class Driver {
+public:
+    explicit Driver(const char* gallium) {
+        int toChild[2];
+        int fromChild[2];
+        if (pipe(toChild) != 0 || pipe(fromChild) != 0)
+            return;
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_adddup2(&actions, toChild[0], 0);
+        posix_spawn_file_actions_adddup2(&actions, fromChild[1], 1);
+        for (const int end : {toChild[0], toChild[1], fromChild[0], fromChild[1]})
+            posix_spawn_file_actions_addclose(&actions, end);
+
+        std::string program = DRIVER_FRAMES;
+        char* arguments[] = {program.data(), nullptr};
+        std::string chosen = "GALLIUM_DRIVER=" + std::string(gallium);
+        std::vector<char*> environment{chosen.data()};
+        for (char** each = environ; *each; ++each) {
+            if (!std::string_view(*each).starts_with("GALLIUM_DRIVER="))
+                environment.push_back(*each);
+        }
+        environment.push_back(nullptr);
+        if (posix_spawn(&child_, arguments[0], &actions, nullptr, arguments, environment.data()) != 0)
+            child_ = 0;
+        posix_spawn_file_actions_destroy(&actions);
+        close(toChild[0]);
+        close(fromChild[1]);
+        ask_ = fdopen(toChild[1], "w");
+        answers_ = fdopen(fromChild[0], "r");
+        renderer_ = line();
+    }
+    Driver(const Driver&) = delete;
+    Driver& operator=(const Driver&) = delete;
+    Driver(Driver&&) = delete;
+    Driver& operator=(Driver&&) = delete;
+    ~Driver() {
+        if (ask_)
+            std::fclose(ask_); // its end
+        if (answers_)
+            std::fclose(answers_);
+        if (child_ != 0)
+            waitpid(child_, nullptr, 0);
+    }
+
+    /// GL_RENDERER; empty where there is no such driver.
+    [[nodiscard]] const std::string& renderer() const { return renderer_; }
+
+    /// The processor's time for one frame, of all threads together; 0 where it can't be drawn.
+    double frameSeconds(const char* scene, const char* filter) {
+        std::fprintf(ask_, "%s %s\n", scene, filter);
+        std::fflush(ask_);
+        return std::atof(line().c_str());
+    }
+
+private:
+    std::string line() {
+        char text[256] = "";
+        if (!answers_ || !std::fgets(text, sizeof text, answers_))
+            return "";
+        std::string found(text);
+        found.erase(found.find_last_not_of("\r\n") + 1);
+        return found;
+    }
+
+    pid_t child_ = 0;
+    FILE* ask_ = nullptr;
+    FILE* answers_ = nullptr;
+    std::string renderer_;
+};
+
+void driverFrame(benchmark::State& state, const char* gallium, const char* scene, const char* filter) {
+    static std::map<std::string, std::unique_ptr<Driver>> drivers;
+    std::unique_ptr<Driver>& driver = drivers[gallium];
+    if (!driver)
+        driver = std::make_unique<Driver>(gallium);
+    // Mesa takes another driver without a word where it does not know this one.
+    if (!driver->renderer().starts_with(gallium))
+        return state.SkipWithError(("OpenGL is drawn by \"" + driver->renderer() + "\"").c_str());
+    for (auto _ : state) {
+        const double seconds = driver->frameSeconds(scene, filter);
+        if (!(seconds > 0))
+            return state.SkipWithError("the driver can't draw the scene");
+        state.SetIterationTime(seconds);
+    }
+}
+
+void frameReference(benchmark::State& state, const Scene& scene, unsigned threads) {
+    const ImageSource images;
+    reference::ReferenceRenderer renderer;
+    for (auto _ : state) {
+        const auto drawn = renderer.draw(scene, images, 0, frameWidth, frameHeight, {.threads = threads});
+        if (!drawn || !drawn->problems.empty())
+            return state.SkipWithError("the scene can't be drawn");
+        benchmark::DoNotOptimize(drawn->image.pixels.data());
+    }
+}
+
+benchmark::internal::Benchmark* add(const std::string& name, const auto& work) {
+    return benchmark::RegisterBenchmark(name.c_str(), work)->Unit(benchmark::kMillisecond);
+}
+
+std::string tailOf(const FrameScene& scene, const FrameFilter& filter) {
+    return std::string("/") + scene.name + "/" + filter.name;
+}
+
+const bool registered = [] {
+    for (const FrameScene& scene : frameScenes) {
+        for (const FrameFilter& filter : frameFilters) {
+            const std::string tail = tailOf(scene, filter);
+            const Scene made = frameScene(scene, filter);
+            add("frameReference" + tail, [made](benchmark::State& state) { frameReference(state, made, 1); });
+            add("frameReference2" + tail, [made](benchmark::State& state) {
+                frameReference(state, made, 2);
+            })->MeasureProcessCPUTime();
+            for (const char* gallium : {"softpipe", "llvmpipe"})
+                add(gallium + tail, [gallium, &scene, &filter](benchmark::State& state) {
+                    driverFrame(state, gallium, scene.name, filter.name);
+                })->UseManualTime();
+        }
+        const Scene made = frameScene(scene, frameFilters.back());
+        for (const unsigned threads : {1U, 2U})
+            add("frameThreads/" + std::string(scene.name) + "/" + std::to_string(threads),
+                [made, threads](benchmark::State& state) { frameReference(state, made, threads); })
+                ->UseRealTime();
+    }
+    return true;
+}();
+
+} // namespace
+
+std::vector<Comparison> frameComparisons() {
+    static std::deque<std::string> words; // what the rows point to
+    const auto keep = [](std::string word) { return words.emplace_back(std::move(word)).c_str(); };
+    std::vector<Comparison> rows;
+    for (const FrameScene& scene : frameScenes) {
+        for (const FrameFilter& filter : frameFilters) {
+            const std::string tail = tailOf(scene, filter);
+            const char* name = keep("reference" + tail);
+            rows.push_back({name, keep("frameReference" + tail), keep("softpipe" + tail + "/manual_time"),
+                            "softpipe", Goal::FasterBy, 5});
+            const std::string_view filterName = filter.name;
+            if (filterName == "nearest" || filterName == "linear" || filterName == "anisotropic")
+                rows.push_back({name, keep("frameReference2" + tail + "/process_time"),
+                                keep("llvmpipe" + tail + "/manual_time"), "llvmpipe, two threads each",
+                                Goal::FasterBy, 1});
+        }
+        // By the clock: this means something on a machine with two cores to spare.
+        const std::string threads = "frameThreads/" + std::string(scene.name);
+        rows.push_back({keep("reference/" + std::string(scene.name) + ", two threads"),
+                        keep(threads + "/2/real_time"), keep(threads + "/1/real_time"), "one", Goal::FasterBy,
+                        1.8});
+    }
+    return rows;
+}
+
+} // namespace texplorer::bench
