@@ -9,12 +9,13 @@ in vec4 primaryColor;
 // Interpolated between the vertices; a flat colour is that of a triangle's last vertex.
 flat in vec4 primaryColor;
 //@ inputs GL_SMOOTH GL_FASTEST
-// Interpolated straight across the window, without perspective.
-noperspective in vec4 primaryColor;
+// Interpolated between the vertices, times w: over w they are linear in the window, without perspective.
+in vec4 primaryColorTimesW;
+in float w;
 //@ secondary input GL_SMOOTH
 in vec3 secondaryColor;
 //@ secondary input GL_SMOOTH GL_FASTEST
-noperspective in vec3 secondaryColor;
+in vec3 secondaryColorTimesW;
 //@ secondary input GL_FLAT
 flat in vec3 secondaryColor;
 //@ coordinate input
@@ -48,6 +49,10 @@ void main() {
     vec4 texelUNIT = texture(textureUNIT, texCoordUNIT.stp / texCoordUNIT.q, lodBiasUNIT);
 //@ primary color
     vec4 color = primaryColor;
+//@ primary color without perspective
+    vec4 primaryColor = primaryColorTimesW / w;
+//@ secondary color without perspective
+    vec3 secondaryColor = secondaryColorTimesW / w;
 //@ color sum
 
     // Section 3.9: the highlight is added after texturing.

@@ -31,13 +31,17 @@ out vec4 primaryColor;
 invariant gl_Position; // a second pass hits exactly the depth of the first
 flat out vec4 primaryColor;
 //@ outputs GL_SMOOTH GL_FASTEST
-// What the rasteriser interpolates for the fragments: straight across the window, without perspective.
+// What the rasteriser interpolates for the fragments. It divides by w: what was multiplied by w before is linear
+// in the window, as if there were no perspective.
 invariant gl_Position; // a second pass hits exactly the depth of the first
-noperspective out vec4 primaryColor;
+vec4 primaryColor;
+out vec4 primaryColorTimesW;
+out float w;
 //@ secondary output GL_SMOOTH
 out vec3 secondaryColor;
 //@ secondary output GL_SMOOTH GL_FASTEST
-noperspective out vec3 secondaryColor;
+vec3 secondaryColor;
+out vec3 secondaryColorTimesW;
 //@ secondary output GL_FLAT
 flat out vec3 secondaryColor;
 //@ coordinate output
@@ -61,7 +65,12 @@ void main() {
 //@ coordinate as it is
     texCoordUNIT = coordUNIT;
 //@ coordinate without perspective
-    // Interpolation divides by w; so it comes out linear in the window. q takes its part in it.
-    texCoordUNIT *= gl_Position.w;
+    texCoordUNIT *= gl_Position.w; // and q with it: linear in the window, without perspective
+//@ colors without perspective
+
+    w = gl_Position.w;
+    primaryColorTimesW = primaryColor * w;
+//@ secondary color without perspective
+    secondaryColorTimesW = secondaryColor * w;
 //@ end
 }

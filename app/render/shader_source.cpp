@@ -102,11 +102,12 @@ struct Plan {
     }
     /// How colours and coordinates come from the vertices to the fragments.
     [[nodiscard]] bool affine() const { return scene.view.perspectiveHint == HintMode::Fastest; }
+    [[nodiscard]] bool affineColors() const {
+        return affine() && scene.material.shadeModel == ShadeModel::Smooth;
+    }
     [[nodiscard]] std::string shading() const {
         const std::string name = nameOf(scene.material.shadeModel);
-        return affine() && scene.material.shadeModel == ShadeModel::Smooth
-                   ? name + " " + nameOf(HintMode::Fastest)
-                   : name;
+        return affineColors() ? name + " " + nameOf(HintMode::Fastest) : name;
     }
 
     void forEachUnit(auto each) const {
@@ -146,9 +147,13 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         body.add("vertex", "unlit");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         writeCoordinate(body, unit, sampled, index);
-        if (plan.affine()) // `noperspective` would say it, but Mesa 22.3 clips wrongly with it
+        if (plan.affine()) // `noperspective` would say it, but Mesa 22.3 goes wrong where it clips
             body.add("vertex", "coordinate without perspective", {{"UNIT", index}});
     });
+    if (plan.affineColors())
+        body.add("vertex", "colors without perspective");
+    if (plan.affineColors() && plan.separateSpecular())
+        body.add("vertex", "secondary color without perspective");
     body.add("vertex", "end");
 
     Writer stage(pieces);
@@ -269,6 +274,8 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
                      (unit.lodBias == 0 ? "" : " with bias"),
                  {{"UNIT", index}});
     });
+    if (plan.affineColors())
+        body.add("fragment", "primary color without perspective");
     body.add("fragment", "primary color");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         if (unit.envMode == EnvMode::Combine)
@@ -276,6 +283,8 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
         else
             body.add("environment", nameOf(unit.envMode) + " " + nameOf(sampled.format), {{"UNIT", index}});
     });
+    if (plan.affineColors() && plan.separateSpecular())
+        body.add("fragment", "secondary color without perspective");
     if (plan.separateSpecular())
         body.add("fragment", "color sum");
     const bool tested = plan.pass.alphaTest && plan.pass.alphaFunc != CompareFunc::Always;

@@ -27,13 +27,12 @@ std::string decimal(double number, int digits) {
 }
 
 std::string extentsOf(const LevelReport& level, Target target) {
-    std::string text = std::to_string(level.width);
+    std::string text = level.faces > 1 ? std::to_string(level.faces) + " × " : std::string();
+    text += std::to_string(level.width);
     if (target != Target::Texture1D)
         text += " × " + std::to_string(level.height);
     if (target == Target::Texture3D)
         text += " × " + std::to_string(level.depth);
-    if (level.faces > 1)
-        text += " × " + std::to_string(level.faces) + " faces";
     return text;
 }
 

@@ -304,10 +304,13 @@ TEST_F(Reference, InterpolatesColoursWithoutPerspectiveAsTheShadersDo) {
     scene.models[0].stacks = 2;
     scene.view.fieldOfView = 120;
     scene.view.distance = 1.8F;
-    scene.light.colorControl = ColorControl::SeparateSpecular;
     scene.view.perspectiveHint = HintMode::Fastest;
-    if (testedRenderer() == RendererKind::Shader)
-        agree(scene, 0.005);
+    scene.models[0].position.x = 0.4F; // partly outside of the view
+    for (const ColorControl control : {ColorControl::Single, ColorControl::SeparateSpecular}) {
+        scene.light.colorControl = control;
+        if (testedRenderer() == RendererKind::Shader)
+            agree(scene, 0.005);
+    }
 }
 
 // Where the driver takes the border away, the inside and the border colour must be the same.
