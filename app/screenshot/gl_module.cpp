@@ -7,6 +7,7 @@
 #include "app/render/driver_facts.h"
 #include "app/render/shader_renderer.h"
 #include "app/stage/stage.h"
+#include "app/ui/panes.h"
 #include "app/ui/session.h"
 #include "core/scene/levels_worker.h"
 
@@ -55,7 +56,21 @@ Result<Picture> drawWindow(const Drawing& drawing) {
         std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce, std::function<void()>(), drawing.levels);
     session.referenceAtOnce = std::make_shared<reference::DrawWorker>(
         reference::DrawWorker::When::AtOnce, std::function<void()>(), drawing.levels);
+    session.probeWorkerAtOnce = std::make_shared<reference::ProbeWorker>(
+        reference::ProbeWorker::When::AtOnce, std::function<void()>(), drawing.levels);
     showOne(session.views, drawing.renderer);
+    if (drawing.probed) {
+        const ui::Rect picture = ui::layoutFor(drawing.size.width, drawing.size.height, 1, session.columns,
+                                               ui::gridOf(session.views))
+                                     .picture;
+        const auto [x, y] = *drawing.probed;
+        if (x >= picture.width || y >= picture.height)
+            return fail(ErrorCode::OutOfRange,
+                        "the picture in this window has " + render::asText({picture.width, picture.height}) +
+                            " pixels, and none at " + std::to_string(x) + "," + std::to_string(y),
+                        "--probe");
+        session.explaining.pixel = {x, picture.height - 1 - y};
+    }
     session.playback.time = drawing.time;
     session.showsFrameTime = false;
     session.wantedTab = drawing.tab;

@@ -9,6 +9,7 @@
 #include "core/conform/painter.h"
 #include "core/conform/pair.h"
 #include "core/image/image.h"
+#include "core/reference/explanation.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/image_source.h"
 #include "core/scene/renderer.h"
@@ -17,17 +18,19 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace texplorer::screenshot {
 
 struct Drawing {
     Scene scene;
     ImageSource images;
-    std::filesystem::path file;      ///< of the scene; empty: none
-    double time = 0;                 ///< seconds
-    render::Size size;               ///< of the picture, in pixels
-    bool window = false;             ///< the whole window with its panels, not just the scene
-    ui::Tab tab = ui::Tab::Vertices; ///< of the window
+    std::filesystem::path file;                    ///< of the scene; empty: none
+    double time = 0;                               ///< seconds
+    render::Size size;                             ///< of the picture, in pixels
+    bool window = false;                           ///< the whole window with its panels, not just the scene
+    ui::Tab tab = ui::Tab::Vertices;               ///< of the window
+    std::optional<reference::PixelPlace> probed{}; ///< of the picture in the window, from its top left
     RendererKind renderer = RendererKind::Fixed;
     std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
     LevelWork levels{};            ///< how textures are compressed at run time

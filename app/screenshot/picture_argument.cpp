@@ -46,4 +46,18 @@ Result<double> parseTime(std::string_view text) {
                 "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
 }
 
+bool parseNumbers(std::string_view text, std::span<int> numbers) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != ','))
+            return false;
+        const auto [stop, error] = std::from_chars(at, end, numbers[i]);
+        if (error != std::errc())
+            return false;
+        at = stop;
+    }
+    return at == end;
+}
+
 } // namespace texplorer::screenshot

@@ -3,6 +3,8 @@
 #include "app/render/frame.h"
 #include "app/screenshot/command.h"
 
+#include <span>
+
 namespace texplorer::screenshot {
 
 /// How large a picture is and when it is taken, as the command line spells it.
@@ -16,5 +18,8 @@ void addPictureArgument(CLI::App& command, PictureArgument& argument);
 
 [[nodiscard]] Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest = {1, 1});
 [[nodiscard]] Result<double> parseTime(std::string_view text);
+
+/// Exactly so many whole numbers with commas between them.
+[[nodiscard]] bool parseNumbers(std::string_view text, std::span<int> numbers);
 
 } // namespace texplorer::screenshot

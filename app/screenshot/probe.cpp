@@ -7,7 +7,6 @@
 #include "app/screenshot/scene_argument.h"
 
 #include <algorithm>
-#include <charconv>
 #include <span>
 
 namespace texplorer::screenshot {
@@ -22,21 +21,6 @@ struct Options {
     bool json = false;
     bool withoutGl = false;
 };
-
-/// Exactly so many whole numbers with commas between them.
-bool parseNumbers(std::string_view text, std::span<int> numbers) {
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i > 0 && (at == end || *at++ != ','))
-            return false;
-        const auto [stop, error] = std::from_chars(at, end, numbers[i]);
-        if (error != std::errc())
-            return false;
-        at = stop;
-    }
-    return at == end;
-}
 
 Result<reference::PixelPlace> parsePlace(std::string_view text, render::Size size) {
     std::array<int, 2> place{};

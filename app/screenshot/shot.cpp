@@ -9,6 +9,7 @@
 #include "core/scene/diagnosis.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace texplorer::screenshot {
@@ -23,6 +24,7 @@ struct Options {
     PictureArgument picture;
     bool window = false;
     std::string tab;
+    std::string probe;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string anisotropy = std::string(rowOf(AnisotropyMethod::Probes).name);
     std::string shaders;
@@ -44,6 +46,15 @@ Result<ui::Tab> parseTab(std::string_view name) {
         return found->tab;
     return fail(ErrorCode::OutOfRange,
                 "expected one of " + tabNames() + ", found \"" + std::string(name) + "\"", "--tab");
+}
+
+Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
+    if (text.empty())
+        return std::nullopt;
+    std::array<int, 2> place{};
+    if (parseNumbers(text, place) && place[0] >= 0 && place[1] >= 0)
+        return reference::PixelPlace{place[0], place[1]};
+    return fail(ErrorCode::OutOfRange, "expected X,Y, found \"" + std::string(text) + "\"", "--probe");
 }
 
 template<Enumerated E>
@@ -99,6 +110,10 @@ ExitCode shoot(const Options& options) {
                          "--anisotropy"},
                         wrongCall);
 
+    const Result<std::optional<reference::PixelPlace>> probed = parseProbe(options.probe);
+    if (!probed)
+        return complain(probed.error(), wrongCall);
+
     auto opened = openScene(options.scene);
     if (!opened)
         return opened.error();
@@ -109,6 +124,7 @@ ExitCode shoot(const Options& options) {
                     *size,
                     options.window,
                     *tab,
+                    *probed,
                     *renderer,
                     options.shaders};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
@@ -155,6 +171,11 @@ void addShot(CLI::App& app, Action& action) {
     command
         ->add_option("--tab", options->tab,
                      "With --ui: the tab at the lower right, one of " + tabNames() + ".")
+        ->needs(window);
+    command
+        ->add_option(
+            "--probe", options->probe,
+            "With --ui: the pixel of the picture that is explained, X,Y from the picture's top left.")
         ->needs(window);
     command
         ->add_option("--renderer", options->renderer,

@@ -58,7 +58,7 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
     }
     view.frame = std::move(*frame);
     view.whole = true;
-    if (!ui::wantsPixels(session.views)) {
+    if (!ui::wantsPixels(session.views) && !session.explaining.pixel) {
         live.pixels.reset();
         return view;
     }

@@ -3,6 +3,7 @@
 #include "app/ui/thumbnails.h"
 #include "core/base/file_watch.h"
 #include "core/reference/draw_worker.h"
+#include "core/reference/probe_worker.h"
 #include "core/scene/image_loader.h"
 #include "core/scene/levels_worker.h"
 
@@ -17,13 +18,15 @@ struct Background {
         , loader(wake)
         , thumbnails(wake)
         , watch(wake)
-        , reference(reference::DrawWorker::When::WhenReady, wake, {cache}) {}
+        , reference(reference::DrawWorker::When::WhenReady, wake, {cache})
+        , probe(reference::ProbeWorker::When::WhenReady, wake, {cache}) {}
 
     LevelsWorker levels; ///< of the scene's textures
     ImageLoader loader;  ///< what the user wants to see
     Thumbnails thumbnails;
     FileWatch watch;                 ///< of every file that is loaded
     reference::DrawWorker reference; ///< of the reference's picture
+    reference::ProbeWorker probe;    ///< of the pixel that is explained
 };
 
 } // namespace texplorer::ui

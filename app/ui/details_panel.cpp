@@ -12,6 +12,8 @@ void drawTab(Session& session, const Pictures& pictures, Tab tab) {
         return drawVerticesTab(session);
     case Tab::Commands:
         return drawCommandsTab(session);
+    case Tab::Explain:
+        return drawExplainTab(session, pictures);
     case Tab::File:
         return drawFileTab(session);
     case Tab::Memory:
@@ -23,6 +25,7 @@ void drawTab(Session& session, const Pictures& pictures, Tab tab) {
 
 void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& layout) {
     beginPanel("Details", layout.details, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    session.explaining.isOpen = false;
     if (ImGui::BeginTabBar("tabs")) {
         const std::optional<Tab> wanted = std::exchange(session.wantedTab, std::nullopt);
         for (const TabRow& row : tabRows) {

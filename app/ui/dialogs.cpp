@@ -21,6 +21,7 @@ constexpr std::array mouseLines{
     Line{"Drag", "orbit the camera"},
     Line{"Shift + drag, right drag", "move it sideways"},
     Line{"Wheel", "go nearer or farther"},
+    Line{"hold E, click with Explain open", "explain the pixel under the mouse"},
     Line{"Ctrl + wheel, Ctrl + drag", "enlarge the pixels of the picture, move it"},
     Line{"Click", "pick the nearest vertex"},
     Line{"Double click", "frame all models"},

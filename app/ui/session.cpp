@@ -21,7 +21,8 @@ Session::Session(Scene start, ImageSource source)
     , saved(std::move(start))
     , images(std::move(source))
     , levelsAtOnce(std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce))
-    , referenceAtOnce(std::make_shared<reference::DrawWorker>(reference::DrawWorker::When::AtOnce)) {}
+    , referenceAtOnce(std::make_shared<reference::DrawWorker>(reference::DrawWorker::When::AtOnce))
+    , probeWorkerAtOnce(std::make_shared<reference::ProbeWorker>(reference::ProbeWorker::When::AtOnce)) {}
 
 Session makeSession(Scene scene, ImageSource images, std::filesystem::path file) {
     Session session(std::move(scene), std::move(images));
@@ -102,6 +103,10 @@ LevelsWorker& levelsOf(Session& session) {
 
 reference::DrawWorker& referenceOf(Session& session) {
     return session.background ? session.background->reference : *session.referenceAtOnce;
+}
+
+reference::ProbeWorker& probeWorkerOf(Session& session) {
+    return session.background ? session.background->probe : *session.probeWorkerAtOnce;
 }
 
 Model* selectedModel(Session& session) {

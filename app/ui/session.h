@@ -2,6 +2,7 @@
 
 #include "app/ui/background.h"
 #include "app/ui/details_tabs.h"
+#include "app/ui/explaining.h"
 #include "app/ui/file_browser.h"
 #include "app/ui/file_view.h"
 #include "app/ui/layout.h"
@@ -106,6 +107,9 @@ struct Session {
     std::shared_ptr<LevelsWorker> levelsAtOnce;             ///< where there is no Background
     std::shared_ptr<reference::DrawWorker> referenceAtOnce; ///< likewise
 
+    std::shared_ptr<reference::ProbeWorker> probeWorkerAtOnce; ///< likewise
+    Explaining explaining;
+
     Notice notice;
     std::string lastChanged;          ///< the path of the parameter that was edited last
     std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
@@ -148,6 +152,9 @@ void redo(Session& session);
 
 /// Who draws the reference's picture: the Background's worker, or one that draws at once.
 [[nodiscard]] reference::DrawWorker& referenceOf(Session& session);
+
+/// Who explains pixels: the Background's worker, or one that does it at once.
+[[nodiscard]] reference::ProbeWorker& probeWorkerOf(Session& session);
 
 // What the panels show.
 [[nodiscard]] Model* selectedModel(Session& session);

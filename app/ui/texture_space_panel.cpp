@@ -2,6 +2,7 @@
 #include "app/ui/param_widgets.h"
 #include "app/ui/plane_drawing.h"
 #include "app/ui/tex_coord_edits.h"
+#include "app/ui/texel_marks.h"
 #include "app/ui/theme.h"
 #include "core/scene/tex_coords.h"
 
@@ -117,10 +118,11 @@ void drawCanvas(Session& session, const Pictures& pictures) {
     };
     TexCoords coords = current();
     std::optional<std::size_t> under;
-    if (hovered || active)
+    const bool onPatch = isOnPatch(session, canvas, io.MousePos);
+    if ((hovered || active) && !onPatch)
         under = vertexUnder(canvas, mesh, coords, session.selection.vertex, io.MousePos,
                             ImGui::GetFontSize() * 0.55F);
-    if (model)
+    if (model && !onPatch)
         dragVertex(session, canvas, under, dragged);
     if (dragged && session.movesVertex)
         coords = current();
@@ -143,6 +145,10 @@ void drawCanvas(Session& session, const Pictures& pictures) {
         drawAxes(draw, canvas);
         drawMesh(draw, canvas, mesh, coords, session.selection.vertex, under);
     }
+    const bool clicked =
+        hovered && !under && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
+    drawTexelMarks(session, draw, canvas, clicked);
     draw.PopClipRect();
     if (session.probe) {
         for (std::size_t vertex = 0; vertex < coords.size(); ++vertex) {

@@ -11,6 +11,7 @@ inline constexpr ImU32 t = IM_COL32(126, 200, 116, 255);     ///< t, and y
 inline constexpr ImU32 r = IM_COL32(102, 163, 245, 255);     ///< r, and z
 inline constexpr ImU32 q = IM_COL32(160, 166, 176, 255);     ///< q, and w
 inline constexpr ImU32 chosen = IM_COL32(255, 208, 64, 255); ///< the chosen vertex and its face
+inline constexpr ImU32 probed = IM_COL32(70, 214, 232, 255); ///< the probed pixel and its texels
 inline constexpr ImU32 changed =
     IM_COL32(190, 150, 255, 255); ///< differs from the initial value; what changed last
 inline constexpr ImU32 problem = IM_COL32(255, 138, 92, 255); ///< errors and warnings

@@ -2,6 +2,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/panes.h"
 #include "app/ui/param_widgets.h"
+#include "app/ui/probed_pixel.h"
 #include "app/ui/show.h"
 #include "app/ui/theme.h"
 #include "core/scene/picking.h"
@@ -170,8 +171,8 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 }
 
 /// What the mouse does, the most useful first: as much of it as fits.
-constexpr std::array hints{"Drag: orbit", "Wheel: zoom", "Right drag: pan", "Click: pick a vertex",
-                           "Ctrl + wheel: enlarge the pixels"};
+constexpr std::array hints{"Drag: orbit",     "Wheel: zoom",          "Hold E: explain",
+                           "Right drag: pan", "Click: pick a vertex", "Ctrl + wheel: enlarge the pixels"};
 
 void hintLine(const Layout& layout) {
     const float em = ImGui::GetFontSize();
@@ -211,17 +212,21 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     const bool hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
     moveView(session, hovered, active, layout);
+    bool clicked = false;
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         frameAll(session, layout);
     } else if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
                    ImGui::GetIO().MouseDragThreshold * ImGui::GetIO().MouseDragThreshold) {
         pick(session, layout, panes, picture);
+        clicked = true;
     }
+    probeWithMouse(session, panes, hovered, clicked);
     for (const Pane& pane : panes.all()) {
         draw.PushClipRect(
             {static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
             {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
+        drawProbedPixel(session, pictures, panes, pane);
         drawMarker(session, layout, panes, pane, picture);
         draw.PopClipRect();
     }

@@ -4,6 +4,7 @@
 #include "app/ui/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
+#include "app/ui/probed_pixel.h"
 #include "app/ui/theme.h"
 
 #include <imgui_internal.h> // how far the darkening behind a dialog has got
@@ -89,6 +90,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
         session.shownParam.clear();
     diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected
+    askAboutPicture(session, pictures);
     drawParametersPanel(session, layout);
     settle(session, layout);
     drawViewPanel(session, pictures, layout);

@@ -16,6 +16,8 @@ struct TexelQuestion {
     int pass = 0;
     int unit = 0;
     TexelPlace texel{};
+
+    bool operator==(const TexelQuestion&) const = default;
 };
 
 /// What one texel gives to each pixel of a picture.

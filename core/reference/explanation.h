@@ -6,6 +6,7 @@
 #include "core/reference/environment.h"
 #include "core/reference/lighting.h"
 #include "core/reference/sample_record.h"
+#include "core/reference/tap_places.h"
 #include "core/scene/scene.h"
 
 #include <glm/mat4x4.hpp>
@@ -82,6 +83,7 @@ struct UnitExplanation {
 
     SampleRecord sample;
     std::vector<LevelExtent> extents; ///< of the levels in `sample`
+    std::vector<LevelPatch> patches;  ///< what lies around the texels
 
     EnvMode mode = EnvMode::Modulate;
     EnvironmentInputs inputs;

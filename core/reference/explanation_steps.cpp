@@ -45,8 +45,7 @@ Step triangleStep(const FragmentExplanation& fragment) {
     Step step{StepKind::Triangle, -1, "Triangle", {}};
     std::string shares;
     for (const VertexExplanation& vertex : fragment.vertices) {
-        shares += (shares.empty() ? "" : ", ") + numberText(std::round(vertex.weight * 1000) / 10) +
-                  " % of vertex " + std::to_string(vertex.vertex);
+        shares += (shares.empty() ? "" : ", ") + numberText(std::round(vertex.weight * 1000) / 10) + " %";
     }
     step.summary = shares;
     step.rows = {
@@ -221,10 +220,10 @@ std::string bytesText(const PixelBytes& bytes) {
 
 FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     FragmentSteps text;
-    text.title = "pass " + std::to_string(fragment.pass) + ", models[" + std::to_string(fragment.model) +
-                 "]: " + std::string(rowOf(fragment.shape).label) +
-                 (fragment.face.empty() ? "" : ", " + fragment.face) + ", triangle " +
-                 std::to_string(fragment.triangle);
+    const std::string shape(rowOf(fragment.shape).label);
+    text.title = shape + (fragment.face.empty() || fragment.face == shape ? "" : ", " + fragment.face) +
+                 ", triangle " + std::to_string(fragment.triangle) + " (models[" +
+                 std::to_string(fragment.model) + "], pass " + std::to_string(fragment.pass) + ")";
     text.drawn = fragment.outcome == FragmentOutcome::Drawn;
     text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
                    : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"

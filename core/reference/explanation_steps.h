@@ -54,7 +54,7 @@ struct Step {
 };
 
 struct FragmentSteps {
-    std::string title;   ///< "pass 0, models[1]: Sphere, Stack 3, triangle 17"
+    std::string title;   ///< "Sphere, Stack 3, triangle 17 (models[1], pass 0)"
     std::string outcome; ///< "drawn", "failed the depth test"
     bool drawn = true;
     std::vector<Step> steps;

@@ -255,6 +255,7 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.lodBias = state.sampling.unitBias;
         unit.sample = explainSample(*state.texture, place.coords, place.derivatives, state.sampling);
         unit.extents = extentsOf(*state.texture, unit.sample);
+        unit.patches = levelPatches(*state.texture, unit.sample, place.coords);
         samples[u] = unit.sample.color;
         sources[u] = &samples[u];
     }

@@ -22,6 +22,8 @@ namespace texplorer::reference {
 struct TexelPlace {
     int level = 0;
     glm::ivec3 index{0};
+
+    bool operator==(const TexelPlace&) const = default;
 };
 
 /// The share that one texel has in the same sample: 0 where it isn't read.

@@ -154,11 +154,11 @@ Step wrapStep(const UnitExplanation& unit) {
     return step;
 }
 
-std::string placeText(const Tap& tap, Target target) {
+std::string placeText(const Tap& tap, Target target, bool severalLevels) {
     const int axes = axesOf(target);
     std::string text =
         target == Target::CubeMap ? std::string(rowOf(cubeFaceAt(tap.index.z)).label) + " " : "";
-    text += "level " + std::to_string(tap.level) + " (" + std::to_string(tap.index.x);
+    text += (severalLevels ? "level " + std::to_string(tap.level) + " (" : "(") + std::to_string(tap.index.x);
     for (int axis = 1; axis < axes; ++axis)
         text += ", " + std::to_string(tap.index[axis]);
     return text + ")";
@@ -181,7 +181,8 @@ Step texelsStep(const UnitExplanation& unit) {
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
-        StepRow row{placeText(tap, unit.target) + (tap.border ? " border" : ""),
+        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
+                        (tap.border ? " border" : ""),
                     {{numberText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)

@@ -151,14 +151,14 @@ class Shot(Texshot):
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
-            ("one of vertices, commands, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("one of vertices, commands, explain, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
             ("--nonsense", ["--nonsense"]),
         ]:
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
-        self.complains(2, "expected one of shot, probe, check, params, decode, info")
+        self.complains(2, "expected one of shot, probe, check, conform, params, decode, info")
         for unknown in ["paint", "--paint", "-x", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
 
@@ -645,7 +645,7 @@ class Probe(Texshot):
     def test_the_text_says_what_the_json_says(self):
         said = self.succeeds("probe", self.scene, "--size", "4x4", "--at", "0,3").decode()
         for expected in ("pixel 0, 3 of 4 x 4, from the top left", "reference  45 45 45 255", "fixed      ", "shader     ",
-                         "level 0 (0, 0)", "0.5625", "GL_REPLACE", "rho = the longer", "lambda is not above 0"):
+                         "(0, 0)", "0.5625", "GL_REPLACE", "rho = the longer", "lambda is not above 0"):
             self.assertIn(expected, said)
 
     def test_without_the_part_that_draws_it_says_so_and_goes_on(self):
@@ -672,6 +672,17 @@ class Probe(Texshot):
         said = self.succeeds("probe", self.scene, "--size", "4x4", "--texel", "0,0,0,0").decode()
         self.assertIn("16 pixels read it, x from 0 to 3, y from 0 to 3", said)
         self.assertIn("4 pixels' worth of colour", said)
+
+    def test_the_window_explains_the_pixel_that_it_is_asked_for(self):
+        window = ("--ui", "--size", "800x500", "--tab", "explain")
+        without = self.shot(*window)
+        probed = self.shot(*window, "--probe", "120,180")
+        self.assertIsNotNone(ImageChops.difference(without.convert("RGB"), probed.convert("RGB")).getbbox())
+        self.assertEqual(probed.tobytes(), self.shot(*window, "--probe", "120,180").tobytes())
+        out = self.path / "out.png"
+        self.complains(1, "and none at 5000,10", "shot", *window, "--probe", "5000,10", "-o", out)
+        self.complains(2, "--probe: expected X,Y, found \"here\"", "shot", *window, "--probe", "here", "-o", out)
+        self.complains(2, "--probe", "shot", "--probe", "1,1", "-o", out)
 
     def test_what_it_does_not_have_is_refused(self):
         for code, expected, *arguments in (

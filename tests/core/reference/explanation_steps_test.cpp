@@ -53,7 +53,7 @@ TEST_P(Steps, SayIt) {
 INSTANTIATE_TEST_SUITE_P(
     All, Steps,
     testing::Values(
-        Case{"Title", [](Scene&) {}, "pass 0, models[0]: Square"},
+        Case{"Title", [](Scene&) {}, "Square, Front, triangle 0 (models[0], pass 0): drawn"},
         Case{"Flat", [](Scene& it) { it.material.shadeModel = ShadeModel::Flat; }, "Flat shading"},
         Case{"Unlit", [](Scene& it) { it.passes[0].lighting = false; }, "Lighting is off"},
         Case{"Magnified", [](Scene& it) { it.passes[0].units[0].lodBias = -16; },

@@ -1,0 +1,253 @@
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/probed_pixel.h"
+#include "app/ui/theme.h"
+#include "core/reference/explanation_steps.h"
+
+#include <algorithm>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::Ink;
+using reference::PixelBytes;
+using reference::Step;
+using reference::StepRow;
+
+ImU32 tintOf(Ink ink) {
+    switch (ink) {
+    case Ink::S:
+        return color::s;
+    case Ink::T:
+        return color::t;
+    case Ink::R:
+        return color::r;
+    case Ink::Q:
+        return color::q;
+    case Ink::Dim:
+        return color::dim;
+    case Ink::Good:
+        return color::t;
+    case Ink::Bad:
+        return color::problem;
+    case Ink::Plain:
+        break;
+    }
+    return color::text;
+}
+
+void text(const std::string& words, ImU32 tint = color::text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, tint);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopStyleColor();
+}
+
+/// A square of the colour, as opaque as a pixel is.
+void swatch(glm::vec4 color) {
+    const float side = ImGui::GetTextLineHeight() * 0.8F;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float top = at.y + ImGui::GetTextLineHeight() * 0.1F;
+    const glm::vec4 c = glm::clamp(color, 0.0F, 1.0F);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled({at.x, top}, {at.x + side, top + side},
+                       ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}));
+    draw.AddRect({at.x, top}, {at.x + side, top + side}, color::outline);
+    ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+}
+
+/// Rows with the same number of cells share their columns.
+void drawRows(const std::vector<StepRow>& rows) {
+    for (std::size_t first = 0; first < rows.size();) {
+        const std::size_t cells = rows[first].cells.size();
+        std::size_t last = first;
+        while (last < rows.size() && rows[last].cells.size() == cells)
+            ++last;
+        if (cells == 0) {
+            for (; first < last; ++first) {
+                ImGui::PushStyleColor(ImGuiCol_Text, tintOf(rows[first].ink));
+                ImGui::TextWrapped("%s", rows[first].label.c_str());
+                ImGui::PopStyleColor();
+            }
+            continue;
+        }
+        ImGui::PushID(static_cast<int>(first));
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                            {ImGui::GetFontSize() * 0.22F, ImGui::GetStyle().CellPadding.y});
+        const int columns = static_cast<int>(cells) + 1;
+        if (ImGui::BeginTable("rows", columns,
+                              ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
+            for (; first < last; ++first) {
+                const StepRow& row = rows[first];
+                ImGui::TableNextRow();
+                ImGui::TableNextColumn();
+                if (row.swatch) {
+                    swatch(*row.swatch);
+                    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+                }
+                text(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
+                for (const reference::StepCell& cell : row.cells) {
+                    ImGui::TableNextColumn();
+                    text(cell.text, tintOf(cell.ink));
+                }
+            }
+            ImGui::EndTable();
+        }
+        ImGui::PopStyleVar();
+        ImGui::PopID();
+        first = last;
+    }
+}
+
+void drawStep(Session& session, const Step& step, bool first, bool severalUnits) {
+    const std::string title =
+        step.unit < 0 || !severalUnits ? step.title : step.title + ", unit " + std::to_string(step.unit);
+    ImGui::PushID(static_cast<int>(step.kind) * 8 + step.unit);
+    // The texels are what one wants to see first.
+    ImGui::SetNextItemOpen(first && step.kind == reference::StepKind::Texels, ImGuiCond_FirstUseEver);
+    const bool hasRows = !step.rows.empty();
+    const bool open =
+        ImGui::TreeNodeEx("step", ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
+                          "%s", title.c_str());
+    noteItem(session, "explain:" + title);
+    ImGui::SameLine();
+    if (step.swatch) {
+        swatch(*step.swatch);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
+    const bool idle = step.kind == reference::StepKind::IdleUnit;
+    text(step.summary, idle ? color::problem : color::dim);
+    if (open) {
+        drawRows(step.rows);
+        ImGui::TreePop();
+    }
+    ImGui::PopID();
+}
+
+void drawFragment(Session& session, const reference::FragmentSteps& fragment,
+                  const reference::FragmentExplanation& explained, std::size_t index, bool seen) {
+    ImGui::PushID(seen ? -1 : static_cast<int>(index));
+    ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
+    const std::string title = fragment.title + (fragment.drawn ? "" : ": " + fragment.outcome);
+    ImGui::PushStyleColor(ImGuiCol_Text, fragment.drawn ? color::text : color::dim);
+    const bool open = ImGui::CollapsingHeader((title + "###fragment").c_str());
+    ImGui::PopStyleColor();
+    noteItem(session, "explain:fragment " + std::to_string(index));
+    for (const Step& step : fragment.steps) {
+        if (open)
+            drawStep(session, step, seen, explained.units.size() + explained.idle.size() > 1);
+    }
+    ImGui::PopID();
+}
+
+glm::vec4 colorOf(const PixelBytes& bytes) {
+    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
+}
+
+std::string differenceText(const PixelBytes& from, const PixelBytes& to) {
+    int most = 0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        most = std::max(most, std::abs(int{from[i]} - int{to[i]}));
+    return most == 0 ? "the same" : "differs by " + std::to_string(most);
+}
+
+void drawHead(Session& session, const Pictures& pictures, const reference::Explanation& explanation) {
+    const auto& [x, y] = explanation.pixel;
+    text("Pixel " + std::to_string(x) + ", " + std::to_string(y), color::probed);
+    noteItem(session, "explain:pixel");
+    helpTip(
+        "Counted from the lower left, as OpenGL's window coordinates are. Hold E over the picture, or click "
+        "there, for another pixel.");
+    const float width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    if (ImGui::SmallButton("Clear")) {
+        session.explaining.pixel.reset();
+        session.explaining.texel.reset();
+    }
+    noteItem(session, "explain:clear");
+    if (!ImGui::BeginTable("renderers", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings))
+        return;
+    const auto line = [&](std::string_view name, const PixelBytes& bytes, const std::string& remark) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        swatch(colorOf(bytes));
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        text(std::string(name));
+        ImGui::TableNextColumn();
+        text(reference::bytesText(bytes));
+        ImGui::TableNextColumn();
+        text(remark, remark.starts_with("differs") ? color::problem : color::dim);
+    };
+    line("Specification", explanation.bytes, "");
+    for (const RenderedView& view : pictures.views) {
+        if (!view.image || !view.whole || view.image->width != explanation.width ||
+            view.image->height != explanation.height || view.image->format != PixelFormat::Rgba8)
+            continue;
+        PixelBytes bytes{};
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] = std::to_integer<std::uint8_t>(view.image->at(x, y)[i]);
+        line(rowOf(view.renderer).label, bytes, differenceText(explanation.bytes, bytes));
+    }
+    ImGui::EndTable();
+}
+
+void drawTexelLine(Session& session) {
+    const Explaining& asked = session.explaining;
+    if (!asked.texel || !asked.answer || !asked.answer->contributions)
+        return;
+    const auto& found = *asked.answer->contributions;
+    const auto& [level, index] = asked.texel->texel;
+    const std::string name = "Texel " + std::to_string(index.x) + ", " + std::to_string(index.y) +
+                             " of level " + std::to_string(level);
+    std::string words = name + ": " + (found ? std::string() : describe(found.error()));
+    if (found) {
+        const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
+        words += count == 0   ? "no pixel that one sees reads it"
+                 : count == 1 ? "one pixel reads it"
+                              : std::to_string(count) + " pixels read it, lit in the view";
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
+    ImGui::TextWrapped("%s", words.c_str());
+    ImGui::PopStyleColor();
+    noteItem(session, "explain:texel");
+}
+
+} // namespace
+
+void drawExplainTab(Session& session, const Pictures& pictures) {
+    session.explaining.isOpen = true;
+    ImGui::BeginChild("explain", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    const auto& answer = session.explaining.answer;
+    const reference::Explanation* explanation = explanationOf(session);
+    if (!session.explaining.pixel) {
+        ImGui::TextWrapped(
+            "Why has this pixel that colour? Click one in the view, or hold E over it: here is "
+            "everything that OpenGL computes on the way, in its order.");
+        noteItem(session, "explain:none");
+        drawTexelLine(session);
+    } else if (!explanation) {
+        if (answer && answer->explanation && !*answer->explanation)
+            ImGui::TextWrapped("%s", describe(answer->explanation->error()).c_str());
+        else
+            ImGui::TextDisabled("The texture's levels are being made…");
+        noteItem(session, "explain:waiting");
+    } else {
+        drawHead(session, pictures, *explanation);
+        drawTexelLine(session);
+        const auto fragments = reference::stepsOf(*explanation);
+        if (fragments.empty())
+            ImGui::TextWrapped("No triangle covers it: it shows the background.");
+        const reference::FragmentExplanation* seen = explanation->seen();
+        // First what one sees, then the rest in the order of drawing.
+        for (std::size_t i = 0; i < fragments.size(); ++i) {
+            if (seen == &explanation->fragments[i])
+                drawFragment(session, fragments[i], explanation->fragments[i], i, true);
+        }
+        for (std::size_t i = 0; i < fragments.size(); ++i) {
+            if (seen != &explanation->fragments[i])
+                drawFragment(session, fragments[i], explanation->fragments[i], i, false);
+        }
+    }
+    ImGui::EndChild();
+}
+
+} // namespace texplorer::ui

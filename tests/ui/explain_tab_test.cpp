@@ -1,0 +1,181 @@
+#include "app/ui/panes.h"
+#include "app/ui/probed_pixel.h"
+#include "core/reference/probe.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::ui::test {
+namespace {
+
+class ExplainTab : public Workbench {
+protected:
+    void open() {
+        session->wantedTab = Tab::Explain;
+        frames(3);
+    }
+    /// A place in the view where the cube is.
+    [[nodiscard]] ImVec2 onTheCube() const {
+        return {static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.3F,
+                static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F};
+    }
+    /// A place in the middle of a texel of a level's small picture.
+    ImVec2 inPatch(int level) { return place("patch:level " + std::to_string(level)); }
+};
+
+TEST_F(ExplainTab, SaysWhatToDoFirst) {
+    open();
+    EXPECT_TRUE(has("explain:none"));
+    EXPECT_FALSE(has("probed pixel"));
+}
+
+TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
+    open();
+    clickAt(onTheCube());
+    ASSERT_TRUE(session->explaining.pixel);
+    const Panes panes(layout, session->views, {layout.picture.width, layout.picture.height});
+    const auto expected = panes.pixelAt(onTheCube());
+    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
+    const reference::Explanation* found = explanationOf(*session);
+    ASSERT_NE(found, nullptr);
+    const auto alone = reference::probe(session->scene, session->images, 0, layout.picture.width,
+                                        layout.picture.height, *session->explaining.pixel);
+    EXPECT_EQ(found->bytes, alone->bytes);
+    EXPECT_NE(found->seen(), nullptr);
+    EXPECT_TRUE(has("explain:pixel"));
+    EXPECT_TRUE(has("explain:Texels"));
+    EXPECT_TRUE(has("probed pixel"));
+}
+
+TEST_F(ExplainTab, AClickElsewhereMeansNothing) {
+    clickAt(onTheCube());
+    EXPECT_FALSE(session->explaining.pixel);
+}
+
+TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
+    moveTo(onTheCube());
+    ImGui::GetIO().KeysDown['E'] = true;
+    frames(3);
+    EXPECT_TRUE(session->explaining.isOpen);
+    const auto first = session->explaining.pixel;
+    ASSERT_TRUE(first);
+    moveTo({onTheCube().x + 7, onTheCube().y - 5});
+    ImGui::GetIO().KeysDown['E'] = false;
+    frames(2);
+    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
+    moveTo(onTheCube());
+    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5})) << "it stays";
+}
+
+TEST_F(ExplainTab, TellsThatNothingCoversAPixel) {
+    open();
+    clickAt({static_cast<float>(layout.picture.x + 40), static_cast<float>(layout.picture.y + 60)});
+    ASSERT_NE(explanationOf(*session), nullptr);
+    EXPECT_TRUE(explanationOf(*session)->fragments.empty());
+    EXPECT_FALSE(has("explain:fragment 0"));
+}
+
+TEST_F(ExplainTab, FollowsTheScene) {
+    open();
+    clickAt(onTheCube());
+    const reference::PixelBytes before = explanationOf(*session)->bytes;
+    session->scene.material.color = {1, 0, 0, 1};
+    session->scene.passes[0].units[0].enabled = false;
+    frames(2);
+    EXPECT_NE(explanationOf(*session)->bytes, before);
+    EXPECT_FALSE(has("explain:Texels"));
+    EXPECT_EQ(probedUnit(*session), nullptr);
+}
+
+TEST_F(ExplainTab, StepsUnfold) {
+    open();
+    clickAt(onTheCube());
+    click("explain:Primary colour");
+    (void)picture();
+    EXPECT_TRUE(has("explain:Primary colour"));
+}
+
+TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
+    open();
+    clickAt(onTheCube());
+    const reference::UnitExplanation* unit = probedUnit(*session);
+    ASSERT_NE(unit, nullptr);
+    const int level = unit->patches.front().level;
+    clickAt(inPatch(level));
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel.level, level);
+    EXPECT_TRUE(has("explain:texel"));
+    ASSERT_TRUE(session->explaining.light);
+    EXPECT_EQ(session->explaining.light->width, layout.picture.width);
+    const auto& found = *session->explaining.answer->contributions;
+    ASSERT_TRUE(found);
+    clickAt(inPatch(level)); // once more: no longer
+    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_FALSE(session->explaining.light);
+}
+
+TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
+    open();
+    // The middle of texel 60, 50 of 64 x 64, where no vertex is.
+    const auto at = [&](float s, float t) {
+        const ImVec2 low = place("coord:0");
+        const ImVec2 high = place("coord:2");
+        return ImVec2(low.x + (high.x - low.x) * s, low.y + (high.y - low.y) * t);
+    };
+    clickAt(at(60.5F / 64, 50.5F / 64));
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
+    EXPECT_TRUE(session->explaining.light);
+    session->wantedTab = Tab::Vertices;
+    frames(3);
+    clickAt(at(20.5F / 64, 20.5F / 64));
+    EXPECT_EQ(session->explaining.texel->texel.index.x, 60) << "only while the tab is open";
+}
+
+TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
+    open();
+    texture().pattern = Pattern::CubeFaces;
+    unit().target = Target::CubeMap;
+    frames(2);
+    clickAt(onTheCube());
+    const reference::UnitExplanation* found = probedUnit(*session);
+    ASSERT_NE(found, nullptr);
+    ASSERT_TRUE(found->sample.cube);
+    ASSERT_FALSE(found->patches.empty());
+    EXPECT_EQ(found->patches.front().layer, found->sample.cube->face);
+    clickAt(inPatch(found->patches.front().level));
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
+    (void)picture();
+}
+
+TEST_F(ExplainTab, ClearForgetsIt) {
+    open();
+    clickAt(onTheCube());
+    click("explain:clear");
+    EXPECT_FALSE(session->explaining.pixel);
+    EXPECT_FALSE(session->explaining.answer);
+    EXPECT_TRUE(has("explain:none"));
+}
+
+// The picture became smaller: there is no such pixel any more.
+TEST_F(ExplainTab, ForgetsAPixelThatIsGone) {
+    open();
+    session->explaining.pixel = {layout.picture.width, 0};
+    frames(2);
+    EXPECT_FALSE(session->explaining.pixel);
+}
+
+TEST_F(ExplainTab, DrawsWithoutAnyError) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    (void)picture();
+    session->scene.textures[0].maxAnisotropy = 16;
+    session->scene.models[0].shape = Shape::Floor;
+    session->scene.models[0].texCoords = {};
+    (void)picture();
+    session->scene.models[0].texCoords[0] = TexCoords(4, glm::vec4(1e30F, -1e30F, 0, 0));
+    (void)picture();
+}
+
+} // namespace
+} // namespace texplorer::ui::test
