@@ -19,7 +19,7 @@ constexpr std::array rows{
             rules::texelEdge, rules::lastBit},
     Feature{"environment", "modes x base formats", "3.8.13", 144, scenes::environment, rules::exact,
             rules::exact},
-    Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 160,
+    Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 128,
             scenes::combine, rules::exact, rules::exact},
     Feature{"units", "two to four units of any mode, format and texture", "3.8.13", 72, scenes::units,
             rules::exact, rules::exact},
@@ -29,21 +29,21 @@ constexpr std::array rows{
             rules::texelEdge, rules::exact},
     Feature{"texgen-linear", "object and eye planes of s, t and r, models that have moved", "2.11.4", 72,
             scenes::linearTexGen, rules::exact, rules::exact},
-    Feature{"texgen-maps", "every mode of s and t, generated q, a texture matrix after it", "2.11.4", 80,
+    Feature{"texgen-maps", "every mode of s and t, generated q, a texture matrix after it", "2.11.4", 64,
             scenes::mappedTexGen, rules::texelEdgeOnQuads, rules::lastBit},
-    Feature{"texgen-shapes", "every mode on every shape", "2.11.4", 80, scenes::texGenOnShapes,
+    Feature{"texgen-shapes", "every mode on every shape", "2.11.4", 64, scenes::texGenOnShapes,
             rules::texelEdge, rules::lastBit},
     Feature{"matrix", "texture matrix: pairs of steps, and a q for each vertex", "2.11.2", 72, scenes::matrix,
             rules::texelEdgeOnQuads, rules::lastBit},
-    Feature{"nearest", "GL_NEAREST x wrap x shapes", "3.8.8", 80, scenes::nearest, rules::texelEdge,
+    Feature{"nearest", "GL_NEAREST x wrap x shapes", "3.8.8", 72, scenes::nearest, rules::texelEdge,
             rules::exact},
     Feature{"linear", "GL_LINEAR x wrap x shapes", "3.8.8", 48, scenes::linear, rules::texelEdge,
             rules::exact},
     Feature{"magnification", "one filter near, the other far: x wrap x shapes", "3.8.9", 24,
             scenes::magnification, rules::levelChoice, rules::exact},
-    Feature{"mipmap-nearest", "*_MIPMAP_NEAREST x magnification x wrap x shapes", "3.8.8", 112,
+    Feature{"mipmap-nearest", "*_MIPMAP_NEAREST x magnification x wrap x shapes", "3.8.8", 96,
             scenes::mipmapNearest, rules::levelChoice, rules::exact},
-    Feature{"trilinear", "*_MIPMAP_LINEAR x magnification x wrap x shapes", "3.8.8", 112, scenes::trilinear,
+    Feature{"trilinear", "*_MIPMAP_LINEAR x magnification x wrap x shapes", "3.8.8", 96, scenes::trilinear,
             rules::levelBlend, rules::exact},
     Feature{"lod", "bias, limits of lambda, base and max level x *_MIPMAP_NEAREST", "3.8.8", 80,
             scenes::lodOfOneLevel, rules::levelChoice, rules::exact},
@@ -52,6 +52,12 @@ constexpr std::array rows{
     Feature{"anisotropy", "2x to 16x, linear", "EXT_texture_filter_anisotropic", 32, scenes::anisotropy,
             rules::ellipse, rules::exact},
     Feature{"targets", "1D and 3D textures on every shape, linear", "3.8.1", 48, scenes::targets,
+            rules::texelEdge, rules::lastBit},
+    Feature{"cube-map", "reflection and normal maps on shapes, nearest and linear", "3.8.6", 48,
+            scenes::cubeMap, rules::texelEdge, rules::lastBit},
+    Feature{"border", "images with a border x wrap x filters", "3.8.1", 32, scenes::border, rules::texelEdge,
+            rules::exact},
+    Feature{"hint", "coordinates straight across the window x wrap x shapes", "5.6", 24, scenes::hint,
             rules::texelEdge, rules::lastBit},
     Feature{"compression", "S3TC formats, made by Texplorer and by the driver", "3.8.3", 32,
             scenes::compression, rules::blocks, rules::exact},
@@ -73,7 +79,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 28 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 31 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

@@ -25,9 +25,11 @@ void forEachUnit(Scene& scene, auto each) {
 /// Coordinates of all units moved by `texels`, after the texture matrix.
 Scene moved(Scene scene, glm::vec3 texels) {
     forEachUnit(scene, [&](Unit& unit, const Texture& texture) {
+        glm::vec3 size = baseSizeOf(texture, unit.target);
+        if (unit.target == Target::CubeMap) // all three are components of a direction
+            size = glm::vec3(size.x);
         if (unit.matrix.size() < maxMatrixSteps)
-            unit.matrix.insert(unit.matrix.begin(), {.op = MatrixOp::Translate,
-                                                     .amount = texels / baseSizeOf(texture, unit.target)});
+            unit.matrix.insert(unit.matrix.begin(), {.op = MatrixOp::Translate, .amount = texels / size});
     });
     return scene;
 }

@@ -101,7 +101,7 @@ inline constexpr Rule levelChoice{
 inline constexpr Rule levelBlend{
     "level-blend",
     2,
-    0.97,
+    0.96,
     Latitude::Lambda,
     0.9995,
     0.99,
@@ -110,15 +110,15 @@ inline constexpr Rule levelBlend{
     "at this pixel: 6 bits, as dEQP grants (lodBits = 6), and llvmpipe's own arithmetic, which takes one "
     "derivative for 2 x 2 pixels and log2(rho^2) from the bits of a float, at most 0.0861 too little. "
     "Because "
-    "of that one, 97 % have to be within the bound and not 99 %."};
+    "of that one, 96 % have to be within the bound and not 99 %."};
 
 inline constexpr Rule ellipse{
     "ellipse",
     16,
-    0.98,
+    0.96,
     Latitude::None,
-    0.98,
-    0.8,
+    0.96,
+    0.75,
     "EXT_texture_filter_anisotropic leaves the method open. The reference averages over an ellipse as Mesa "
     "does; but Mesa takes the axes of the ellipse from one derivative for 2 x 2 pixels and its weights from "
     "a "

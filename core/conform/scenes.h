@@ -31,6 +31,9 @@ Scene lodOfOneLevel(int number, Dice& state, Dice& values);
 Scene lodOfTwoLevels(int number, Dice& state, Dice& values);
 Scene anisotropy(int number, Dice& state, Dice& values);
 Scene targets(int number, Dice& state, Dice& values);
+Scene cubeMap(int number, Dice& state, Dice& values);
+Scene border(int number, Dice& state, Dice& values);
+Scene hint(int number, Dice& state, Dice& values);
 Scene compression(int number, Dice& state, Dice& values);
 Scene incomplete(int number, Dice& state, Dice& values);
 

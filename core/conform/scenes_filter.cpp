@@ -99,6 +99,52 @@ Scene targets(int number, Dice& /*state*/, Dice& values) {
     return scene;
 }
 
+Scene cubeMap(int number, Dice& /*state*/, Dice& values) {
+    const bool linear = number % 2 == 1;
+    const TexGenMode mode = number / 2 % 2 == 0 ? TexGenMode::ReflectionMap : TexGenMode::NormalMap;
+    number /= 4;
+    Scene scene = surface(number % 2 == 0 ? Shape::Sphere : Shape::Cube, values);
+    Texture& texture = scene.textures[0];
+    texture.pattern = Pattern::CubeFaces;
+    texture.magFilter = linear ? MagFilter::Linear : MagFilter::Nearest;
+    texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+    texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
+    Unit& unit = scene.passes[0].units[0];
+    unit.target = Target::CubeMap;
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR})
+        *each = {true, mode, {}, {}};
+    unit.matrix = {{.op = MatrixOp::Rotate, // the sky turns
+                    .amount = {values.number(0, 1), values.number(0, 1), values.number(0.1F, 1)},
+                    .angle = values.number(0, 360)}};
+    return scene;
+}
+
+Scene border(int number, Dice& state, Dice& values) {
+    const Wrap s = pick<Wrap>(number);
+    const bool linear = number % 2 == 1;
+    Scene scene = texturedQuad({Pattern::Checker, 0, 64, 64}, values);
+    Texture& texture = scene.textures[0];
+    texture.border = 1;
+    texture.wrapS = s;
+    texture.wrapT = state.any<Wrap>();
+    texture.magFilter = linear ? MagFilter::Linear : MagFilter::Nearest;
+    texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+    return scene;
+}
+
+Scene hint(int number, Dice& state, Dice& values) {
+    // Nothing here is cut by the near plane: what straight means on both sides of a cut is nobody's rule.
+    const Shape shape = number % 2 == 0 ? Shape::Cube : Shape::Quad;
+    Scene scene = surface(shape, values);
+    scene.view.perspectiveHint = HintMode::Fastest;
+    scene.view.distance += 1;
+    Texture& texture = scene.textures[0];
+    texture.magFilter = MagFilter::Nearest;
+    texture.minFilter = MinFilter::Nearest;
+    texture.wrapS = state.any<Wrap>();
+    return scene;
+}
+
 Scene compression(int number, Dice& /*state*/, Dice& values) {
     constexpr std::array sources{Source{Pattern::Tree, 3, 32, 32}, Source{Pattern::Brick, 4, 16, 16}};
     const bool byDriver = number % 2 == 1;

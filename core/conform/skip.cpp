@@ -52,6 +52,19 @@ constexpr std::array rows{
                     });
          },
          "what a driver's own encoder makes of an image is its own affair (OpenGL 2.1, section 3.8.1)"},
+    Skip{"no-borders",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && !driver.facts.textureBorders &&
+                    anyUnit(scene, [](const Unit&, const Texture& texture) { return texture.border > 0; });
+         },
+         "the driver takes the border of an image away, as Mesa does; the tests of the reference hold it "
+         "against the specification's numbers"},
+    Skip{"hint",
+         [](const Scene& scene, const Pair& pair, const Driver&) {
+             return pair.has(RendererKind::Fixed) && scene.view.perspectiveHint == HintMode::Fastest;
+         },
+         "fixed function may ignore GL_PERSPECTIVE_CORRECTION_HINT; the shaders and the reference don't, and "
+         "can be held against each other"},
     Skip{"no-s3tc",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && !driver.facts.s3tc &&

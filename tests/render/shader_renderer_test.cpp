@@ -155,8 +155,9 @@ protected:
     }
 };
 
-// Coordinates of both differ in their last bits, and so the texel where one ends and the next begins: that is
-// what the share of pixels is for. Everything else is exact to the picture's own rounding.
+// Everything is exact to the picture's own rounding, but where a coordinate lies on the edge between two
+// texels all over a face: where r is 0, that is the middle of a face of a cube map. There the last bit
+// decides, and that is what the share of pixels is for.
 TEST_F(ShaderAgainstFixed, AnySceneIsTheSameWithinARounding) {
     constexpr int extent = 96;
     constexpr int scenes = 80;
@@ -168,12 +169,12 @@ TEST_F(ShaderAgainstFixed, AnySceneIsTheSameWithinARounding) {
     for (unsigned seed = 1; seed <= scenes; ++seed) {
         const Scene scene = anyScene(seed);
         const int different = differing(drawnBy(*fixed, scene, extent), drawnBy(*shader, scene, extent));
-        EXPECT_LE(different, extent * extent / 50) << "scene " << seed << ": " << writeScene(scene);
+        EXPECT_LE(different, extent * extent / 200) << "scene " << seed << ": " << writeScene(scene);
         inAll += different;
         exact += different == 0 ? 1 : 0;
     }
-    EXPECT_LE(inAll, scenes * extent * extent / 1000);
-    EXPECT_GE(exact, scenes / 2);
+    EXPECT_LE(inAll, scenes * extent * extent / 10000);
+    EXPECT_GE(exact, scenes * 9 / 10);
 }
 
 /// A folder with the shaders, of which a line can be replaced by another.

@@ -38,14 +38,14 @@ private:
 SweepOptions optionsFor(const std::vector<const Feature*>& features, int scenes) {
     SweepOptions options;
     options.selection = {1, scenes, features};
-    options.pairs = {Pair{RendererKind::Reference, RendererKind::Fixed}};
+    options.pairs = {Pair{RendererKind::Reference, RendererKind::Shader}};
     options.driver.name = "llvmpipe"; // whose peculiarities the rows of skips name
     return options;
 }
 
 TEST(Sweep, FindsThatTheReferenceAgreesWithItself) {
     Mutant same(nullptr);
-    const Result<Report> report = sweep(optionsFor({}, 120), {&same, nullptr});
+    const Result<Report> report = sweep(optionsFor({}, 120), {nullptr, &same});
     ASSERT_TRUE(report) << describe(report.error());
     EXPECT_TRUE(report->agrees());
     ASSERT_EQ(report->pairs.size(), 1U);
@@ -62,7 +62,7 @@ TEST(Sweep, IsTheSameWithAnyNumberOfThreads) {
     for (const unsigned threads : {1U, 3U}) {
         options.threads = threads;
         Mutant biased([](Scene& scene) { scene.passes[0].units[0].lodBias += 0.05F; });
-        reports.push_back(*sweep(options, {&biased, nullptr}));
+        reports.push_back(*sweep(options, {nullptr, &biased}));
     }
     for (std::size_t i = 0; i < reports[0].pairs[0].outcomes.size(); ++i) {
         const Outcome& one = reports[0].pairs[0].outcomes[i];
@@ -83,7 +83,7 @@ TEST(Sweep, StopsWhenItIsAskedTo) {
             stop.request_stop();
     };
     Mutant same(nullptr);
-    const Result<Report> report = sweep(options, {&same, nullptr});
+    const Result<Report> report = sweep(options, {nullptr, &same});
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
 }
@@ -97,7 +97,7 @@ public:
 
 TEST(Sweep, EndsWithTheErrorOfARendererThatCanNotDraw) {
     Broken broken;
-    const Result<Report> report = sweep(optionsFor({}, 100), {&broken, nullptr});
+    const Result<Report> report = sweep(optionsFor({}, 100), {nullptr, &broken});
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().message, "the context is gone");
 }
@@ -211,7 +211,7 @@ TEST_P(WrongRenderer, IsCaughtByItsFeature) {
     const Feature* feature = findFeature(GetParam().feature);
     ASSERT_NE(feature, nullptr);
     Mutant mutant(GetParam().change, GetParam().blur);
-    const Result<Report> report = sweep(optionsFor({feature}, GetParam().scenes), {&mutant, nullptr});
+    const Result<Report> report = sweep(optionsFor({feature}, GetParam().scenes), {nullptr, &mutant});
     ASSERT_TRUE(report) << describe(report.error());
     const Outcome& outcome = report->pairs[0].outcomes[0];
     EXPECT_FALSE(outcome.agrees()) << outcome.all.over << " of " << outcome.all.pixels << " pixels over, "
@@ -326,6 +326,15 @@ const Wrong wrongs[] = {
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxAnisotropy = 1; }); }},
     {"VolumesAsPictures", "targets",
      [](Scene& s) { eachUnit(s, [](Unit& u) { u.texGenR.enabled = false; }); }},
+    {"NormalsAsReflections", "cube-map",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             u.texGenR.mode =
+                 u.texGenR.mode == TexGenMode::NormalMap ? TexGenMode::ReflectionMap : u.texGenR.mode;
+         });
+     }},
+    {"BorderStripped", "border", [](Scene& s) { eachTexture(s, [](Texture& t) { t.border = 0; }); }},
+    {"HintIgnored", "hint", [](Scene& s) { s.view.perspectiveHint = HintMode::Nicest; }},
     {"CompressionIgnored", "compression",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.compression = Compression::None; }); }},
     {"IncompleteDrawnAnyway", "incomplete",
