@@ -48,6 +48,13 @@ float shareOf(const reference::UnitExplanation& unit, int level) {
     return 1;
 }
 
+/// The patch of the level that has the greatest share.
+const LevelPatch& heaviestPatch(const reference::UnitExplanation& unit) {
+    return *std::ranges::max_element(unit.patches, {},
+                                     [&](const LevelPatch& patch) { return shareOf(unit, patch.level); });
+}
+
+/// Above or below, where they leave the place of the sample in sight.
 std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
     std::vector<Inset> insets;
     if (!unit)
@@ -56,13 +63,19 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     const float width = canvas.high.x - canvas.low.x;
     const float height = canvas.high.y - canvas.low.y;
     const float side = std::min({em * 9, (width - em * 1.5F) / 2, height * 0.5F});
+    if (unit->patches.empty() || side < em * 2)
+        return insets;
+    const LevelPatch& patch = heaviestPatch(*unit);
+    const ImVec2 sampled = canvas.toPixel(0, patch.place.y / static_cast<float>(std::max(1, patch.extent.y)));
+    const bool above = unit->target != Target::CubeMap && sampled.y > (canvas.low.y + canvas.high.y) / 2;
     float x = canvas.low.x + em * 0.5F;
-    for (const LevelPatch& patch : unit->patches) {
-        if (patch.size.x < 1 || patch.size.y < 1)
+    for (const LevelPatch& each : unit->patches) {
+        if (each.size.x < 1 || each.size.y < 1)
             continue;
-        const float cell = side / static_cast<float>(patch.size.x);
-        const float tall = cell * static_cast<float>(patch.size.y);
-        insets.push_back({&patch, {x, canvas.high.y - em * 0.5F - tall}, cell, shareOf(*unit, patch.level)});
+        const float cell = side / static_cast<float>(each.size.x);
+        const float y = above ? canvas.low.y + em * 1.75F
+                              : canvas.high.y - em * 0.5F - cell * static_cast<float>(each.size.y);
+        insets.push_back({&each, {x, y}, cell, shareOf(*unit, each.level)});
         x += side + em * 0.5F;
     }
     return insets;
@@ -103,9 +116,9 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
     const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
     const std::string title =
         (unit.sample.cube ? std::string(rowOf(cubeFaceAt(patch.layer)).label) + " · " : std::string()) +
-        "level " + std::to_string(patch.level) +
-        (inset.share < 1 ? " · " + std::to_string(std::lround(inset.share * 100)) + " %" : "") + " · " +
-        std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y);
+        "level " + std::to_string(patch.level) + " · " +
+        (inset.share < 1 ? std::to_string(std::lround(inset.share * 100)) + " %"
+                         : std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y));
     const float pad = em * 0.2F;
     draw.AddRectFilled({inset.low.x - pad, inset.low.y - em * 1.25F}, {end.x + pad, end.y + pad},
                        IM_COL32(12, 14, 18, 245), em * 0.2F);
@@ -202,12 +215,6 @@ std::optional<reference::TexelPlace> askedTexel(const Session& session) {
     if (!asked || asked->pass != session.selection.pass || asked->unit != session.selection.unit)
         return std::nullopt;
     return asked->texel;
-}
-
-/// The patch of the level that has the greatest share.
-const LevelPatch& heaviestPatch(const reference::UnitExplanation& unit) {
-    return *std::ranges::max_element(unit.patches, {},
-                                     [&](const LevelPatch& patch) { return shareOf(unit, patch.level); });
 }
 
 /// In the plane of the image: the texels, the footprint and the place of the sample.

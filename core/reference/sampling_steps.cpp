@@ -164,6 +164,11 @@ std::string placeText(const Tap& tap, Target target, bool severalLevels) {
     return text + ")";
 }
 
+/// Three digits are enough to tell colours apart, and leave room beside them.
+std::string shorter(float value) {
+    return numberText(std::round(value * 1000) / 1000);
+}
+
 Step texelsStep(const UnitExplanation& unit) {
     Step step{StepKind::Texels, unit.unit, "Texels", {}};
     const glm::vec4 color = unit.sample.color;
@@ -186,7 +191,7 @@ Step texelsStep(const UnitExplanation& unit) {
                     {{numberText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)
-            row.cells.push_back({numberText(tap.color[c])});
+            row.cells.push_back({shorter(tap.color[c])});
         step.rows.push_back(std::move(row));
     }
     if (taps.size() > mostTapsShown)
@@ -194,7 +199,7 @@ Step texelsStep(const UnitExplanation& unit) {
             {"and " + std::to_string(taps.size() - mostTapsShown) + " more, of lesser weight"});
     StepRow sum{"filtered", {{"1"}}, color};
     for (int c = 0; c < 4; ++c)
-        sum.cells.push_back({numberText(color[c])});
+        sum.cells.push_back({shorter(color[c])});
     step.rows.push_back(std::move(sum));
     return step;
 }
