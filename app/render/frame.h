@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Size {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
+struct PassShader;
+
 /// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first,
 /// owned by the renderer and valid until it draws again.
 struct Frame {
@@ -24,8 +27,10 @@ struct Frame {
     Size size;
     double milliseconds = 0; ///< wall time of the draw call, without waiting for the GPU
     std::vector<std::string>
-        problems;               ///< sentences: GL errors named with their call, textures that are missing
-    bool unfinished = false;    ///< textures are still being uploaded: draw again
+        problems;            ///< sentences: GL errors named with their call, textures that are missing
+    bool unfinished = false; ///< textures are still being uploaded: draw again
+    /// Of each pass, where shaders draw it; see shader_source.h. nullptr: there is none.
+    std::vector<std::shared_ptr<const PassShader>> shaders{};
     std::uint64_t revision = 0; ///< of the picture: the same number, the same pixels as in the frame before
 };
 

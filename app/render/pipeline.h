@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/frame.h"
 #include "app/render/gl_errors.h"
 #include "app/render/mesh_cache.h"
 #include "app/render/texture_cache.h"
@@ -9,6 +10,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace texplorer::render {
 
@@ -31,6 +34,9 @@ public:
     /// said in `errors`.
     [[nodiscard]] virtual bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
                                          double time, GlErrors& errors) = 0;
+
+    /// Those of the frame that is drawn, one a pass; empty where it has none.
+    [[nodiscard]] virtual std::vector<std::shared_ptr<const PassShader>> shaders() const { return {}; }
 
     /// Grows when it draws the same scene otherwise than before: somebody has edited its shaders.
     [[nodiscard]] virtual std::uint64_t revision() const { return 0; }

@@ -100,8 +100,13 @@ Result<Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images,
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return Frame{state.target.texture(),        size,          elapsed.count(), state.errors.sentences(),
-                 state.textures->isUploading(), state.revision};
+    return Frame{state.target.texture(),
+                 size,
+                 elapsed.count(),
+                 state.errors.sentences(),
+                 state.textures->isUploading(),
+                 state.pipeline->shaders(),
+                 state.revision};
 }
 
 void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {

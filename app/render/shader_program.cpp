@@ -27,7 +27,7 @@ std::string logOf(GLuint object, auto getParameter, auto getLog) {
 }
 
 /// Empty where the driver takes it. A driver that refuses without a word is quoted as doing so.
-std::vector<std::string> compileStage(GLuint shader, const StageSource& source) {
+ShaderProgram::Log compileStage(GLuint shader, ShaderStage stage, const StageSource& source) {
     const GLchar* text = source.text.c_str();
     const auto length = static_cast<GLint>(source.text.size());
     glShaderSource(shader, 1, &text, &length);
@@ -36,9 +36,9 @@ std::vector<std::string> compileStage(GLuint shader, const StageSource& source) 
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_TRUE)
         return {};
-    std::vector<std::string> log = translateLog(logOf(shader, glGetShaderiv, glGetShaderInfoLog), source);
+    ShaderProgram::Log log = translateLog(logOf(shader, glGetShaderiv, glGetShaderInfoLog), source, stage);
     if (log.empty())
-        log.emplace_back("the driver does not compile the shader, and gives no reason");
+        log.push_back({stage, 0, "the driver does not compile the shader, and gives no reason"});
     return log;
 }
 
@@ -47,8 +47,9 @@ std::vector<std::string> compileStage(GLuint shader, const StageSource& source) 
 tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const ShaderSource& source) {
     const auto vertex = GlHandle<ShaderKind<GL_VERTEX_SHADER>>::create();
     const auto fragment = GlHandle<ShaderKind<GL_FRAGMENT_SHADER>>::create();
-    Log log = compileStage(vertex.name(), source.vertex);
-    std::ranges::move(compileStage(fragment.name(), source.fragment), std::back_inserter(log));
+    Log log = compileStage(vertex.name(), ShaderStage::Vertex, source.vertex);
+    std::ranges::move(compileStage(fragment.name(), ShaderStage::Fragment, source.fragment),
+                      std::back_inserter(log));
     if (!log.empty())
         return tl::unexpected(std::move(log));
 
@@ -65,7 +66,7 @@ tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const Sha
     if (linked != GL_TRUE) {
         log = translateLog(logOf(name, glGetProgramiv, glGetProgramInfoLog), {});
         if (log.empty())
-            log.emplace_back("the driver does not link the two stages, and gives no reason");
+            log.push_back({std::nullopt, 0, "the driver does not link the two stages, and gives no reason"});
         return tl::unexpected(std::move(log));
     }
     program.findUniforms();

@@ -21,7 +21,7 @@ class ShaderProgram {
 public:
     /// What the driver says of a source that it does not take: a sentence for each message, with the place in
     /// the files.
-    using Log = std::vector<std::string>;
+    using Log = std::vector<ShaderMessage>;
 
     [[nodiscard]] static tl::expected<ShaderProgram, Log> compile(const ShaderSource& source);
 

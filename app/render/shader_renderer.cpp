@@ -85,14 +85,15 @@ public:
 
     [[nodiscard]] VertexInput vertexInput() const override { return VertexInput::Attributes; }
 
-    void beginFrame(const Scene& /*scene*/, const glm::mat4& projection, GlErrors& errors) override {
+    void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) override {
         projection_ = projection;
+        shaders_.assign(scene.passes.size(), nullptr);
         if (programs_.size() > maxPrograms)
             programs_.clear();
         if (!folder_)
             return;
         if (folder_->refresh()) {
-            newest_ = *folder_->pieces();
+            newest_ = std::make_shared<const ShaderPieces>(*folder_->pieces());
             ++revision_;
         }
         if (!folder_->problem().empty())
@@ -122,6 +123,8 @@ public:
         return true;
     }
 
+    [[nodiscard]] std::vector<std::shared_ptr<const PassShader>> shaders() const override { return shaders_; }
+
     [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
     void placeModel(const glm::mat4& modelView) override {
@@ -131,47 +134,72 @@ public:
     }
 
 private:
-    using Compiled = tl::expected<ShaderProgram, ShaderProgram::Log>;
+    struct Compiled {
+        tl::expected<ShaderProgram, ShaderProgram::Log> program = tl::unexpected(ShaderProgram::Log{});
+        std::shared_ptr<const PassShader> shader;
+    };
 
-    /// Of the newest pieces; where those don't compile, of the last ones that did.
+    /// Of the newest pieces; where those don't compile, of the last ones that did, or of the embedded ones.
+    /// What the newest lack is said in `errors` and beside their source.
     const ShaderProgram* programOf(const Scene& scene, std::size_t pass, const SampledUnits& units,
                                    const std::string& where, GlErrors& errors) {
-        if (newest_) {
-            if (const ShaderProgram* program = compiled(scene, pass, units, *newest_, where, errors)) {
-                good_ = newest_;
-                return program;
+        ShaderProgram::Log log;
+        if (folder_ && !folder_->problem().empty())
+            log.push_back({std::nullopt, 0, folder_->problem()});
+        std::shared_ptr<const PassShader>& shown = shaders_[pass];
+        const ShaderProgram* program = nullptr;
+        for (const ShaderPieces* pieces : candidates()) {
+            const Result<ShaderSource> source = shaderSource(scene, pass, units, *pieces);
+            const Compiled* made = source ? &compiled(*source) : nullptr;
+            program = made && made->program ? &*made->program : nullptr;
+            if (made && !shown)
+                shown = made->shader;
+            if (program) {
+                if (pieces == newest_.get())
+                    good_ = newest_;
+                break;
             }
+            const ShaderProgram::Log found =
+                made ? made->program.error()
+                     : ShaderProgram::Log{{std::nullopt, 0, describe(source.error())}};
+            if (log.empty())
+                log = found;
+            for (const ShaderMessage& message : found)
+                errors.add(where + ": " + message.sentence);
         }
-        return compiled(scene, pass, units, good_ ? *good_ : ShaderPieces::embedded(), where, errors);
+        if (shown && shown->log != log)
+            shown = std::make_shared<const PassShader>(PassShader{shown->source, std::move(log)});
+        return program;
     }
 
-    const ShaderProgram* compiled(const Scene& scene, std::size_t pass, const SampledUnits& units,
-                                  const ShaderPieces& pieces, const std::string& where, GlErrors& errors) {
-        const Result<ShaderSource> source = shaderSource(scene, pass, units, pieces);
-        if (!source) {
-            errors.add(where + ": " + describe(source.error()));
-            return nullptr;
+    [[nodiscard]] std::vector<const ShaderPieces*> candidates() const {
+        std::vector<const ShaderPieces*> pieces;
+        if (newest_)
+            pieces.push_back(newest_.get());
+        if (good_ && good_ != newest_)
+            pieces.push_back(good_.get());
+        pieces.push_back(&ShaderPieces::embedded());
+        return pieces;
+    }
+
+    const Compiled& compiled(const ShaderSource& source) {
+        const auto [found, isNew] = programs_.try_emplace({source.vertex.text, source.fragment.text});
+        if (isNew) {
+            found->second.program = ShaderProgram::compile(source);
+            found->second.shader = std::make_shared<const PassShader>(PassShader{
+                source, found->second.program ? ShaderProgram::Log{} : found->second.program.error()});
         }
-        auto found = programs_.find({source->vertex.text, source->fragment.text});
-        if (found == programs_.end())
-            found = programs_
-                        .emplace(std::pair(source->vertex.text, source->fragment.text),
-                                 ShaderProgram::compile(*source))
-                        .first;
-        if (found->second)
-            return &*found->second;
-        for (const std::string& sentence : found->second.error())
-            errors.add(where + ": " + sentence);
-        return nullptr;
+        return found->second;
     }
 
     std::map<std::pair<std::string, std::string>, Compiled> programs_; // by their two sources
     const ShaderProgram* program_ = nullptr;                           // of the pass that is being drawn
     glm::mat4 projection_{1};
-    std::uint64_t revision_ = 0; // of what is drawn with
+    std::vector<std::shared_ptr<const PassShader>> shaders_; // of this frame
+    std::uint64_t revision_ = 0;                             // of what is drawn with
     std::optional<ShaderFolder> folder_;
-    std::optional<ShaderPieces> newest_; // of the folder
-    std::optional<ShaderPieces> good_;   // the last of the folder's that compiled
+    std::shared_ptr<const ShaderPieces> newest_; // of the folder
+    std::shared_ptr<const ShaderPieces> good_;   // the last of the folder's that compiled
 };
 
 } // namespace

@@ -370,8 +370,9 @@ std::optional<Place> placeIn(std::string_view text) {
 
 } // namespace
 
-std::vector<std::string> translateLog(std::string_view log, const StageSource& source) {
-    std::vector<std::string> sentences;
+std::vector<ShaderMessage> translateLog(std::string_view log, const StageSource& source,
+                                        std::optional<ShaderStage> stage) {
+    std::vector<ShaderMessage> messages;
     while (!log.empty()) {
         const std::size_t end = std::min(log.find('\n'), log.size());
         std::string_view line = log.substr(0, end);
@@ -383,12 +384,13 @@ std::vector<std::string> translateLog(std::string_view log, const StageSource& s
         const std::optional<Place> place = placeIn(line);
         if (place && static_cast<std::size_t>(place->line) <= source.lines.size()) {
             const SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
-            sentences.push_back(from.file + ":" + std::to_string(from.line) + ": " +
-                                std::string(line.substr(place->end)));
+            messages.push_back(
+                {stage, place->line,
+                 from.file + ":" + std::to_string(from.line) + ": " + std::string(line.substr(place->end))});
         } else
-            sentences.emplace_back(line);
+            messages.push_back({stage, 0, std::string(line)});
     }
-    return sentences;
+    return messages;
 }
 
 } // namespace texplorer::render

@@ -49,8 +49,27 @@ struct ShaderSource {
 /// Whether a unit's coordinates go through a texture matrix.
 [[nodiscard]] bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled);
 
+enum class ShaderStage { Vertex, Fragment };
+
+/// What the driver's compiler, or whoever put the source together, has against it.
+struct ShaderMessage {
+    std::optional<ShaderStage> stage; ///< none: both, or the files
+    int line = 0;                     ///< of the stage's source, counted from 1; 0: none is named
+    std::string sentence;             ///< with the place in the files: "lighting.glsl:12: …"
+
+    bool operator==(const ShaderMessage&) const = default;
+};
+
 /// A driver's compile log with the files' names and lines in the place of the source's: "lighting.glsl:12:
 /// 'eyeNorml' undeclared". A line that names no place stays as it is.
-[[nodiscard]] std::vector<std::string> translateLog(std::string_view log, const StageSource& source);
+[[nodiscard]] std::vector<ShaderMessage> translateLog(std::string_view log, const StageSource& source,
+                                                      std::optional<ShaderStage> stage = std::nullopt);
+
+/// The shaders of a pass as the shader renderer has them.
+struct PassShader {
+    ShaderSource source;
+    /// Empty: the source is what runs. Else it is the newest one, and what ran before it still does.
+    std::vector<ShaderMessage> log;
+};
 
 } // namespace texplorer::render

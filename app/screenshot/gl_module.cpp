@@ -58,7 +58,10 @@ Result<Picture> drawWindow(const Drawing& drawing) {
         reference::DrawWorker::When::AtOnce, std::function<void()>(), drawing.levels);
     session.probeWorkerAtOnce = std::make_shared<reference::ProbeWorker>(
         reference::ProbeWorker::When::AtOnce, std::function<void()>(), drawing.levels);
-    showOne(session.views, drawing.renderer);
+    if (drawing.compared.empty())
+        showOne(session.views, drawing.renderer);
+    else
+        showComparison(session.views, drawing.compared);
     if (drawing.probed) {
         const ui::Rect picture = ui::layoutFor(drawing.size.width, drawing.size.height, 1, session.columns,
                                                ui::gridOf(session.views))

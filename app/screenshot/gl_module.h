@@ -32,6 +32,8 @@ struct Drawing {
     ui::Tab tab = ui::Tab::Vertices;               ///< of the window
     std::optional<reference::PixelPlace> probed{}; ///< of the picture in the window, from its top left
     RendererKind renderer = RendererKind::Fixed;
+    std::vector<RendererKind>
+        compared{};                ///< in the window, instead of one renderer: two or three; empty: none
     std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
     LevelWork levels{};            ///< how textures are compressed at run time
 };

@@ -27,6 +27,7 @@ struct Options {
     std::string probe;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string anisotropy = std::string(rowOf(AnisotropyMethod::Probes).name);
+    std::string compared;
     std::string shaders;
     std::string out;
 };
@@ -75,6 +76,28 @@ std::string explainChoices() {
     return text;
 }
 
+/// "fixed,reference"
+Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
+    constexpr const char* option = "--compare";
+    std::vector<RendererKind> renderers;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        const Result<RendererKind> renderer = parseChoice<RendererKind>(text.substr(0, end), option);
+        if (!renderer)
+            return fail(renderer.error());
+        if (std::ranges::find(renderers, *renderer) != renderers.end())
+            return fail(ErrorCode::OutOfRange,
+                        "expected each renderer once, found \"" + std::string(text.substr(0, end)) +
+                            "\" twice",
+                        option);
+        renderers.push_back(*renderer);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (renderers.size() == 1)
+        return fail(ErrorCode::OutOfRange, "expected two renderers or more, found one", option);
+    return renderers;
+}
+
 /// Without OpenGL: the module that holds it is not even loaded.
 Result<Picture> drawByReference(const Drawing& drawing, AnisotropyMethod anisotropy) {
     Result<reference::Drawn> drawn =
@@ -114,6 +137,10 @@ ExitCode shoot(const Options& options) {
     if (!probed)
         return complain(probed.error(), wrongCall);
 
+    const Result<std::vector<RendererKind>> compared = parseCompared(options.compared);
+    if (!compared)
+        return complain(compared.error(), wrongCall);
+
     auto opened = openScene(options.scene);
     if (!opened)
         return opened.error();
@@ -126,6 +153,7 @@ ExitCode shoot(const Options& options) {
                     *tab,
                     *probed,
                     *renderer,
+                    *compared,
                     options.shaders};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
@@ -189,6 +217,12 @@ void addShot(CLI::App& app, Action& action) {
                 explainChoices<AnisotropyMethod>())
         ->capture_default_str()
         ->excludes(window);
+    command
+        ->add_option(
+            "--compare", options->compared,
+            "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
+            "difference of the first two.")
+        ->needs(window);
     command
         ->add_option("--shaders", options->shaders,
                      "The folder of the shader renderer's files, a copy of shaders/. Without it: those that "

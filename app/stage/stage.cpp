@@ -114,8 +114,13 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
         return state_->pictures.show(image);
     };
     ui::Requests requests = ui::drawWorkbench(session,
-                                              {state_->views.views(), state_->views.difference(),
-                                               state_->views.problems(), texture, setBlending, textureOf},
+                                              {.views = state_->views.views(),
+                                               .difference = state_->views.difference(),
+                                               .problems = state_->views.problems(),
+                                               .shaders = state_->views.shaders(),
+                                               .texture = texture,
+                                               .setBlending = setBlending,
+                                               .textureOf = textureOf},
                                               state_->capabilities, layout);
     requests.unfinished = state_->views.isUnfinished() || state_->preview.isUploading();
     ImGui::Render();

@@ -8,13 +8,13 @@ namespace texplorer::stage {
 
 ViewPictures::ViewPictures(const render::Capabilities& capabilities, render::ShaderOptions shaders)
     : capabilities_(capabilities)
-    , shaders_(std::move(shaders)) {}
+    , shaderOptions_(std::move(shaders)) {}
 
 ViewPictures::Live& ViewPictures::liveOf(RendererKind kind) {
     const auto found = live_.find(kind);
     if (found != live_.end())
         return found->second;
-    Live made{render::createRenderer(kind, capabilities_, shaders_)};
+    Live made{render::createRenderer(kind, capabilities_, shaderOptions_)};
     const auto other =
         std::ranges::find_if(live_, [](const auto& entry) { return entry.second.renderer.has_value(); });
     if (made.renderer && other != live_.end())
@@ -37,11 +37,23 @@ void ViewPictures::draw(ui::Session& session, render::Size size) {
     compareViews(session.views);
     pictures_.endFrame();
     problems_.clear();
+    shaders_.clear();
     for (const ui::RenderedView& view : views_) {
-        for (const std::string& problem : view.frame.problems) {
-            if (std::ranges::find(problems_, problem) == problems_.end())
-                problems_.push_back(problem);
-        }
+        addProblems(view.frame.problems);
+        if (view.renderer == RendererKind::Shader)
+            shaders_ = view.frame.shaders;
+    }
+    if (session.shownTab == ui::Tab::Glsl && shaders_.empty()) { // they are made while they draw
+        const render::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
+        addProblems(frame.problems);
+        shaders_ = frame.shaders;
+    }
+}
+
+void ViewPictures::addProblems(const std::vector<std::string>& problems) {
+    for (const std::string& problem : problems) {
+        if (std::ranges::find(problems_, problem) == problems_.end())
+            problems_.push_back(problem);
     }
 }
 

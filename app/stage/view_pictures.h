@@ -32,6 +32,11 @@ public:
         return difference_ ? &*difference_ : nullptr;
     }
 
+    /// Of each pass; empty where nobody looks at them.
+    [[nodiscard]] const std::vector<std::shared_ptr<const render::PassShader>>& shaders() const {
+        return shaders_;
+    }
+
     /// What the renderers said, each sentence once.
     [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
@@ -49,10 +54,11 @@ private:
     Live& liveOf(RendererKind kind);
     [[nodiscard]] ui::RenderedView drawLive(RendererKind kind, ui::Session& session, render::Size size);
     [[nodiscard]] ui::RenderedView drawReference(ui::Session& session, render::Size size);
+    void addProblems(const std::vector<std::string>& problems);
     void compareViews(const ui::Views& views);
 
     render::Capabilities capabilities_;
-    render::ShaderOptions shaders_;
+    render::ShaderOptions shaderOptions_;
     std::map<RendererKind, Live> live_;
     render::PictureCache pictures_;
     std::vector<ui::RenderedView> views_;
@@ -60,6 +66,7 @@ private:
     std::array<std::shared_ptr<const Image>, 2> compared_; ///< what the difference was made of
     std::shared_ptr<const Image> heatMap_;
     std::vector<std::string> problems_;
+    std::vector<std::shared_ptr<const render::PassShader>> shaders_;
 };
 
 } // namespace texplorer::stage

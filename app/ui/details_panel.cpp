@@ -12,6 +12,8 @@ void drawTab(Session& session, const Pictures& pictures, Tab tab) {
         return drawVerticesTab(session);
     case Tab::Commands:
         return drawCommandsTab(session);
+    case Tab::Glsl:
+        return drawGlslTab(session, pictures);
     case Tab::Explain:
         return drawExplainTab(session, pictures);
     case Tab::File:
@@ -33,6 +35,7 @@ void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& 
                                                   wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
             noteItem(session, std::string("tab:") + row.label);
             if (open) {
+                session.shownTab = row.tab;
                 drawTab(session, pictures, row.tab);
                 ImGui::EndTabItem();
             }

@@ -6,7 +6,7 @@
 namespace texplorer::ui {
 
 /// The tabs at the lower right.
-enum class Tab { Vertices, Commands, Explain, File, Memory };
+enum class Tab { Vertices, Commands, Glsl, Explain, File, Memory };
 
 struct TabRow {
     Tab tab;
@@ -15,8 +15,11 @@ struct TabRow {
 };
 
 inline constexpr std::array tabRows{
-    TabRow{Tab::Vertices, "vertices", "Vertices"}, TabRow{Tab::Commands, "commands", "Commands"},
-    TabRow{Tab::Explain, "explain", "Explain"},    TabRow{Tab::File, "file", "File"},
+    TabRow{Tab::Vertices, "vertices", "Vertices"},
+    TabRow{Tab::Commands, "commands", "Commands"},
+    TabRow{Tab::Glsl, "glsl", "GLSL"},
+    TabRow{Tab::Explain, "explain", "Explain"},
+    TabRow{Tab::File, "file", "File"},
     TabRow{Tab::Memory, "memory", "Memory"},
 };
 

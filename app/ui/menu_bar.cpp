@@ -106,6 +106,12 @@ void viewMenu(Session& session, const Layout& layout) {
         if (item(session, "Drawn by: " + std::string(row.label), std::to_string(++key).c_str(), true, chosen))
             showOne(session.views, renderer);
     }
+    if (item(session, "Compare", std::to_string(++key).c_str(), true, isComparing(session.views)))
+        showComparison(session.views);
+    if (item(session, "Magnifier", "M", true, session.views.magnifies))
+        session.views.magnifies = !session.views.magnifies;
+    if (item(session, "Picture pixel for pixel", "0", session.views.zoom.factor > 1))
+        session.views.zoom = {};
     ImGui::Separator();
     if (item(session, "Frame the models", "F"))
         frameAll(session, layout);

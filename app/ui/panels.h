@@ -22,6 +22,7 @@ void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& 
 void modelChoice(Session& session, float width);
 void drawVerticesTab(Session& session);
 void drawCommandsTab(Session& session);
+void drawGlslTab(Session& session, const Pictures& pictures);
 void drawExplainTab(Session& session, const Pictures& pictures);
 void drawFileTab(Session& session);
 void drawMemoryTab(Session& session, const Pictures& pictures);

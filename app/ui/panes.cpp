@@ -102,7 +102,9 @@ std::optional<glm::ivec2> Panes::pixelAt(ImVec2 place) const {
     const Pane* pane = under(place);
     if (!pane || size_.x < 1 || size_.y < 1)
         return std::nullopt;
-    const glm::ivec2 pixel(glm::floor(toPicture(*pane, place)));
+    // A mouse at a whole number is on the pixel to the right of it and below, whatever rounding makes of it.
+    constexpr float inside = 0.01F;
+    const glm::ivec2 pixel(glm::floor(toPicture(*pane, {place.x + inside, place.y + inside})));
     return glm::clamp(pixel, glm::ivec2(0), glm::ivec2(size_) - 1);
 }
 

@@ -25,7 +25,8 @@ void drawRendererChoice(Session& session, float available) {
     const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float before = ImGui::GetFontSize();
-    float needed = before;
+    const char* compare = "Compare";
+    float needed = before + buttonWidth(compare);
     for (const EnumRow& row : rows)
         needed += buttonWidth(std::string(row.label)) + gap;
     if (needed > available)
@@ -42,6 +43,11 @@ void drawRendererChoice(Session& session, float available) {
             showOne(views, renderer);
         ImGui::SameLine(0, gap);
     }
+    if (choice(session, compare, isComparing(views),
+               "Two renderers across one picture, or all of them with the difference.\nKey " +
+                   std::to_string(++key)))
+        showComparison(views);
+    ImGui::SameLine(0, gap);
 }
 
 } // namespace texplorer::ui

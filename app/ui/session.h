@@ -5,6 +5,7 @@
 #include "app/ui/explaining.h"
 #include "app/ui/file_browser.h"
 #include "app/ui/file_view.h"
+#include "app/ui/glsl_view.h"
 #include "app/ui/layout.h"
 #include "app/ui/loads.h"
 #include "app/ui/probe.h"
@@ -103,7 +104,9 @@ struct Session {
     std::set<std::string> damaged;    ///< files of `images` that changed and can't be read any more
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
     FileView fileView;
-    std::optional<Tab> wantedTab;                           ///< comes to the front with the next frame
+    std::optional<Tab> wantedTab; ///< comes to the front with the next frame
+    Tab shownTab = Tab::Vertices; ///< is in front
+    GlslView glsl;
     std::shared_ptr<LevelsWorker> levelsAtOnce;             ///< where there is no Background
     std::shared_ptr<reference::DrawWorker> referenceAtOnce; ///< likewise
 

@@ -63,6 +63,12 @@ void handleShortcuts(Session& session, const Layout& layout) {
         if (pressed(digit++))
             showOne(session.views, static_cast<RendererKind>(row.value));
     }
+    if (pressed(digit))
+        showComparison(session.views);
+    if (pressed('M'))
+        session.views.magnifies = !session.views.magnifies;
+    if (pressed('0'))
+        session.views.zoom = {};
     if (pressed('F'))
         frameAll(session, layout);
     if (pressed(key::home))

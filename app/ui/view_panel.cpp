@@ -1,4 +1,6 @@
 #include "app/ui/camera.h"
+#include "app/ui/magnifier.h"
+#include "app/ui/pane_drawing.h"
 #include "app/ui/panels.h"
 #include "app/ui/panes.h"
 #include "app/ui/param_widgets.h"
@@ -8,7 +10,6 @@
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -147,32 +148,14 @@ void pick(Session& session, const Layout& layout, const Panes& panes, render::Si
     }
 }
 
-/// One picture, or the part of it that the zoom shows.
-void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures) {
-    const auto corner = [](int x, int y) { return ImVec2(static_cast<float>(x), static_cast<float>(y)); };
-    const ImVec2 low = corner(pane.frame.x, pane.frame.y);
-    const ImVec2 high = corner(pane.frame.right(), pane.frame.bottom());
-    draw.PushClipRect(corner(pane.visible.x, pane.visible.y),
-                      corner(pane.visible.right(), pane.visible.bottom()));
-    draw.AddRectFilled(low, high, color::ground);
-    const auto view = std::ranges::find(pictures.views, pane.renderer.value_or(RendererKind::Fixed),
-                                        &RenderedView::renderer);
-    const unsigned texture = view == pictures.views.end() ? 0 : view->frame.texture;
-    if (texture != 0) {
-        if (pictures.setBlending)
-            draw.AddCallback(pictures.setBlending, nullptr);
-        // The picture's first row is its bottom one.
-        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), low, high,
-                      {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y});
-        if (pictures.setBlending)
-            draw.AddCallback(pictures.setBlending, &draw);
-    }
-    draw.PopClipRect();
-}
-
 /// What the mouse does, the most useful first: as much of it as fits.
-constexpr std::array hints{"Drag: orbit",     "Wheel: zoom",          "Hold E: explain",
-                           "Right drag: pan", "Click: pick a vertex", "Ctrl + wheel: enlarge the pixels"};
+constexpr std::array hints{"Drag: orbit",
+                           "Wheel: zoom",
+                           "Hold E: explain",
+                           "Right drag: pan",
+                           "M: magnifier",
+                           "Click: pick a vertex",
+                           "Ctrl + wheel: enlarge the pixels"};
 
 void hintLine(const Layout& layout) {
     const float em = ImGui::GetFontSize();
@@ -202,6 +185,12 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all())
         drawPane(draw, panes, pane, pictures);
+    if (pictures.difference && pictures.difference->numbers.max > 0)
+        markPixel(draw, panes, pictures.difference->numbers.worst, color::problem);
+    if (pictures.difference && !panes.all().back().renderer)
+        drawLegend(draw, panes.all().back(), pictures.difference->scale);
+    paneLabels(session, panes); // before the button below, so that the mouse finds them first
+    paneSeam(session, layout);
 
     ImGui::SetCursorScreenPos({static_cast<float>(layout.canvas.x), static_cast<float>(layout.canvas.y)});
     ImGui::InvisibleButton(
@@ -230,6 +219,9 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
         drawMarker(session, layout, panes, pane, picture);
         draw.PopClipRect();
     }
+    if (hovered)
+        drawMagnifier(session, panes, pictures, layout);
+    drawComparisonStrip(session, pictures, layout);
     hintLine(layout);
     ImGui::End();
 }

@@ -34,8 +34,10 @@ struct Views {
     Arrangement comparing = Arrangement::Split; ///< what Compare leads to: Split or Grid, as it was last
     float split = 0.5F;                         ///< where the seam is, as a share of the picture's width
     int tolerance = 2;                          ///< differences up to here don't count, in 255ths
-    bool magnifies = false;
+    bool magnifies = false;                     ///< the pixels under the mouse are shown enlarged
     PictureZoom zoom;
+
+    static constexpr int largestTolerance = 254;
 };
 
 [[nodiscard]] inline bool isComparing(const Views& views) {

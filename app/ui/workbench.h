@@ -20,6 +20,8 @@ struct Pictures {
     std::span<const RenderedView> views; ///< of shownRenderers, at Layout::picture's size; never empty
     const RenderedDifference* difference = nullptr; ///< of those that are compared; nullptr: not known
     std::span<const std::string> problems = {};     ///< sentences: what the renderers said
+    /// Of each pass, where Session::shownTab asks for them or shaders draw; nullptr: there is none.
+    std::span<const std::shared_ptr<const render::PassShader>> shaders = {};
     unsigned texture = 0; ///< the base level of boundTexture(session), nearest filtering; 0: none
     /// Switches blending off, or back on where ImDrawCmd::UserCallbackData isn't null: a picture's alpha must
     /// not let the window shine through. (ImDrawCallback_ResetRenderState won't do: the OpenGL2 backend of

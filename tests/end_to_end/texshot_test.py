@@ -118,12 +118,12 @@ class Shot(Texshot):
         corner = (910, 440, 1280, 770)  # the tabs
         plain = self.shot("--ui", "--size", "%dx%d" % size)
         seen = {plain.crop(corner).tobytes()}
-        for tab in ("commands", "file", "memory"):
+        for tab in ("commands", "glsl", "file", "memory"):
             with self.subTest(tab):
                 picture = self.shot("--ui", "--size", "%dx%d" % size, "--tab", tab)
                 self.assertEqual(picture.crop((0, 0, 900, 800)).tobytes(), plain.crop((0, 0, 900, 800)).tobytes())
                 seen.add(picture.crop(corner).tobytes())
-        self.assertEqual(len(seen), 4)
+        self.assertEqual(len(seen), 5)
         self.assertEqual(self.shot("--ui", "--tab", "vertices").tobytes(), plain.tobytes())
 
     def test_an_existing_picture_survives_a_failure(self):
@@ -151,7 +151,7 @@ class Shot(Texshot):
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
-            ("one of vertices, commands, explain, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("one of vertices, commands, glsl, explain, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
             ("--nonsense", ["--nonsense"]),
         ]:
@@ -262,6 +262,27 @@ class Shot(Texshot):
                 seen = self.shot(self.path / "cube.json", "--size", "33x33", "--renderer", renderer,
                                  "--set", f"view.azimuth={azimuth}", "--set", f"view.elevation={elevation}")
                 self.assertEqual(seen.getpixel((16, 16))[:3], colours[name], f"{renderer} {name}")
+
+    def test_the_window_compares_renderers(self):
+        scene = self.path / "scene.json"
+        scene.write_text('{"version": 1, "view": {"azimuth": 33}}')
+        window = self.shot(scene, "--ui", "--compare", "shader,reference", "--size", "1280x800")
+        for renderer, place in [("shader", (330, 110, 600, 700)), ("reference", (630, 110, 900, 700))]:
+            alone = self.shot(scene, "--renderer", renderer, "--size", "583x650")
+            inside = tuple(value - (321, 64)[i % 2] for i, value in enumerate(place))
+            difference = ImageChops.difference(window.crop(place), alone.crop(inside))
+            left, top, right, bottom = difference.getbbox() or (0, 0, 0, 0)
+            self.assertLess(max(right - left, bottom - top), 20, "no more than the ring around the worst pixel")
+        three = self.shot(scene, "--ui", "--compare", "fixed,reference,shader", "--size", "1280x800")
+        self.assertNotEqual(three.tobytes(), window.tobytes())
+
+    def test_bad_comparisons_are_refused(self):
+        for expected, value in [("expected one of fixed, shader, reference, found \"metal\"", "fixed,metal"),
+                                ("two renderers or more, found one", "fixed"),
+                                ("found \"shader\" twice", "shader,shader")]:
+            with self.subTest(value):
+                self.complains(2, expected, "shot", "--ui", "--compare", value, "-o", self.path / "out.png")
+        self.complains(2, "--compare", "shot", "--compare", "fixed,shader", "-o", self.path / "out.png")
 
     def test_a_renderer_that_does_not_exist_is_refused(self):
         self.complains(2, 'expected one of fixed, shader, reference, found "metal"',

@@ -137,12 +137,15 @@ TEST(ShaderSource, LogsOfAllDriversNameTheFileAndTheLine) {
     StageSource stage;
     stage.text = "one\ntwo\n";
     stage.lines = {{"vertex.glsl", 5}, {"lighting.glsl", 17}};
+    using Message = ShaderMessage;
+    const auto at = std::optional(ShaderStage::Vertex);
     EXPECT_THAT(translateLog("0:2(5): error: `n' undeclared\n\n", stage),
-                ElementsAre("lighting.glsl:17: error: `n' undeclared"));
-    EXPECT_THAT(translateLog("0(1) : error C1008: undefined \"n\"\r\n", stage),
-                ElementsAre("vertex.glsl:5: error C1008: undefined \"n\""));
-    EXPECT_THAT(translateLog("ERROR: 0:2: 'n' : undeclared", stage),
-                ElementsAre("lighting.glsl:17: 'n' : undeclared"));
+                ElementsAre(Message{std::nullopt, 2, "lighting.glsl:17: error: `n' undeclared"}));
+    EXPECT_THAT(translateLog("0(1) : error C1008: undefined \"n\"\r\n", stage, at),
+                ElementsAre(Message{at, 1, "vertex.glsl:5: error C1008: undefined \"n\""}));
+    EXPECT_THAT(translateLog("ERROR: 0:2: 'n' : undeclared", stage, at),
+                ElementsAre(Message{at, 2, "lighting.glsl:17: 'n' : undeclared"}));
+    EXPECT_THAT(translateLog("error: linking", stage, at), ElementsAre(Message{at, 0, "error: linking"}));
     for (const char* odd :
          {"error: linking", "0:3(1): x", "0:0(1): x", "0:", "0(", "0:2(", "ERROR: ", "99999999999:1"})
         EXPECT_EQ(translateLog(odd, stage).size(), 1U) << odd;

@@ -22,6 +22,12 @@ TEST(Panes, OnePaneShowsTheWholePicture) {
     ASSERT_EQ(panes.all().size(), 1U);
     EXPECT_EQ(panes.all().front().renderer, RendererKind::Fixed);
     EXPECT_EQ(panes.pixelAt({100.75F, 50.75F}), glm::ivec2(1, 398)) << "rows are counted from the bottom";
+    EXPECT_EQ(panes.pixelAt({100, 50}), glm::ivec2(0, 399));
+    EXPECT_EQ(panes.pixelAt({101, 51}), glm::ivec2(2, 397));
+    for (int x = 100; x < 400; ++x)
+        ASSERT_EQ(panes.pixelAt({static_cast<float>(x), 60})->x, 2 * (x - 100));
+    for (int y = 50; y < 250; ++y)
+        ASSERT_EQ(panes.pixelAt({110, static_cast<float>(y)})->y, 399 - 2 * (y - 50));
     EXPECT_EQ(panes.pixelAt({399.9F, 249.9F}), glm::ivec2(599, 0));
     EXPECT_EQ(panes.pixelAt({99.9F, 100}), std::nullopt);
     EXPECT_EQ(panes.pixelAt({200, 250}), std::nullopt);

@@ -33,10 +33,10 @@ render::Capabilities madeUpCapabilities() {
 } // namespace
 
 struct Workbench::Drawing {
-    explicit Drawing(render::Size size)
+    Drawing(render::Size size, const std::filesystem::path& shaders)
         : context(offscreen::OsmesaContext::create(size).value())
         , capabilities(render::loadCapabilities().value())
-        , views(capabilities, {}) {
+        , views(capabilities, {shaders, {}}) {
         ImGui_ImplOpenGL2_Init();
     }
     ~Drawing() { ImGui_ImplOpenGL2_Shutdown(); }
@@ -101,19 +101,25 @@ void Workbench::frames(int count) {
     }
 }
 
-Image Workbench::picture() {
+Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
     if (!drawing_)
-        drawing_ = std::make_unique<Drawing>(render::Size{width_, height_});
+        drawing_ = std::make_unique<Drawing>(render::Size{width_, height_}, shaders);
     layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
     settle(*session, layout);
     drawing_->views.draw(*session, {layout.picture.width, layout.picture.height});
-    EXPECT_EQ(drawing_->views.problems(), std::vector<std::string>{});
+    EXPECT_THAT(drawing_->views.problems(), problems);
     const Texture* bound = boundTexture(std::as_const(*session));
     const unsigned texture = bound ? drawing_->preview.show(*bound, session->images, &levelsOf(*session)) : 0;
     ImGui_ImplOpenGL2_NewFrame();
-    build({drawing_->views.views(), drawing_->views.difference(), drawing_->views.problems(), texture,
-           setBlending,
-           [this](const std::shared_ptr<const Image>& image) { return drawing_->pictures.show(image); }});
+    build({.views = drawing_->views.views(),
+           .difference = drawing_->views.difference(),
+           .problems = drawing_->views.problems(),
+           .shaders = drawing_->views.shaders(),
+           .texture = texture,
+           .setBlending = setBlending,
+           .textureOf = [this](const std::shared_ptr<const Image>& image) {
+               return drawing_->pictures.show(image);
+           }});
     glViewport(0, 0, width_, height_);
     glClearColor(1, 0, 1, 1); // what no panel covers is glaring
     glClear(GL_COLOR_BUFFER_BIT);

@@ -3,8 +3,10 @@
 #include "app/ui/workbench.h"
 #include "core/image/image.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -45,13 +47,17 @@ protected:
     void key(int code, std::initializer_list<int> modifiers = {});
     void type(std::string_view text);
 
-    /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test where GL reports anything.
-    [[nodiscard]] Image picture();
+    /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test where GL reports anything, or
+    /// the renderers say anything else than what the test expects of them.
+    [[nodiscard]] Image
+    picture(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty());
 
     [[nodiscard]] Scene& scene() { return session->scene; }
     [[nodiscard]] Texture& texture() { return session->scene.textures.front(); }
     [[nodiscard]] Unit& unit() { return session->scene.passes.front().units.front(); }
 
+    std::filesystem::path
+        shaders; ///< of the shader renderer, before the first picture; empty: the built-in ones
     std::optional<Session> session;
     Requests requests;
     Layout layout;

@@ -1,0 +1,191 @@
+#include "app/ui/glsl_text.h"
+#include "app/ui/panels.h"
+#include "app/ui/param_widgets.h"
+#include "app/ui/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace texplorer::ui {
+
+namespace {
+
+using render::PassShader;
+using render::ShaderMessage;
+using render::ShaderStage;
+
+struct StageRow {
+    ShaderStage stage;
+    const char* label;
+    const char* help;
+};
+constexpr std::array stageRows{
+    StageRow{ShaderStage::Vertex, "Vertex",
+             "What happens once for each vertex: coordinates, texgen, lighting"},
+    StageRow{ShaderStage::Fragment, "Fragment",
+             "What happens for each pixel: the lookups and the environment"},
+};
+
+ImU32 tintOf(GlslToken::Kind kind) {
+    switch (kind) {
+    case GlslToken::Kind::Keyword:
+        return color::keyword;
+    case GlslToken::Kind::Uniform:
+        return color::uniform;
+    case GlslToken::Kind::Comment:
+        return color::dim;
+    case GlslToken::Kind::Plain:
+        break;
+    }
+    return color::text;
+}
+
+const render::StageSource& sourceOf(const PassShader& shader, ShaderStage stage) {
+    return stage == ShaderStage::Vertex ? shader.source.vertex : shader.source.fragment;
+}
+
+void showLine(GlslView& view, const ShaderMessage& message) {
+    if (!message.stage || message.line == 0)
+        return;
+    view.stage = *message.stage;
+    view.wantedLine = message.line;
+}
+
+/// The stages to choose from, and what one can do with the source.
+void toolRow(Session& session, const PassShader& shader) {
+    GlslView& view = session.glsl;
+    for (const StageRow& row : stageRows) {
+        const bool chosen = view.stage == row.stage;
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
+        if (ImGui::Button(row.label))
+            view.stage = row.stage;
+        ImGui::PopStyleColor();
+        noteItem(session, std::string("stage:") + row.label);
+        helpTip(row.help);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
+    }
+    const char* copy = "Copy";
+    const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string pass = "pass " + std::to_string(session.selection.pass);
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(pass.c_str()).x + 2 * width) {
+        ImGui::TextDisabled("%s", pass.c_str());
+        ImGui::SameLine();
+    }
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    if (ImGui::Button(copy))
+        ImGui::SetClipboardText(sourceOf(shader, view.stage).text.c_str());
+    noteItem(session, "copy glsl");
+    helpTip("Copies the stage's source as it is given to the driver");
+}
+
+/// What the compiler says, where it says anything: a click leads to the line.
+void drawLog(Session& session, const PassShader& shader) {
+    if (shader.log.empty())
+        return;
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    ImGui::PushTextWrapPos(0);
+    int number = 0;
+    for (const ShaderMessage& message : shader.log) {
+        ImGui::TextUnformatted(message.sentence.c_str());
+        noteItem(session, "message:" + std::to_string(number++));
+        if (message.line > 0 && ImGui::IsItemHovered())
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (ImGui::IsItemClicked())
+            showLine(session.glsl, message);
+    }
+    ImGui::PopStyleColor();
+    ImGui::TextDisabled("Until this is mended, what ran before goes on drawing.");
+    ImGui::PopTextWrapPos();
+}
+
+bool isBlamed(const PassShader& shader, ShaderStage stage, int line) {
+    return std::ranges::any_of(shader.log, [&](const ShaderMessage& message) {
+        return message.stage == stage && message.line == line;
+    });
+}
+
+void drawLine(const std::vector<GlslToken>& tokens, int number, const std::string& digits, float gutter) {
+    const std::string shown = std::to_string(number);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPosX(left + ImGui::CalcTextSize(digits.c_str()).x - ImGui::CalcTextSize(shown.c_str()).x);
+    ImGui::PushStyleColor(ImGuiCol_Text, color::faint);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(left + gutter);
+    for (const GlslToken& token : tokens) {
+        ImGui::PushStyleColor(ImGuiCol_Text, tintOf(token.kind));
+        ImGui::TextUnformatted(token.text.data(), token.text.data() + token.text.size());
+        ImGui::PopStyleColor();
+        ImGui::SameLine(0, 0);
+    }
+    ImGui::NewLine();
+}
+
+void drawSource(Session& session, const PassShader& shader) {
+    GlslView& view = session.glsl;
+    const render::StageSource& source = sourceOf(shader, view.stage);
+    const std::vector<std::string_view> lines = linesOf(source.text);
+    const GlslNames uniforms = uniformsOf(source.text);
+    ImGui::BeginChild("source", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PushFont(codeFont());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.12F});
+    const std::string digits = std::to_string(lines.size());
+    const float gutter = ImGui::CalcTextSize((digits + "  ").c_str()).x;
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    if (view.wantedLine > 0)
+        ImGui::SetScrollY(static_cast<float>(view.wantedLine) * height - ImGui::GetWindowHeight() / 2);
+    view.wantedLine = 0;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(lines.size()), height);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            const ImVec2 low = ImGui::GetCursorScreenPos();
+            if (isBlamed(shader, view.stage, i + 1))
+                ImGui::GetWindowDrawList()->AddRectFilled(
+                    low, {low.x + ImGui::GetWindowWidth() + ImGui::GetScrollX(), low.y + height},
+                    color::blamed);
+            ImGui::BeginGroup();
+            drawLine(glslTokens(lines[at], uniforms), i + 1, digits, gutter);
+            ImGui::EndGroup();
+            noteItem(session, "glsl:" + std::to_string(i + 1));
+            if (at < source.lines.size())
+                helpTip(source.lines[at].file + ":" + std::to_string(source.lines[at].line));
+        }
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::EndChild();
+}
+
+} // namespace
+
+void drawGlslTab(Session& session, const Pictures& pictures) {
+    const auto pass = static_cast<std::size_t>(session.selection.pass);
+    const std::shared_ptr<const PassShader> shader =
+        pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
+    if (!shader) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("There is no shader: the status bar says why.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    // A new mistake is shown, once: somebody has just saved it in an editor.
+    GlslView& view = session.glsl;
+    if (shader->log.empty()) {
+        view.shownLog.clear();
+    } else if (view.shownLog != shader->log) {
+        view.shownLog = shader->log;
+        const auto placed =
+            std::ranges::find_if(shader->log, [](const ShaderMessage& each) { return each.line > 0; });
+        if (placed != shader->log.end())
+            showLine(view, *placed);
+    }
+    toolRow(session, *shader);
+    drawLog(session, *shader);
+    drawSource(session, *shader);
+}
+
+} // namespace texplorer::ui
