@@ -201,9 +201,9 @@ void drawTexelLine(Session& session) {
     std::string words = name + ": " + (found ? std::string() : describe(found.error()));
     if (found) {
         const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
-        words += count == 0   ? "no pixel that one sees reads it"
+        words += count == 0   ? "no visible pixel reads it"
                  : count == 1 ? "one pixel reads it"
-                              : std::to_string(count) + " pixels read it, lit in the view";
+                              : std::to_string(count) + " pixels read it";
     }
     ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
     ImGui::TextWrapped("%s", words.c_str());

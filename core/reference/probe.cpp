@@ -75,11 +75,10 @@ struct Cover {
 
 class Prober {
 public:
-    Prober(Explanation& explanation, const Scene& scene, Viewport viewport, const DrawOptions& options)
+    Prober(Explanation& explanation, const Scene& scene, Viewport viewport)
         : explanation_(explanation)
         , scene_(scene)
-        , viewport_(viewport)
-        , options_(options) {
+        , viewport_(viewport) {
         store(scene.view.background, framebuffer_.color.data());
     }
 
@@ -105,7 +104,6 @@ private:
     Explanation& explanation_;
     const Scene& scene_;
     Viewport viewport_;
-    const DrawOptions& options_;
     Framebuffer framebuffer_;
 };
 
@@ -376,7 +374,7 @@ Explanation explainPixel(const Scene& scene, const ImageSource& images, double t
     const glm::mat4 view = viewMatrix(scene.view);
     const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
                                                                   static_cast<float>(viewport.height));
-    Prober prober(explanation, scene, viewport, options);
+    Prober prober(explanation, scene, viewport);
     for (std::size_t p = 0; p < passes.size(); ++p) {
         const std::size_t first = explanation.fragments.size();
         for (std::size_t m = 0; m < scene.models.size(); ++m) {

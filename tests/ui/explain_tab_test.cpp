@@ -52,13 +52,13 @@ TEST_F(ExplainTab, AClickElsewhereMeansNothing) {
 
 TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
     moveTo(onTheCube());
-    ImGui::GetIO().KeysDown['E'] = true;
+    ImGui::GetIO().KeysDown[int{'E'}] = true;
     frames(3);
     EXPECT_TRUE(session->explaining.isOpen);
     const auto first = session->explaining.pixel;
     ASSERT_TRUE(first);
     moveTo({onTheCube().x + 7, onTheCube().y - 5});
-    ImGui::GetIO().KeysDown['E'] = false;
+    ImGui::GetIO().KeysDown[int{'E'}] = false;
     frames(2);
     EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
     moveTo(onTheCube());
