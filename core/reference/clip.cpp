@@ -88,4 +88,16 @@ Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c
     return polygon.size() < 3 ? Polygon{} : polygon;
 }
 
+bool isInside(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c) {
+    for (const ShadedVertex* vertex : {&a, &b, &c}) {
+        if (!isFinite(vertex->clip) || !(vertex->clip.w > 0))
+            return false;
+        for (const glm::vec4& plane : planes) {
+            if (!(distance(plane, vertex->clip) >= 0))
+                return false;
+        }
+    }
+    return true;
+}
+
 } // namespace texplorer::reference

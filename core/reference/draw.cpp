@@ -31,13 +31,13 @@ public:
 
     void add(const Mesh& mesh, const std::vector<ShadedVertex>& vertices, const PassState& pass) {
         for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-            std::array<ShadedVertex, 3> corners{vertices[mesh.triangles[i]], vertices[mesh.triangles[i + 1]],
-                                                vertices[mesh.triangles[i + 2]]};
-            if (pass.flat) { // section 2.14.7: the colours of the last vertex
-                corners[0].primary = corners[1].primary = corners[2].primary;
-                corners[0].secondary = corners[1].secondary = corners[2].secondary;
-            }
-            add(clip(corners[0], corners[1], corners[2], pass.perspective), pass);
+            const ShadedVertex& a = vertices[mesh.triangles[i]];
+            const ShadedVertex& b = vertices[mesh.triangles[i + 1]];
+            const ShadedVertex& c = vertices[mesh.triangles[i + 2]];
+            if (pass.flat) // section 2.14.7: the colours of the last vertex
+                addClipped(withColorsOf(c, a), withColorsOf(c, b), c, pass);
+            else
+                addClipped(a, b, c, pass);
             if (triangles_.size() >= batch)
                 flush();
         }
@@ -49,12 +49,25 @@ public:
     }
 
 private:
-    void add(const Polygon& polygon, const PassState& pass) {
-        for (std::size_t i = 2; i < polygon.size(); ++i) {
-            if (const auto triangle =
-                    setUp(polygon[0], polygon[i - 1], polygon[i], pass, canvas_.viewport(), pass.perspective))
-                triangles_.push_back(*triangle);
-        }
+    static ShadedVertex withColorsOf(const ShadedVertex& colored, ShadedVertex vertex) {
+        vertex.primary = colored.primary;
+        vertex.secondary = colored.secondary;
+        return vertex;
+    }
+
+    void addClipped(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
+                    const PassState& pass) {
+        if (isInside(a, b, c))
+            return addTriangle(a, b, c, pass);
+        const Polygon polygon = clip(a, b, c, pass.perspective);
+        for (std::size_t i = 2; i < polygon.size(); ++i)
+            addTriangle(polygon[0], polygon[i - 1], polygon[i], pass);
+    }
+
+    void addTriangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
+                     const PassState& pass) {
+        if (const auto triangle = setUp(a, b, c, pass, canvas_.viewport(), pass.perspective))
+            triangles_.push_back(*triangle);
     }
 
     Canvas& canvas_;

@@ -28,10 +28,14 @@ template<class Work>
 
 /// wrapCoordinate() of wrap.h. A branch for four pixels, the same for the whole texture, costs nothing.
 [[nodiscard, gnu::always_inline]] inline Floats wrapped(Wrap wrap, Floats coordinates, Floats size) {
+    if (wrap == Wrap::Repeat) { // from 2^23 on floats have no fraction; what is not finite counts as 0
+        const Floats fraction = coordinates - flooredSmall(coordinates);
+        return (magnitude(coordinates) < floats(0x1p23F) ? fraction : floats(0)) * size;
+    }
     const Floats s = isFinite(coordinates) ? coordinates : floats(0);
     switch (wrap) {
     case Wrap::Repeat:
-        return (s - floored(s)) * size;
+        break;
     case Wrap::MirroredRepeat: {
         const Floats whole = floored(s);
         const Floats fraction = s - whole;
@@ -54,7 +58,9 @@ template<class Work>
     return wrap == Wrap::ClampToBorder || wrap == Wrap::Clamp;
 }
 
-[[nodiscard]] Ints nearestTexels(Floats u, Floats size) {
+[[nodiscard]] Ints nearestTexels(Wrap wrap, Floats u, Floats size) {
+    if (wrap != Wrap::ClampToBorder) // between 0 and the size
+        return truncated(lesser(u, size - 1.0F));
     return truncated(u == size ? size - 1.0F : flooredSmall(u));
 }
 
@@ -221,9 +227,11 @@ private:
 
     /// NEAREST: tau_ij.
     [[nodiscard]] Colors nearest(const Levels& levels, Floats s, Floats t) const {
-        const Ints i = nearestTexels(wrapped(texture_.wrap[0], s, levels.width), levels.width);
-        const Ints j =
-            axes > 1 ? nearestTexels(wrapped(texture_.wrap[1], t, levels.height), levels.height) : ints(0);
+        const Ints i =
+            nearestTexels(texture_.wrap[0], wrapped(texture_.wrap[0], s, levels.width), levels.width);
+        const Ints j = axes > 1 ? nearestTexels(texture_.wrap[1], wrapped(texture_.wrap[1], t, levels.height),
+                                                levels.height)
+                                : ints(0);
         Colors colors;
         if (usesBorder_) {
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {

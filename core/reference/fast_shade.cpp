@@ -258,6 +258,7 @@ private:
                                       load(unit.envColor), u, unit.unit->envMode == EnvMode::Combine};
         }
         const bool modulates = stepCount == 1 && !steps[0].combines && !pass_.separateSpecular &&
+                               !pass_.pass->alphaTest && !pass_.pass->blend &&
                                steps[0].cell.color == EnvFunction::Product &&
                                steps[0].cell.alpha == EnvFunction::Product;
         const Floats start = load(triangle_.primary.origin) + load(triangle_.primary.dy) * offsetY_;
@@ -270,8 +271,8 @@ private:
                 const auto at = static_cast<std::size_t>(i + lane);
                 const Floats primary = clampedToOne((start + dx * x_[at]) * w_[at]);
                 Floats& result = colors[static_cast<std::size_t>(lane)];
-                if (modulates) { // what most scenes do
-                    result = clampedToOne(primary * load(samples_[steps[0].unit][at]));
+                if (modulates) { // what most scenes do; packed() clamps it
+                    result = primary * load(samples_[steps[0].unit][at]);
                     continue;
                 }
                 result = primary;

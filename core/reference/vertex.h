@@ -33,4 +33,7 @@ inline constexpr float guardBand = 8;
 [[nodiscard]] Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
                            bool perspective = true);
 
+/// Whether clip() leaves the triangle as it is, as it does with most.
+[[nodiscard]] bool isInside(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c);
+
 } // namespace texplorer::reference
