@@ -1,6 +1,7 @@
 #include "app/explorer/window.h"
 
 #include "app/ui/input_queue.h"
+#include "app/ui/smallest_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -140,7 +141,8 @@ Result<Window> Window::open(render::Size size, const std::string& title) {
     state->window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (!state->window)
         return fail(ErrorCode::Driver, "no window with OpenGL can be opened (" + lastGlfwError + ")");
-    glfwSetWindowSizeLimits(state->window, 320, 200, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(state->window, ui::smallestWindow.width, ui::smallestWindow.height,
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->window, &state->inbox);
     glfwMakeContextCurrent(state->window);
     glfwSwapInterval(1);

@@ -3,6 +3,7 @@
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/scene_argument.h"
 #include "app/screenshot/texture_io.h"
+#include "app/ui/smallest_window.h"
 #include "core/codec/png.h"
 #include "core/image/convert.h"
 #include "core/reference/draw.h"
@@ -16,8 +17,6 @@ namespace texplorer::screenshot {
 namespace {
 
 using reference::AnisotropyMethod;
-
-constexpr render::Size smallestWindow{320, 200}; // that of texplorer: panels don't fit into less
 
 struct Options {
     SceneArgument scene;
@@ -110,7 +109,7 @@ Result<Picture> drawByReference(const Drawing& drawing, AnisotropyMethod anisotr
 
 ExitCode shoot(const Options& options) {
     const Result<render::Size> size =
-        parsePictureSize(options.picture.size, options.window ? smallestWindow : render::Size{1, 1});
+        parsePictureSize(options.picture.size, options.window ? ui::smallestWindow : render::Size{1, 1});
     if (!size)
         return complain(size.error(), wrongCall);
     const Result<double> time = parseTime(options.picture.time);

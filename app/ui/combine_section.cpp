@@ -75,6 +75,15 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
     ImGui::PopStyleColor();
 }
 
+/// Of a list that is as wide as its longest choice.
+float widestChoice(const ParamRow& row) {
+    float widest = 0;
+    for (const EnumRow& choice : row.choices)
+        widest = std::max(
+            widest, ImGui::CalcTextSize(choice.label.data(), choice.label.data() + choice.label.size()).x);
+    return widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 void drawHalf(Session& session, const Owner& owner, const Half& half) {
     const auto& combine = *static_cast<const Combine*>(owner.values);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -94,7 +103,12 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     paramControl(session, owner, rowNamed(half.scale), scale);
     drawEquation(session, combine, half);
 
-    const float choices = full - name - gap;
+    // The operands are short: what they leave is the sources', whose names must fit into a narrow panel.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ImGui::GetFontSize() * 0.25F, ImGui::GetStyle().FramePadding.y});
+    const float argument = ImGui::CalcTextSize("Arg0").x + gap;
+    const float operand = widestChoice(rowNamed("operand0" + std::string(half.suffix)));
+    const float choices = full - argument - gap;
     for (int number = 0; number < 3; ++number) {
         const std::string tail = std::to_string(number) + std::string(half.suffix);
         const ParamRow& source = rowNamed("source" + tail);
@@ -103,11 +117,12 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
         ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
         ImGui::Text("Arg%d", number);
         ImGui::PopStyleColor();
-        ImGui::SameLine(left + name);
-        paramControl(session, owner, source, choices * 0.62F);
+        ImGui::SameLine(left + argument);
+        paramControl(session, owner, source, std::max(choices / 2, choices - operand));
         ImGui::SameLine(0, gap);
-        paramControl(session, owner, rowNamed("operand" + tail), choices * 0.38F);
+        paramControl(session, owner, rowNamed("operand" + tail), std::min(choices / 2, operand));
     }
+    ImGui::PopStyleVar();
 }
 
 } // namespace

@@ -28,11 +28,22 @@ void drawTab(Session& session, const Pictures& pictures, Tab tab) {
 void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& layout) {
     beginPanel("Details", layout.details, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     session.explaining.isOpen = false;
-    if (ImGui::BeginTabBar("tabs")) {
+    // Close together: all of their names fit into a narrow panel.
+    const auto pushTabStyle = [] {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            {ImGui::GetFontSize() * 0.2F, ImGui::GetStyle().FramePadding.y});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {1, ImGui::GetStyle().ItemInnerSpacing.y});
+    };
+    pushTabStyle();
+    const bool hasTabs = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar(2);
+    if (hasTabs) {
         const std::optional<Tab> wanted = std::exchange(session.wantedTab, std::nullopt);
         for (const TabRow& row : tabRows) {
+            pushTabStyle();
             const bool open = ImGui::BeginTabItem(row.label, nullptr,
                                                   wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
+            ImGui::PopStyleVar(2);
             noteItem(session, std::string("tab:") + row.label);
             if (open) {
                 session.shownTab = row.tab;
