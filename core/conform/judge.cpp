@@ -11,6 +11,9 @@ namespace {
 
 using reference::PixelBytes;
 
+/// A scene of which such a part is unexplained is wrong: probing all of its other pixels would take long.
+constexpr std::size_t hopeless = 16;
+
 constexpr float texelError = 1.0F / 128; // dEQP: uvwBits = 7
 
 void forEachUnit(Scene& scene, auto each) {
@@ -108,7 +111,8 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
         for (const Image& each : moved)
             ends.push_back(bytesAt(each, i));
         bool explained = isAmong(ends, found, rule.bound, blends(scene, Latitude::TexelEdge));
-        if (!explained && rule.latitude == Latitude::Lambda) {
+        if (!explained && rule.latitude == Latitude::Lambda &&
+            judgement.unexplained < difference->pixels / hopeless) {
             const auto width = static_cast<std::size_t>(ours.width);
             Result<std::vector<PixelBytes>> colors =
                 reference.overLambda(scene, {static_cast<int>(i % width), static_cast<int>(i / width)});

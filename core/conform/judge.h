@@ -9,8 +9,10 @@
 namespace texplorer::conform {
 
 struct Judgement {
-    Difference difference;       ///< over the rule's bound
-    std::size_t unexplained = 0; ///< of these pixels, those that the rule's latitude doesn't allow either
+    Difference difference; ///< over the rule's bound
+    /// Of these pixels, those that the rule's latitude doesn't allow either. Above a sixteenth of the picture
+    /// lambda's error is no longer asked for.
+    std::size_t unexplained = 0;
 };
 
 /// Holds two pictures of a scene against a rule. `ours` is what the reference drew; `reference` draws what

@@ -203,7 +203,7 @@ struct Wrong {
     const char* feature;
     Mutant::Change change;
     Mutant::Blur blur = nullptr;
-    int scenes = 40; ///< enough for each to be caught; under a sanitizer they take long
+    int scenes = 40; ///< enough for each to be caught
 };
 class WrongRenderer : public testing::TestWithParam<Wrong> {};
 
