@@ -41,9 +41,8 @@ int main(int argc, char** argv) {
                "\"texshot COMMAND --help\" explains each command.");
 
     Action action;
-    for (const auto add :
-         {addShot, addProbe, addCheck, addConform, addParams, addDecode, addInfo, addConvert, addFlip,
-          addCompress})
+    for (const auto add : {addShot, addProbe, addCheck, addConform, addParams, addDecode, addInfo, addConvert,
+                           addFlip, addCompress})
         add(app, action);
 
     // CLI11 would say only that a subcommand is missing.
