@@ -1,3 +1,4 @@
+#include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
 #include "app/screenshot/texture_io.h"
@@ -49,13 +50,7 @@ std::string askMesaForPrecision() {
 }
 
 Result<RendererKind> rendererOf(const std::string& name, const char* option) {
-    const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
-    if (name.empty())
-        return RendererKind::Fixed;
-    if (const EnumRow* row = findRow(rows, name))
-        return static_cast<RendererKind>(row->value);
-    return fail(ErrorCode::OutOfRange, "expected one of " + listNames(rows) + ", found \"" + name + "\"",
-                option);
+    return name.empty() ? RendererKind::Fixed : parseChoice<RendererKind>(name, option);
 }
 
 Result<std::vector<conform::Pair>> pairsOf(const Options& options) {

@@ -62,6 +62,7 @@ Result<Picture> drawWindow(const Drawing& drawing) {
         showOne(session.views, drawing.renderer);
     else
         showComparison(session.views, drawing.compared);
+    session.views.anisotropy = drawing.anisotropy;
     if (drawing.probed) {
         const ui::Rect picture = ui::layoutFor(drawing.size.width, drawing.size.height, 1, session.columns,
                                                ui::gridOf(session.views))

@@ -35,7 +35,8 @@ struct Drawing {
     std::vector<RendererKind>
         compared{};                ///< in the window, instead of one renderer: two or three; empty: none
     std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
-    LevelWork levels{};            ///< how textures are compressed at run time
+    reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
+    LevelWork levels{}; ///< how textures are compressed at run time
 };
 
 struct Picture {

@@ -1,5 +1,7 @@
 #include "app/screenshot/picture_argument.h"
 
+#include "app/screenshot/choice_argument.h"
+
 #include <charconv>
 #include <cmath>
 
@@ -17,6 +19,12 @@ std::string asArgument(render::Size size) {
 void addPictureArgument(CLI::App& command, PictureArgument& argument) {
     command.add_option("--size", argument.size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
     command.add_option("--time", argument.time, "Seconds on the scene's clock, for what moves.")
+        ->capture_default_str();
+    command
+        .add_option("--anisotropy", argument.anisotropy,
+                    "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
+                    "leaves open." +
+                        explainChoices<reference::AnisotropyMethod>())
         ->capture_default_str();
 }
 
@@ -44,6 +52,10 @@ Result<double> parseTime(std::string_view text) {
         return seconds;
     return fail(ErrorCode::OutOfRange,
                 "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
+}
+
+Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {
+    return parseChoice<reference::AnisotropyMethod>(text, "--anisotropy");
 }
 
 bool parseNumbers(std::string_view text, std::span<int> numbers) {

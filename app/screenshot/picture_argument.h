@@ -2,22 +2,26 @@
 
 #include "app/render/frame.h"
 #include "app/screenshot/command.h"
+#include "core/reference/lod.h"
 
 #include <span>
 
 namespace texplorer::screenshot {
 
-/// How large a picture is and when it is taken, as the command line spells it.
+/// How large a picture is, when it is taken and how, as the command line spells it.
 struct PictureArgument {
     std::string size = "1280x800";
     std::string time = "0";
+    std::string anisotropy = std::string(rowOf(reference::AnisotropyMethod::Probes).name);
 };
 
-/// Declares --size and --time.
+/// Declares --size, --time and --anisotropy.
 void addPictureArgument(CLI::App& command, PictureArgument& argument);
 
 [[nodiscard]] Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest = {1, 1});
 [[nodiscard]] Result<double> parseTime(std::string_view text);
+
+[[nodiscard]] Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text);
 
 /// Exactly so many whole numbers with commas between them.
 [[nodiscard]] bool parseNumbers(std::string_view text, std::span<int> numbers);

@@ -82,7 +82,7 @@ ExitCode probePixel(const Options& options, Drawing drawing) {
         return complain(pixel.error(), wrongCall);
     Result<reference::Explanation> explanation =
         reference::probe(drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height,
-                         *pixel, {.levels = drawing.levels});
+                         *pixel, {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
     if (!explanation)
         return complain(explanation.error());
     std::vector<std::string> problems = explanation->problems;
@@ -95,9 +95,9 @@ ExitCode findPixels(const Options& options, const Drawing& drawing) {
     const Result<reference::TexelQuestion> question = parseTexel(options.texel, options.pass);
     if (!question)
         return complain(question.error(), wrongCall);
-    const Result<reference::Contributions> found =
-        reference::contributions(drawing.scene, drawing.images, drawing.time, drawing.size.width,
-                                 drawing.size.height, *question, {.levels = drawing.levels});
+    const Result<reference::Contributions> found = reference::contributions(
+        drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height, *question,
+        {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
     if (!found)
         return complain(found.error(), found.error().code == ErrorCode::OutOfRange ? wrongCall : failure);
     return print(options.json ? asJson(*found, *question) : asText(*found, *question), found->problems);
@@ -112,6 +112,9 @@ ExitCode probe(const Options& options) {
     const Result<double> time = parseTime(options.picture.time);
     if (!time)
         return complain(time.error(), wrongCall);
+    const Result<reference::AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
+    if (!anisotropy)
+        return complain(anisotropy.error(), wrongCall);
     auto opened = openScene(options.scene);
     if (!opened)
         return opened.error();
@@ -121,6 +124,7 @@ ExitCode probe(const Options& options) {
     drawing.file = options.scene.file;
     drawing.time = *time;
     drawing.size = *size;
+    drawing.anisotropy = *anisotropy;
     drawing.levels.cache = BlockCache::ofUser();
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());

@@ -1,3 +1,4 @@
+#include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
 #include "app/screenshot/picture_argument.h"
@@ -25,7 +26,6 @@ struct Options {
     std::string tab;
     std::string probe;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
-    std::string anisotropy = std::string(rowOf(AnisotropyMethod::Probes).name);
     std::string compared;
     std::string shaders;
     std::string out;
@@ -57,24 +57,6 @@ Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
     return fail(ErrorCode::OutOfRange, "expected X,Y, found \"" + std::string(text) + "\"", "--probe");
 }
 
-template<Enumerated E>
-Result<E> parseChoice(std::string_view name, const char* option) {
-    const std::span<const EnumRow> rows = EnumTable<E>::rows;
-    if (const EnumRow* row = findRow(rows, name))
-        return static_cast<E>(row->value);
-    return fail(ErrorCode::OutOfRange,
-                "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", option);
-}
-
-/// What each choice is: "probes: … ellipse: …"
-template<Enumerated E>
-std::string explainChoices() {
-    std::string text;
-    for (const EnumRow& row : EnumTable<E>::rows)
-        text += " " + std::string(row.name) + ": " + std::string(row.help);
-    return text;
-}
-
 /// "fixed,reference"
 Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
     constexpr const char* option = "--compare";
@@ -98,10 +80,10 @@ Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
 }
 
 /// Without OpenGL: the module that holds it is not even loaded.
-Result<Picture> drawByReference(const Drawing& drawing, AnisotropyMethod anisotropy) {
-    Result<reference::Drawn> drawn =
-        reference::drawReference(drawing.scene, drawing.images, drawing.time, drawing.size.width,
-                                 drawing.size.height, {.anisotropy = anisotropy, .levels = drawing.levels});
+Result<Picture> drawByReference(const Drawing& drawing) {
+    Result<reference::Drawn> drawn = reference::drawReference(
+        drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height,
+        {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
     if (!drawn)
         return fail(drawn.error());
     return Picture{std::move(drawn->image), std::move(drawn->problems), {}};
@@ -123,11 +105,10 @@ ExitCode shoot(const Options& options) {
     const Result<RendererKind> renderer = parseChoice<RendererKind>(options.renderer, "--renderer");
     if (!renderer)
         return complain(renderer.error(), wrongCall);
-    const Result<AnisotropyMethod> anisotropy =
-        parseChoice<AnisotropyMethod>(options.anisotropy, "--anisotropy");
+    const Result<AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
     if (!anisotropy)
         return complain(anisotropy.error(), wrongCall);
-    if (options.anisotropy != rowOf(AnisotropyMethod::Probes).name && *renderer != RendererKind::Reference)
+    if (*anisotropy != AnisotropyMethod::Probes && !options.window && *renderer != RendererKind::Reference)
         return complain({ErrorCode::OutOfRange, "OpenGL's driver decides; only the reference has a choice",
                          "--anisotropy"},
                         wrongCall);
@@ -153,7 +134,8 @@ ExitCode shoot(const Options& options) {
                     *probed,
                     *renderer,
                     *compared,
-                    options.shaders};
+                    options.shaders,
+                    *anisotropy};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
@@ -165,7 +147,7 @@ ExitCode shoot(const Options& options) {
         drawing.levels.stop = compressing->stopToken();
     }
     const bool needsGl = drawing.window || *renderer != RendererKind::Reference;
-    Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing, *anisotropy);
+    Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing);
     if (drawing.levels.stop.stop_requested())
         return complainInterrupted();
     compressing.reset();
@@ -208,14 +190,6 @@ void addShot(CLI::App& app, Action& action) {
         ->add_option("--renderer", options->renderer,
                      "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
         ->capture_default_str();
-    command
-        ->add_option(
-            "--anisotropy", options->anisotropy,
-            "How the reference filters a texture whose max anisotropy is above 1, which OpenGL leaves "
-            "open." +
-                explainChoices<AnisotropyMethod>())
-        ->capture_default_str()
-        ->excludes(window);
     command
         ->add_option(
             "--compare", options->compared,

@@ -88,8 +88,9 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
 }
 
 ui::RenderedView ViewPictures::drawReference(ui::Session& session, render::Size size) {
-    const reference::DrawWorker::Picture& picture = ui::referenceOf(session).picture(
-        {session.scene, session.images, session.playback.time, size.width, size.height});
+    const reference::DrawWorker::Picture& picture =
+        ui::referenceOf(session).picture({session.scene, session.images, session.playback.time, size.width,
+                                          size.height, session.views.anisotropy});
     const unsigned texture = pictures_.show(picture.image, render::PictureCache::Use::Enlarged);
     return {RendererKind::Reference,
             {texture, size, picture.milliseconds, picture.problems, false},

@@ -108,6 +108,15 @@ void viewMenu(Session& session, const Layout& layout) {
     }
     if (item(session, "Compare", std::to_string(++key).c_str(), true, isComparing(session.views)))
         showComparison(session.views);
+    using reference::AnisotropyMethod;
+    for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {
+        const auto method = static_cast<AnisotropyMethod>(row.value);
+        if (item(session, "Anisotropy of the reference: " + std::string(row.label), nullptr, true,
+                 session.views.anisotropy == method))
+            session.views.anisotropy = method;
+        helpTip(row.help);
+    }
+    ImGui::Separator();
     if (item(session, "Magnifier", "M", true, session.views.magnifies))
         session.views.magnifies = !session.views.magnifies;
     if (item(session, "Picture pixel for pixel", "0", session.views.zoom.factor > 1))

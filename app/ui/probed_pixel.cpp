@@ -43,7 +43,9 @@ void askAboutPicture(Session& session, const Pictures& pictures) {
         return;
     }
     asked.answer = probeWorkerOf(session).answer(
-        {{session.scene, session.images, session.playback.time, width, height}, asked.pixel, asked.texel});
+        {{session.scene, session.images, session.playback.time, width, height, session.views.anisotropy},
+         asked.pixel,
+         asked.texel});
     if (asked.lightOf == asked.answer)
         return;
     asked.lightOf = asked.answer;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/reference/lod.h"
 #include "core/scene/renderer.h"
 
 #include <glm/vec2.hpp>
@@ -32,9 +33,10 @@ struct Views {
     RendererKind renderer = RendererKind::Fixed; ///< who draws the one picture
     std::array<RendererKind, 2> compared{RendererKind::Fixed, RendererKind::Reference};
     Arrangement comparing = Arrangement::Split; ///< what Compare leads to: Split or Grid, as it was last
-    float split = 0.5F;                         ///< where the seam is, as a share of the picture's width
-    int tolerance = 2;                          ///< differences up to here don't count, in 255ths
-    bool magnifies = false;                     ///< the pixels under the mouse are shown enlarged
+    reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
+    float split = 0.5F;     ///< where the seam is, as a share of the picture's width
+    int tolerance = 2;      ///< differences up to here don't count, in 255ths
+    bool magnifies = false; ///< the pixels under the mouse are shown enlarged
     PictureZoom zoom;
 
     static constexpr int largestTolerance = 254;

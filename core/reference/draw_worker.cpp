@@ -85,8 +85,9 @@ std::optional<DrawWorker::Picture> DrawWorker::State::draw(const DrawRequest& re
     if (stop.stop_possible())
         work.stop = stop;
     const auto begin = std::chrono::steady_clock::now();
-    Result<Drawn> drawn = renderer.draw(request.scene, request.images, request.time, width, height,
-                                        {.levels = std::move(work), .stop = stop});
+    Result<Drawn> drawn =
+        renderer.draw(request.scene, request.images, request.time, width, height,
+                      {.anisotropy = request.anisotropy, .levels = std::move(work), .stop = stop});
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
     if (!drawn && drawn.error().code == ErrorCode::Cancelled)
         return std::nullopt;

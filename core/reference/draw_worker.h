@@ -16,6 +16,7 @@ struct DrawRequest {
     double time = 0;
     int width = 1;
     int height = 1;
+    AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
 
     bool operator==(const DrawRequest&) const = default;
 };

@@ -36,8 +36,9 @@ struct ProbeWorker::State {
     [[nodiscard]] std::shared_ptr<const Answer> answer(const ProbeRequest& request, std::stop_token token) {
         auto made = std::make_shared<Answer>();
         made->request = request;
-        const auto& [scene, images, time, width, height] = request.picture;
+        const auto& [scene, images, time, width, height, anisotropy] = request.picture;
         DrawOptions options;
+        options.anisotropy = anisotropy;
         options.levels = levels;
         options.levels.stop = token;
         options.stop = token;

@@ -236,6 +236,15 @@ class Shot(Texshot):
         probes = self.shot(*floor)
         self.assertEqual(self.shot(*floor, "--anisotropy", "probes").tobytes(), probes.tobytes())
         self.assertNotEqual(self.shot(*floor, "--anisotropy", "ellipse").tobytes(), probes.tobytes())
+        scene = self.path / "floor.json"
+        scene.write_text('{"version": 1, "view": {"azimuth": 33}, "textures": [{"maxAnisotropy": 8,'
+                         ' "minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "generated"}]}')
+        window = self.shot(scene, "--ui", "--renderer", "reference", "--anisotropy", "ellipse",
+                           "--size", "1280x800")
+        alone = self.shot(scene, "--renderer", "reference", "--anisotropy", "ellipse", "--size", "583x682")
+        self.assertIsNone(ImageChops.difference(window.crop((321, 64, 321 + 583, 64 + 682)), alone).getbbox())
+        otherwise = self.shot(scene, "--renderer", "reference", "--size", "583x682")
+        self.assertIsNotNone(ImageChops.difference(otherwise, alone).getbbox())
         out = self.path / "out.png"
         self.complains(2, 'expected one of probes, ellipse, found "fast"',
                        "shot", "--renderer", "reference", "--anisotropy", "fast", "-o", out)

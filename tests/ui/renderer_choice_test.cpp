@@ -40,6 +40,18 @@ TEST_F(RendererChoice, KeysAndTheViewMenuChooseToo) {
     EXPECT_EQ(session->views.renderer, RendererKind::Fixed);
 }
 
+TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropy) {
+    Scene scene = defaultScene();
+    scene.textures[0].maxAnisotropy = 8;
+    start(std::move(scene), 800, 500);
+    showOne(session->views, RendererKind::Reference);
+    const auto probes = view();
+    click("menu:View");
+    click("menu:Anisotropy of the reference: Ellipse");
+    EXPECT_EQ(session->views.anisotropy, reference::AnisotropyMethod::Ellipse);
+    EXPECT_FALSE(view() == probes);
+}
+
 TEST_F(RendererChoice, ANarrowWindowKeepsItsMenusAndItsClock) {
     start(defaultScene(), 520, 400);
     EXPECT_FALSE(has("renderer:Shader"));

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/gl/enum_row.h"
+
+#include <string>
+#include <string_view>
+
+namespace texplorer::screenshot {
+
+/// One of the rows, by its name; `option` is named in the error.
+template<Enumerated E>
+[[nodiscard]] Result<E> parseChoice(std::string_view name, const char* option) {
+    const std::span<const EnumRow> rows = EnumTable<E>::rows;
+    if (const EnumRow* row = findRow(rows, name))
+        return static_cast<E>(row->value);
+    return fail(ErrorCode::OutOfRange,
+                "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", option);
+}
+
+/// For a help text, what each choice is: " probes: … ellipse: …"
+template<Enumerated E>
+[[nodiscard]] std::string explainChoices() {
+    std::string text;
+    for (const EnumRow& row : EnumTable<E>::rows)
+        text += " " + std::string(row.name) + ": " + std::string(row.help);
+    return text;
+}
+
+} // namespace texplorer::screenshot
