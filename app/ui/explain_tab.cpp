@@ -152,11 +152,12 @@ std::string differenceText(const PixelBytes& from, const PixelBytes& to) {
 
 void drawHead(Session& session, const Pictures& pictures, const reference::Explanation& explanation) {
     const auto& [x, y] = explanation.pixel;
-    text("Pixel " + std::to_string(x) + ", " + std::to_string(y), color::probed);
+    text("Pixel " + std::to_string(x) + "," + std::to_string(explanation.height - 1 - y) +
+             " from the upper left", // as texshot probe --at counts
+         color::probed);
     noteItem(session, "explain:pixel");
-    helpTip(
-        "Counted from the lower left, as OpenGL's window coordinates are. Hold E over the picture, or click "
-        "there, for another pixel.");
+    helpTip("In OpenGL's window coordinates, which begin at the lower left, " + std::to_string(x) + "," +
+            std::to_string(y) + ". Hold E over the picture, or click there, for another pixel.");
     const float width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton("Clear")) {
