@@ -144,7 +144,7 @@ void ignoredHint(const Case& about, Report& report) {
     const View& view = about.scene.view;
     if (view.perspectiveHint == HintMode::Fastest && view.projection == Projection::Perspective)
         report.add("view.perspectiveHint",
-                   "fixed functions may ignore this hint, and most drivers do; the shaders and the reference "
+                   "fixed function may ignore this hint, and most drivers do; the shaders and the reference "
                    "interpolate without perspective",
                    Fix{"Correct the perspective", {{"view.perspectiveHint", nameOf(HintMode::Nicest)}}});
 }
