@@ -141,6 +141,8 @@ Scene mixture(int number, Dice& state, Dice& values) {
         setLight(scene, values);
     scene.light.colorControl = state.any<ColorControl>();
     scene.material.shadeModel = state.any<ShadeModel>();
+    const bool floor = scene.models[0].shape == Shape::Floor;
+    const float steep = floor ? 0.005F : 0.1F; // q stays above 0 on the whole of it
     const int count = 1 + state.below(3);
     scene.textures.resize(static_cast<std::size_t>(count), scene.textures[0]);
     scene.passes.resize(1 + static_cast<std::size_t>(state.below(2)), scene.passes[0]);
@@ -167,11 +169,15 @@ Scene mixture(int number, Dice& state, Dice& values) {
         unit.envColor = values.color();
         if (state.chance(3))
             unit.texGenS = {true, state.any<TexGenMode>(), values.color(), values.color()};
+        // However one looks at the floor, its normal's x is 0: a rounding error would choose between the
+        // first texel and the last.
+        if (floor && unit.texGenS.mode == TexGenMode::NormalMap)
+            unit.texGenS.mode = TexGenMode::EyeLinear;
         if (state.chance(4))
             unit.texGenQ = {true,
                             static_cast<TexGenMode>(state.of(texGenModesOfQ).value),
-                            {values.number(-0.1F, 0.1F), 0, values.number(-0.1F, 0.1F), 1},
-                            {values.number(-0.1F, 0.1F), 0, 0, 1}};
+                            {values.number(-steep, steep), 0, values.number(-steep, steep), 1},
+                            {values.number(-steep, steep), 0, 0, 1}};
         if (state.chance(3))
             unit.matrix = {
                 {.op = state.any<MatrixOp>(),
