@@ -40,7 +40,8 @@ struct ProbeWorker::State {
         DrawOptions options;
         options.anisotropy = anisotropy;
         options.levels = levels;
-        options.levels.stop = token;
+        if (token.stop_possible()) // else the caller's own stays
+            options.levels.stop = token;
         options.stop = token;
         if (request.pixel)
             made->explanation = renderer.probe(scene, images, time, width, height, *request.pixel, options);
@@ -52,7 +53,7 @@ struct ProbeWorker::State {
 
     void run(const std::stop_token& end) {
         std::unique_lock lock(mutex);
-        while (arrived.wait(lock, end, [this] { return next.has_value(); })) {
+        while (arrived.wait(lock, end, [this] { return next.has_value(); }) && !end.stop_requested()) {
             const ProbeRequest request = *std::exchange(next, std::nullopt);
             stop = std::stop_source();
             const std::stop_token token = stop.get_token();

@@ -20,8 +20,8 @@ struct ProbeRequest {
 };
 
 /// Explains pixels for a window that must not wait, on a thread of its own: the first question of a scene
-/// makes its textures' levels. A new request ends the work on the last one. All functions are to be called
-/// from one thread; the first request starts the other one.
+/// makes its textures' levels. A new request ends the work on the last one where the textures are others. All
+/// functions are to be called from one thread; the first request starts the other one.
 class ProbeWorker {
 public:
     enum class When {

@@ -42,6 +42,18 @@ TEST(ProbeWorker, SaysWhatIsWrong) {
     EXPECT_FALSE(*answer->explanation);
 }
 
+/// What waits behind the work is not begun any more: this one would take seconds.
+TEST(ProbeWorker, EndsWithAQuestionThatWaits) {
+    Scene scene = defaultScene();
+    std::atomic<int> answers = 0;
+    {
+        ProbeWorker worker(ProbeWorker::When::WhenReady, [&answers] { ++answers; });
+        for (int i = 0; i < 4; ++i)
+            (void)worker.answer({{scene, ImageSource(), 0, 4096, 4096}, PixelPlace{i, i}, TexelQuestion{}});
+    }
+    EXPECT_EQ(answers, 0);
+}
+
 TEST(ProbeWorker, EndsWhileItWorks) {
     Scene scene = defaultScene();
     scene.models[1].slices = scene.models[1].stacks = 256;
