@@ -6,6 +6,7 @@
 #include "core/conform/report.h"
 #include "core/scene/param_text.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace texplorer::screenshot {
@@ -81,6 +82,8 @@ Result<conform::Selection> selectionOf(const Options& options) {
             return fail(ErrorCode::OutOfRange, "expected one of " + known + "; found \"" + name + "\"",
                         "--feature");
         }
+        if (std::ranges::find(selection.features, feature) != selection.features.end())
+            continue; // named twice
         selection.features.push_back(feature);
         scenes += feature->scenes;
     }
@@ -88,6 +91,18 @@ Result<conform::Selection> selectionOf(const Options& options) {
                        : selection.features.empty() ? conform::defaultScenes
                                                     : scenes;
     return selection;
+}
+
+/// Whether a folder can stand there: asked before the work, so that it isn't lost.
+Result<void> checkFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::path above = std::filesystem::absolute(folder, error);
+    while (!std::filesystem::exists(above, error) && above.has_relative_path())
+        above = above.parent_path();
+    if (std::filesystem::is_directory(above, error))
+        return {};
+    return fail(ErrorCode::Unwritable, "can't make the folder: " + above.string() + " is no folder",
+                folder.string());
 }
 
 Result<void> writeFolder(const std::filesystem::path& folder, const conform::Report& report) {
@@ -117,6 +132,10 @@ ExitCode conformTo(const Options& options) {
     const Result<conform::Selection> selection = selectionOf(options);
     if (!selection)
         return complain(selection.error(), wrongCall);
+    if (!options.folder.empty()) {
+        if (const Result<void> possible = checkFolder(options.folder); !possible)
+            return complain(possible.error());
+    }
 
     const std::string settings = askMesaForPrecision();
     const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders);
@@ -163,7 +182,7 @@ void addConform(CLI::App& app, Action& action) {
         ->add_option("--scenes", options->scenes,
                      "How many, shared out among the features. Without it: " +
                          std::to_string(conform::defaultScenes) + ".")
-        ->check(CLI::Range(1, 1000000));
+        ->check(CLI::Range(1, 100000));
     command->add_option("--seed", options->seed, "Other scenes; the same number gives the same ones.")
         ->capture_default_str();
     command->add_option("-o,--out", options->folder,

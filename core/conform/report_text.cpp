@@ -19,7 +19,7 @@ std::string percent(double share) {
     return share == 0 ? "0" : share < 0.00005 ? "<0.01 %" : fixed(share * 100, 2) + " %";
 }
 
-/// "0 over 1", "0.5 % over 2, 0.2 % outside"
+/// "0 over 1", "0.5 % over 2, 0.2 % unexplained"
 std::string allowed(const Rule& rule) {
     const auto part = [](double share) {
         std::string number = fixed((1 - share) * 100, 2);
@@ -107,7 +107,9 @@ std::string asText(const Report& report) {
            std::to_string(report.selection.seed) + ", in " + fixed(report.seconds, 1) + " s" +
            (report.driver.name.empty() ? "" : " on " + report.driver.name) +
            (report.driver.settings.empty() ? "" : " with " + report.driver.settings) +
-           (report.agrees() ? ": all agree\n" : ": not all agree\n");
+           (!report.compared() ? ": nothing was compared\n"
+            : report.agrees()  ? ": all agree\n"
+                               : ": not all agree\n");
 }
 
 std::string listing() {

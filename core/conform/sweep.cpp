@@ -203,8 +203,14 @@ bool PairReport::agrees() const {
     return std::ranges::all_of(outcomes, &Outcome::agrees);
 }
 
+bool Report::compared() const {
+    return std::ranges::any_of(pairs, [](const PairReport& pair) {
+        return std::ranges::any_of(pair.outcomes, [](const Outcome& each) { return each.all.scenes > 0; });
+    });
+}
+
 bool Report::agrees() const {
-    return std::ranges::all_of(pairs, &PairReport::agrees);
+    return compared() && std::ranges::all_of(pairs, &PairReport::agrees);
 }
 
 Scene sceneOf(const Feature& feature, unsigned seed, int number) {

@@ -93,7 +93,8 @@ struct Report {
     double seconds = 0;
     std::vector<PairReport> pairs;
 
-    [[nodiscard]] bool agrees() const;
+    [[nodiscard]] bool compared() const; ///< any scene at all: not all were skipped
+    [[nodiscard]] bool agrees() const;   ///< false where nothing was compared
 };
 
 /// Who draws. OpenGL's two are used on the calling thread alone; a pair without them needs none.
