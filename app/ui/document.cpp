@@ -55,12 +55,15 @@ Scene rebased(const Scene& scene, const fs::path& from, const fs::path& to) {
 
 void replaceDocument(Session& session, Scene scene, ImageSource images, fs::path file) {
     const Columns columns = session.columns;
+    const Views views = session.views;
     Probe* probe = session.probe;
     FileBrowser browser = session.browser;
     Background* background = session.background;
     cancelLoads(session);
     session = makeSession(std::move(scene), std::move(images), std::move(file));
     session.columns = columns;
+    session.views = views;
+    session.views.zoom = {};
     session.probe = probe;
     session.browser = std::move(browser);
     session.background = background;

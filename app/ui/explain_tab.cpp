@@ -118,6 +118,7 @@ void drawStep(Session& session, const Step& step, bool first, bool severalUnits)
     text(step.summary, idle ? color::problem : color::dim);
     if (open) {
         drawRows(step.rows);
+        noteItem(session, "explain:rows of " + title);
         ImGui::TreePop();
     }
     ImGui::PopID();
@@ -193,10 +194,10 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
 
 void drawTexelLine(Session& session) {
     const Explaining& asked = session.explaining;
-    if (!asked.texel || !asked.answer || !asked.answer->contributions)
+    if (!asked.texel || !asked.answer || !asked.answer->contributions || !asked.answer->request.texel)
         return;
     const auto& found = *asked.answer->contributions;
-    const auto& [level, index] = asked.texel->texel;
+    const auto& [level, index] = asked.answer->request.texel->texel; // perhaps an earlier one's
     const std::string name = "Texel " + std::to_string(index.x) + ", " + std::to_string(index.y) +
                              " of level " + std::to_string(level);
     std::string words = name + ": " + (found ? std::string() : describe(found.error()));

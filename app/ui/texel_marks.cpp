@@ -206,7 +206,10 @@ std::optional<glm::ivec2> extentOf(Session& session, int level) {
     const auto found = std::ranges::find(summary->report.levels, level, &LevelReport::number);
     if (found == summary->report.levels.end())
         return std::nullopt;
-    return glm::ivec2(found->width, selectedUnit(session).target == Target::Texture1D ? 1 : found->height);
+    // The report counts a border as part of the level, the indices of texels begin after it.
+    const int border = texture->border != 0 ? 2 : 0;
+    const bool flat = selectedUnit(session).target == Target::Texture1D;
+    return glm::ivec2(found->width - border, flat ? 1 : found->height - border);
 }
 
 /// The texel that is asked for, if it is one of the selected unit.

@@ -29,8 +29,9 @@ constexpr std::array rows{
         "border", "Image", "Border",
         "glTexImage2D(GL_TEXTURE_2D, level, internalFormat, width, height, {}, format, GL_UNSIGNED_BYTE, "
         "pixels)",
-        "1: a ring of texels around each level replaces the border colour. It is the outer ring of an image "
-        "of 2^k + 2 texels a side; any other repeats its edge.",
+        "1: a ring of texels replaces the border colour: the outer ring of an image of 2^k + 2 texels a "
+        "side; "
+        "else, and of levels in a file, the edge once more.",
         {0, 1, 0.02F, {}}),
     param<&Texture::compression>(
         "compression", "Compression", "Compression", "",

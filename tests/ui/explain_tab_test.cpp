@@ -88,9 +88,10 @@ TEST_F(ExplainTab, FollowsTheScene) {
 TEST_F(ExplainTab, StepsUnfold) {
     open();
     clickAt(onTheCube());
+    EXPECT_FALSE(has("explain:rows of Primary colour"));
     click("explain:Primary colour");
     (void)picture();
-    EXPECT_TRUE(has("explain:Primary colour"));
+    EXPECT_TRUE(has("explain:rows of Primary colour"));
 }
 
 TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
