@@ -2,7 +2,7 @@
 
 // How one block is turned around: the bit work behind core/s3tc/flip.h.
 
-#include "core/s3tc/block_format.h"
+#include "core/gl/block_format.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/s3tc/block_format.h"
+#include "core/gl/block_format.h"
 
 namespace texplorer {
 

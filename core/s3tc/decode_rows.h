@@ -2,7 +2,7 @@
 
 // The inner loop of decodeBlocks.
 
-#include "core/s3tc/block_format.h"
+#include "core/gl/block_format.h"
 
 #include <cstddef>
 

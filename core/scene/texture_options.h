@@ -2,7 +2,7 @@
 
 // How a texture's image becomes what is uploaded: which way up, and compressed how.
 
-#include "core/s3tc/block_format.h"
+#include "core/gl/block_format.h"
 #include "core/s3tc/encode_quality.h"
 
 namespace texplorer {

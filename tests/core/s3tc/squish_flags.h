@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/s3tc/block_format.h"
+#include "core/gl/block_format.h"
 
 #include <squish.h>
 
