@@ -1,11 +1,9 @@
 #include "core/reference/contributions.h"
 
-#include "core/mesh/mesh.h"
 #include "core/reference/fragment.h"
 #include "core/reference/raster.h"
+#include "core/reference/scene_triangles.h"
 #include "core/reference/shade.h"
-#include "core/reference/vertex_stage.h"
-#include "core/scene/animation.h"
 
 #include <algorithm>
 
@@ -125,32 +123,10 @@ Result<Contributions> findContributions(const Scene& scene, const ImageSource& i
     found.weights.resize(static_cast<std::size_t>(viewport.width) *
                          static_cast<std::size_t>(viewport.height));
     Weighing weighing(found, question, &passes[static_cast<std::size_t>(question.pass)], **unit);
-    const glm::mat4 view = viewMatrix(scene.view);
-    const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
-                                                                  static_cast<float>(viewport.height));
-    for (const PassState& pass : passes) {
-        for (const Model& model : scene.models) {
-            if (!model.visible)
-                continue;
-            const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
-            const VertexStage stage(scene, pass, view * modelMatrix(model, time), projection);
-            const std::vector<ShadedVertex> vertices = shadeVertices(stage, model, mesh, pass);
-            for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-                if (options.stop.stop_requested())
-                    return fail(ErrorCode::Cancelled, "the search was stopped");
-                std::array corners{vertices[mesh.triangles[i]], vertices[mesh.triangles[i + 1]],
-                                   vertices[mesh.triangles[i + 2]]};
-                if (pass.flat)
-                    corners[0].primary = corners[1].primary = corners[2].primary;
-                const Polygon polygon = clip(corners[0], corners[1], corners[2], pass.perspective);
-                for (std::size_t corner = 2; corner < polygon.size(); ++corner) {
-                    if (const auto triangle = setUp(polygon[0], polygon[corner - 1], polygon[corner], pass,
-                                                    viewport, pass.perspective))
-                        weighing.draw(*triangle);
-                }
-            }
-        }
-    }
+    eachTriangle(scene, passes, time, viewport, options.stop,
+                 [&](const Triangle& triangle) { weighing.draw(triangle); });
+    if (options.stop.stop_requested())
+        return fail(ErrorCode::Cancelled, "the search was stopped");
     return found;
 }
 

@@ -1,13 +1,11 @@
 #include "core/reference/draw.h"
 
 #include "core/base/parallel.h"
-#include "core/mesh/mesh.h"
 #include "core/reference/contributions.h"
 #include "core/reference/pass_state.h"
 #include "core/reference/probe.h"
 #include "core/reference/raster.h"
-#include "core/reference/vertex_stage.h"
-#include "core/scene/animation.h"
+#include "core/reference/scene_triangles.h"
 
 #include <new>
 
@@ -22,60 +20,6 @@ constexpr std::size_t batch = 8192;
 /// A depth buffer up to this size is kept for the next picture: fresh memory costs more than to draw into it.
 constexpr std::size_t keptDepth = std::size_t{1} << 24;
 
-class Drawing {
-public:
-    Drawing(Canvas& canvas, const DrawOptions& options)
-        : canvas_(canvas)
-        , options_(options)
-        , threads_(options.threads == 0 ? processorThreads() : options.threads) {}
-
-    void add(const Mesh& mesh, const std::vector<ShadedVertex>& vertices, const PassState& pass) {
-        for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-            const ShadedVertex& a = vertices[mesh.triangles[i]];
-            const ShadedVertex& b = vertices[mesh.triangles[i + 1]];
-            const ShadedVertex& c = vertices[mesh.triangles[i + 2]];
-            if (pass.flat) // section 2.14.7: the colours of the last vertex
-                addClipped(withColorsOf(c, a), withColorsOf(c, b), c, pass);
-            else
-                addClipped(a, b, c, pass);
-            if (triangles_.size() >= batch)
-                flush();
-        }
-    }
-
-    void flush() {
-        rasterize(triangles_, canvas_, threads_, options_.stop, options_.literal);
-        triangles_.clear();
-    }
-
-private:
-    static ShadedVertex withColorsOf(const ShadedVertex& colored, ShadedVertex vertex) {
-        vertex.primary = colored.primary;
-        vertex.secondary = colored.secondary;
-        return vertex;
-    }
-
-    void addClipped(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
-                    const PassState& pass) {
-        if (isInside(a, b, c))
-            return addTriangle(a, b, c, pass);
-        const Polygon polygon = clip(a, b, c, pass.perspective);
-        for (std::size_t i = 2; i < polygon.size(); ++i)
-            addTriangle(polygon[0], polygon[i - 1], polygon[i], pass);
-    }
-
-    void addTriangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
-                     const PassState& pass) {
-        if (const auto triangle = setUp(a, b, c, pass, canvas_.viewport(), pass.perspective))
-            triangles_.push_back(*triangle);
-    }
-
-    Canvas& canvas_;
-    const DrawOptions& options_;
-    unsigned threads_;
-    std::vector<Triangle> triangles_;
-};
-
 } // namespace
 
 struct ReferenceRenderer::State {
@@ -89,20 +33,18 @@ struct ReferenceRenderer::State {
         const std::vector<PassState> passes =
             passStates(scene, images, time, options.levels, options.anisotropy, textures, problems);
         Canvas canvas(viewport, scene.view.background, std::move(depth));
-        Drawing drawing(canvas, options);
-        const glm::mat4 view = viewMatrix(scene.view);
-        const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
-                                                                      static_cast<float>(viewport.height));
-        for (const PassState& pass : passes) {
-            for (const Model& model : scene.models) {
-                if (!model.visible || options.stop.stop_requested())
-                    continue;
-                const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
-                const VertexStage stage(scene, pass, view * modelMatrix(model, time), projection);
-                drawing.add(mesh, shadeVertices(stage, model, mesh, pass), pass);
-            }
-        }
-        drawing.flush();
+        const unsigned threads = options.threads == 0 ? processorThreads() : options.threads;
+        std::vector<Triangle> triangles;
+        const auto flush = [&] {
+            rasterize(triangles, canvas, threads, options.stop, options.literal);
+            triangles.clear();
+        };
+        eachTriangle(scene, passes, time, viewport, options.stop, [&](const Triangle& triangle) {
+            triangles.push_back(triangle);
+            if (triangles.size() >= batch)
+                flush();
+        });
+        flush();
         if (canvas.depth.size() <= keptDepth)
             depth = std::move(canvas.depth);
         return {std::move(canvas.color), std::move(problems)};
