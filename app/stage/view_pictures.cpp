@@ -43,7 +43,9 @@ void ViewPictures::draw(ui::Session& session, render::Size size) {
         if (view.renderer == RendererKind::Shader)
             shaders_ = view.frame.shaders;
     }
-    if (session.shownTab == ui::Tab::Glsl && shaders_.empty()) { // they are made while they draw
+    const bool drawn =
+        std::ranges::find(views_, RendererKind::Shader, &ui::RenderedView::renderer) != views_.end();
+    if (session.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
         const render::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
