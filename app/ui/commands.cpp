@@ -1,6 +1,8 @@
 #include "app/ui/commands.h"
 
+#include "core/scene/animation.h"
 #include "core/scene/initial_like.h"
+#include "core/scene/param_text.h"
 #include "core/scene/params.h"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace texplorer::ui {
@@ -18,8 +21,20 @@ std::string ownerOf(const std::string& path) {
     return dot == std::string::npos ? std::string{} : path.substr(0, dot);
 }
 
-/// The parts that decide nothing: formats of an image that is uploaded with another, units that are off,
-/// GL_COMBINE's state under another mode, coordinates that aren't generated. Their calls are left out.
+/// The target that a texture is shown as first; of one that nobody shows, a picture's.
+Target targetOf(const Scene& scene, std::size_t texture) {
+    for (const Pass& pass : scene.passes) {
+        for (const Unit& unit : pass.units) {
+            if (unit.enabled && unit.texture == static_cast<int>(texture))
+                return unit.target;
+        }
+    }
+    return Target::Texture2D;
+}
+
+/// The parts that decide nothing: formats of an image that is uploaded with another, coordinates that a
+/// target has not, units that are off, GL_COMBINE's state under another mode, coordinates that aren't
+/// generated. Their calls are left out.
 std::vector<std::string> idleParts(const Scene& scene) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
@@ -28,8 +43,13 @@ std::vector<std::string> idleParts(const Scene& scene) {
         for (const char* key : {"internalFormat", "border"})
             if (compressed)
                 parts.push_back("textures[" + std::to_string(i) + "]." + key);
+        const std::string path = "textures[" + std::to_string(i) + "].";
         if (!compressed)
-            parts.push_back("textures[" + std::to_string(i) + "].compressedFormat");
+            parts.push_back(path + "compressedFormat");
+        if (targetOf(scene, i) != Target::Texture3D)
+            parts.push_back(path + "wrapR");
+        if (targetOf(scene, i) == Target::Texture1D)
+            parts.push_back(path + "wrapT");
     }
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
@@ -67,17 +87,6 @@ std::size_t rank(std::string_view owner) {
 /// Of "textures[3]".
 std::size_t indexOf(const std::string& owner) {
     return static_cast<std::size_t>(std::strtoul(owner.c_str() + owner.find('[') + 1, nullptr, 10));
-}
-
-/// The target that a texture is shown as first; of one that nobody shows, a picture's.
-Target targetOf(const Scene& scene, std::size_t texture) {
-    for (const Pass& pass : scene.passes) {
-        for (const Unit& unit : pass.units) {
-            if (unit.enabled && unit.texture == static_cast<int>(texture))
-                return unit.target;
-        }
-    }
-    return Target::Texture2D;
 }
 
 void replaceAll(std::string& text, std::string_view what, std::string_view by) {
@@ -132,6 +141,51 @@ std::string withSiblings(const Scene& scene, const std::string& call, const std:
     return result;
 }
 
+/// A call that the camera needs and that no parameter makes alone, before that of `key` or instead of it.
+struct CameraCall {
+    std::string_view key;
+    std::string_view call;
+    std::optional<Projection> instead{}; ///< in this projection
+};
+constexpr std::array cameraCalls{
+    CameraCall{"fieldOfView", "glMatrixMode(GL_PROJECTION)"},
+    CameraCall{"fieldOfView", "glLoadIdentity()"},
+    CameraCall{"fieldOfView", "glOrtho(-height * aspect, height * aspect, -height, height, -zFar, zFar)",
+               Projection::Orthographic},
+    CameraCall{"distance", "glMatrixMode(GL_MODELVIEW)"},
+    CameraCall{"distance", "glLoadIdentity()"},
+};
+
+/// In the order in which the matrices are multiplied: what is called last is done to a vertex first.
+constexpr std::array<std::string_view, 7> cameraOrder{
+    "background", "perspectiveHint", "fieldOfView", "distance", "elevation", "azimuth", "target"};
+
+/// The calls of the view's parameters, which come in the order of its panel, as those of a program that sets
+/// up the same camera. `aspect` stays: it is the window's.
+std::vector<Command> cameraOf(const View& view, std::vector<Command> calls) {
+    std::vector<Command> camera{std::move(calls.front())}; // the heading
+    for (const std::string_view key : cameraOrder) {
+        const std::string path = camera.front().text + "." + std::string(key);
+        const auto own = std::ranges::find(calls, path, &Command::path);
+        if (own == calls.end())
+            continue;
+        for (const CameraCall& each : cameraCalls) {
+            if (each.key != key || (each.instead && *each.instead != view.projection))
+                continue;
+            if (each.instead)
+                own->text = std::string(each.call) + ";";
+            else
+                camera.push_back({Command::Kind::Call, std::string(each.call) + ";", path, false});
+        }
+        const auto [near, far] = clipPlanes(view);
+        replaceAll(own->text, "zNear", formatNumber(static_cast<float>(near)));
+        replaceAll(own->text, "zFar", formatNumber(static_cast<float>(far)));
+        replaceAll(own->text, "height", formatNumber(static_cast<float>(halfHeightAtTarget(view))));
+        camera.push_back(std::move(*own));
+    }
+    return camera;
+}
+
 } // namespace
 
 std::vector<Command> commandsOf(const Scene& scene) {
@@ -164,6 +218,10 @@ std::vector<Command> commandsOf(const Scene& scene) {
         else
             block.push_back(std::move(command));
     });
+    for (std::vector<Command>& block : blocks) {
+        if (block.front().text == "view")
+            block = cameraOf(scene.view, std::move(block));
+    }
     // As a program does it: first what is set up once, then the camera and the light, then what is drawn.
     std::ranges::stable_sort(blocks, {}, [](const auto& block) { return rank(block.front().text); });
     std::vector<Command> commands;

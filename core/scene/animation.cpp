@@ -85,18 +85,24 @@ glm::mat4 viewMatrix(const View& view) {
            glm::translate(glm::dmat4(1), -glm::dvec3(view.target));
 }
 
-glm::mat4 projectionMatrix(const View& view, float aspect) {
+ClipPlanes clipPlanes(const View& view) {
     const double distance = double{view.distance};
-    const double near = distance / 50;
-    const double far = 4 * distance + 400; // the far end of a floor stays in sight when one zooms in
-    const double top = std::tan(glm::radians(double{view.fieldOfView}) / 2);
+    return {distance / 50, 4 * distance + 400}; // the far end of a floor stays in sight when one zooms in
+}
+
+double halfHeightAtTarget(const View& view) {
+    return double{view.distance} * std::tan(glm::radians(double{view.fieldOfView}) / 2);
+}
+
+glm::mat4 projectionMatrix(const View& view, float aspect) {
+    const auto [near, far] = clipPlanes(view);
     if (view.projection == Projection::Perspective) {
-        const double height = near * top;
+        const double height = near * std::tan(glm::radians(double{view.fieldOfView}) / 2);
         const double width = height * double{aspect};
         return glm::frustum(-width, width, -height, height, near, far);
     }
     // What is behind the camera is in sight too: in a parallel projection the camera has no place.
-    const double height = distance * top;
+    const double height = halfHeightAtTarget(view);
     const double width = height * double{aspect};
     return glm::ortho(-width, width, -height, height, -far, far);
 }

@@ -19,7 +19,18 @@ namespace texplorer {
 
 [[nodiscard]] glm::mat4 viewMatrix(const View& view);
 
-/// `aspect` is width / height of the viewport. Near and far planes follow the distance.
+/// How far away the near and the far plane are: they follow the distance. An orthographic view reaches from
+/// -far to far.
+struct ClipPlanes {
+    double near;
+    double far;
+};
+[[nodiscard]] ClipPlanes clipPlanes(const View& view);
+
+/// Half of what a view shows of the plane through its target, from the middle to the top.
+[[nodiscard]] double halfHeightAtTarget(const View& view);
+
+/// `aspect` is width / height of the viewport.
 [[nodiscard]] glm::mat4 projectionMatrix(const View& view, float aspect);
 
 /// Whether anything in the scene changes with time.

@@ -298,7 +298,7 @@ Result<Value> parseValue(const ParamRow& row, std::string_view text) {
 
 std::string formatCall(const ParamRow& row, const Value& value) {
     std::string call(row.glCall);
-    constexpr std::string_view place = "{}";
+    std::string_view place = "{}";
     if (row.kind == Kind::Bool && call.find(place) == std::string::npos) {
         constexpr std::string_view enable = "glEnable";
         if (!std::get<bool>(value) && call.starts_with(enable))
@@ -307,10 +307,17 @@ std::string formatCall(const ParamRow& row, const Value& value) {
     }
 
     std::string text;
+    constexpr std::string_view negated = "-{}"; // of every component, and without a second sign
+    const bool negates = call.find(negated) != std::string::npos;
+    if (negates)
+        place = negated;
     if (row.kind == Kind::Bool)
         text = std::get<bool>(value) ? "GL_TRUE" : "GL_FALSE";
+    else if (row.kind == Kind::Float && negates)
+        text = formatNumber(0 - std::get<float>(value));
     else if (row.kind == Kind::Vec3)
-        text = joinNumbers(std::get<glm::vec3>(value), 3, ", ");
+        text = joinNumbers(negates ? glm::vec3(0) - std::get<glm::vec3>(value) : std::get<glm::vec3>(value),
+                           3, ", ");
     else if (row.kind == Kind::Vec4 || row.kind == Kind::Color)
         text = joinNumbers(std::get<glm::vec4>(value), 4, ", ");
     else if (row.kind == Kind::TexCoordList)

@@ -7,7 +7,7 @@ using build::color;
 using build::param;
 
 constexpr std::array rows{
-    param<&View::azimuth>("azimuth", "Camera", "Azimuth", "",
+    param<&View::azimuth>("azimuth", "Camera", "Azimuth", "glRotatef(-{}, 0, 1, 0)",
                           "How far the camera has gone around the y axis; at 0 it looks along -z.",
                           {-360, 360, 0.5F, "deg"}),
     param<&View::elevation>("elevation", "Camera", "Elevation", "glRotatef({}, 1, 0, 0)",
@@ -17,8 +17,8 @@ constexpr std::array rows{
         "distance", "Camera", "Distance", "glTranslatef(0, 0, -{})",
         "From the camera to its target. Far away, a pixel covers many texels: minification.",
         {0.1F, 1000, 0.05F, {}}),
-    param<&View::target>("target", "Camera", "Target", "", "The point that the camera orbits and looks at.",
-                         {-1000, 1000, 0.01F, {}}),
+    param<&View::target>("target", "Camera", "Target", "glTranslatef(-{})",
+                         "The point that the camera orbits and looks at.", {-1000, 1000, 0.01F, {}}),
     param<&View::projection>(
         "projection", "Camera", "Projection", "",
         "Whether far things look smaller. Without it a texel keeps its size across a plane."),

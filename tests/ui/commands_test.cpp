@@ -1,6 +1,12 @@
 #include "app/ui/commands.h"
+#include "core/scene/animation.h"
 
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
+
+#include <sstream>
 
 namespace texplorer::ui {
 namespace {
@@ -80,6 +86,87 @@ TEST(Commands, NameTheTargetThatTheTextureIsShownAs) {
                 Contains("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_REPEAT);"));
     EXPECT_THAT(calls(scene), Contains("glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_DONT_CARE);"));
     EXPECT_THAT(calls(scene), Contains(testing::StartsWith("glTexImage")).Times(1));
+}
+
+TEST(Commands, LeaveOutTheCoordinatesThatATargetHasNot) {
+    Scene scene = defaultScene();
+    const auto wraps = [&](Target target) {
+        scene.passes[0].units[0].target = target;
+        std::string letters;
+        for (const std::string& call : calls(scene)) {
+            if (const std::size_t at = call.find("GL_TEXTURE_WRAP_"); at != std::string::npos)
+                letters += call[call.find(", GL_REPEAT") - 1];
+        }
+        return letters;
+    };
+    EXPECT_EQ(wraps(Target::Texture1D), "S");
+    EXPECT_EQ(wraps(Target::Texture2D), "ST");
+    EXPECT_EQ(wraps(Target::CubeMap), "ST");
+    EXPECT_EQ(wraps(Target::Texture3D), "STR");
+    EXPECT_THAT(calls(scene), Contains("glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_REPEAT);"));
+}
+
+/// OpenGL's two matrices, as calls change them; GLM does the arithmetic.
+struct Matrices {
+    double aspect;
+    glm::dmat4 projection{0};
+    glm::dmat4 modelView{0};
+    glm::dmat4* current = nullptr;
+
+    double number(const std::string& text) const {
+        double product = 1;
+        std::istringstream factors(text);
+        for (std::string factor; std::getline(factors, factor, '*');)
+            product *= factor.find("aspect") != std::string::npos ? aspect : std::stod(factor);
+        return product;
+    }
+    void run(const std::string& call) {
+        const std::size_t bracket = call.find('(');
+        const std::string name = call.substr(0, bracket);
+        std::istringstream inside(call.substr(bracket + 1, call.find(')') - bracket - 1));
+        std::vector<std::string> words;
+        for (std::string word; std::getline(inside, word, ',');)
+            words.push_back(word);
+        const auto at = [&](std::size_t i) { return number(words.at(i)); };
+        if (name == "glMatrixMode")
+            current = words.at(0) == "GL_PROJECTION" ? &projection : &modelView;
+        else if (name == "glLoadIdentity")
+            *current = glm::dmat4(1);
+        else if (name == "gluPerspective")
+            *current *= glm::perspective(glm::radians(at(0)), at(1), at(2), at(3));
+        else if (name == "glOrtho")
+            *current *= glm::ortho(at(0), at(1), at(2), at(3), at(4), at(5));
+        else if (name == "glTranslatef")
+            *current = glm::translate(*current, {at(0), at(1), at(2)});
+        else if (name == "glRotatef")
+            *current = glm::rotate(*current, glm::radians(at(0)), {at(1), at(2), at(3)});
+    }
+};
+
+double farthest(const glm::dmat4& a, const glm::mat4& b) {
+    double most = 0;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row)
+            most = std::max(most, std::abs(a[column][row] - double{b[column][row]}));
+    }
+    return most;
+}
+
+TEST(Commands, SetUpTheCameraThatIsDrawnWith) {
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+        for (const float azimuth : {-35.0F, 0.0F, 110.0F}) {
+            Scene scene = defaultScene();
+            scene.view = {azimuth, 18, 7.5F, {1, -2, 0.25F}, projection, 50, {}, {}};
+            Matrices made{1.6};
+            for (const Command& each : commandsOf(scene)) {
+                if (each.kind == Command::Kind::Call && each.path.starts_with("view."))
+                    made.run(each.text);
+            }
+            EXPECT_LT(farthest(made.modelView, viewMatrix(scene.view)), 1e-5) << azimuth;
+            EXPECT_LT(farthest(made.projection, projectionMatrix(scene.view, 1.6F)), 1e-5) << azimuth;
+            EXPECT_THAT(calls(scene), Not(Contains(testing::HasSubstr("--"))));
+        }
+    }
 }
 
 TEST(Commands, LeaveOutUnitsThatAreOff) {
