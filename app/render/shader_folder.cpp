@@ -23,17 +23,17 @@ bool ShaderFolder::refresh() {
     if (watch_.changed().empty() && std::exchange(isRead_, true))
         return false;
     isRead_ = true;
-    Result<ShaderPieces> pieces = read();
+    Result<ShaderPieces> pieces = readShaderFolder(folder_);
     problem_ = pieces ? std::string() : describe(pieces.error());
     if (pieces)
         pieces_ = std::move(*pieces);
     return pieces.has_value();
 }
 
-Result<ShaderPieces> ShaderFolder::read() const {
+Result<ShaderPieces> readShaderFolder(const std::filesystem::path& folder) {
     std::vector<ShaderFile> files;
     for (const ShaderFile& wanted : embeddedShaderFiles()) {
-        Result<std::string> text = readText(folder_ / wanted.name, maxFileBytes);
+        Result<std::string> text = readText(folder / wanted.name, maxFileBytes);
         if (!text)
             return fail(text.error());
         files.push_back({wanted.name, std::move(*text)});

@@ -9,6 +9,9 @@
 
 namespace texplorer::render {
 
+/// The shaders' files of a folder. Errors: the first that can't be read or is no such file.
+[[nodiscard]] Result<ShaderPieces> readShaderFolder(const std::filesystem::path& folder);
+
 /// The shaders' files in a folder, read again when one of them has changed.
 class ShaderFolder {
 public:
@@ -23,8 +26,6 @@ public:
     [[nodiscard]] const std::string& problem() const { return problem_; }
 
 private:
-    [[nodiscard]] Result<ShaderPieces> read() const;
-
     std::filesystem::path folder_;
     FileWatch watch_;
     bool isRead_ = false;

@@ -97,7 +97,8 @@ public:
             ++revision_;
         }
         if (!folder_->problem().empty())
-            errors.add(folder_->problem() + "; the last shaders that could be read stay");
+            errors.add(folder_->problem() + (newest_ ? "; the last shaders that could be read stay"
+                                                     : "; drawn with Texplorer's own shaders"));
     }
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,

@@ -5,6 +5,7 @@
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/capabilities.h"
 #include "app/render/driver_facts.h"
+#include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
 #include "app/stage/stage.h"
 #include "app/ui/panes.h"
@@ -18,7 +19,20 @@
 namespace texplorer::screenshot {
 namespace {
 
+/// In the window what can't be read may be mended while one looks; here other shaders would answer a question
+/// that nobody asked.
+Result<void> checkShaders(const std::filesystem::path& folder) {
+    if (folder.empty())
+        return {};
+    const Result<render::ShaderPieces> pieces = render::readShaderFolder(folder);
+    return pieces ? Result<void>() : fail(pieces.error());
+}
+
 Result<Picture> drawScene(const Drawing& drawing) {
+    if (const Result<void> readable =
+            drawing.renderer == RendererKind::Shader ? checkShaders(drawing.shaders) : Result<void>();
+        !readable)
+        return fail(readable.error());
     // The scene is drawn into a framebuffer object: the context's own one is never seen.
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     if (!context)
@@ -44,6 +58,8 @@ Result<Picture> drawScene(const Drawing& drawing) {
 constexpr int settlingFrames = 3; // until Dear ImGui has given every window its size
 
 Result<Picture> drawWindow(const Drawing& drawing) {
+    if (const Result<void> readable = checkShaders(drawing.shaders); !readable)
+        return fail(readable.error());
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(drawing.size);
     if (!context)
         return fail(context.error());
@@ -101,6 +117,10 @@ public:
     Result<conform::Painting> draw(RendererKind kind, const Scene& scene, render::Size size) override {
         auto found = renderers_.find(kind);
         if (found == renderers_.end()) {
+            if (const Result<void> readable =
+                    kind == RendererKind::Shader ? checkShaders(shaders_) : Result<void>();
+                !readable)
+                return fail(readable.error());
             Result<render::SceneRenderer> made = render::createRenderer(kind, capabilities_, {shaders_, {}});
             if (!made)
                 return fail(made.error());
