@@ -29,13 +29,40 @@ void loadImages(OpenedScene& opened, std::vector<std::string>& reasons) {
     }
 }
 
-/// What is at its initial value has been set by nobody: that it has no effect is no news.
+/// What has the value that OpenGL or Texplorer starts with was set by nobody: that it has no effect is no
+/// news. A texture that isn't shown is news even so: its scene has less than one thinks.
 bool isWorthSaying(const Finding& finding, const Scene& scene, const Scene& initial) {
-    if (finding.severity <= Severity::Warning)
+    if (finding.severity <= Severity::Warning || finding.rule == "texture-not-shown")
         return true;
-    const Result<std::string> value = getParam(scene, finding.path);
-    const Result<std::string> start = getParam(initial, finding.path);
-    return value && start && *value != *start;
+    const auto isSetTo = [](const Scene& start, const std::string& path, const std::string& value) {
+        const Result<std::string> its = getParam(start, path);
+        return its && *its == value;
+    };
+    static const Scene start = defaultScene();
+    bool chosen = false;
+    forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
+        if (chosen || !isPartOf(path, finding.path))
+            return;
+        const std::string text = formatValue(row, value);
+        chosen = !isSetTo(initial, path, text) && !isSetTo(start, path, text);
+    });
+    return chosen;
+}
+
+/// What has no effect as a whole says so once, not again for each of its parts.
+std::vector<Finding> worthSaying(const std::vector<Finding>& findings, const Scene& scene) {
+    const Scene initial = initialLike(scene);
+    std::vector<Finding> kept;
+    std::ranges::copy_if(findings, std::back_inserter(kept),
+                         [&](const Finding& each) { return isWorthSaying(each, scene, initial); });
+    std::vector<Finding> said;
+    std::ranges::copy_if(kept, std::back_inserter(said), [&](const Finding& each) {
+        return each.severity <= Severity::Warning || std::ranges::none_of(kept, [&](const Finding& whole) {
+                   return whole.severity >= Severity::Hint && whole.path.size() < each.path.size() &&
+                          isPartOf(each.path, whole.path);
+               });
+    });
+    return said;
 }
 
 std::string asText(const std::vector<Finding>& findings) {
@@ -80,10 +107,7 @@ ExitCode check(const Options& options) {
         return opened.error();
     std::vector<std::string> reasons;
     loadImages(*opened, reasons);
-    std::vector<Finding> findings = diagnose(opened->scene, opened->images);
-    const Scene initial = initialLike(opened->scene);
-    std::erase_if(findings,
-                  [&](const Finding& each) { return !isWorthSaying(each, opened->scene, initial); });
+    std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
     for (std::size_t i = 0; i < reasons.size(); ++i) {
         for (Finding& each : findings) {
             if (!reasons[i].empty() && each.path == "textures[" + std::to_string(i) + "].file")
@@ -106,13 +130,14 @@ void addCheck(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     addSceneArgument(*command, options->scene);
     command->add_flag("--json", options->json, "As JSON, for programs.");
-    command->footer("A line for each finding on standard output, errors first, and below it what mends it. "
-                    "Settings without\n"
-                    "effect are named where they differ from their initial value. The driver is not asked: "
-                    "\"texshot shot\"\n"
-                    "says what it lacks.\n"
-                    "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be "
-                    "read, 2 a wrong call.");
+    command->footer(
+        "A line for each finding on standard output, errors first, and below it what mends it. "
+        "Settings without\n"
+        "effect are named where they differ from what OpenGL and Texplorer start with. The driver "
+        "is not asked:\n"
+        "\"texshot shot\" says what it lacks.\n"
+        "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be "
+        "read, 2 a wrong call.");
     command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

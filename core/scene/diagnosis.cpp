@@ -83,12 +83,6 @@ std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images)
     return all;
 }
 
-/// "textures[0]" is part of "textures[0].minFilter", and so is that itself.
-bool isPartOf(std::string_view path, std::string_view whole) {
-    return path.starts_with(whole) &&
-           (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
-}
-
 } // namespace
 } // namespace diagnosis
 
@@ -118,16 +112,25 @@ Result<void> apply(const Fix& fix, Scene& scene) {
     return {};
 }
 
+bool isPartOf(std::string_view path, std::string_view whole) {
+    return path.starts_with(whole) &&
+           (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
+}
+
 const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path) {
     const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
-        return each.severity <= Severity::Warning && diagnosis::isPartOf(each.path, path);
+        return each.severity <= Severity::Warning && isPartOf(each.path, path);
     });
     return found == findings.end() ? nullptr : &*found;
 }
 
 const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path) {
+    const auto isMending = [&](const Finding& each) { // what would give the rest an effect has one itself
+        return each.fix && std::ranges::any_of(each.fix->assignments,
+                                               [&](const Assignment& set) { return set.path == path; });
+    };
     const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
-        return each.severity >= Severity::Hint && diagnosis::isPartOf(path, each.path);
+        return each.severity >= Severity::Hint && isPartOf(path, each.path) && !isMending(each);
     });
     return found == findings.end() ? nullptr : &*found;
 }

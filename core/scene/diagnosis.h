@@ -78,8 +78,12 @@ struct Finding {
 /// Sets what a fix says. An assignment that can't be made (the scene has changed) leaves the scene as it was.
 [[nodiscard]] Result<void> apply(const Fix& fix, Scene& scene);
 
-/// The first finding about a parameter: about itself or about a struct that it is part of, a hint or unused
-/// (`withoutEffect`) or an error or a warning. nullptr: none.
+/// Whether `path` is that of `whole`, a parameter or a struct, or of something in it.
+[[nodiscard]] bool isPartOf(std::string_view path, std::string_view whole);
+
+/// The first finding about a parameter: an error or a warning about itself or about something in it; or a
+/// hint or what is unused, about itself or a struct that it is part of, unless the fix sets it. nullptr:
+/// none.
 [[nodiscard]] const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path);
 [[nodiscard]] const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path);
 

@@ -44,6 +44,42 @@ void hiddenPass(const Case& about, Report& report) {
     });
 }
 
+/// Whether models may hide each other, or themselves: a closed shape has a far side, and two flat ones stand
+/// one behind the other unless they share a plane.
+bool canHide(const std::vector<Model>& models) {
+    const Model* first = nullptr;
+    for (const Model& each : models) {
+        if (!each.visible)
+            continue;
+        if (each.shape != Shape::Quad && each.shape != Shape::Floor)
+            return true;
+        const int across = each.shape == Shape::Floor ? 1 : 2; // the axis that the flat shape is upright to
+        const bool turned = each.rotation != glm::vec3(0) || each.spin != glm::vec3(0);
+        if (first && (turned || each.shape != first->shape || each.rotation != first->rotation ||
+                      each.spin != first->spin || each.position[across] != first->position[across]))
+            return true;
+        first = &each;
+    }
+    return false;
+}
+
+/// GL's initial state draws the far side of a cube over its near side. What is blended has its own order.
+void noDepthTest(const Case& about, Report& report) {
+    if (!canHide(about.scene.models))
+        return;
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t p) {
+        const bool blends =
+            pass.blend && (pass.blendSrc != BlendFactor::One || pass.blendDst != BlendFactor::Zero);
+        if (pass.depthTest || blends)
+            return;
+        Fix fix{"Switch the depth test on", {{path + "depthTest", "true"}}};
+        if (p > 0) // no depth is less than that of a pass before
+            fix.assignments.push_back({path + "depthFunc", nameOf(CompareFunc::LessEqual)});
+        report.add(path + "depthTest", "there is no depth test: what is drawn last covers what is nearer",
+                   std::move(fix));
+    });
+}
+
 void noFragmentTest(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (!pass.depthTest)
@@ -159,6 +195,7 @@ constexpr std::array rules{
     Rule{"zero-q-of-vertex", Severity::Warning, zeroQ},
     Rule{"nothing-passes", Severity::Warning, nothingPasses},
     Rule{"hidden-pass", Severity::Warning, hiddenPass},
+    Rule{"no-depth-test", Severity::Warning, noDepthTest},
     Rule{"ignored-hint", Severity::Warning, ignoredHint},
     Rule{"no-perspective", Severity::Hint, nothingToCorrect},
     Rule{"fragment-test", Severity::Hint, noFragmentTest},

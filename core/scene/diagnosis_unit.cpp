@@ -159,6 +159,18 @@ void generatedZeroQ(const Case& about, Report& report) {
     });
 }
 
+/// A scene's list of units may choose all but the one thing that counts.
+void unitOff(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (unit.enabled)
+            return;
+        std::optional<Fix> fix;
+        if (about.textureOf(unit))
+            fix = Fix{"Switch the unit on", {{path + "enabled", "true"}}};
+        report.add(path.substr(0, path.size() - 1), "the unit is off", std::move(fix));
+    });
+}
+
 bool readsConstant(const Case& about, const Unit& unit) {
     const TextureFacts* texture = about.textureOf(unit);
     const TargetFacts* facts = texture ? texture->as(unit.target) : nullptr;
@@ -274,6 +286,7 @@ constexpr std::array rules{
     Rule{"zero-q", Severity::Warning, generatedZeroQ},
     Rule{"flat-direction", Severity::Warning, flatDirection},
     Rule{"cube-seams", Severity::Warning, cubeSeams},
+    Rule{"unit-off", Severity::Hint, unitOff},
     Rule{"env-color", Severity::Hint, noEnvColor},
     Rule{"lod-bias", Severity::Hint, noLodBias},
     Rule{"generation", Severity::Hint, noGeneration},

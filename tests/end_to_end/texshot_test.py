@@ -243,7 +243,7 @@ class Shot(Texshot):
         scene = self.path / "floor.json"
         scene.write_text('{"version": 1, "view": {"azimuth": 33}, "textures": [{"maxAnisotropy": 8,'
                          ' "minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "generated"}],'
-                         ' "passes": [{"units": [{"enabled": true}]}]}')
+                         ' "passes": [{"depthTest": true, "units": [{"enabled": true}]}]}')
         window = self.shot(scene, "--ui", "--renderer", "reference", "--anisotropy", "ellipse",
                            "--size", "1280x800")
         alone = self.shot(scene, "--renderer", "reference", "--anisotropy", "ellipse", "--size", "583x682")
@@ -296,6 +296,14 @@ class Shot(Texshot):
             with self.subTest(value):
                 self.complains(2, expected, "shot", "--ui", "--compare", value, "-o", self.path / "out.png")
         self.complains(2, "--compare", "shot", "--compare", "fixed,shader", "-o", self.path / "out.png")
+
+    def test_shaders_that_cannot_be_read_are_refused(self):
+        out = self.path / "x.png"
+        for arguments in [("--renderer", "shader"), ("--ui",), ("--ui", "--compare", "fixed,shader")]:
+            with self.subTest(" ".join(arguments)):
+                self.complains(1, "nowhere/", "shot", *arguments, "--shaders", self.path / "nowhere", "-o", out)
+                self.assertFalse(out.exists())
+        self.succeeds("shot", "--size", "8x8", "--shaders", self.path / "nowhere", "-o", out)  # nobody asks for them
 
     def test_a_renderer_that_does_not_exist_is_refused(self):
         self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
@@ -542,6 +550,31 @@ class Check(Texshot):
         said = self.succeeds("check", "--set", "textures[0].wrapR=GL_CLAMP").decode()
         self.assertIn("hint: textures[0].wrapR: no effect: only a 3D texture has r", said)
 
+    def said_of(self, **members):
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({"version": 1, **members}))
+        result = texshot("check", "--json", scene)
+        self.assertEqual(result.stderr, b"")
+        return {(each["severity"], each["path"]): each["sentence"] for each in json.loads(result.stdout)["findings"]}
+
+    def test_what_nobody_wrote_is_not_named(self):
+        passes = [{"depthTest": True, "units": [{"enabled": True}]}]
+        self.assertEqual(self.said_of(passes=passes), {})
+        self.assertEqual(self.said_of(material={"shininess": 9}, passes=passes),
+                         {("hint", "material.shininess"): "no pass has lighting"})
+
+    def test_a_unit_that_is_off_is_named_and_so_is_its_texture(self):
+        said = self.said_of(passes=[{"depthTest": True, "units": [{"texture": 0, "envMode": "GL_REPLACE"}]}])
+        self.assertEqual(said, {("hint", "passes[0].units[0]"): "the unit is off",
+                                ("hint", "textures[0]"): "no unit that is on shows this texture"})
+        said = self.said_of(passes=[{"depthTest": True, "units": [{"enabled": True, "combine": {"rgb": "GL_ADD"}}]}])
+        self.assertEqual(said, {("unused", "passes[0].units[0].combine"): "the mode is GL_MODULATE, not GL_COMBINE"})
+
+    def test_a_pass_without_depth_test_is_named(self):
+        passes = [{"units": [{"enabled": True}]}]
+        self.assertEqual(list(self.said_of(passes=passes)), [("warning", "passes[0].depthTest")])
+        self.assertEqual(self.said_of(models=[{"shape": "quad"}], passes=passes), {})
+
     def test_every_file_that_cannot_be_read_is_named(self):
         (self.path / "broken.bmp").write_bytes(b"BM")
         scene = self.path / "scene.json"
@@ -607,6 +640,12 @@ class Conform(Texshot):
         result = texshot("conform", "--feature", "environment", "--renderer", "shader", "--shaders", shaders)
         self.assertEqual((result.returncode, result.stderr), (1, b""))
         self.assertRegex(result.stdout.decode(), r"environment .* DIFFER")
+
+    def test_shaders_that_cannot_be_read_are_refused(self):
+        nowhere = self.path / "nowhere"
+        self.complains(1, "nowhere/", "conform", "--feature", "wrap", "--shaders", nowhere, "-o", self.path / "report")
+        self.assertFalse((self.path / "report").exists())
+        self.succeeds("conform", "--feature", "wrap", "--scenes", "10", "--renderer", "reference", "--shaders", nowhere)
 
     def test_the_list_gives_features_and_reasons(self):
         said = self.succeeds("conform", "--list").decode()

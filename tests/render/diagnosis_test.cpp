@@ -120,7 +120,7 @@ class EffectOnTheDriver : public RenderTest {};
 
 /// Scenes that differ in what decides whether settings matter.
 std::vector<Scene> variants() {
-    std::vector<Scene> scenes(10, defaultScene());
+    std::vector<Scene> scenes(11, defaultScene());
     for (Scene& scene : scenes) {
         scene.view.background = {0.2F, 0.1F, 0.3F, 1};
         scene.textures[0].pattern = Pattern::UvTemplate;
@@ -155,6 +155,7 @@ std::vector<Scene> variants() {
         (scenes[8].passes[0].units[0].*each).mode = TexGenMode::NormalMap;
     }
     scenes[9].textures[0].border = 1;
+    scenes[10].passes[0].units[0].enabled = false;
     return scenes;
 }
 

@@ -350,6 +350,13 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.combine().rgb = CombineRgb::Dot3Rgb; }},
         Row{"CombineUnderModulate", "other-environment", Unused, "passes[0].units[0].combine", "GL_MODULATE",
             [](Stage&) {}, [](Stage& s) { s.combine(); }},
+        Row{"UnitOff", "unit-off", Hint, "passes[0].units[0]", "the unit is off",
+            [](Stage& s) {
+                s.unit().enabled = false;
+                s.unit().envMode = EnvMode::Replace;
+            }},
+        Row{"ItsTextureNotShown", "texture-not-shown", Hint, "textures[0]", "no unit that is on",
+            [](Stage& s) { s.unit().enabled = false; }},
         Row{"OverruledByReplace", "overruled-unit", Hint, "passes[0].units[0].enabled", "unit 1",
             [](Stage& s) {
                 s.unit(1).enabled = true;
@@ -394,6 +401,30 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.pass().depthFunc = CompareFunc::Never; }},
         Row{"SecondPassWithLess", "hidden-pass", Warning, "passes[1].depthFunc",
             "no depth is less than itself", [](Stage& s) { s.scene.passes.push_back(s.pass()); }},
+        Row{"NoDepthTest", "no-depth-test", Warning, "passes[0].depthTest", "covers what is nearer",
+            [](Stage& s) { s.pass().depthTest = false; }},
+        Row{"NoDepthTestOfOneSquare", "no-depth-test", Warning, "passes[0].depthTest", "no depth test",
+            [](Stage& s) { s.pass().depthTest = false; },
+            [](Stage& s) {
+                s.scene.models.resize(1);
+                s.scene.models[0].shape = Shape::Quad;
+            }},
+        Row{"NoDepthTestOfSquaresBehindEachOther", "no-depth-test", Warning, "passes[0].depthTest",
+            "no depth test",
+            [](Stage& s) {
+                s.pass().depthTest = false;
+                s.scene.models.assign(2, {.shape = Shape::Quad});
+                s.scene.models[1].position.z = -1;
+            },
+            [](Stage& s) {
+                s.scene.models[1].position = {3, 0, 0};
+            }},
+        Row{"NoDepthTestOfWhatIsBlended", "no-depth-test", Warning, "passes[1].depthTest", "no depth test",
+            [](Stage& s) {
+                s.scene.passes.push_back({});
+                s.scene.passes[1].blend = true;
+            },
+            [](Stage& s) { s.scene.passes[1].blendDst = BlendFactor::One; }},
         Row{"DepthFunc", "fragment-test", Hint, "passes[0].depthFunc", "off",
             [](Stage& s) { s.pass().depthTest = false; }, [](Stage& s) { s.pass().depthTest = true; }},
         Row{"AlphaFunc", "fragment-test", Hint, "passes[0].alphaFunc", "off", [](Stage&) {},
@@ -461,6 +492,26 @@ TEST(DiagnosisOfAll, AStructSpeaksForAllBelowIt) {
     EXPECT_EQ(idleReasonOf(findings, "textures[0].minFilter"), nullptr);
     EXPECT_EQ(problemOf(findings, "textures[0].minFilter"), nullptr);
     EXPECT_EQ(idleReasonOf({{"r", Hint, "textures[1]", "s", {}}}, "textures[10].file"), nullptr);
+}
+
+TEST(DiagnosisOfAll, TheSwitchOfAUnitThatIsOffHasAnEffect) {
+    Stage stage;
+    stage.unit().enabled = false;
+    const std::vector<Finding> findings = stage.findings();
+    EXPECT_NE(idleReasonOf(findings, "passes[0].units[0].envMode"), nullptr);
+    EXPECT_NE(idleReasonOf(findings, "passes[0].units[0].matrix[0].amount"), nullptr);
+    EXPECT_EQ(idleReasonOf(findings, "passes[0].units[0].enabled"), nullptr);
+}
+
+TEST(DiagnosisOfAll, ALaterPassIsMendedWithoutHidingIt) {
+    Stage stage;
+    stage.scene.passes.push_back({});
+    const std::vector<Finding> before = stage.findings();
+    const Finding* found = find(before, "no-depth-test", "passes[1].depthTest");
+    ASSERT_NE(found, nullptr);
+    ASSERT_TRUE(apply(*found->fix, stage.scene));
+    for (const Finding& each : stage.findings())
+        EXPECT_GE(each.severity, Hint) << each.path << ": " << each.sentence;
 }
 
 TEST(DiagnosisOfAll, AFixThatNoLongerFitsChangesNothing) {
