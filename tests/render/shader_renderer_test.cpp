@@ -251,6 +251,17 @@ TEST_F(EditedShaders, ThatAreGoneAreSaid) {
     ASSERT_TRUE(made);
     renderer = std::move(*made);
     EXPECT_TRUE(isColor(onlyColor(flatScene()), {1, 1, 1, 1}));
+    EXPECT_THAT(problems, ElementsAre(testing::AllOf(HasSubstr("combine.glsl"), HasSubstr("own shaders"))));
+}
+
+TEST_F(EditedShaders, ThatGoWhileOneLooksStay) {
+    replace("fragment.glsl", "fragmentColor = color;", "fragmentColor = vec4(0.2, 0.4, 0.6, 1.0);");
+    EXPECT_TRUE(becomes({0.2F, 0.4F, 0.6F, 1}));
+    std::filesystem::remove(folder.path() / "combine.glsl");
+    EXPECT_TRUE(within([&] {
+        EXPECT_TRUE(isColor(onlyColor(flatScene()), {0.2F, 0.4F, 0.6F, 1}));
+        return !problems.empty();
+    }));
     EXPECT_THAT(problems, ElementsAre(testing::AllOf(HasSubstr("combine.glsl"), HasSubstr("stay"))));
 }
 
