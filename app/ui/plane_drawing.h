@@ -5,31 +5,37 @@
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace texplorer::ui {
 
 // What the texture space shows: the image and what wrapping makes of its surroundings, the axes, the outlines
 // of the faces. However large the mesh and however far away the plane: Dear ImGui counts the vertices of a
 // panel with 16 bits, and what is drawn here stays below.
 
-/// From texture coordinates to pixels and back. t grows upwards.
+/// From texture coordinates to pixels and back. t grows upwards. The place in its middle lies between pixels:
+/// the middle of a picture is the edge of texels, and a pixel whose centre were on it would show either of
+/// them, as rounding has it.
 struct Canvas {
     ImVec2 low, high;
+    ImVec2 middle;
     Plane plane;
     float pixelsPerUnit;
 
     Canvas(ImVec2 topLeft, ImVec2 size, const Plane& seen)
         : low(topLeft)
         , high(topLeft.x + size.x, topLeft.y + size.y)
+        , middle(std::floor((low.x + high.x) / 2), std::floor((low.y + high.y) / 2))
         , plane(seen)
         , pixelsPerUnit(std::min(size.x, size.y) / seen.extent) {}
 
     [[nodiscard]] ImVec2 toPixel(float s, float t) const {
-        return {(low.x + high.x) / 2 + (s - plane.s) * pixelsPerUnit,
-                (low.y + high.y) / 2 - (t - plane.t) * pixelsPerUnit};
+        return {middle.x + (s - plane.s) * pixelsPerUnit, middle.y - (t - plane.t) * pixelsPerUnit};
     }
     [[nodiscard]] glm::vec2 toCoord(ImVec2 pixel) const {
-        return {plane.s + (pixel.x - (low.x + high.x) / 2) / pixelsPerUnit,
-                plane.t - (pixel.y - (low.y + high.y) / 2) / pixelsPerUnit};
+        return {plane.s + (pixel.x - middle.x) / pixelsPerUnit,
+                plane.t - (pixel.y - middle.y) / pixelsPerUnit};
     }
 };
 

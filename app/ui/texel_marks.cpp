@@ -1,5 +1,6 @@
 #include "app/ui/texel_marks.h"
 
+#include "app/ui/inset_placement.h"
 #include "app/ui/probed_pixel.h"
 #include "app/ui/theme.h"
 #include "core/reference/ellipse.h"
@@ -20,7 +21,7 @@ ImU32 inkOf(glm::vec4 color) {
     return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
 }
 
-/// A small picture of a piece of a level, at the lower edge of the canvas.
+/// A small picture of a piece of a level, at an edge of the canvas.
 struct Inset {
     const LevelPatch* patch;
     ImVec2 low;  ///< upper left, of the texels
@@ -40,6 +41,10 @@ struct Inset {
     }
 };
 
+float titleHeight() {
+    return ImGui::GetFontSize() * 1.25F;
+}
+
 float shareOf(const reference::UnitExplanation& unit, int level) {
     for (const reference::LevelShare& share : unit.sample.levels) {
         if (share.level == level)
@@ -54,7 +59,86 @@ const LevelPatch& heaviestPatch(const reference::UnitExplanation& unit) {
                                      [&](const LevelPatch& patch) { return shareOf(unit, patch.level); });
 }
 
-/// Above or below, where they leave the place of the sample in sight.
+/// A texel of a level, in the plane of the image.
+Box texelBox(const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent) {
+    const glm::vec2 size(glm::max(extent, 1));
+    const glm::vec2 low = glm::vec2(at) / size;
+    const glm::vec2 high = glm::vec2(at + 1) / size;
+    return {canvas.toPixel(low.x, high.y), canvas.toPixel(high.x, low.y)};
+}
+
+using Corners = std::array<ImVec2, 4>;
+
+/// The parallelogram that one pixel covers around a place.
+Corners footprintOf(ImVec2 middle, ImVec2 dx, ImVec2 dy) {
+    const auto corner = [&](float a, float b) {
+        return ImVec2(middle.x + a * dx.x + b * dy.x, middle.y + a * dx.y + b * dy.y);
+    };
+    return {corner(-0.5F, -0.5F), corner(0.5F, -0.5F), corner(0.5F, 0.5F), corner(-0.5F, 0.5F)};
+}
+
+/// In the plane of the image.
+Corners footprintIn(const Canvas& canvas, const reference::UnitExplanation& unit) {
+    const LevelPatch& patch = heaviestPatch(unit);
+    const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
+    const auto way = [&](glm::vec3 d) {
+        return ImVec2(d.x * canvas.pixelsPerUnit, -d.y * canvas.pixelsPerUnit);
+    };
+    return footprintOf(canvas.toPixel(place.x, place.y), way(unit.derivatives.dx), way(unit.derivatives.dy));
+}
+
+bool isFinite(const Corners& corners) {
+    return std::ranges::all_of(corners,
+                               [](ImVec2 each) { return std::isfinite(each.x) && std::isfinite(each.y); });
+}
+
+void include(Box& box, ImVec2 place) {
+    box.low = {std::min(box.low.x, place.x), std::min(box.low.y, place.y)};
+    box.high = {std::max(box.high.x, place.x), std::max(box.high.y, place.y)};
+}
+
+/// Around the texels, the footprint and the place of the sample.
+Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
+    const LevelPatch& heaviest = heaviestPatch(unit);
+    const glm::vec2 place = heaviest.place / glm::vec2(glm::max(heaviest.extent, 1));
+    const ImVec2 middle = canvas.toPixel(place.x, place.y);
+    Box marks{middle, middle};
+    for (const LevelPatch& patch : unit.patches) {
+        for (const PlacedTap& tap : patch.taps) {
+            const Box texel = texelBox(canvas, tap.at, patch.extent);
+            include(marks, texel.low);
+            include(marks, texel.high);
+        }
+    }
+    if (const Corners footprint = footprintIn(canvas, unit); isFinite(footprint)) {
+        for (const ImVec2& corner : footprint)
+            include(marks, corner);
+    }
+    return marks;
+}
+
+/// What the small pictures should not cover: first what they explain, then the names of the axes and the
+/// image.
+std::vector<Kept> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
+    constexpr float mark = 100;
+    constexpr float name = 3;
+    constexpr float image = 1;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = canvas.toPixel(0, 0);
+    const ImVec2 high = canvas.toPixel(1, 1);
+    std::vector<Kept> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
+    if (unit.target == Target::CubeMap)
+        return kept; // its texels are marked in the small pictures alone
+    kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
+    kept.push_back({{{low.x - 1.5F * em, high.y - 2 * em}, {low.x, high.y + em}}, name});
+    const Box marks = marksOf(unit, canvas);
+    const float margin = em * 0.4F;
+    kept.push_back(
+        {{{marks.low.x - margin, marks.low.y - margin}, {marks.high.x + margin, marks.high.y + margin}},
+         mark});
+    return kept;
+}
+
 std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
     std::vector<Inset> insets;
     if (!unit)
@@ -62,39 +146,35 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     const float em = ImGui::GetFontSize();
     const float width = canvas.high.x - canvas.low.x;
     const float height = canvas.high.y - canvas.low.y;
-    const float side = std::min({em * 9, (width - em * 1.5F) / 2, height * 0.5F});
-    if (unit->patches.empty() || side < em * 2)
+    const float side = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
+    if (side < em * 2)
         return insets;
-    const LevelPatch& patch = heaviestPatch(*unit);
-    const ImVec2 sampled = canvas.toPixel(0, patch.place.y / static_cast<float>(std::max(1, patch.extent.y)));
-    const bool above = unit->target != Target::CubeMap && sampled.y > (canvas.low.y + canvas.high.y) / 2;
-    float x = canvas.low.x + em * 0.5F;
+    const ImVec2 frame(em * 0.2F, em * 0.2F);
+    std::vector<ImVec2> sizes; // with a title above and a frame around
     for (const LevelPatch& each : unit->patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
-        const float cell = side / static_cast<float>(each.size.x);
-        const float y = above ? canvas.low.y + em * 1.75F
-                              : canvas.high.y - em * 0.5F - cell * static_cast<float>(each.size.y);
-        insets.push_back({&each, {x, y}, cell, shareOf(*unit, each.level)});
-        x += side + em * 0.5F;
+        insets.push_back({&each, {}, side / static_cast<float>(each.size.x), shareOf(*unit, each.level)});
+        sizes.push_back(
+            {insets.back().size().x + 2 * frame.x, insets.back().size().y + titleHeight() + frame.y});
     }
+    if (insets.empty())
+        return insets;
+    const Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
+                   {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
+    const std::vector<ImVec2> places = placeInsets(sizes, room, em * 0.2F, keptInSight(*unit, canvas));
+    for (std::size_t i = 0; i < insets.size(); ++i)
+        insets[i].low = {places[i].x + frame.x, places[i].y + titleHeight()};
     return insets;
 }
 
-/// The parallelogram that one pixel covers around a place.
-void drawFootprint(ImDrawList& draw, ImVec2 middle, ImVec2 dx, ImVec2 dy) {
-    const auto corner = [&](float a, float b) {
-        return ImVec2(middle.x + a * dx.x + b * dy.x, middle.y + a * dx.y + b * dy.y);
-    };
-    const std::array corners{corner(-0.5F, -0.5F), corner(0.5F, -0.5F), corner(0.5F, 0.5F),
-                             corner(-0.5F, 0.5F)};
-    for (const ImVec2& each : corners) {
-        if (!std::isfinite(each.x) || !std::isfinite(each.y))
-            return;
-    }
+void drawFootprint(ImDrawList& draw, const Corners& corners) {
+    if (!isFinite(corners))
+        return;
     const float em = ImGui::GetFontSize();
-    draw.AddPolyline(corners.data(), 4, color::shade, ImDrawFlags_Closed, em * 0.24F);
-    draw.AddPolyline(corners.data(), 4, color::probed, ImDrawFlags_Closed, em * 0.1F);
+    const int count = static_cast<int>(corners.size());
+    draw.AddPolyline(corners.data(), count, color::shade, ImDrawFlags_Closed, em * 0.24F);
+    draw.AddPolyline(corners.data(), count, color::probed, ImDrawFlags_Closed, em * 0.1F);
 }
 
 void drawPlace(ImDrawList& draw, ImVec2 at) {
@@ -120,9 +200,9 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
         (inset.share < 1 ? std::to_string(std::lround(inset.share * 100)) + " %"
                          : std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y));
     const float pad = em * 0.2F;
-    draw.AddRectFilled({inset.low.x - pad, inset.low.y - em * 1.25F}, {end.x + pad, end.y + pad},
+    draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()}, {end.x + pad, end.y + pad},
                        IM_COL32(12, 14, 18, 245), em * 0.2F);
-    draw.PushClipRect({inset.low.x, inset.low.y - em * 1.25F}, end, true);
+    draw.PushClipRect({inset.low.x, inset.low.y - titleHeight()}, end, true);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, title.c_str());
     draw.PopClipRect();
     draw.PushClipRect(inset.low, end, true);
@@ -153,8 +233,8 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
     const glm::vec2 dx = glm::vec2(derivatives.dx) * extent;
     const glm::vec2 dy = glm::vec2(derivatives.dy) * extent;
     const ImVec2 middle = inset.toWindow(patch.place);
-    drawFootprint(draw, middle, {dx.x * inset.cell, -dx.y * inset.cell},
-                  {dy.x * inset.cell, -dy.y * inset.cell});
+    drawFootprint(draw, footprintOf(middle, {dx.x * inset.cell, -dx.y * inset.cell},
+                                    {dy.x * inset.cell, -dy.y * inset.cell}));
     drawPlace(draw, middle);
     for (const PlacedTap& tap : patch.taps) { // over everything else
         const std::string text = weightText(tap.tap.weight);
@@ -173,24 +253,18 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
                                                                               end.y, true};
 }
 
-/// A texel of a level, in the plane of the image.
 void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent, ImU32 tint) {
-    const glm::vec2 size(glm::max(extent, 1));
-    const glm::vec2 low = glm::vec2(at) / size;
-    const glm::vec2 high = glm::vec2(at + 1) / size;
-    const ImVec2 a = canvas.toPixel(low.x, high.y);
-    const ImVec2 b = canvas.toPixel(high.x, low.y);
+    const Box box = texelBox(canvas, at, extent);
     const float em = ImGui::GetFontSize();
-    draw.AddRect(a, b, color::shade, 0, 0, em * 0.2F);
-    draw.AddRect(a, b, tint, 0, 0, em * 0.1F);
+    draw.AddRect(box.low, box.high, color::shade, 0, 0, em * 0.2F);
+    draw.AddRect(box.low, box.high, tint, 0, 0, em * 0.1F);
 }
 
-/// What wrapping makes of a texel that is counted on beyond its level.
-reference::TexelPlace texelAt(const Texture& texture, int level, glm::ivec2 extent, glm::ivec2 at,
-                              int layer) {
-    return {level,
-            {reference::wrappedTexel(texture.wrapS, at.x, extent.x),
-             extent.y > 1 ? reference::wrappedTexel(texture.wrapT, at.y, extent.y) : 0, layer}};
+/// What wrapping makes of a texel that is counted on beyond its level. A line has one row alone.
+reference::TexelPlace texelAt(const Texture& texture, Target target, int level, glm::ivec2 extent,
+                              glm::ivec2 at, int layer) {
+    const int row = target == Target::Texture1D ? 0 : reference::wrappedTexel(texture.wrapT, at.y, extent.y);
+    return {level, {reference::wrappedTexel(texture.wrapS, at.x, extent.x), row, layer}};
 }
 
 /// Of a level that the bound texture has.
@@ -226,14 +300,10 @@ void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExpl
         for (const PlacedTap& tap : patch.taps)
             drawTexel(draw, canvas, tap.at, patch.extent, color::probed);
     }
+    drawFootprint(draw, footprintIn(canvas, unit));
     const LevelPatch& patch = heaviestPatch(unit);
     const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
-    const ImVec2 middle = canvas.toPixel(place.x, place.y);
-    const auto way = [&](glm::vec3 d) {
-        return ImVec2(d.x * canvas.pixelsPerUnit, -d.y * canvas.pixelsPerUnit);
-    };
-    drawFootprint(draw, middle, way(unit.derivatives.dx), way(unit.derivatives.dy));
-    drawPlace(draw, middle);
+    drawPlace(draw, canvas.toPixel(place.x, place.y));
 }
 
 /// What is asked for and what is below the mouse, which a click asks for.
@@ -245,7 +315,7 @@ void markCells(Session& session, ImDrawList& draw, const Texture& texture, const
                      ImGui::GetFontSize() * 0.2F);
     };
     const auto texel = [&](glm::ivec2 at) {
-        return texelAt(texture, patch.level, patch.extent, at, patch.layer);
+        return texelAt(texture, selectedUnit(session).target, patch.level, patch.extent, at, patch.layer);
     };
     const std::optional<reference::TexelPlace> asked = askedTexel(session);
     for (int y = 0; y < patch.size.y; ++y) {
@@ -275,7 +345,7 @@ void chooseInPlane(Session& session, const Canvas& canvas, const Texture& textur
     if (!extent)
         return;
     const glm::vec2 at = canvas.toCoord(ImGui::GetIO().MousePos) * glm::vec2(*extent);
-    chooseTexel(session, texelAt(texture, level, *extent,
+    chooseTexel(session, texelAt(texture, selectedUnit(session).target, level, *extent,
                                  {reference::floorToInt(at.x), reference::floorToInt(at.y)}, 0));
 }
 
@@ -298,8 +368,13 @@ void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bo
     if (clicked && session.explaining.isOpen && !isCube &&
         !isOnPatch(session, canvas, ImGui::GetIO().MousePos))
         chooseInPlane(session, canvas, *texture, unit);
-    if (unit && !isCube)
+    if (unit && !isCube) {
         markPlane(draw, canvas, *unit);
+        const Box marks = marksOf(*unit, canvas);
+        if (session.probe)
+            session.probe->items["texel marks"] = {marks.low.x, marks.low.y, marks.high.x, marks.high.y,
+                                                   true};
+    }
     if (const auto asked = askedTexel(session); asked && !isCube) {
         if (const auto extent = extentOf(session, asked->level))
             drawTexel(draw, canvas, glm::ivec2(asked->index), *extent, color::chosen);

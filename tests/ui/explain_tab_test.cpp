@@ -131,6 +131,47 @@ TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
     EXPECT_EQ(session->explaining.texel->texel.index.x, 60) << "only while the tab is open";
 }
 
+// Level 6 of 64 x 64 has one row: below it lies the border, which wrapping leads to. A line has no rows.
+TEST_F(ExplainTab, TheBorderOfALevelOfOneRowCanBeAskedFor) {
+    open();
+    texture().baseLevel = 6;
+    texture().wrapT = Wrap::ClampToBorder;
+    frames(2);
+    const ImVec2 low = place("coord:0");
+    const ImVec2 high = place("coord:2");
+    const ImVec2 below((low.x + high.x) / 2, low.y + (low.y - high.y) * 0.2F);
+    clickAt(below);
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
+    unit().target = Target::Texture1D;
+    frames(2);
+    clickAt(below);
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
+}
+
+// Whichever texel of the image a pixel reads, the small pictures don't lie on it.
+TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
+    open();
+    const auto overlap = [](const Probe::Item& a, const Probe::Item& b) {
+        return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    };
+    int seen = 0;
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 0; x < 6; ++x) {
+            clickAt({static_cast<float>(layout.picture.x) + 40 + static_cast<float>(x) * 38,
+                     static_cast<float>(layout.picture.y) + 200 + static_cast<float>(y) * 42});
+            if (!probedUnit(*session))
+                continue;
+            ++seen;
+            const Probe::Item& marks = session->probe->items.at("texel marks");
+            for (const auto& [name, item] : session->probe->items)
+                EXPECT_FALSE(name.starts_with("patch:") && overlap(item, marks)) << name << x << y;
+        }
+    }
+    EXPECT_GT(seen, 20);
+}
+
 TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     open();
     texture().pattern = Pattern::CubeFaces;
