@@ -4,6 +4,7 @@
 #include "app/ui/tex_coord_edits.h"
 #include "app/ui/texel_marks.h"
 #include "app/ui/theme.h"
+#include "core/image/cube_faces.h"
 #include "core/scene/tex_coords.h"
 
 #include <glm/glm.hpp>
@@ -158,6 +159,16 @@ void drawCanvas(Session& session, const Pictures& pictures) {
     }
 }
 
+/// "64 × 64", "6 faces of 128 × 128": as OpenGL has the image, whichever way it lies in its file.
+std::string extentsOf(const TextureImage& image, Target target) {
+    const Surface& first = image.surfaces.front();
+    const auto [width, height] = target == Target::CubeMap && image.faces != cubeFaceCount
+                                     ? cubeFaceExtents(widthOf(first), heightOf(first))
+                                     : FaceExtents{widthOf(first), heightOf(first)};
+    const std::string extents = std::to_string(width) + " × " + std::to_string(height);
+    return target == Target::CubeMap ? std::to_string(cubeFaceCount) + " faces of " + extents : extents;
+}
+
 } // namespace
 
 void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Layout& layout) {
@@ -167,15 +178,14 @@ void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Lay
     ImGui::TextUnformatted("Texture space");
     const Texture* texture = boundTexture(std::as_const(session));
     const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
-    const std::string what = "unit " + std::to_string(session.selection.unit) + " · " +
-                             (image ? std::to_string(widthOf(image->surfaces.front())) + " × " +
-                                          std::to_string(heightOf(image->surfaces.front()))
-                                    : std::string("no texture")) +
-                             (selectedUnit(session).target == Target::CubeMap ? " · cube map" : "");
+    const std::string extents =
+        image ? extentsOf(*image, selectedUnit(session).target) : std::string("no texture");
+    const std::string what = "unit " + std::to_string(session.selection.unit) + " · " + extents;
     const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)
         ImGui::TextDisabled("%s", what.c_str());
+    noteItem(session, "texture size:" + extents);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
     if (ImGui::Button("Fit")) {
         const bool isCube = selectedUnit(session).target == Target::CubeMap;

@@ -144,6 +144,47 @@ TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
     EXPECT_LT(channel(above, 1), 200);
 }
 
+// The middle of the plane is the edge of squares: a pixel whose centre lay on it would belong to both.
+TEST_F(TextureSpace, TheSquaresHaveStraightEdges) {
+    for (const auto& [width, height] : {std::pair{1280, 800}, {900, 600}, {1279, 799}, {1366, 768}}) {
+        start(defaultScene(), width, height);
+        const Image window = picture();
+        const auto left = static_cast<int>(at(1.1F, 0).x); // beyond the image and its outlines
+        const auto right = static_cast<int>(session->probe->items.at("texture space").right) - 4;
+        const auto top = static_cast<int>(at(0, 0.9F).y);
+        const auto bottom = static_cast<int>(at(0, 0.1F).y);
+        const auto isBright = [&](int x, int y) {
+            return std::to_integer<int>(window.at(x, window.height - 1 - y)[0]) > 60;
+        };
+        int edges = 0;
+        int whole = 0;
+        for (int y = top; y < bottom; ++y) {
+            int changed = 0;
+            for (int x = left; x < right; ++x)
+                changed += isBright(x, y) != isBright(x, y - 1) ? 1 : 0;
+            edges += changed > 0 ? 1 : 0;
+            whole += changed == right - left ? 1 : 0;
+        }
+        EXPECT_GE(edges, 5) << "of squares of an eighth";
+        EXPECT_EQ(whole, edges) << "in a window of " << width << " x " << height;
+    }
+}
+
+// OpenGL 2.1, table 3.19: a cube map is six images of one size.
+TEST_F(TextureSpace, SaysTheSizeOfACubeMapsFaces) {
+    EXPECT_TRUE(has("texture size:64 × 64"));
+    scene().textures[0].pattern = Pattern::CubeFaces;
+    frames(2);
+    const ImageSource& images = session->images;
+    const Surface& cross = images.find(texture())->surfaces.front();
+    const std::string face = std::to_string(widthOf(cross) / 4);
+    EXPECT_TRUE(
+        has("texture size:" + std::to_string(widthOf(cross)) + " × " + std::to_string(heightOf(cross))));
+    unit().target = Target::CubeMap;
+    frames(2);
+    EXPECT_TRUE(has("texture size:6 faces of " + face + " × " + face));
+}
+
 TEST_F(TextureSpace, TheListDragsSingleNumbers) {
     drag(place("models[0].texCoords0[1][0]"), {40, 0});
     EXPECT_NEAR(coord(1).x, 1 + 40 * 0.005F, 0.006F);
@@ -182,6 +223,17 @@ TEST_F(TextureSpace, ListsTheVerticesOfTheChosenModel) {
     EXPECT_TRUE(has("face:" + face));
     click("face:" + face);
     EXPECT_TRUE(has("models[1].texCoords0[0][0]"));
+}
+
+TEST_F(TextureSpace, TheCommandsCanBeCopied) {
+    session->wantedTab = Tab::Commands;
+    frames(3);
+    click("copy commands");
+    const std::string text = ImGui::GetClipboardText();
+    EXPECT_NE(text.find("/* textures[0] */\n"), std::string::npos);
+    EXPECT_NE(text.find("\nglTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);\n"),
+              std::string::npos)
+        << text;
 }
 
 TEST_F(TextureSpace, TheCommandsTabMarksWhatChangedLast) {
