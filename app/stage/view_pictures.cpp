@@ -60,7 +60,7 @@ void ViewPictures::addProblems(const std::vector<std::string>& problems) {
 }
 
 ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session, render::Size size) {
-    ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, false};
+    ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, true};
     Live& live = liveOf(kind);
     Result<render::Frame> frame =
         live.renderer ? live.renderer->draw(session.scene, session.images, session.playback.time, size,
@@ -71,7 +71,6 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
         return view;
     }
     view.frame = std::move(*frame);
-    view.whole = true;
     if (!ui::wantsPixels(session.views) && !session.explaining.pixel) {
         live.pixels.reset();
         return view;

@@ -4,6 +4,7 @@
 #include "app/ui/theme.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -30,12 +31,15 @@ std::string withDecimals(double value, int decimals) {
     return text.data();
 }
 
-/// "0.05 %": never nothing where there is something.
-std::string asPercentage(double share) {
-    constexpr double least = 0.0001;
-    if (share > 0 && share < least)
-        return "< 0.01 %";
-    return share > 0 ? withDecimals(100 * share, 2) + " %" : "0 %";
+/// "0.05", "12.3", "100": three digits at most before the hundredths, and never nothing where there is
+/// something.
+std::string rounded(double value, int decimals) {
+    const double least = std::pow(10.0, -decimals);
+    if (value > 0 && value < least)
+        return "< " + withDecimals(least, decimals);
+    for (double limit = 10; value >= limit && decimals > 0; limit *= 10)
+        --decimals;
+    return value > 0 ? withDecimals(value, decimals) : "0";
 }
 
 /// Puts widgets in a row, and begins another one where the next has no room.
@@ -84,26 +88,71 @@ void showPixel(Views& views, glm::ivec2 pixel, render::Size picture) {
                         glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
 }
 
-void numbers(Session& session, Flow& flow, const Difference& difference, render::Size picture, float gap) {
-    const auto number = [&](const std::string& text, const char* name, const char* help) {
-        flow.text(text, color::text, gap);
-        noteItem(session, name);
-        helpTip(help);
-    };
-    if (difference.max == 0)
-        return number("equal in every pixel", "equal", "Red, green and blue are the same everywhere.");
-    number(asPercentage(difference.shareOver()) + " over", "share over",
-           "The pixels that differ by more than the tolerance in red, green or blue");
-    number("mean " + withDecimals(difference.mean, 3), "mean difference",
-           "Of all components of all pixels, in 255ths");
-    const std::string worst = "max " + std::to_string(difference.max);
-    flow.place(buttonWidth(worst.c_str()), gap);
-    if (ImGui::Button(worst.c_str()))
+constexpr const char* unit = "/255";
+
+/// "0.17 % over [2]/255": how much differs by more than the tolerance, which one can drag.
+void toleranceField(Session& session, Flow& flow, const Difference* difference, float gap) {
+    const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool hasShare = difference && difference->max > 0;
+    const std::string label =
+        hasShare ? rounded(100 * difference->shareOver(), 2) + " % over" : std::string("Tolerance");
+    flow.place(ImGui::CalcTextSize(label.c_str()).x + field + ImGui::CalcTextSize(unit).x + 2 * narrow, gap);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, hasShare ? color::text : color::dim);
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::PopStyleColor();
+    if (hasShare) {
+        noteItem(session, "share over");
+        helpTip("The pixels that differ by more than this tolerance in red, green or blue");
+    }
+    ImGui::SameLine(0, narrow);
+    ImGui::SetNextItemWidth(field);
+    ImGui::DragInt("##tolerance", &session.views.tolerance, 0.1F, 0, Views::largestTolerance, "%d",
+                   ImGuiSliderFlags_AlwaysClamp);
+    noteItem(session, "tolerance");
+    helpTip("Differences up to here don't count. Drag, or double click to type.");
+    ImGui::SameLine(0, narrow);
+    ImGui::TextUnformatted(unit);
+}
+
+/// Leads to the worst pixel; with the ring that it has in the pictures, where it has one.
+void worstButton(Session& session, Flow& flow, const Difference& difference, render::Size picture,
+                 float gap) {
+    const float em = ImGui::GetFontSize();
+    const bool ringed = isRinged(difference);
+    const std::string label = "max " + std::to_string(difference.max) + unit;
+    const float sign = ringed ? em * 1.2F : 0;
+    const float width = buttonWidth(label.c_str()) + sign;
+    flow.place(width, gap);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::Button("##worst", {width, 0}))
         showPixel(session.views, difference.worst, picture);
     noteItem(session, "worst");
-    helpTip("The largest difference, in 255ths, at the pixel " + std::to_string(difference.worst.x) + "," +
-            std::to_string(picture.height - 1 - difference.worst.y) +
-            " (from the upper left), which is ringed. Click: enlarge it; Ctrl + wheel leads back.");
+    helpTip("The largest difference, at the pixel " + std::to_string(difference.worst.x) + "," +
+            std::to_string(picture.height - 1 - difference.worst.y) + " (from the upper left)" +
+            (ringed ? ", which is ringed" : ", within the tolerance") +
+            ". Click: enlarge it; Ctrl + wheel leads back.");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    draw.AddText({low.x + padding.x + sign, low.y + padding.y}, color::text, label.c_str());
+    if (!ringed)
+        return;
+    draw.AddCircle({low.x + padding.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2}, em * 0.36F,
+                   color::problem, 0, 1.5F);
+    noteItem(session, "ring");
+}
+
+void numbers(Session& session, Flow& flow, const Difference& difference, render::Size picture, float gap) {
+    if (difference.max == 0) {
+        flow.text("equal in every pixel", color::text, gap);
+        noteItem(session, "equal");
+        return helpTip("Red, green and blue are the same everywhere.");
+    }
+    flow.text("mean " + rounded(difference.mean, 3) + unit, color::text, gap);
+    noteItem(session, "mean difference");
+    helpTip("Of all components of all pixels");
+    worstButton(session, flow, difference, picture, gap);
 }
 
 } // namespace
@@ -126,22 +175,12 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
         noteItem(session, std::string("arrangement:") + row.label);
         helpTip(row.help);
     }
-    const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
-    const char* label = "Tolerance";
-    flow.place(ImGui::CalcTextSize(label).x + narrow + field, gap);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", label);
-    ImGui::SameLine(0, narrow);
-    ImGui::SetNextItemWidth(field);
-    ImGui::DragInt("##tolerance", &views.tolerance, 0.1F, 0, Views::largestTolerance, "%d",
-                   ImGuiSliderFlags_AlwaysClamp);
-    noteItem(session, "tolerance");
-    helpTip("Differences up to here don't count, in 255ths. Drag, or double click to type.");
+    toleranceField(session, flow, pictures.difference ? &pictures.difference->numbers : nullptr, gap);
     if (pictures.difference)
         numbers(session, flow, pictures.difference->numbers, pictures.views.front().frame.size, gap);
     else
-        flow.text(pictures.problems.empty() ? "drawing…" : "no numbers: a picture is missing", color::dim,
-                  gap);
+        flow.text(isDrawing(pictures, views.compared) ? "drawing…" : "no numbers: a picture is missing",
+                  color::dim, gap);
 }
 
 } // namespace texplorer::ui

@@ -179,7 +179,7 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
         ImGui::TableNextColumn();
         text(remark, remark.starts_with("differs") ? color::problem : color::dim);
     };
-    line("Specification", explanation.bytes, "");
+    line(rowOf(RendererKind::Reference).label, explanation.bytes, "");
     for (const RenderedView& view : pictures.views) {
         if (!view.image || !view.whole || view.image->width != explanation.width ||
             view.image->height != explanation.height || view.image->format != PixelFormat::Rgba8)

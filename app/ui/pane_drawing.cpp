@@ -70,7 +70,14 @@ unsigned textureOf(const Pane& pane, const Pictures& pictures) {
     return view == pictures.views.end() ? 0 : view->frame.texture;
 }
 
-void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures) {
+bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers) {
+    return std::ranges::any_of(pictures.views, [&](const RenderedView& view) {
+        return !view.whole && std::ranges::find(renderers, view.renderer) != renderers.end();
+    });
+}
+
+void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures,
+              const Views& views) {
     const ImVec2 low = lowOf(pane.frame);
     const ImVec2 high = highOf(pane.frame);
     draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
@@ -84,7 +91,9 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, &draw);
     } else if (pictures.setBlending) {
-        const char* text = pictures.problems.empty() ? "Drawing…" : "No picture: the status bar says why";
+        const bool comes =
+            pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1}) : isDrawing(pictures, views.compared);
+        const char* text = comes ? "Drawing…" : "No picture: the status bar says why";
         const ImVec2 size = ImGui::CalcTextSize(text);
         draw.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, color::dim, text);
     }
@@ -155,14 +164,19 @@ void paneSeam(Session& session, const Layout& layout) {
 void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {
     const float em = ImGui::GetFontSize();
     const float width = std::min(static_cast<float>(pane.frame.width) - 2 * em, em * 22);
-    if (width < em * 6)
+    if (width < em * 3)
         return;
+    const char* words = "difference, of 255";
+    const bool hasWords = ImGui::CalcTextSize(words).x <= width;
     const ImVec2 low(static_cast<float>(pane.frame.x) + em,
                      static_cast<float>(pane.frame.bottom()) - em * 2.3F);
     const float bar = em * 0.6F;
     const float pad = em * 0.5F;
-    draw.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + bar + em * 1.4F},
+    const float above = hasWords ? em * 1.15F : 0;
+    draw.AddRectFilled({low.x - pad, low.y - pad - above}, {low.x + width + pad, low.y + bar + em * 1.4F},
                        color::shade, pad);
+    if (hasWords)
+        draw.AddText({low.x, low.y - pad * 0.4F - above}, color::dim, words);
     // The places of the numbers: equal steps from one to the next.
     std::vector<int> marks{0, scale.tolerance};
     for (int next = scale.tolerance + 1; next < scale.top; next *= 4)

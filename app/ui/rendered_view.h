@@ -15,7 +15,9 @@ struct RenderedView {
     RendererKind renderer = RendererKind::Fixed;
     render::Frame frame;                ///< its texture may be smaller than its size: a coarse picture
     std::shared_ptr<const Image> image; ///< the pixels, where the views want them and the picture is whole
-    bool whole = true;                  ///< of the scene as it is now, and not a coarse picture of it
+    /// Nothing better is on its way: the picture is of the scene as it is now, and not a coarse one. Where
+    /// there is no picture, there will be none, and the frame's problems say why.
+    bool whole = true;
 };
 
 /// How far the two pictures that are compared are apart.

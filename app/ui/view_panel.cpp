@@ -184,8 +184,8 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     const Panes panes(layout, session.views, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all())
-        drawPane(draw, panes, pane, pictures);
-    if (pictures.difference && pictures.difference->numbers.max > 0)
+        drawPane(draw, panes, pane, pictures, session.views);
+    if (pictures.difference && isRinged(pictures.difference->numbers))
         markPixel(draw, panes, pictures.difference->numbers.worst, color::problem);
     if (pictures.difference && !panes.all().back().renderer)
         drawLegend(draw, panes.all().back(), pictures.difference->scale);

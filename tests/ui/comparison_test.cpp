@@ -1,3 +1,4 @@
+#include "app/ui/pane_drawing.h"
 #include "app/ui/panes.h"
 #include "core/image/compare.h"
 #include "tests/ui/workbench.h"
@@ -100,7 +101,7 @@ TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
     glm::ivec2 worst(0); // has a ring around it
     int largest = 0;
     const int top = 70; // between the lists and the legend
-    const int bottom = fixed.height - 50;
+    const int bottom = fixed.height - 65;
     for (int y = bottom - 1; y >= top; --y) {
         for (int x = 0; x < fixed.width; ++x) {
             if (differenceAt(x, y) > largest) {
@@ -135,6 +136,33 @@ TEST_F(Comparison, TheStripSaysHowFarTheyAreApart) {
     static_cast<void>(window());
     EXPECT_TRUE(has("equal"));
     EXPECT_FALSE(has("worst"));
+}
+
+// A ring says that something is over the tolerance: a difference of one pixel is within one of 255.
+TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
+    showComparison(session->views, {RendererKind::Fixed, RendererKind::Reference});
+    session->views.tolerance = 2;
+    static_cast<void>(window());
+    EXPECT_TRUE(has("ring"));
+    session->views.tolerance = Views::largestTolerance;
+    static_cast<void>(window());
+    ASSERT_TRUE(has("worst"));
+    EXPECT_FALSE(has("ring"));
+}
+
+// What is only noted, such as a border that the driver takes away, keeps no picture back.
+TEST_F(Comparison, APictureThatIsStillToComeIsNotMissing) {
+    showComparison(session->views, {RendererKind::Fixed, RendererKind::Reference});
+    frames(2);
+    const std::array notes{std::string("textures[0]: drawn without its border")};
+    std::vector<RenderedView> views;
+    for (const RendererKind renderer : session->views.compared)
+        views.push_back({renderer, {0, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});
+    const Pictures coming{.views = views, .problems = notes};
+    EXPECT_TRUE(isDrawing(coming, session->views.compared));
+    EXPECT_FALSE(isDrawing(coming, std::array{RendererKind::Fixed}));
+    views[1].whole = true;
+    EXPECT_FALSE(isDrawing(coming, session->views.compared));
 }
 
 TEST_F(Comparison, AllOfTheStripIsInSightInEveryWindow) {
