@@ -55,7 +55,7 @@ Result<Picture> drawScene(const Drawing& drawing) {
     return Picture{std::move(*image), std::move(frame->problems), render::driverFacts(*capabilities)};
 }
 
-constexpr int settlingFrames = 3; // until Dear ImGui has given every window its size
+constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
 
 Result<Picture> drawWindow(const Drawing& drawing) {
     if (const Result<void> readable = checkShaders(drawing.shaders); !readable)
@@ -94,8 +94,10 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     session.playback.time = drawing.time;
     session.showsFrameTime = false;
     session.wantedTab = drawing.tab;
-    for (int frame = 0; frame < settlingFrames; ++frame)
+    for (int frame = 0; frame < settlingFrames; ++frame) {
+        session.wantedSection = drawing.section; // where it is, is known once the panel has its size
         stage->draw(session, {drawing.size, drawing.size, 1});
+    }
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());

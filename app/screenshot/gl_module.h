@@ -5,6 +5,7 @@
 
 #include "app/render/frame.h"
 #include "app/ui/details_tabs.h"
+#include "app/ui/sections.h"
 #include "core/base/result.h"
 #include "core/conform/painter.h"
 #include "core/conform/pair.h"
@@ -36,7 +37,8 @@ struct Drawing {
         compared{};                ///< in the window, instead of one renderer: two or three; empty: none
     std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
-    LevelWork levels{}; ///< how textures are compressed at run time
+    std::optional<ui::Section> section{}; ///< of the window's parameters, to scroll to
+    LevelWork levels{};                   ///< how textures are compressed at run time
 };
 
 struct Picture {

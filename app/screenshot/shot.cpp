@@ -24,6 +24,7 @@ struct Options {
     PictureArgument picture;
     bool window = false;
     std::string tab;
+    std::string section;
     std::string probe;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string compared;
@@ -31,21 +32,38 @@ struct Options {
     std::string out;
 };
 
-std::string tabNames() {
+/// "vertices, commands, …"
+template<class Rows>
+std::string namesOf(const Rows& rows) {
     std::string names;
-    for (const ui::TabRow& row : ui::tabRows)
+    for (const auto& row : rows)
         names += (names.empty() ? "" : ", ") + std::string(row.name);
     return names;
+}
+
+/// The row with this name; `option` is named in the error.
+template<class Rows>
+Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view name, const char* option) {
+    for (const auto& row : rows) {
+        if (row.name == name)
+            return row;
+    }
+    return fail(ErrorCode::OutOfRange,
+                "expected one of " + namesOf(rows) + ", found \"" + std::string(name) + "\"", option);
 }
 
 Result<ui::Tab> parseTab(std::string_view name) {
     if (name.empty())
         return ui::Tab::Vertices;
-    const auto found = std::ranges::find(ui::tabRows, name, &ui::TabRow::name);
-    if (found != ui::tabRows.end())
-        return found->tab;
-    return fail(ErrorCode::OutOfRange,
-                "expected one of " + tabNames() + ", found \"" + std::string(name) + "\"", "--tab");
+    return parseRow(ui::tabRows, name, "--tab").map(&ui::TabRow::tab);
+}
+
+Result<std::optional<ui::Section>> parseSection(std::string_view name) {
+    if (name.empty())
+        return std::nullopt;
+    return parseRow(ui::sectionRows, name, "--section").map([](const ui::SectionRow& row) {
+        return std::optional(row.section);
+    });
 }
 
 Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
@@ -101,6 +119,9 @@ ExitCode shoot(const Options& options) {
     const Result<ui::Tab> tab = parseTab(options.tab);
     if (!tab)
         return complain(tab.error(), wrongCall);
+    const Result<std::optional<ui::Section>> section = parseSection(options.section);
+    if (!section)
+        return complain(section.error(), wrongCall);
 
     const Result<RendererKind> renderer = parseChoice<RendererKind>(options.renderer, "--renderer");
     if (!renderer)
@@ -135,7 +156,8 @@ ExitCode shoot(const Options& options) {
                     *renderer,
                     *compared,
                     options.shaders,
-                    *anisotropy};
+                    *anisotropy,
+                    *section};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
         return complain(loaded.error());
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
@@ -179,7 +201,12 @@ void addShot(CLI::App& app, Action& action) {
         command->add_flag("--ui", options->window, "Draw the whole window with its panels.");
     command
         ->add_option("--tab", options->tab,
-                     "With --ui: the tab at the lower right, one of " + tabNames() + ".")
+                     "With --ui: the tab at the lower right, one of " + namesOf(ui::tabRows) + ".")
+        ->needs(window);
+    command
+        ->add_option("--section", options->section,
+                     "With --ui: the part of the parameters that is opened, at their top, one of " +
+                         namesOf(ui::sectionRows) + ".")
         ->needs(window);
     command
         ->add_option(

@@ -1,6 +1,7 @@
-// The coordinates that OpenGL makes itself (glTexGen): for each of s, t, r and q a line, and its planes while
-// it is on.
+// The coordinates that OpenGL makes itself (glTexGen): for each of s, t, r and q a line, and the plane that
+// its mode reads while it is on.
 
+#include "app/ui/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -41,10 +42,11 @@ void coordinatesSection(Session& session) {
         paramControl(session, owner, *findParam(table, "enabled"), 0);
         ImGui::SameLine(0, gap);
         paramControl(session, owner, *findParam(table, "mode"), ImGui::GetContentRegionAvail().x);
-        if (!state.enabled)
-            continue;
-        paramWidget(session, owner, *findParam(table, "objectPlane"));
-        paramWidget(session, owner, *findParam(table, "eyePlane"));
+        for (const char* plane : {"objectPlane", "eyePlane"}) { // at most one of them is read
+            const ParamRow& row = *findParam(table, plane);
+            if (state.enabled && !idleReasonOf(session.findings, owner.pathOf(row)))
+                paramWidget(session, owner, row);
+        }
     }
 }
 

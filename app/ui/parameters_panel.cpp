@@ -23,30 +23,55 @@ std::string textureName(const Session& session, int index) {
 }
 
 /// The section in which a parameter is edited.
-std::string_view sectionOf(std::string_view path) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 10> sections{
-        {{"textures[", "Texture"},
-         {".combine", "Combine"},
-         {".texGen", "Generated coordinates"},
-         {".matrix", "Texture matrix"},
-         {".texture", "Texture"},
-         {".units", "Unit and environment"},
-         {"models[", "Model"},
-         {"passes[", "Pass"},
-         {"light", "Light"},
-         {"material", "Material"}}};
-    for (const auto& [part, section] : sections) {
+Section sectionOf(std::string_view path) {
+    constexpr std::array<std::pair<std::string_view, Section>, 10> parts{{{"textures[", Section::Texture},
+                                                                          {".combine", Section::Combine},
+                                                                          {".texGen", Section::Coordinates},
+                                                                          {".matrix", Section::Matrix},
+                                                                          {".texture", Section::Texture},
+                                                                          {".units", Section::Unit},
+                                                                          {"models[", Section::Model},
+                                                                          {"passes[", Section::Pass},
+                                                                          {"light", Section::Light},
+                                                                          {"material", Section::Material}}};
+    for (const auto& [part, section] : parts) {
         if (path.find(part) != std::string_view::npos)
             return section;
     }
-    return "View";
+    return Section::View;
 }
 
-bool section(Session& session, const char* title, bool open) {
-    if (!session.wantedParam.empty() && sectionOf(session.wantedParam) == title)
+/// A word at the right end of a section's title.
+struct Mark {
+    std::string text;
+    ImU32 tint;
+};
+
+void drawMarks(const std::vector<Mark>& marks) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float y = ImGui::GetItemRectMin().y + ImGui::GetStyle().FramePadding.y;
+    float x = ImGui::GetItemRectMax().x - gap;
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+        x -= ImGui::CalcTextSize(mark->text.c_str()).x + gap;
+        ImGui::GetWindowDrawList()->AddText({x, y}, mark->tint, mark->text.c_str());
+    }
+}
+
+/// A section that has marks is in use: it is open until the user shuts it, and says what is in it even then.
+bool section(Session& session, Section which, const std::vector<Mark>& marks = {}) {
+    const SectionRow& row = rowOf(which);
+    const bool named = session.wantedSection == which;
+    if (named || (!session.wantedParam.empty() && sectionOf(session.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
-    const bool shown = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    noteItem(session, std::string("section:") + title);
+    else if (!marks.empty())
+        ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+    const bool shown = ImGui::CollapsingHeader(row.title, row.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    noteItem(session, std::string("section:") + row.title);
+    if (!marks.empty())
+        noteItem(session, std::string("in use:") + row.title);
+    drawMarks(marks);
+    if (named)
+        ImGui::SetScrollHereY(0);
     return shown;
 }
 
@@ -273,6 +298,26 @@ void matrixSection(Session& session) {
     ImGui::EndDisabled();
 }
 
+/// The coordinates that the unit makes itself.
+std::vector<Mark> generatedMarks(const Unit& unit) {
+    std::vector<Mark> marks;
+    constexpr std::array<const char*, 4> letters{"s", "t", "r", "q"};
+    const std::array<bool, 4> on{unit.texGenS.enabled, unit.texGenT.enabled, unit.texGenR.enabled,
+                                 unit.texGenQ.enabled};
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        if (on[i])
+            marks.push_back({letters[i], componentColor(static_cast<int>(i))});
+    }
+    return marks;
+}
+
+std::vector<Mark> matrixMarks(const Unit& unit) {
+    const std::size_t steps = unit.matrix.size();
+    if (steps == 0)
+        return {};
+    return {{std::to_string(steps) + (steps == 1 ? " step" : " steps"), color::changed}};
+}
+
 void modelSection(Session& session) {
     if (session.scene.models.empty()) {
         ImGui::TextWrapped("The scene has no model. View > Show adds one.");
@@ -313,29 +358,30 @@ void drawParametersPanel(Session& session, const Layout& layout) {
     static const View start = defaultScene().view;
     unitChoice(session);
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
-    if (section(session, "Texture", true))
+    if (section(session, Section::Texture))
         textureSection(session);
-    if (section(session, "Unit and environment", true))
+    if (section(session, Section::Unit))
         unitSection(session);
-    if (selectedUnit(session).envMode == EnvMode::Combine && section(session, "Combine", true))
+    if (selectedUnit(session).envMode == EnvMode::Combine && section(session, Section::Combine))
         combineSection(session);
-    if (section(session, "Generated coordinates", false))
+    if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
         coordinatesSection(session);
-    if (section(session, "Texture matrix", false))
+    if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
         matrixSection(session);
-    if (section(session, "Model", false))
+    if (section(session, Section::Model))
         modelSection(session);
-    if (section(session, "Pass", false)) {
+    if (section(session, Section::Pass)) {
         static const Pass pass;
         paramRows(session, {&selectedPass(session), &pass, indexed("passes", session.selection.pass)},
                   passTable());
     }
-    if (section(session, "Light", false))
+    if (section(session, Section::Light))
         paramRows(session, {&session.scene.light, &initial.light, "light"}, lightTable());
-    if (section(session, "Material", false))
+    if (section(session, Section::Material))
         paramRows(session, {&session.scene.material, &initial.material, "material"}, materialTable());
-    if (section(session, "View", false))
+    if (section(session, Section::View))
         paramRows(session, {&session.scene.view, &start, "view"}, viewTable());
+    session.wantedSection.reset();
     session.wantedParam.clear(); // what has no control of its own is not waited for
     ImGui::End();
 }

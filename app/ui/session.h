@@ -9,6 +9,7 @@
 #include "app/ui/layout.h"
 #include "app/ui/loads.h"
 #include "app/ui/probe.h"
+#include "app/ui/sections.h"
 #include "app/ui/views.h"
 #include "core/base/result.h"
 #include "core/scene/diagnosis.h"
@@ -89,7 +90,8 @@ struct Session {
     std::vector<Finding> findings; ///< about the scene, kept by `diagnoseSession`
     Diagnosis diagnosis;
     std::string wantedParam; ///< the parameters are scrolled there with the next frame; empty: not
-    std::string shownParam;  ///< the one that was scrolled to, framed until the next click
+    std::optional<Section> wantedSection; ///< is opened and scrolled to with the next frame
+    std::string shownParam;               ///< the one that was scrolled to, framed until the next click
 
     std::string revealedCommand; ///< the command view was scrolled to this parameter already
 

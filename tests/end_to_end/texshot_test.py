@@ -130,6 +130,17 @@ class Shot(Texshot):
         self.assertEqual(len(seen), 5)
         self.assertEqual(self.shot("--ui", "--tab", "vertices").tobytes(), plain.tobytes())
 
+    def test_the_window_shows_the_section_that_is_asked_for(self):
+        rest = (316, 0, 1280, 800)
+        plain = self.shot("--ui", "--size", "1280x800")
+        seen = {plain.tobytes()}
+        for section in ("coordinates", "matrix", "light"):
+            with self.subTest(section):
+                picture = self.shot("--ui", "--size", "1280x800", "--section", section)
+                self.assertEqual(picture.crop(rest).tobytes(), plain.crop(rest).tobytes())
+                seen.add(picture.tobytes())
+        self.assertEqual(len(seen), 4)
+
     def test_an_existing_picture_survives_a_failure(self):
         out = self.path / "out.png"
         self.succeeds("shot", "--size", "16x16", "-o", out)
@@ -157,6 +168,9 @@ class Shot(Texshot):
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
             ("one of vertices, commands, glsl, explain, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
+            ("one of texture, unit, combine, coordinates, matrix, model, pass, light, material, view, found \"lod\"",
+             ["--ui", "--section", "lod"]),
+            ("--ui", ["--section", "matrix"]),
             ("--nonsense", ["--nonsense"]),
         ]:
             with self.subTest(arguments):

@@ -1,3 +1,4 @@
+#include "app/ui/findings.h"
 #include "app/ui/keys.h"
 #include "app/ui/param_widgets.h"
 #include "core/scene/params.h"
@@ -194,11 +195,13 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().envMode = EnvMode::Combine;
     for (TexGen* each : {&unit().texGenS, &unit().texGenT, &unit().texGenR, &unit().texGenQ})
         each->enabled = true;
+    unit().texGenT.mode = TexGenMode::ObjectLinear;
     frames(1);
     scene().models[0].shape = Shape::Sphere;
     for (const char* section : sections) {
         const std::string_view name = section;
-        if (name != "Texture" && name != "Unit and environment" && name != "Combine")
+        const bool inUse = has("in use:" + std::string(name));
+        if (name != "Texture" && name != "Unit and environment" && name != "Combine" && !inUse)
             open(section);
     }
     int rows = 0;
@@ -206,6 +209,8 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
         for (const ParamRow& row : table.params) {
             if (!isRelevant(*session, owner, row) || row.key == "texture") // which is "texture choice"
                 continue;
+            if (row.key.ends_with("Plane") && idleReasonOf(session->findings, owner.pathOf(row)))
+                continue; // each mode has its own
             const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4;
             EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
             ++rows;
@@ -267,21 +272,57 @@ TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
     click(path + "enabled");
     EXPECT_TRUE(unit().texGenS.enabled);
     EXPECT_FALSE(unit().texGenT.enabled);
-    EXPECT_FALSE(has(path + "eyePlane#inert"));
-    EXPECT_TRUE(has(path + "objectPlane#inert"));
+    EXPECT_TRUE(has(path + "eyePlane[0]"));
+    EXPECT_FALSE(has(path + "objectPlane[0]"));
     choose(path + "mode", "GL_OBJECT_LINEAR");
-    EXPECT_TRUE(has(path + "eyePlane#inert"));
-    EXPECT_FALSE(has(path + "objectPlane#inert"));
+    EXPECT_FALSE(has(path + "eyePlane[0]"));
+    EXPECT_TRUE(has(path + "objectPlane[0]"));
     scrollTo(path + "objectPlane[1]");
     drag(place(path + "objectPlane[1]"), {50, 0});
     EXPECT_NEAR(unit().texGenS.objectPlane.y, 0.5F, 0.02F);
     choose(path + "mode", "GL_SPHERE_MAP");
-    EXPECT_TRUE(has(path + "eyePlane#inert"));
-    EXPECT_TRUE(has(path + "objectPlane#inert"));
+    EXPECT_FALSE(has(path + "eyePlane[0]"));
+    EXPECT_FALSE(has(path + "objectPlane[0]"));
     scrollTo("passes[0].units[0].texGenQ.mode");
     click("passes[0].units[0].texGenQ.mode");
     EXPECT_FALSE(has("passes[0].units[0].texGenQ.mode=GL_SPHERE_MAP")) << "q has two modes";
     EXPECT_TRUE(has("passes[0].units[0].texGenQ.mode=GL_OBJECT_LINEAR"));
+}
+
+TEST_F(ParametersPanel, ASectionThatIsInUseIsOpenAndSaysSo) {
+    const std::string texGen = "passes[0].units[0].texGenS.enabled";
+    EXPECT_FALSE(has(texGen));
+    EXPECT_FALSE(has("in use:Generated coordinates"));
+    EXPECT_FALSE(has("in use:Texture matrix"));
+    unit().texGenS.enabled = true;
+    unit().matrix.resize(1);
+    frames(2);
+    EXPECT_TRUE(has(texGen));
+    EXPECT_TRUE(has("passes[0].units[0].matrix[0].op"));
+    EXPECT_TRUE(has("in use:Texture matrix"));
+    scrollTo("section:Generated coordinates");
+    click("section:Generated coordinates");
+    EXPECT_FALSE(has(texGen)) << "the user may shut it";
+    EXPECT_TRUE(has("in use:Generated coordinates")) << "and sees it all the same";
+    unit().matrix.clear();
+    frames(2);
+    EXPECT_FALSE(has("in use:Texture matrix"));
+    EXPECT_TRUE(has("add:rotate")) << "it doesn't shut below the user's hands";
+}
+
+TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
+    for (const SectionRow& row : sectionRows) {
+        start(defaultScene());
+        session->wantedSection = row.section;
+        frames(1);
+        session->wantedSection = row.section; // where it is, is known now
+        frames(2);
+        const std::string name = "section:" + std::string(row.title);
+        if (row.section == Section::Combine)
+            EXPECT_FALSE(has(name)) << "the mode is another";
+        else
+            EXPECT_TRUE(session->probe->items.at(name).visible) << name;
+    }
 }
 
 TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
