@@ -6,6 +6,7 @@
 #include "core/reference/shade.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::reference {
 
@@ -59,15 +60,16 @@ Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& ques
 class Weighing {
 public:
     Weighing(Contributions& found, const TexelQuestion& question, const PassState* asked,
-             const UnitState& unit)
+             const UnitState& unit, std::stop_token stop)
         : found_(found)
         , question_(question)
         , asked_(asked)
         , unit_(unit)
+        , stop_(std::move(stop))
         , depth_(found.weights.size(), farthestDepth) {}
 
     void draw(const Triangle& triangle) {
-        for (int y = triangle.minY; y <= triangle.maxY; ++y) {
+        for (int y = triangle.minY; y <= triangle.maxY && !stop_.stop_requested(); ++y) {
             const Span span = coveredPixels(triangle, y, {0, found_.width - 1});
             for (int x = span.first; x <= span.last; ++x)
                 draw(triangle, x, y);
@@ -102,6 +104,7 @@ private:
     const TexelQuestion& question_;
     const PassState* asked_;
     const UnitState& unit_;
+    std::stop_token stop_;
     std::vector<std::uint32_t> depth_;
 };
 
@@ -110,9 +113,12 @@ private:
 Result<Contributions> findContributions(const Scene& scene, const ImageSource& images, double time,
                                         Viewport viewport, const TexelQuestion& question,
                                         const DrawOptions& options, TextureStore& textures) {
+    const auto stopped = [] { return fail(ErrorCode::Cancelled, "the search was stopped"); };
     Contributions found;
     const std::vector<PassState> passes =
         passStates(scene, images, time, options.levels, options.anisotropy, textures, found.problems);
+    if (options.isStopped())
+        return stopped();
     const Result<const UnitState*> unit = unitOf(passes, question);
     if (!unit)
         return fail(unit.error());
@@ -122,11 +128,12 @@ Result<Contributions> findContributions(const Scene& scene, const ImageSource& i
     found.height = viewport.height;
     found.weights.resize(static_cast<std::size_t>(viewport.width) *
                          static_cast<std::size_t>(viewport.height));
-    Weighing weighing(found, question, &passes[static_cast<std::size_t>(question.pass)], **unit);
+    Weighing weighing(found, question, &passes[static_cast<std::size_t>(question.pass)], **unit,
+                      options.stop);
     eachTriangle(scene, passes, time, viewport, options.stop,
                  [&](const Triangle& triangle) { weighing.draw(triangle); });
-    if (options.stop.stop_requested())
-        return fail(ErrorCode::Cancelled, "the search was stopped");
+    if (options.isStopped())
+        return stopped();
     return found;
 }
 

@@ -20,18 +20,24 @@ constexpr std::size_t batch = 8192;
 /// A depth buffer up to this size is kept for the next picture: fresh memory costs more than to draw into it.
 constexpr std::size_t keptDepth = std::size_t{1} << 24;
 
+tl::unexpected<Error> stopped() {
+    return fail(ErrorCode::Cancelled, "the drawing was stopped");
+}
+
 } // namespace
 
 struct ReferenceRenderer::State {
     TextureStore textures;
     std::vector<std::uint32_t> depth; ///< memory for the next picture's
 
-    Drawn draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
-               const DrawOptions& options) {
+    Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
+                       const DrawOptions& options) {
         std::vector<std::string> problems;
-        textures.keepFirst(scene.textures.size());
+        textures.keepOnly(scene);
         const std::vector<PassState> passes =
             passStates(scene, images, time, options.levels, options.anisotropy, textures, problems);
+        if (options.isStopped())
+            return stopped();
         Canvas canvas(viewport, scene.view.background, std::move(depth));
         const unsigned threads = options.threads == 0 ? processorThreads() : options.threads;
         std::vector<Triangle> triangles;
@@ -47,7 +53,9 @@ struct ReferenceRenderer::State {
         flush();
         if (canvas.depth.size() <= keptDepth)
             depth = std::move(canvas.depth);
-        return {std::move(canvas.color), std::move(problems)};
+        if (options.isStopped())
+            return stopped();
+        return Drawn{std::move(canvas.color), std::move(problems)};
     }
 };
 
@@ -78,10 +86,7 @@ Result<Drawn> ReferenceRenderer::draw(const Scene& scene, const ImageSource& ima
     if (const Result<void> size = checkSize(width, height); !size)
         return fail(size.error());
     try {
-        Drawn drawn = state_->draw(scene, images, time, {width, height}, options);
-        if (options.stop.stop_requested() || options.levels.stop.stop_requested())
-            return fail(ErrorCode::Cancelled, "the drawing was stopped");
-        return drawn;
+        return state_->draw(scene, images, time, {width, height}, options);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
                                              extents(width, height) + " pixels");
@@ -97,12 +102,8 @@ Result<Explanation> ReferenceRenderer::probe(const Scene& scene, const ImageSour
         return fail(ErrorCode::OutOfRange, "a picture of " + extents(width, height) + " has no pixel " +
                                                std::to_string(pixel.x) + ", " + std::to_string(pixel.y));
     try {
-        state_->textures.keepFirst(scene.textures.size());
-        Explanation explanation =
-            explainPixel(scene, images, time, {width, height}, pixel, options, state_->textures);
-        if (options.stop.stop_requested() || options.levels.stop.stop_requested())
-            return fail(ErrorCode::Cancelled, "the probe was stopped");
-        return explanation;
+        state_->textures.keepOnly(scene);
+        return explainPixel(scene, images, time, {width, height}, pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
     }
@@ -115,7 +116,7 @@ Result<Contributions> ReferenceRenderer::contributions(const Scene& scene, const
     if (const Result<void> size = checkSize(width, height); !size)
         return fail(size.error());
     try {
-        state_->textures.keepFirst(scene.textures.size());
+        state_->textures.keepOnly(scene);
         return findContributions(scene, images, time, {width, height}, question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +

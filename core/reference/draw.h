@@ -27,6 +27,9 @@ struct DrawOptions {
     bool literal = false;
     LevelWork levels{}; ///< for textures that are compressed at run time
     std::stop_token stop{};
+
+    /// By either token.
+    [[nodiscard]] bool isStopped() const { return stop.stop_requested() || levels.stop.stop_requested(); }
 };
 
 struct Drawn {

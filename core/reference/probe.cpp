@@ -361,8 +361,10 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
 
 } // namespace
 
-Explanation explainPixel(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
-                         PixelPlace pixel, const DrawOptions& options, TextureStore& textures) {
+Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
+                                 Viewport viewport, PixelPlace pixel, const DrawOptions& options,
+                                 TextureStore& textures) {
+    const auto stopped = [] { return fail(ErrorCode::Cancelled, "the probe was stopped"); };
     Explanation explanation;
     explanation.pixel = pixel;
     explanation.width = viewport.width;
@@ -371,6 +373,8 @@ Explanation explainPixel(const Scene& scene, const ImageSource& images, double t
     explanation.background = explanation.color = glm::clamp(scene.view.background, 0.0F, 1.0F);
     const std::vector<PassState> passes =
         passStates(scene, images, time, options.levels, options.anisotropy, textures, explanation.problems);
+    if (options.isStopped())
+        return stopped();
     const glm::mat4 view = viewMatrix(scene.view);
     const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
                                                                   static_cast<float>(viewport.height));
@@ -387,6 +391,8 @@ Explanation explainPixel(const Scene& scene, const ImageSource& images, double t
         for (std::size_t i = first; i < explanation.fragments.size(); ++i)
             explanation.fragments[i].idle = idle;
     }
+    if (options.isStopped())
+        return stopped();
     explanation.bytes = prober.bytes();
     return explanation;
 }

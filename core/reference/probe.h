@@ -13,9 +13,10 @@ namespace texplorer::reference {
 [[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time, int width,
                                         int height, PixelPlace pixel, const DrawOptions& options = {});
 
-/// The drawing of the passes, for whoever keeps a TextureStore. Throws std::bad_alloc.
-[[nodiscard]] Explanation explainPixel(const Scene& scene, const ImageSource& images, double time,
-                                       Viewport viewport, PixelPlace pixel, const DrawOptions& options,
-                                       TextureStore& textures);
+/// The same for whoever keeps a TextureStore, and has seen that the picture has the pixel. Error: Cancelled.
+/// Throws std::bad_alloc.
+[[nodiscard]] Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
+                                               Viewport viewport, PixelPlace pixel,
+                                               const DrawOptions& options, TextureStore& textures);
 
 } // namespace texplorer::reference

@@ -91,14 +91,11 @@ Level levelOf(const Image& image, BaseFormat format, Target target, int border) 
     return level;
 }
 
-SampledTexture sampledTexture(const Texture& texture, const TextureLevels& levels, Target target,
-                              std::vector<std::string>& notes) {
+Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevels& levels, Target target,
+                                      std::vector<std::string>& notes, const std::stop_token& stop) {
     SampledTexture sampled;
     sampled.target = target;
     sampled.format = texture.internalFormat;
-    if (levels.driverFormat)
-        notes.push_back("what a driver compresses to is its own affair: compressed to " +
-                        std::string(rowOf(*levels.driverFormat).name) + " by Texplorer's encoder");
     for (const TextureLevel& each : levels.levels) {
         Level& level = sampled.levelToFill(each.number, each.face);
         const auto* blocks = std::get_if<BlockImage>(&each.surface);
@@ -108,15 +105,20 @@ SampledTexture sampledTexture(const Texture& texture, const TextureLevels& level
             continue;
         }
         const Image& image = std::get<Image>(each.surface);
-        const Result<BlockImage> encoded =
-            levels.driverFormat ? encodeBlocks(image, *levels.driverFormat, EncodeQuality::Fast)
-                                : Result<BlockImage>(fail(ErrorCode::Unsupported, ""));
-        if (encoded) {
-            sampled.format = baseFormat(encoded->format);
-            level = blockLevel(*encoded);
-        } else
+        if (!levels.driverFormat) {
             level = levelOf(image, texture.internalFormat, target, levels.border);
+            continue;
+        }
+        const Result<BlockImage> encoded =
+            encodeBlocks(image, *levels.driverFormat, EncodeQuality::Fast, {}, stop);
+        if (!encoded)
+            return fail(encoded.error());
+        sampled.format = baseFormat(encoded->format);
+        level = blockLevel(*encoded);
     }
+    if (levels.driverFormat)
+        notes.push_back("what a driver compresses to is its own affair: compressed to " +
+                        std::string(rowOf(*levels.driverFormat).name) + " by Texplorer's encoder");
     setParameters(sampled, texture, levels.lastLevel);
     return sampled;
 }

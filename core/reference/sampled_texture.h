@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/gl/environment.h"
 #include "core/gl/sampling.h"
 #include "core/image/image.h"
@@ -9,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -81,10 +83,11 @@ struct SampledTexture {
                             int border = 0);
 
 /// The texture object that GL would have: the parameters of `texture` over prepared levels. What a driver
-/// would compress is compressed with Texplorer's own encoder, which a sentence in `notes` says. Throws
-/// std::bad_alloc.
-[[nodiscard]] SampledTexture sampledTexture(const Texture& texture, const TextureLevels& levels,
-                                            Target target, std::vector<std::string>& notes);
+/// would compress is compressed with Texplorer's own encoder, which a sentence in `notes` says. Errors: those
+/// of encodeBlocks. Throws std::bad_alloc.
+[[nodiscard]] Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevels& levels,
+                                                    Target target, std::vector<std::string>& notes,
+                                                    const std::stop_token& stop = {});
 
 /// The same without parameters and without texels: the extents alone, enough to say whether a texture is
 /// complete. `internalFormat` is that of levels that are not compressed.

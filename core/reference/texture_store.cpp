@@ -3,22 +3,33 @@
 #include "core/reference/completeness.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::reference {
 
-void TextureStore::fill(Slot& slot, Target target, const LevelWork& work, const std::string& where) {
-    const Result<TextureLevels> levels = prepareLevels(slot.settings, *slot.image, target, work);
-    if (!levels) {
-        slot.notes.push_back(where + ": " + describe(levels.error()) + "; drawn without it");
-        return;
-    }
-    slot.notes = levels->notes;
-    slot.texture.sampled = sampledTexture(slot.settings, *levels, target, slot.notes);
-    slot.texture.lateFlip = levels->lateFlip;
-    slot.lastLevel = levels->lastLevel;
-    slot.usable = true;
+/// Without an image where the work was stopped: the next one asks again.
+TextureStore::Slot TextureStore::filled(std::shared_ptr<const TextureImage> image, Texture settings,
+                                        Target target, const LevelWork& work, const std::string& where) {
+    Slot slot;
+    const Result<TextureLevels> levels = prepareLevels(settings, *image, target, work);
+    if (levels)
+        slot.notes = levels->notes;
+    Result<SampledTexture> sampled =
+        levels ? sampledTexture(settings, *levels, target, slot.notes, work.stop) : fail(levels.error());
+    if (sampled) {
+        slot.texture.sampled = *std::move(sampled);
+        slot.texture.lateFlip = levels->lateFlip;
+        slot.lastLevel = levels->lastLevel;
+        slot.usable = true;
+    } else if (sampled.error().code == ErrorCode::Cancelled)
+        return {};
+    else
+        slot.notes = {describe(sampled.error()) + "; drawn without it"};
     for (std::string& note : slot.notes)
         note = where + ": " + note;
+    slot.image = std::move(image);
+    slot.settings = std::move(settings);
+    return slot;
 }
 
 const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index, Target target,
@@ -38,12 +49,8 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
     }
     Slot& slot = slots_[{index, target}];
     if (Texture settings = imageSettings(texture); slot.image != image || slot.settings != settings) {
-        slot = Slot{};
-        slot.image = std::move(image);
-        slot.settings = std::move(settings);
-        fill(slot, target, work, where);
-        if (work.stop.stop_requested()) // half done: begin again next time
-            slot.image.reset();
+        slot = Slot{}; // before the new one takes its memory
+        slot = filled(std::move(image), std::move(settings), target, work, where);
     }
     std::ranges::for_each(slot.notes, say);
     if (!slot.usable)
@@ -53,8 +60,15 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
     return &slot.texture;
 }
 
-void TextureStore::keepFirst(std::size_t count) {
-    std::erase_if(slots_, [count](const auto& entry) { return entry.first.first >= count; });
+void TextureStore::keepOnly(const Scene& scene) {
+    std::erase_if(slots_, [&scene](const auto& entry) {
+        const auto& [index, target] = entry.first;
+        return std::ranges::none_of(scene.passes, [&, index = index, target = target](const Pass& pass) {
+            return std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                return unit.enabled && std::cmp_equal(unit.texture, index) && unit.target == target;
+            });
+        });
+    });
 }
 
 } // namespace texplorer::reference

@@ -21,26 +21,28 @@ struct StoredTexture {
 /// what is made of them changed (imageSettings).
 class TextureStore {
 public:
-    /// Brings one of the scene's textures up to date; nullptr where it can't be drawn. Sentences about what
-    /// stands in the way, or was done otherwise than asked for, are added to `problems`. Throws
-    /// std::bad_alloc.
+    /// Brings one of the scene's textures up to date; nullptr where it can't be drawn, or the work was
+    /// stopped. What was returned before stays valid until `keepOnly`. Sentences about what stands in the
+    /// way, or was done otherwise than asked for, are added to `problems`. Throws std::bad_alloc.
     [[nodiscard]] const StoredTexture* prepare(const Scene& scene, std::size_t index, Target target,
                                                const ImageSource& images, const LevelWork& work,
                                                std::vector<std::string>& problems);
 
-    /// Forgets the textures that a scene with `count` of them does not have.
-    void keepFirst(std::size_t count);
+    /// Forgets what no unit of the scene samples: at 16 bytes a texel, it is not kept for later.
+    void keepOnly(const Scene& scene);
 
 private:
     struct Slot {
-        std::shared_ptr<const TextureImage> image; // held, so that no other can come to have this address
-        Texture settings;                          // those of imageSettings
+        /// Held, so that no other can come to have this address; nullptr: not filled.
+        std::shared_ptr<const TextureImage> image;
+        Texture settings; // those of imageSettings
         StoredTexture texture;
         int lastLevel = 1000;
         std::vector<std::string> notes; // repeated with every picture
         bool usable = false;
     };
-    static void fill(Slot& slot, Target target, const LevelWork& work, const std::string& where);
+    static Slot filled(std::shared_ptr<const TextureImage> image, Texture settings, Target target,
+                       const LevelWork& work, const std::string& where);
 
     std::map<std::pair<std::size_t, Target>, Slot> slots_;
 };

@@ -63,7 +63,7 @@ TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     levels.levels = {{0, bytes(PixelFormat::Rgba8, 1, 2, {255, 0, 0, 0, 51, 0, 0, 0})}};
     levels.lastLevel = 0;
     std::vector<std::string> notes;
-    const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes);
+    const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Luminance);
     EXPECT_EQ(sampled.borderColor, glm::vec4(1, 1, 1, 1));
     EXPECT_EQ(sampled.wrap[1], Wrap::Clamp);
@@ -85,15 +85,24 @@ TEST(SampledTexture, DecompressesBlocksAndSaysWhatStandsInForTheDriver) {
     std::vector<std::string> notes;
     Texture texture;
     texture.internalFormat = F::Alpha; // says nothing about a compressed texture
-    const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes);
+    const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Rgb);
     EXPECT_TRUE(isNear(sampled.level(0)->texels[5], {1, 0, 0, 1}));
     EXPECT_THAT(notes, testing::IsEmpty());
 
     levels.levels = {{0, bytes(PixelFormat::Rgb8, 1, 1, {255, 0, 0})}};
     levels.driverFormat = BlockFormat::Dxt5;
-    EXPECT_EQ(sampledTexture(texture, levels, Target::Texture2D, notes).format, F::Rgba);
+    EXPECT_EQ(sampledTexture(texture, levels, Target::Texture2D, notes).value().format, F::Rgba);
     EXPECT_THAT(notes, testing::ElementsAre(testing::HasSubstr("GL_COMPRESSED_RGBA_S3TC_DXT5_EXT")));
+
+    notes.clear();
+    std::stop_source stopped;
+    stopped.request_stop();
+    const Result<SampledTexture> none =
+        sampledTexture(texture, levels, Target::Texture2D, notes, stopped.get_token());
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::Cancelled);
+    EXPECT_THAT(notes, testing::IsEmpty()) << "nothing was compressed";
 }
 
 } // namespace
