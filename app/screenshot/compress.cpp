@@ -1,4 +1,5 @@
 #include "app/screenshot/command.h"
+#include "app/screenshot/long_work.h"
 #include "app/screenshot/texture_io.h"
 #include "core/base/file_io.h"
 #include "core/image/mipmaps.h"
@@ -86,7 +87,7 @@ ExitCode run(const Options& options) {
         source, options.format, options.quality, [&work](float done) { work.report(done); },
         work.stopToken());
     work.finish();
-    if (!blocks && blocks.error().code == ErrorCode::Cancelled)
+    if (work.stopToken().stop_requested())
         return complainInterrupted();
     if (!blocks)
         return complain({blocks.error().code, blocks.error().message, options.in});

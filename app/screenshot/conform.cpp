@@ -1,7 +1,7 @@
 #include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
-#include "app/screenshot/texture_io.h"
+#include "app/screenshot/long_work.h"
 #include "core/base/file_io.h"
 #include "core/conform/report.h"
 #include "core/scene/param_text.h"
@@ -153,8 +153,10 @@ ExitCode conformTo(const Options& options) {
     sweep.stop = work.stopToken();
     const Result<conform::Report> report = conform::sweep(sweep, {&fixed, &shader});
     work.finish();
+    if (work.stopToken().stop_requested())
+        return complainInterrupted();
     if (!report)
-        return report.error().code == ErrorCode::Cancelled ? complainInterrupted() : complain(report.error());
+        return complain(report.error());
 
     if (!options.folder.empty()) {
         if (const Result<void> written = writeFolder(options.folder, *report); !written)

@@ -1,6 +1,7 @@
 #include "core/s3tc/flip.h"
 
 #include "app/screenshot/command.h"
+#include "app/screenshot/long_work.h"
 #include "app/screenshot/texture_io.h"
 
 namespace texplorer::screenshot {
@@ -80,6 +81,8 @@ Result<void> flip(const Options& options) {
         }
     }
     work.finish();
+    if (work.stopToken().stop_requested())
+        return fail(ErrorCode::Cancelled, "turning around was stopped");
     return writeTexture(options.out, texture);
 }
 

@@ -1,9 +1,9 @@
 #include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/long_work.h"
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/scene_argument.h"
-#include "app/screenshot/texture_io.h"
 #include "app/ui/smallest_window.h"
 #include "core/codec/png.h"
 #include "core/image/convert.h"
@@ -101,7 +101,7 @@ Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
 Result<Picture> drawByReference(const Drawing& drawing) {
     Result<reference::Drawn> drawn = reference::drawReference(
         drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height,
-        {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
+        {.anisotropy = drawing.anisotropy, .levels = drawing.levels, .stop = drawing.levels.stop});
     if (!drawn)
         return fail(drawn.error());
     return Picture{std::move(drawn->image), std::move(drawn->problems), {}};
@@ -170,9 +170,10 @@ ExitCode shoot(const Options& options) {
     }
     const bool needsGl = drawing.window || *renderer != RendererKind::Reference;
     Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing);
+    if (compressing)
+        compressing->finish();
     if (drawing.levels.stop.stop_requested())
         return complainInterrupted();
-    compressing.reset();
     if (!picture)
         return complain(picture.error());
     for (const std::string& problem : picture->problems)

@@ -2,21 +2,7 @@
 
 #include "core/base/file_io.h"
 
-#include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <unistd.h>
-
 namespace texplorer::screenshot {
-namespace {
-
-volatile std::sig_atomic_t signalled = 0;
-
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-} // namespace
 
 Result<TextureImage> readTexture(const std::string& path) {
     const Result<Bytes> bytes = readFile(path);
@@ -48,35 +34,6 @@ Result<void> writeTexture(const std::string& path, const TextureImage& texture, 
     if (!bytes)
         return fail(bytes.error().code, bytes.error().message, path);
     return writeFileAtomically(path, *bytes);
-}
-
-LongWork::LongWork(std::string what)
-    : what_(std::move(what))
-    , start_(seconds())
-    , terminal_(isatty(STDERR_FILENO) == 1) {
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int) { signalled = 1; });
-}
-
-LongWork::~LongWork() {
-    finish();
-}
-
-void LongWork::finish() {
-    if (shownPercent_ >= 0)
-        std::fprintf(stderr, "\r\033[K");
-    shownPercent_ = -1;
-    terminal_ = false;
-}
-
-void LongWork::report(float done) {
-    if (signalled)
-        stop_.request_stop();
-    if (!terminal_ || seconds() - start_ < 1)
-        return;
-    const int percent = static_cast<int>(done * 100);
-    if (shownPercent_.exchange(percent) != percent)
-        std::fprintf(stderr, "\r%s: %d %%", what_.c_str(), percent);
 }
 
 } // namespace texplorer::screenshot

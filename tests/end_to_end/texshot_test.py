@@ -469,6 +469,33 @@ class Textures(Texshot):
         self.assertEqual((told.returncode, told.stdout), (0, first.stdout))
         self.assertIn(b"no cache directory", told.stderr)
 
+    def begun(self, *arguments):
+        """A program that handles Ctrl+C by now: it has a thread for that."""
+        work = subprocess.Popen([TEXSHOT, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                env={**os.environ, "XDG_CACHE_HOME": str(self.path / "cache")})
+        while work.poll() is None and len(os.listdir(f"/proc/{work.pid}/task")) < 2:
+            time.sleep(0.01)
+        return work
+
+    def test_an_interrupt_stops_the_reference_where_nothing_is_left_to_compress(self):
+        call = ["shot", "--renderer", "reference", "--set", "textures[0].compression=cached", "-o", "-"]
+        self.begun(*call, "--size", "8x8").communicate(timeout=60)  # the blocks are in the cache now
+        work = self.begun(*call, "--size", "6000x6000", "--anisotropy", "ellipse",
+                          "--set", "textures[0].maxAnisotropy=16")
+        time.sleep(0.2)
+        work.send_signal(signal.SIGINT)
+        out, said = work.communicate(timeout=60)
+        self.assertEqual((work.returncode, len(out)), (130, 0))
+        self.assertIn(b"interrupted; nothing was written", said)
+
+    def test_an_interrupt_ends_what_follows_the_long_work(self):
+        work = self.begun("shot", "--renderer", "reference", "--set", "textures[0].compression=cached", "--size",
+                          "2048x2048", "-o", "-")
+        work.stdout.read(1)  # the rest waits for a reader
+        work.send_signal(signal.SIGINT)
+        self.assertEqual(work.wait(timeout=60), -signal.SIGINT)
+        work.communicate()
+
     def test_a_terminal_is_told_how_far_long_work_is(self):
         source = self.path / "large.bmp"
         source.write_bytes(bmp(4096, 1, lambda x, y: (0, 0, 0))[:22] + struct.pack("<i", 4096) + b"\1\0\x18\0" +
