@@ -7,8 +7,10 @@
 #include <cmath>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 #include <tuple>
 
@@ -181,6 +183,35 @@ Result<Drawn> drawByOpenGl(const SweepOptions& options, const Painters& painters
     return drawn;
 }
 
+/// Draws the scenes into the queue.
+void drawAll(const SweepOptions& options, const Painters& painters, const std::vector<Case>& cases,
+             Queue& queue, Outcomes& outcomes) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (options.progress)
+            options.progress(static_cast<float>(i) / static_cast<float>(cases.size()));
+        if (options.stop.stop_requested() || outcomes.error())
+            return;
+        Result<Drawn> drawn = drawByOpenGl(options, painters, cases[i]);
+        if (!drawn)
+            return outcomes.fail(drawn.error());
+        queue.push(std::move(*drawn));
+    }
+}
+
+/// As many as are asked for and the system gives; at least one, or it throws.
+void startComparers(std::vector<std::jthread>& comparers, unsigned asked, const std::function<void()>& work) {
+    const unsigned count = asked == 0 ? processorThreads() : asked;
+    while (comparers.size() < count) {
+        try {
+            comparers.emplace_back(work);
+        } catch (const std::system_error&) {
+            if (comparers.empty())
+                throw;
+            return;
+        }
+    }
+}
+
 } // namespace
 
 void Tally::add(const Judgement& judgement) {
@@ -243,31 +274,24 @@ Result<Report> sweep(const SweepOptions& options, const Painters& painters) {
     const std::vector<Case> cases = casesOf(options.selection);
     Outcomes outcomes(options, cases);
     Queue queue;
-    {
-        std::vector<std::jthread> comparers;
-        const unsigned threads = std::max(1U, (options.threads == 0 ? processorThreads() : options.threads));
-        for (unsigned i = 0; i < threads; ++i)
-            comparers.emplace_back([&] {
-                try {
-                    compareAll(options, painters, queue, outcomes);
-                } catch (const std::bad_alloc&) {
-                    outcomes.fail({ErrorCode::TooLarge, "there is no memory for the pictures", {}});
-                }
-                queue.close(); // only an error ends it early: nobody shall wait for it
-            });
-        for (std::size_t i = 0; i < cases.size(); ++i) {
-            if (options.progress)
-                options.progress(static_cast<float>(i) / static_cast<float>(cases.size()));
-            if (options.stop.stop_requested() || outcomes.error())
-                break;
-            Result<Drawn> drawn = drawByOpenGl(options, painters, cases[i]);
-            if (!drawn) {
-                outcomes.fail(drawn.error());
-                break;
-            }
-            queue.push(std::move(*drawn));
+    // One side of the queue. Whatever ends it, nobody shall wait for it any more.
+    const auto side = [&](const auto& work) {
+        try {
+            work();
+        } catch (const std::bad_alloc&) {
+            outcomes.fail({ErrorCode::TooLarge, "there is no memory for the pictures", {}});
+        } catch (const std::exception& error) {
+            outcomes.fail({ErrorCode::Driver, std::string("a renderer failed: ") + error.what(), {}});
         }
         queue.close();
+    };
+    {
+        std::vector<std::jthread> comparers;
+        side([&] {
+            startComparers(comparers, options.threads,
+                           [&] { side([&] { compareAll(options, painters, queue, outcomes); }); });
+            drawAll(options, painters, cases, queue, outcomes);
+        });
     }
     if (options.stop.stop_requested())
         return fail(ErrorCode::Cancelled, "the comparison was stopped");

@@ -1,3 +1,4 @@
+#include "core/conform/report.h"
 #include "core/conform/sweep.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/json.h"
@@ -5,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <stdexcept>
 #include <string>
 
 namespace texplorer::conform {
@@ -64,13 +66,14 @@ TEST(Sweep, IsTheSameWithAnyNumberOfThreads) {
         Mutant biased([](Scene& scene) { scene.passes[0].units[0].lodBias += 0.05F; });
         reports.push_back(*sweep(options, {nullptr, &biased}));
     }
+    EXPECT_EQ(asJson(reports[1]), asJson(reports[0]));
     for (std::size_t i = 0; i < reports[0].pairs[0].outcomes.size(); ++i) {
-        const Outcome& one = reports[0].pairs[0].outcomes[i];
-        const Outcome& other = reports[1].pairs[0].outcomes[i];
-        EXPECT_EQ(one.all.over, other.all.over);
-        EXPECT_EQ(one.all.sum, other.all.sum);
-        ASSERT_TRUE(one.worst && other.worst);
-        EXPECT_EQ(one.worst->number, other.worst->number);
+        const std::optional<Worst>& one = reports[0].pairs[0].outcomes[i].worst;
+        const std::optional<Worst>& other = reports[1].pairs[0].outcomes[i].worst;
+        ASSERT_TRUE(one && other);
+        EXPECT_EQ(one->scene, other->scene);
+        EXPECT_EQ(one->subject, other->subject);
+        EXPECT_EQ(one->against, other->against);
     }
 }
 
@@ -100,6 +103,48 @@ TEST(Sweep, EndsWithTheErrorOfARendererThatCanNotDraw) {
     const Result<Report> report = sweep(optionsFor({}, 100), {nullptr, &broken});
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().message, "the context is gone");
+}
+
+/// One that breaks its promise after some scenes.
+class Throwing : public Explainer {
+public:
+    explicit Throwing(int good)
+        : good_(good) {}
+    Result<Painting> paint(const Scene& scene) override {
+        if (good_-- <= 0)
+            throw std::runtime_error("the driver gave up");
+        return reference_->paint(scene);
+    }
+    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
+                                                          reference::PixelPlace pixel) override {
+        return reference_->overLambda(scene, pixel);
+    }
+
+private:
+    int good_;
+    std::unique_ptr<Explainer> reference_ = referencePainter();
+};
+
+// Neither side may wait for the other then.
+TEST(Sweep, EndsWhereTheDrawingThrows) {
+    for (const int good : {0, 5}) {
+        Throwing throwing(good);
+        const Result<Report> report = sweep(optionsFor({}, 100), {nullptr, &throwing});
+        ASSERT_FALSE(report);
+        EXPECT_EQ(report.error().message, "a renderer failed: the driver gave up");
+    }
+}
+
+TEST(Sweep, EndsWhereTheComparingThrows) {
+    for (const int good : {0, 5}) {
+        Mutant same(nullptr);
+        SweepOptions options = optionsFor({}, 200); // more than the queue holds
+        options.threads = 2;
+        const Result<Report> report =
+            sweep(options, {nullptr, &same, [good] { return std::make_unique<Throwing>(good); }});
+        ASSERT_FALSE(report);
+        EXPECT_EQ(report.error().message, "a renderer failed: the driver gave up");
+    }
 }
 
 // --- The scenes
