@@ -5,7 +5,6 @@
 
 #include <glm/vec4.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,13 +14,13 @@ namespace texplorer::reference {
 /// A picture being drawn: eight bits a component and 24 bits of depth, as the GL framebuffer. The rasteriser
 /// clears it, with what it draws first: a tile that is in a processor's cache is drawn at once.
 struct Canvas {
-    Image color;                           ///< Rgba8, bottom row first
-    std::vector<std::uint32_t> depth;      ///< one a pixel
-    std::array<std::byte, 4> background{}; ///< a pixel
+    Image color;                      ///< Rgba8, bottom row first
+    std::vector<std::uint32_t> depth; ///< one a pixel, if more is to be drawn over it; else empty
+    std::uint32_t background = 0;     ///< a pixel's four bytes
     bool cleared = false;
 
-    /// `memory` is used for `depth` where it is large enough. Throws std::bad_alloc.
-    Canvas(Viewport viewport, glm::vec4 clearColor, std::vector<std::uint32_t> memory = {});
+    /// Throws std::bad_alloc.
+    Canvas(Viewport viewport, glm::vec4 clearColor);
 
     [[nodiscard]] Viewport viewport() const { return {color.width, color.height}; }
     [[nodiscard]] std::size_t pixelAt(int x, int y) const {

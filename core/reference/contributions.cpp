@@ -69,11 +69,10 @@ public:
         , depth_(found.weights.size(), farthestDepth) {}
 
     void draw(const Triangle& triangle) {
-        for (int y = triangle.minY; y <= triangle.maxY && !stop_.stop_requested(); ++y) {
-            const Span span = coveredPixels(triangle, y, {0, found_.width - 1});
-            for (int x = span.first; x <= span.last; ++x)
+        eachCoveredRow(triangle, {0, found_.width - 1, 0, found_.height - 1}, [&](int x, int y, int count) {
+            for (const int end = x + count; x < end && !stop_.stop_requested(); ++x)
                 draw(triangle, x, y);
-        }
+        });
     }
 
 private:

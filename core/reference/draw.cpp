@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/reference/contributions.h"
+#include "core/reference/kernel/kernel.h"
 #include "core/reference/pass_state.h"
 #include "core/reference/probe.h"
 #include "core/reference/raster.h"
@@ -17,9 +18,6 @@ namespace {
 /// memory that they take.
 constexpr std::size_t batch = 8192;
 
-/// A depth buffer up to this size is kept for the next picture: fresh memory costs more than to draw into it.
-constexpr std::size_t keptDepth = std::size_t{1} << 24;
-
 tl::unexpected<Error> stopped() {
     return fail(ErrorCode::Cancelled, "the drawing was stopped");
 }
@@ -28,7 +26,6 @@ tl::unexpected<Error> stopped() {
 
 struct ReferenceRenderer::State {
     TextureStore textures;
-    std::vector<std::uint32_t> depth; ///< memory for the next picture's
 
     Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
                        const DrawOptions& options) {
@@ -38,21 +35,22 @@ struct ReferenceRenderer::State {
             passStates(scene, images, time, options.levels, options.anisotropy, textures, problems);
         if (options.isStopped())
             return stopped();
-        Canvas canvas(viewport, scene.view.background, std::move(depth));
+        Canvas canvas(viewport, scene.view.background);
+        const Kernel* kernel = options.kernel ? options.kernel : kernels().front();
+        if (options.literal)
+            kernel = nullptr;
         const unsigned threads = options.threads == 0 ? processorThreads() : options.threads;
         std::vector<Triangle> triangles;
-        const auto flush = [&] {
-            rasterize(triangles, canvas, threads, options.stop, options.literal);
+        const auto flush = [&](Following following) {
+            rasterize(triangles, canvas, following, kernel, threads, options.stop);
             triangles.clear();
         };
         eachTriangle(scene, passes, time, viewport, options.stop, [&](const Triangle& triangle) {
+            if (triangles.size() == batch)
+                flush(Following::More);
             triangles.push_back(triangle);
-            if (triangles.size() >= batch)
-                flush();
         });
-        flush();
-        if (canvas.depth.size() <= keptDepth)
-            depth = std::move(canvas.depth);
+        flush(Following::Nothing);
         if (options.isStopped())
             return stopped();
         return Drawn{std::move(canvas.color), std::move(problems)};

@@ -14,6 +14,7 @@
 
 namespace texplorer::reference {
 
+struct Kernel;      // see kernel/kernel.h
 struct Explanation; // see probe.h
 struct PixelPlace;
 struct Contributions; // see contributions.h
@@ -25,7 +26,8 @@ struct DrawOptions {
     /// Draws every pixel by itself, with the functions that are written to be read (shade.h, sampler.h), many
     /// times as slowly. The same bytes: this is what proves it.
     bool literal = false;
-    LevelWork levels{}; ///< for textures that are compressed at run time
+    const Kernel* kernel = nullptr; ///< nullptr: the fastest that this processor has
+    LevelWork levels{};             ///< for textures that are compressed at run time
     std::stop_token stop{};
 
     /// By either token.

@@ -54,8 +54,12 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
             if (!stored)
                 continue;
             state.units[u] = unitState(unit, *stored, time, anisotropy);
-            if (state.units[u].texture)
-                state.unitsUsed = static_cast<int>(u) + 1;
+            const SampledTexture* texture = state.units[u].texture;
+            if (!texture)
+                continue;
+            state.unitsUsed = static_cast<int>(u) + 1;
+            state.steps[state.stepCount++] = {u, environmentCell(unit.envMode, texture->format),
+                                              unit.envMode == EnvMode::Combine};
         }
     }
     return states;

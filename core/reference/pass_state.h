@@ -2,13 +2,15 @@
 
 // A pass as the reference draws it: what a Scene says, looked up once.
 
-#include "core/reference/fast_sampler.h"
+#include "core/reference/environment.h"
+#include "core/reference/kernel/fast_sampler.h"
 #include "core/reference/lod.h"
 #include "core/reference/texture_store.h"
 
 #include <glm/mat4x4.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,10 +27,19 @@ struct UnitState {
     bool flipsCoordinates = false; ///< t becomes q - t before the matrix
 };
 
+/// What a unit that has a texture does to the colour.
+struct TextureStep {
+    std::size_t unit = 0;
+    EnvCell cell{}; ///< undefined if it combines
+    bool combines = false;
+};
+
 struct PassState {
     const Pass* pass = nullptr;
     std::array<UnitState, maxUnits> units{};
     int unitsUsed = 0; ///< one more than the last unit that takes part
+    std::array<TextureStep, maxUnits> steps{};
+    std::size_t stepCount = 0;
     bool flat = false;
     bool perspective = true;       ///< off: GL_PERSPECTIVE_CORRECTION_HINT is GL_FASTEST
     bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)

@@ -124,10 +124,11 @@ std::vector<Cover> Prober::cover(const std::array<ShadedVertex, 3>& corners, con
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         const auto triangle =
             setUp(polygon[0], polygon[i - 1], polygon[i], pass, viewport_, pass.perspective);
-        if (!triangle || y < triangle->minY || y > triangle->maxY)
+        if (!triangle)
             continue;
-        const Span span = coveredPixels(*triangle, y, {x, x});
-        if (span.first > span.last)
+        bool covered = false;
+        eachCoveredRow(*triangle, {x, x, y, y}, [&](int, int, int) { covered = true; });
+        if (!covered)
             continue;
         const auto shares = setUp(weights[0], weights[i - 1], weights[i], pass, viewport_, pass.perspective);
         const glm::vec2 offset = offsetOf(*triangle);
@@ -322,13 +323,13 @@ void Prober::draw(FragmentExplanation fragment, const Cover& cover, const PassSt
                   const std::array<std::array<glm::vec4, maxUnits>, 3>& given) {
     const Triangle& triangle = cover.triangle;
     const glm::vec2 offset = offsetOf(triangle);
-    const float w = 1 / triangle.invW.at(offset);
     fragment.lighting = pass.pass->lighting;
     fragment.flat = pass.flat;
     fragment.separateSpecular = pass.separateSpecular;
-    fragment.primary = glm::clamp(triangle.primary.at(offset) * w, 0.0F, 1.0F);
+    fragment.primary = primaryColor(triangle, offset);
     if (pass.separateSpecular)
-        fragment.secondary = glm::clamp(triangle.secondary.at(offset) * w, 0.0F, 1.0F);
+        fragment.secondary =
+            glm::clamp(triangle.secondary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
     explainUnits(fragment, cover, pass, records, given);
     // The picture's own arithmetic has the last word: it may round otherwise than what explains it.
     fragment.color = fragmentColor(triangle, offset);

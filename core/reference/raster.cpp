@@ -1,9 +1,8 @@
 #include "core/reference/raster.h"
 
 #include "core/base/parallel.h"
-#include "core/reference/fast_shade.h"
 #include "core/reference/fragment.h"
-#include "core/reference/lanes.h"
+#include "core/reference/kernel/kernel.h"
 #include "core/reference/shade.h"
 #include "core/reference/stored_color.h"
 
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 namespace texplorer::reference {
@@ -21,182 +19,220 @@ namespace {
 
 constexpr int tileExtent = rowCapacity;
 
-/// value / divisor rounded down, for a positive divisor; `inverse` is 1 / divisor. Much faster than to
-/// divide.
-std::int64_t floorDivided(std::int64_t value, std::int64_t divisor, double inverse) {
-    auto quotient = static_cast<std::int64_t>(static_cast<double>(value) * inverse);
-    while (quotient * divisor > value)
-        --quotient;
-    while ((quotient + 1) * divisor <= value)
-        ++quotient;
-    return quotient;
+struct Division {
+    std::int64_t quotient; ///< rounded down
+    std::int64_t rest;
+};
+
+/// `inverse` is 1 / divisor, which is positive. Much faster than to divide.
+Division divided(std::int64_t value, std::int64_t divisor, double inverse) {
+    const auto quotient = static_cast<std::int64_t>(static_cast<double>(value) * inverse);
+    const std::int64_t rest = value - quotient * divisor; // one off at most
+    if (rest < 0)
+        return {quotient - 1, rest + divisor};
+    if (rest >= divisor)
+        return {quotient + 1, rest - divisor};
+    return {quotient, rest};
 }
 
-void drawFragment(const Triangle& triangle, int x, int y, Canvas& canvas) {
+void drawFragment(const Triangle& triangle, int x, int y, std::uint32_t& storedDepth, std::byte* pixel) {
     const Pass& pass = *triangle.pass->pass;
     const glm::vec2 offset = glm::vec2(x, y) - triangle.origin;
-    const std::size_t at = canvas.pixelAt(x, y);
     std::uint32_t depth = 0;
     if (pass.depthTest) {
         // Before texturing, because it is cheaper; what fails either test is lost in any order.
         depth = fragmentDepth(triangle, offset);
-        if (!passes(pass.depthFunc, depth, canvas.depth[at]))
+        if (!passes(pass.depthFunc, depth, storedDepth))
             return;
     }
     glm::vec4 color = fragmentColor(triangle, offset);
     if (pass.alphaTest && !passes(pass.alphaFunc, color.a, std::clamp(pass.alphaRef, 0.0F, 1.0F)))
         return;
     if (pass.depthTest) // section 4.1.6: without the test nothing is written
-        canvas.depth[at] = depth;
-    std::byte* pixel = canvas.color.pixels.data() + 4 * at;
+        storedDepth = depth;
     if (pass.blend)
         color = blend(pass.blendSrc, pass.blendDst, color, colorOf(pixel));
     store(color, pixel);
 }
 
-/// A square of the picture.
+/// A square of the picture. It is drawn in memory of its own, where one may write beyond the end of a row.
 class Tile {
 public:
-    Tile(std::span<const Triangle> triangles, Canvas& canvas, int left, int low)
+    Tile(std::span<const Triangle> triangles, const Kernel* kernel, Canvas& canvas, int left, int low)
         : triangles_(triangles)
+        , kernel_(kernel)
         , canvas_(canvas)
-        , left_(left)
-        , right_(std::min(left + tileExtent, canvas.color.width) - 1)
-        , low_(low)
-        , top_(std::min(low + tileExtent, canvas.color.height) - 1) {}
+        , box_{left, std::min(left + tileExtent, canvas.color.width) - 1, low,
+               std::min(low + tileExtent, canvas.color.height) - 1} {}
 
     /// Those of the triangles that have these numbers, in this order.
-    void draw(const std::vector<std::uint32_t>& numbers, const std::stop_token& stop, bool literal) {
-        if (!canvas_.cleared)
+    void draw(const std::vector<std::uint32_t>& numbers, const std::stop_token& stop) {
+        if (canvas_.cleared)
+            load();
+        else
             clear();
         for (const std::uint32_t number : numbers) {
             if (stop.stop_requested())
-                return;
+                break;
             const Triangle& triangle = triangles_[number];
             const Pass& pass = *triangle.pass->pass;
-            if (literal) {
-                eachRow(triangle, [&](int x, int y, int count) {
-                    for (int end = x + count; x < end; ++x)
-                        drawFragment(triangle, x, y, canvas_);
+            if (!kernel_) {
+                eachRow(triangle, [&](const PixelRow& row) {
+                    for (int i = 0; i < row.count; ++i)
+                        drawFragment(triangle, row.x + i, row.y, row.depth[i], row.colors + 4 * i);
                 });
-            } else if (pass.blend || pass.alphaTest) {
+            } else if (numbers.size() == 1 || pass.blend || pass.alphaTest) {
                 shadeMarked(); // it may look through to what is there by now
-                eachRow(triangle, [&](int x, int y, int count) { drawRow(triangle, x, y, count, canvas_); });
+                eachRow(triangle, [&](const PixelRow& row) { kernel_->draw(triangle, row); });
             } else {
                 if (!marked_)
                     owners_.fill(nobody);
                 marked_ = true;
-                eachRow(triangle, [&](int x, int y, int count) {
-                    markRow(triangle, number, x, y, count, canvas_, owners(x, y));
+                eachRow(triangle, [&](const PixelRow& row) {
+                    kernel_->mark(triangle, number, row, owners_.data() + indexOf(row.x, row.y));
                 });
             }
         }
         shadeMarked();
+        store();
     }
 
 private:
-    static constexpr std::uint32_t nobody = ~0U;
+    static constexpr std::size_t room = std::size_t{tileExtent} * tileExtent + rowSlack;
 
     template<class Work>
     void eachRow(const Triangle& triangle, const Work& work) {
-        const int top = std::min(triangle.maxY, top_);
-        for (int y = std::max(triangle.minY, low_); y <= top; ++y) {
-            const Span span = coveredPixels(triangle, y, {left_, right_});
-            if (span.first <= span.last)
-                work(span.first, y, span.last - span.first + 1);
-        }
+        eachCoveredRow(triangle, box_, [&](int x, int y, int count) { work(rowAt(x, y, count)); });
     }
 
-    std::uint32_t* owners(int x, int y) { return owners_.data() + (y - low_) * tileExtent + (x - left_); }
+    [[nodiscard]] std::size_t indexOf(int x, int y) const {
+        return static_cast<std::size_t>(y - box_.low) * tileExtent + static_cast<std::size_t>(x - box_.left);
+    }
+    [[nodiscard]] PixelRow rowAt(int x, int y, int count) {
+        return {x, y, count, depth_.data() + indexOf(x, y),
+                reinterpret_cast<std::byte*>(colors_.data() + indexOf(x, y))};
+    }
 
     void clear() {
-        std::array<std::byte, std::size_t{4} * tileExtent> row;
-        for (std::size_t i = 0; i < row.size(); ++i)
-            row[i] = canvas_.background[i % 4];
-        const auto count = static_cast<std::size_t>(right_ - left_ + 1);
-        for (int y = low_; y <= top_; ++y) {
-            const std::size_t at = canvas_.pixelAt(left_, y);
-            std::fill_n(canvas_.depth.data() + at, count, farthestDepth);
-            std::memcpy(canvas_.color.pixels.data() + 4 * at, row.data(), 4 * count);
-        }
+        colors_.fill(canvas_.background);
+        depth_.fill(farthestDepth);
+    }
+
+    void load() {
+        eachRow([&](std::size_t own, std::size_t kept, std::size_t count) {
+            std::memcpy(colors_.data() + own, canvas_.color.pixels.data() + 4 * kept, 4 * count);
+            std::copy_n(canvas_.depth.data() + kept, count, depth_.data() + own);
+        });
+    }
+
+    void store() {
+        eachRow([&](std::size_t own, std::size_t kept, std::size_t count) {
+            std::memcpy(canvas_.color.pixels.data() + 4 * kept, colors_.data() + own, 4 * count);
+            if (!canvas_.depth.empty())
+                std::copy_n(depth_.data() + own, count, canvas_.depth.data() + kept);
+        });
+    }
+
+    /// Calls work with a row's index here and in the canvas, and its length.
+    template<class Work>
+    void eachRow(const Work& work) {
+        for (int y = box_.low; y <= box_.top; ++y)
+            work(indexOf(box_.left, y), canvas_.pixelAt(box_.left, y),
+                 static_cast<std::size_t>(box_.right - box_.left + 1));
     }
 
     void shadeMarked() {
         if (!marked_)
             return;
         marked_ = false;
-        for (int y = low_; y <= top_; ++y) {
-            for (int x = left_; x <= right_;) {
-                const std::uint32_t* owner = owners(x, y);
-                int end = x + 1;
-                const Ints same = ints(static_cast<int>(*owner));
-                while (end + laneCount - 1 <= right_ && all(loadAs<Ints>(owner + (end - x)) == same))
-                    end += laneCount;
-                while (end <= right_ && owner[end - x] == *owner)
-                    ++end;
-                if (*owner != nobody)
-                    shadeRow(triangles_[*owner], x, y, end - x, canvas_);
-                x = end;
-            }
-        }
+        for (int y = box_.low; y <= box_.top; ++y)
+            kernel_->shade(triangles_, owners_.data() + indexOf(box_.left, y),
+                           rowAt(box_.left, y, box_.right - box_.left + 1));
     }
 
     std::span<const Triangle> triangles_;
+    const Kernel* kernel_;
     Canvas& canvas_;
-    int left_;
-    int right_;
-    int low_;
-    int top_;
+    Box box_;
     bool marked_ = false;
-    std::array<std::uint32_t, std::size_t{tileExtent} * tileExtent> owners_;
+    std::array<std::uint32_t, room> depth_;
+    std::array<std::uint32_t, room> colors_;
+    std::array<std::uint32_t, room> owners_;
 };
+
+/// Whether one edge leaves all of the box outside.
+bool isOutside(const Triangle& triangle, Box box) {
+    return std::ranges::any_of(triangle.edges, [&](const EdgeFunction& edge) {
+        return edge.origin + edge.dx * (edge.dx > 0 ? box.right : box.left) +
+                   edge.dy * (edge.dy > 0 ? box.top : box.low) <
+               0;
+    });
+}
 
 } // namespace
 
-Canvas::Canvas(Viewport viewport, glm::vec4 clearColor, std::vector<std::uint32_t> memory)
-    : color(Image::uninitialised(PixelFormat::Rgba8, viewport.width, viewport.height))
-    , depth(std::move(memory)) {
-    depth.resize(static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height));
-    store(clearColor, background.data());
+Canvas::Canvas(Viewport viewport, glm::vec4 clearColor)
+    : color(Image::uninitialised(PixelFormat::Rgba8, viewport.width, viewport.height)) {
+    store(clearColor, reinterpret_cast<std::byte*>(&background));
 }
 
-Span coveredPixels(const Triangle& triangle, int y, Span within) {
-    // Every edge function grows or falls along the row: it leaves the pixels on one side.
-    std::int64_t first = std::max(within.first, triangle.minX);
-    std::int64_t last = std::min(within.last, triangle.maxX);
+Coverage::Coverage(const Triangle& triangle, Box box)
+    : box_{std::max(box.left, triangle.minX), std::min(box.right, triangle.maxX),
+           std::max(box.low, triangle.minY), std::min(box.top, triangle.maxY)} {
+    if (box_.left > box_.right)
+        box_.top = box_.low - 1;
     for (const EdgeFunction& edge : triangle.edges) {
-        const std::int64_t value = edge.origin + edge.dy * y;
-        if (edge.dx > 0)
-            first = std::max(first, -floorDivided(value, edge.dx, edge.inverse));
-        else if (edge.dx < 0)
-            last = std::min(last, floorDivided(value, -edge.dx, edge.inverse));
-        else if (value < 0)
-            return {0, -1};
+        if (edge.dx != 0)
+            continue;
+        // A horizontal edge leaves whole rows outside.
+        while (isAtRow() && edge.origin + edge.dy * box_.low < 0)
+            ++box_.low;
+        while (isAtRow() && edge.origin + edge.dy * box_.top < 0)
+            --box_.top;
     }
-    if (first > last) // perhaps by more than an int holds
-        return {0, -1};
-    return {static_cast<int>(first), static_cast<int>(last)};
+    for (const EdgeFunction& edge : triangle.edges) {
+        const std::int64_t leastInside = edge.origin + edge.dx * (edge.dx > 0 ? box_.left : box_.right) +
+                                         edge.dy * (edge.dy > 0 ? box_.low : box_.top);
+        if (edge.dx == 0 || leastInside >= 0)
+            continue;
+        const std::int64_t divisor = std::abs(edge.dx);
+        const Division at = divided(edge.origin + edge.dy * box_.low, divisor, edge.inverse);
+        const Division step = divided(edge.dy, divisor, edge.inverse);
+        (edge.dx > 0 ? left_[leftCount_++] : right_[rightCount_++]) = {at.quotient, at.rest, step.quotient,
+                                                                       step.rest, divisor};
+    }
 }
 
-void rasterize(std::span<const Triangle> triangles, Canvas& canvas, unsigned threads, std::stop_token stop,
-               bool literal) {
+void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Following following, const Kernel* kernel,
+               unsigned threads, const std::stop_token& stop) {
     const auto [width, height] = canvas.viewport();
+    if (following == Following::More && canvas.depth.empty())
+        canvas.depth.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const int columns = (width + tileExtent - 1) / tileExtent;
     const int rows = (height + tileExtent - 1) / tileExtent;
     std::vector<std::vector<std::uint32_t>> tiles(static_cast<std::size_t>(columns) *
                                                   static_cast<std::size_t>(rows));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const Triangle& triangle = triangles[i];
-        for (int row = triangle.minY / tileExtent; row <= triangle.maxY / tileExtent; ++row) {
-            for (int column = triangle.minX / tileExtent; column <= triangle.maxX / tileExtent; ++column)
-                tiles[static_cast<std::size_t>(row * columns + column)].push_back(
-                    static_cast<std::uint32_t>(i));
+        const int left = triangle.minX / tileExtent;
+        const int right = triangle.maxX / tileExtent;
+        const int low = triangle.minY / tileExtent;
+        const int top = triangle.maxY / tileExtent;
+        const bool isSmall = left == right || low == top;
+        for (int row = low; row <= top; ++row) {
+            for (int column = left; column <= right; ++column) {
+                const Box box{column * tileExtent, (column + 1) * tileExtent - 1, row * tileExtent,
+                              (row + 1) * tileExtent - 1};
+                if (isSmall || !isOutside(triangle, box))
+                    tiles[static_cast<std::size_t>(row * columns + column)].push_back(
+                        static_cast<std::uint32_t>(i));
+            }
         }
     }
     parallelFor(tiles.size(), threads, [&](std::size_t tile) {
-        Tile(triangles, canvas, static_cast<int>(tile) % columns * tileExtent,
+        Tile(triangles, kernel, canvas, static_cast<int>(tile) % columns * tileExtent,
              static_cast<int>(tile) / columns * tileExtent)
-            .draw(tiles[tile], stop, literal);
+            .draw(tiles[tile], stop);
     });
     canvas.cleared = true;
 }

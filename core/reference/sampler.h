@@ -1,7 +1,7 @@
 #pragma once
 
 // The literal text of OpenGL 2.1's texture filtering (sections 3.8.7 to 3.8.9), written to be read;
-// fast_sampler.h is the same for a whole picture.
+// kernel/ does the same for a whole picture.
 
 #include "core/reference/sample_record.h"
 

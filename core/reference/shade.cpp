@@ -24,11 +24,16 @@ TexturePlace texturePlace(const Triangle& triangle, std::size_t unit, glm::vec2 
     return place;
 }
 
+glm::vec4 primaryColor(const Triangle& triangle, glm::vec2 offset) {
+    // A pixel's centre can lie just outside of the unsnapped triangle: hence the clamp.
+    if (triangle.evenPrimary)
+        return glm::clamp(*triangle.evenPrimary, 0.0F, 1.0F);
+    return glm::clamp(triangle.primary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
+}
+
 glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset) {
     const PassState& pass = *triangle.pass;
-    const float w = 1 / triangle.invW.at(offset);
-    // A pixel's centre can lie just outside of the unsnapped triangle: hence the clamp.
-    const glm::vec4 primary = glm::clamp(triangle.primary.at(offset) * w, 0.0F, 1.0F);
+    const glm::vec4 primary = primaryColor(triangle, offset);
     // All samples first: COMBINE may ask for that of any unit.
     std::array<glm::vec4, maxUnits> samples{};
     std::array<const glm::vec4*, maxUnits> sources{};
@@ -52,7 +57,7 @@ glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset) {
                     .color;
     }
     if (pass.separateSpecular) // section 3.9: alpha stays
-        color += glm::clamp(triangle.secondary.at(offset) * w, 0.0F, 1.0F);
+        color += glm::clamp(triangle.secondary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
     return glm::clamp(color, 0.0F, 1.0F);
 }
 

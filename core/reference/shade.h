@@ -23,6 +23,9 @@ struct TexturePlace {
 /// or NaN, which the sampler defines.
 [[nodiscard]] TexturePlace texturePlace(const Triangle& triangle, std::size_t unit, glm::vec2 offset);
 
+/// Section 2.14.9: clamped to [0, 1].
+[[nodiscard]] glm::vec4 primaryColor(const Triangle& triangle, glm::vec2 offset);
+
 /// The colour after texturing and colour sum.
 [[nodiscard]] glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset);
 

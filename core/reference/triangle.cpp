@@ -131,6 +131,8 @@ std::optional<Triangle> setUp(const ShadedVertex& a, const ShadedVertex& b, cons
                                               glm::dvec4(member(*third.vertex)) * third.invW);
     };
     triangle.primary = overW([](const ShadedVertex& v) { return v.primary; });
+    if (a.primary == b.primary && a.primary == c.primary)
+        triangle.evenPrimary = a.primary;
     if (pass.separateSpecular)
         triangle.secondary = overW([](const ShadedVertex& v) { return glm::vec4(v.secondary, 0); });
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u) {

@@ -48,6 +48,7 @@ struct Triangle {
     Plane<float> depth{};
     Plane<float> invW{};
     Plane<glm::vec4> primary{};
+    std::optional<glm::vec4> evenPrimary{}; ///< the primary colour, where the three corners share it
     Plane<glm::vec4> secondary{};
     std::array<Plane<glm::vec4>, maxUnits> texCoords{};
 };

@@ -1,32 +1,29 @@
-#include "core/reference/fast_sampler.h"
+// Texture filtering: the numbers of sampler.h, which is the text to read, for several pixels at a time. Every
+// colour is equal to sample()'s: the same operations in the same order, but nothing is computed that the
+// parameters leave without effect. Compiled once for each number of lanes: see kernel.h.
 
-#include "core/reference/lanes.h"
-#include "core/reference/sampler.h"
+using Colors = std::array<Color, laneCount>; ///< red, green, blue and alpha of neighbours
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
-namespace texplorer::reference {
-
-namespace {
-
-using Colors = std::array<Floats, laneCount>; ///< red, green, blue and alpha of four pixels
-
-/// Calls work with 0, 1, 2 and 3, known when it is compiled: lanes stay in registers.
+/// Calls work with 0, 1, 2, …, known when it is compiled: lanes stay in registers.
 template<class Work>
 [[gnu::always_inline]] inline void forEachLane(const Work& work) {
     work(std::size_t{0});
     work(std::size_t{1});
     work(std::size_t{2});
     work(std::size_t{3});
+#if TEXPLORER_LANES == 8
+    work(std::size_t{4});
+    work(std::size_t{5});
+    work(std::size_t{6});
+    work(std::size_t{7});
+#endif
 }
 
 [[nodiscard]] Floats clamped(Floats values, Floats low, Floats high) {
     return greater(lesser(values, high), low);
 }
 
-/// wrapCoordinate() of wrap.h. A branch for four pixels, the same for the whole texture, costs nothing.
+/// wrapCoordinate() of wrap.h. A branch for several pixels, the same for the whole texture, costs nothing.
 [[nodiscard, gnu::always_inline]] inline Floats wrapped(Wrap wrap, Floats coordinates, Floats size) {
     if (wrap == Wrap::Repeat) { // from 2^23 on floats have no fraction; what is not finite counts as 0
         const Floats fraction = coordinates - flooredSmall(coordinates);
@@ -86,16 +83,14 @@ struct TexelPairs {
     }
 };
 
-} // namespace
-
-/// Four neighbouring pixels.
+/// Samples for as many neighbouring pixels as there are lanes.
 template<int axes>
-class FastSampler::Quartet {
+class Pixels {
 public:
-    explicit Quartet(const FastSampler& sampler)
+    explicit Pixels(const FastSampler& sampler)
         : sampler_(sampler)
-        , texture_(*sampler.texture_)
-        , border_(load(texture_.borderColor))
+        , texture_(*sampler.texture)
+        , border_(loadColor(texture_.borderColor))
         , usesBorder_(reachesBorder(texture_.wrap[0]) || (axes > 1 && reachesBorder(texture_.wrap[1]))) {}
 
     /// Without mipmaps, where magnification and minification are the same.
@@ -119,6 +114,8 @@ public:
     }
 
 private:
+    using Plane = FastSampler::Plane;
+
     struct Place {
         Floats s;
         Floats t;
@@ -141,20 +138,41 @@ private:
         std::array<const Plane*, laneCount> planes;
         Floats width;
         Floats height;
+        Ints rowLength;
 
         Levels(const FastSampler& sampler, Ints steps) {
-            const Plane* first = sampler.planes_.data() + steps[0];
+            const Plane* first = sampler.planes.data() + steps[0];
             if (all(steps == ints(steps[0]))) {
                 planes.fill(first);
                 width = floats(first->fWidth);
                 height = floats(first->fHeight);
+                rowLength = ints(first->width);
                 return;
             }
-            for (int i = 0; i < laneCount; ++i)
-                planes[static_cast<std::size_t>(i)] = sampler.planes_.data() + steps[i];
-            width = Floats{planes[0]->fWidth, planes[1]->fWidth, planes[2]->fWidth, planes[3]->fWidth};
-            height = Floats{planes[0]->fHeight, planes[1]->fHeight, planes[2]->fHeight, planes[3]->fHeight};
+            for (int i = 0; i < laneCount; ++i) {
+                const Plane* plane = sampler.planes.data() + steps[i];
+                planes[static_cast<std::size_t>(i)] = plane;
+                width[i] = plane->fWidth;
+                height[i] = plane->fHeight;
+                rowLength[i] = plane->width;
+            }
         }
+    };
+
+    /// Where a texel of each pixel lies in its level, in memory: registers are slow to take numbers from one
+    /// at a time.
+    class Places {
+    public:
+        explicit Places(Ints indices) { store(indices, indices_.data()); }
+        Places(const Levels& levels, Ints i, Ints j)
+            : Places(axes > 1 ? j * levels.rowLength + i : i) {}
+
+        [[nodiscard]] Color operator()(const Levels& levels, std::size_t lane) const {
+            return loadColor(levels.planes[lane]->texels + indices_[lane]);
+        }
+
+    private:
+        std::array<std::int32_t, laneCount> indices_;
     };
 
     /// levelOfDetail() and chooseLevels() of lod.h.
@@ -169,7 +187,7 @@ private:
     };
 
     [[nodiscard]] Choice choose(const Place& place) const {
-        const Plane& base = sampler_.planes_[0];
+        const Plane& base = sampler_.planes[0];
         const auto squaredLength = [&](Floats s, Floats t) {
             const Floats x = s * base.fWidth;
             if (axes == 1)
@@ -184,12 +202,12 @@ private:
         Choice choice;
         choice.probes = floats(1);
         Floats rho;
-        if (sampler_.maxProbes_ > 1) {
+        if (sampler_.maxProbes > 1) {
             const Floats x = rooted(squaredX);
             const Floats y = rooted(squaredY);
             const Floats longer = greater(x, y);
             const Floats ratio = longer > 0.0F ? longer / lesser(x, y) : floats(1);
-            const Floats probes = -flooredSmall(-lesser(ratio, floats(sampler_.maxProbes_)));
+            const Floats probes = -flooredSmall(-lesser(ratio, floats(sampler_.maxProbes)));
             choice.probes = defined ? greater(probes, floats(1)) : floats(1);
             choice.alongS = x > y ? place.dsdx : place.dsdy;
             choice.alongT = x > y ? place.dtdx : place.dtdy;
@@ -200,9 +218,9 @@ private:
         }
         rho = defined ? rho : floats(1);
 
-        const Floats biased = logarithms2(rho) + sampler_.bias_;
+        const Floats biased = logarithms2(rho) + sampler_.bias;
         const Floats lambda = lesser(floats(texture_.maxLod), greater(floats(texture_.minLod), biased));
-        const Ints minified = lambda > sampler_.switchOver_;
+        const Ints minified = lambda > sampler_.switchOver;
         const Ints magLinear = ints(texture_.magFilter == MagFilter::Linear ? -1 : 0);
         const Ints minLinear = ints(isLinear(texture_.minFilter) ? -1 : 0);
         choice.linear = (minified & minLinear) | (~minified & magLinear);
@@ -210,7 +228,7 @@ private:
         choice.share = floats(0);
         if (!wantsMipmaps(texture_.minFilter))
             return choice;
-        const Floats last = floats(sampler_.lastStep_);
+        const Floats last = floats(sampler_.lastStep);
         if (blendsLevels(texture_.minFilter)) {
             const Floats bounded = minified ? lesser(lambda, last) : floats(0);
             const Floats whole = flooredSmall(bounded);
@@ -238,9 +256,9 @@ private:
                 colors[lane] = texelOrBorder(*levels.planes[lane], i[lane], j[lane]);
             });
         } else {
-            forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-                colors[lane] = texel(*levels.planes[lane], i[lane], j[lane]);
-            });
+            const Places places(levels, i, j);
+            forEachLane([&](std::size_t lane)
+                            __attribute__((always_inline)) { colors[lane] = places(levels, lane); });
         }
         return colors;
     }
@@ -275,13 +293,13 @@ private:
             });
             return colors;
         }
+        const Places at00(levels, i.first, j.first);
+        const Places at10(levels, i.second, j.first);
+        const Places at01(levels, i.first, j.second);
+        const Places at11(levels, i.second, j.second);
         forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-            const Plane& plane = *levels.planes[lane];
-            const glm::vec4* first = plane.texels + std::ptrdiff_t{j.first[lane]} * plane.width;
-            const glm::vec4* second = plane.texels + std::ptrdiff_t{j.second[lane]} * plane.width;
-            colors[lane] =
-                share00[lane] * load(first + i.first[lane]) + share10[lane] * load(first + i.second[lane]) +
-                share01[lane] * load(second + i.first[lane]) + share11[lane] * load(second + i.second[lane]);
+            colors[lane] = share00[lane] * at00(levels, lane) + share10[lane] * at10(levels, lane) +
+                           share01[lane] * at01(levels, lane) + share11[lane] * at11(levels, lane);
         });
         return colors;
     }
@@ -316,7 +334,8 @@ private:
     /// EXT_texture_filter_anisotropic, as sampler.cpp.
     [[nodiscard, gnu::noinline]] Colors probed(const Choice& choice, const Place& place) const {
         const Floats n = choice.probes;
-        const float most = std::max(std::max(n[0], n[1]), std::max(n[2], n[3]));
+        float most = 1;
+        forEachLane([&](std::size_t lane) __attribute__((always_inline)) { most = std::max(most, n[lane]); });
         Colors sum{};
         for (float i = 1; i <= most; ++i) {
             const Floats offset = i / (n + 1.0F) - 0.5F;
@@ -326,17 +345,18 @@ private:
             const Colors colors = filtered(choice, s, t);
             const Ints counts = n >= i;
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-                sum[lane] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(colors[lane]) & counts[lane]);
+                sum[lane] +=
+                    reinterpret_cast<Color>(reinterpret_cast<ColorBits>(colors[lane]) & counts[lane]);
             });
         }
         forEachLane([&](std::size_t lane) __attribute__((always_inline)) { sum[lane] /= n[lane]; });
         return sum;
     }
 
-    [[nodiscard]] static Floats texel(const Plane& plane, int i, int j) {
-        return load(plane.texels + static_cast<std::ptrdiff_t>(j) * plane.width + i);
+    [[nodiscard]] static Color texel(const Plane& plane, int i, int j) {
+        return loadColor(plane.texels + static_cast<std::ptrdiff_t>(j) * plane.width + i);
     }
-    [[nodiscard]] Floats texelOrBorder(const Plane& plane, int i, int j) const {
+    [[nodiscard]] Color texelOrBorder(const Plane& plane, int i, int j) const {
         return i < 0 || j < 0 || i >= plane.width || j >= plane.height ? border_ : texel(plane, i, j);
     }
 
@@ -344,59 +364,23 @@ private:
 
     const FastSampler& sampler_;
     const SampledTexture& texture_;
-    Floats border_;
+    Color border_;
     bool usesBorder_;
 };
 
-void FastSampler::literally(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
-    for (int i = 0; i < count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        colors[i] = reference::sample(
-            *sampler.texture_, {row.s[at], row.t[at], row.r[at]},
-            {{row.dsdx[at], row.dtdx[at], row.drdx[at]}, {row.dsdy[at], row.dtdy[at], row.drdy[at]}},
-            sampler.options_);
+/// sample() of sampler.h, for a row. Room for as many colours as there are places, rounded up to a multiple
+/// of laneCount.
+void sampleRow(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
+    switch (sampler.kind) {
+    case FastSampler::Kind::Literal:
+        return sampleLiterally(sampler, row, count, colors);
+    case FastSampler::Kind::BaseOfOneAxis:
+        return Pixels<1>(sampler).sampleBase(row, count, colors);
+    case FastSampler::Kind::BaseOfTwoAxes:
+        return Pixels<2>(sampler).sampleBase(row, count, colors);
+    case FastSampler::Kind::LevelsOfOneAxis:
+        return Pixels<1>(sampler).sample(row, count, colors);
+    case FastSampler::Kind::LevelsOfTwoAxes:
+        return Pixels<2>(sampler).sample(row, count, colors);
     }
 }
-
-template<int axes, bool baseOnly>
-void FastSampler::quickly(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
-    if constexpr (baseOnly)
-        Quartet<axes>(sampler).sampleBase(row, count, colors);
-    else
-        Quartet<axes>(sampler).sample(row, count, colors);
-}
-
-FastSampler::FastSampler(const SampledTexture& texture, const SampleOptions& options)
-    : texture_(&texture)
-    , options_(options) {
-    const bool flat = texture.target == Target::Texture1D || texture.target == Target::Texture2D;
-    const bool anisotropic = texture.maxAnisotropy > 1;
-    const bool ellipse = anisotropic && options.anisotropy == AnisotropyMethod::Ellipse &&
-                         texture.target == Target::Texture2D && isLinear(texture.minFilter);
-    const int steps = wantsMipmaps(texture.minFilter) ? lastMipLevel(texture) - texture.baseLevel : 0;
-    if (!flat || ellipse || steps >= maxLevels)
-        return;
-    for (int step = 0; step <= steps; ++step) {
-        const Level* level = texture.level(texture.baseLevel + step);
-        if (!level || level->border != 0)
-            return;
-        planes_[static_cast<std::size_t>(step)] = {level->texels.data(), level->width, level->height,
-                                                   static_cast<float>(level->width),
-                                                   static_cast<float>(level->height)};
-    }
-    lastStep_ = static_cast<float>(steps);
-    const float bias = options.objectBias + options.unitBias + options.shaderBias;
-    bias_ = std::isnan(bias) ? 0.0F : std::clamp(bias, -options.maxBias, options.maxBias);
-    switchOver_ = switchOverOf(texture.magFilter, texture.minFilter);
-    maxProbes_ = anisotropic ? std::min(std::floor(texture.maxAnisotropy), 1024.0F) : 1.0F;
-    readsR_ = false;
-    readsDerivatives_ = anisotropic || wantsMipmaps(texture.minFilter) ||
-                        (texture.magFilter == MagFilter::Linear) != isLinear(texture.minFilter);
-    const bool oneAxis = texture.target == Target::Texture1D;
-    if (readsDerivatives_)
-        sample_ = oneAxis ? &quickly<1, false> : &quickly<2, false>;
-    else
-        sample_ = oneAxis ? &quickly<1, true> : &quickly<2, true>;
-}
-
-} // namespace texplorer::reference

@@ -1,9 +1,12 @@
-// The quick way to draw against the literal one: the same bytes, whatever the number of threads.
+// The kernels against the literal way to draw: the same bytes, whatever the number of threads.
 
 #include "core/reference/draw.h"
+#include "core/reference/kernel/kernel.h"
 #include "core/scene/param_text.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace texplorer::reference {
 namespace {
@@ -18,9 +21,12 @@ void expectTheSame(const Scene& scene, DrawOptions options = {}) {
     options.literal = true;
     const Image literal = drawn(scene, options);
     options.literal = false;
-    for (const unsigned threads : {1U, 2U, 3U, 7U}) {
-        options.threads = threads;
-        EXPECT_EQ(drawn(scene, options), literal) << threads << " threads";
+    for (const Kernel* kernel : kernels()) {
+        options.kernel = kernel;
+        for (const unsigned threads : {1U, 3U}) {
+            options.threads = threads;
+            EXPECT_EQ(drawn(scene, options), literal) << kernel->lanes << " lanes, " << threads << " threads";
+        }
     }
 }
 
@@ -53,9 +59,9 @@ struct Case {
     const char* name;
     void (*edit)(Scene& scene);
 };
-class FastDraw : public testing::TestWithParam<Case> {};
+class KernelTest : public testing::TestWithParam<Case> {};
 
-TEST_P(FastDraw, GivesTheBytesOfTheLiteralOne) {
+TEST_P(KernelTest, GivesTheBytesOfTheLiteralOne) {
     for (Scene scene : {defaultScene(), floorScene()}) {
         GetParam().edit(scene);
         expectTheSame(scene);
@@ -63,9 +69,9 @@ TEST_P(FastDraw, GivesTheBytesOfTheLiteralOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, FastDraw,
+    All, KernelTest,
     testing::Values(
-        Case{"AsItIs", [](Scene&) {}},
+        Case{"AsItIs", [](Scene&) {}}, Case{"Unlit", [](Scene& it) { it.passes[0].lighting = false; }},
         Case{"Untextured", [](Scene& it) { it.passes[0].units[0].enabled = false; }},
         Case{"Nearest",
              [](Scene& it) {
@@ -132,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"FarAway", [](Scene& it) { it.view.distance = 300; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST(FastDraw, GivesTheBytesOfTheLiteralOneInEveryEnvironment) {
+TEST(Kernel, GivesTheBytesOfTheLiteralOneInEveryEnvironment) {
     Scene scene = defaultScene();
     scene.textures[0].pattern = Pattern::Tree;
     scene.material.color = {0.9F, 0.7F, 0.5F, 0.8F};
@@ -148,7 +154,7 @@ TEST(FastDraw, GivesTheBytesOfTheLiteralOneInEveryEnvironment) {
     }
 }
 
-TEST(FastDraw, GivesTheBytesOfTheLiteralOneForEveryDepthFunction) {
+TEST(Kernel, GivesTheBytesOfTheLiteralOneForEveryDepthFunction) {
     Scene scene = defaultScene();
     scene.models[1].position = scene.models[0].position; // they cut each other
     scene.passes.resize(2, scene.passes[0]);
@@ -159,7 +165,7 @@ TEST(FastDraw, GivesTheBytesOfTheLiteralOneForEveryDepthFunction) {
     }
 }
 
-TEST(FastDraw, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
+TEST(Kernel, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
     for (Scene scene : {defaultScene(), floorScene()}) {
         scene.view.perspectiveHint = HintMode::Fastest;
         expectTheSame(scene);
@@ -167,6 +173,39 @@ TEST(FastDraw, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
         scene.textures[0].maxAnisotropy = 8;
         expectTheSame(scene, {.anisotropy = AnisotropyMethod::Ellipse});
     }
+}
+
+TEST(Kernel, DrawsTheSameWithAnyNumberOfThreads) {
+    const Image one = drawn(defaultScene(), {.threads = 1});
+    for (const unsigned threads : {2U, 5U, 16U})
+        EXPECT_EQ(drawn(defaultScene(), {.threads = threads}), one) << threads << " threads";
+}
+
+TEST(Kernel, OfEveryLengthIsThereWhereTheProcessorHasIt) {
+    ASSERT_FALSE(kernels().empty());
+    EXPECT_EQ(kernels().back(), fourLanes());
+    EXPECT_EQ(fourLanes()->lanes, 4);
+#if defined(__x86_64__)
+    EXPECT_EQ(eightLanes() != nullptr, __builtin_cpu_supports("avx2") != 0);
+    EXPECT_EQ(kernels().size(), eightLanes() ? 2 : 1);
+#endif
+}
+
+// More triangles than are set up at once: the depths of those before must be kept.
+TEST(Kernel, KeepsTheDepthsFromBatchToBatch) {
+    Scene scene = defaultScene();
+    for (Model& model : scene.models) {
+        model.shape = Shape::Sphere;
+        model.slices = 128;
+        model.stacks = 64;
+    }
+    scene.models[0].position = {0, 0, 0};
+    scene.models[1].position = {0.4F, 0.2F, 0.3F}; // they cut each other
+    scene.models.resize(2);
+    scene.passes[0].depthFunc = CompareFunc::Less;
+    const Image inOrder = drawn(scene, {});
+    std::swap(scene.models[0], scene.models[1]);
+    EXPECT_EQ(drawn(scene, {}), inOrder);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-// The fast sampler against the literal one: the same bits, everywhere.
+// Every kernel's sampler against the literal one: the same bits, everywhere.
 
-#include "core/reference/fast_sampler.h"
+#include "core/reference/kernel/kernel.h"
 #include "core/reference/lanes.h"
 #include "core/reference/sampler.h"
 #include "tests/core/reference/textures.h"
@@ -107,10 +107,11 @@ SampleRow randomRow(Numbers& numbers) {
     return row;
 }
 
-void expectTheSame(const SampledTexture& texture, const SampleOptions& options, const SampleRow& row) {
-    const FastSampler fast(texture, options);
+void expectTheSame(const Kernel& kernel, const SampledTexture& texture, const SampleOptions& options,
+                   const SampleRow& row) {
+    SCOPED_TRACE(kernel.lanes);
     std::array<glm::vec4, SampleRow::capacity> colors{};
-    fast(row, SampleRow::capacity, colors.data());
+    kernel.sample(FastSampler(texture, options), row, SampleRow::capacity, colors.data());
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const glm::vec3 at(row.s[i], row.t[i], row.r[i]);
         const Derivatives moving{{row.dsdx[i], row.dtdx[i], row.drdx[i]},
@@ -122,6 +123,11 @@ void expectTheSame(const SampledTexture& texture, const SampleOptions& options, 
             << " " << colors[i].g << " " << colors[i].b << " " << colors[i].a << ", not " << literal.r << " "
             << literal.g << " " << literal.b << " " << literal.a;
     }
+}
+
+void expectTheSame(const SampledTexture& texture, const SampleOptions& options, const SampleRow& row) {
+    for (const Kernel* kernel : kernels())
+        expectTheSame(*kernel, texture, options, row);
 }
 
 struct Shape {
@@ -241,20 +247,25 @@ TEST(FastSampler, LeavesCubeMapsAndBordersToTheLiteralOne) {
     }
 }
 
-TEST(FastSampler, WritesNoMoreThanTheLastFour) {
+TEST(FastSampler, WritesNoMoreThanTheLastVector) {
     SampledTexture made = texture(Target::Texture2D, {8, 8, 1});
     made.minFilter = MinFilter::Linear;
     const SampleRow row{};
     const FastSampler sampler(made, {});
-    EXPECT_FALSE(sampler.readsDerivatives());
-    EXPECT_FALSE(sampler.readsR());
-    for (int count = 1; count <= SampleRow::capacity; ++count) {
-        std::array<glm::vec4, SampleRow::capacity + 4> colors{};
-        colors.fill(glm::vec4(-1));
-        sampler(row, count, colors.data());
-        for (int i = 0; i < SampleRow::capacity + 4; ++i) {
-            const bool written = i < (count + 3) / 4 * 4;
-            EXPECT_EQ(colors[static_cast<std::size_t>(i)].a >= 0, written) << i << " of " << count;
+    EXPECT_FALSE(sampler.readsDerivatives);
+    EXPECT_FALSE(sampler.readsR);
+    constexpr int room = SampleRow::capacity + 8;
+    for (const Kernel* kernel : kernels()) {
+        for (int count = 1; count <= SampleRow::capacity; ++count) {
+            std::array<glm::vec4, room> colors{};
+            colors.fill(glm::vec4(-1));
+            kernel->sample(sampler, row, count, colors.data());
+            const int lanes = kernel->lanes;
+            for (int i = 0; i < room; ++i) {
+                const bool written = i < (count + lanes - 1) / lanes * lanes;
+                EXPECT_EQ(colors[static_cast<std::size_t>(i)].a >= 0, written)
+                    << i << " of " << count << ", " << lanes << " lanes";
+            }
         }
     }
 }
