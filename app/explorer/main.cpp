@@ -43,14 +43,16 @@ int main(int argc, char** argv) {
                  "texplorer");
     app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
     std::vector<std::string> files;
-    app.add_option(
-        "FILE", files,
-        "Scene files (JSON) and images. Images become textures of the scene, the first one is shown.");
+    app.add_option("FILE", files,
+                   "Scene files (JSON) and images. Images become textures of the scene, the first one is "
+                   "shown.")
+        ->type_name("");
     std::string shaders;
     app.add_option(
            "--shaders", shaders,
            "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
            "at once. Without it: those that the program was built with.")
+        ->type_name("DIR")
         ->envname("TEXPLORER_SHADERS");
     try {
         app.parse(argc, argv);

@@ -1,6 +1,7 @@
 // texshot: the same scenes and the same panels as texplorer, without a display.
 
 #include "app/screenshot/command.h"
+#include "app/screenshot/help_format.h"
 #include "core/base/file_io.h"
 
 #include <cerrno>
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
     using namespace texplorer::screenshot;
 
     CLI::App app("Texplorer without a display: draw scenes, look into texture files.", "texshot");
+    app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"

@@ -17,14 +17,18 @@ std::string asArgument(render::Size size) {
 } // namespace
 
 void addPictureArgument(CLI::App& command, PictureArgument& argument) {
-    command.add_option("--size", argument.size, "Pixels, WIDTHxHEIGHT.")->capture_default_str();
-    command.add_option("--time", argument.time, "Seconds on the scene's clock, for what moves.")
+    command.add_option("--size", argument.size, "Of the picture, in pixels.")
+        ->type_name("WIDTHxHEIGHT")
+        ->capture_default_str();
+    command.add_option("--time", argument.time, "On the scene's clock, for what moves.")
+        ->type_name("SECONDS")
         ->capture_default_str();
     command
         .add_option("--anisotropy", argument.anisotropy,
                     "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
                     "leaves open." +
                         explainChoices<reference::AnisotropyMethod>())
+        ->type_name("METHOD")
         ->capture_default_str();
 }
 

@@ -138,15 +138,22 @@ void addProbe(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     addSceneArgument(*command, options->scene);
     addPictureArgument(*command, options->picture);
-    command->add_option("--at", options->at,
-                        "The pixel, X,Y, counted from 0,0 at the top left, as in the PNG that \"texshot "
-                        "shot\" writes.");
-    command->add_option("--texel", options->texel,
-                        "The other way round: UNIT,LEVEL,I,J names a texel, I and J counted from s = 0 and "
-                        "t = 0 (UNIT,LEVEL,I,J,K in a volume; K is the face of a cube map, 0 to 5); lists "
-                        "the pixels that it has a share in, with "
-                        "its weight in each. -1 and the level's extent stand for the border.");
+    command
+        ->add_option(
+            "--at", options->at,
+            "The pixel, counted from 0,0 at the top left, as in the PNG that \"texshot shot\" writes. "
+            "Either this or --texel is needed, not both.")
+        ->type_name("X,Y");
+    command
+        ->add_option(
+            "--texel", options->texel,
+            "The other way round: names a texel, I and J counted from s = 0 and t = 0 "
+            "(UNIT,LEVEL,I,J,K in a volume; K is the face of a cube map, 0 to 5), and lists the pixels "
+            "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
+            "border.")
+        ->type_name("UNIT,LEVEL,I,J");
     command->add_option("--pass", options->pass, "With --texel: the pass that the unit belongs to.")
+        ->type_name("NUMBER")
         ->capture_default_str();
     command->add_flag("--json", options->json, "For programs: everything, as JSON.");
     command->add_flag("--no-gl", options->withoutGl,

@@ -23,8 +23,9 @@ void addSceneArgument(CLI::App& command, SceneArgument& argument) {
         "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
     command
         .add_option("--set", argument.assignments,
-                    "Change one parameter, PATH=VALUE: textures[0].minFilter=GL_NEAREST. May be given again; "
+                    "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
                     "\"texshot params\" lists every path.")
+        ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
 }
 

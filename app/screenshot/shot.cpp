@@ -203,33 +203,41 @@ void addShot(CLI::App& app, Action& action) {
     command
         ->add_option("--tab", options->tab,
                      "With --ui: the tab at the lower right, one of " + namesOf(ui::tabRows) + ".")
+        ->type_name("TAB")
         ->needs(window);
     command
         ->add_option("--section", options->section,
                      "With --ui: the part of the parameters that is opened, at their top, one of " +
                          namesOf(ui::sectionRows) + ".")
+        ->type_name("SECTION")
         ->needs(window);
     command
         ->add_option(
             "--probe", options->probe,
-            "With --ui: the pixel of the picture that is explained, X,Y from the picture's top left.")
+            "With --ui: the pixel of the picture that is explained, counted from the picture's top left.")
+        ->type_name("X,Y")
         ->needs(window);
     command
         ->add_option("--renderer", options->renderer,
                      "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
+        ->type_name("RENDERER")
         ->capture_default_str();
     command
         ->add_option(
             "--compare", options->compared,
             "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
             "difference of the first two.")
+        ->type_name("A,B")
         ->needs(window);
     command
         ->add_option("--shaders", options->shaders,
                      "The folder of the shader renderer's files, a copy of shaders/. Without it: those that "
                      "the program was built with.")
+        ->type_name("DIR")
         ->envname("TEXPLORER_SHADERS");
-    command->add_option("-o,--out", options->out, "The PNG to write; - for standard output.")->required();
+    command->add_option("-o,--out", options->out, "The PNG to write; - for standard output.")
+        ->type_name("FILE")
+        ->required();
     command->callback([&action, options] { action = [options] { return shoot(*options); }; });
 }
 

@@ -835,6 +835,13 @@ class Params(Texshot):
     def test_help_and_version(self):
         self.assertIn(b"shot", self.succeeds("--help"))
         self.assertIn(b"--set", self.succeeds("shot", "--help"))
+        for command in ("shot", "probe"):
+            text = self.succeeds(command, "--help").decode()
+            self.assertRegex(text, r"--size WIDTHxHEIGHT +Of the picture, in pixels. Default: 1280x800.\n")
+            self.assertNotRegex(text, r"TEXT|INT|Needs:|Env:")
+            options = text[text.index("Options:"):text.index("Exit status")]
+            self.assertLessEqual(max(map(len, options.splitlines())), 80)
+        self.assertRegex(self.succeeds("decode", "--help").decode(), r"From 0 to\s+30\.")
         self.assertRegex(self.succeeds("--version").decode(), r"^texshot \d+\.\d+\.\d+\n$")
 
 

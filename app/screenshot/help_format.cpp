@@ -1,0 +1,74 @@
+#include "app/screenshot/help_format.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr std::size_t textColumn = 26;
+constexpr std::size_t lineLength = 80;
+
+/// The name at the left, the words beside it or, where it is long, below it.
+std::string entry(const std::string& name, std::string_view words) {
+    std::string text = "  " + name;
+    std::size_t column = text.size();
+    if (column >= textColumn) {
+        text += '\n';
+        column = 0;
+    }
+    while (!words.empty()) {
+        text.append(textColumn - column, ' ');
+        constexpr std::size_t room = lineLength - textColumn;
+        std::size_t end = words.size();
+        if (end > room) {
+            end = words.rfind(' ', room);
+            if (end == std::string_view::npos)
+                end = std::min(words.find(' '), words.size());
+        }
+        text.append(words.substr(0, end));
+        text += '\n';
+        words.remove_prefix(std::min(end + 1, words.size()));
+        column = 0;
+    }
+    if (text.back() != '\n')
+        text += '\n';
+    return text;
+}
+
+/// Of "INT in [0 - 30]", as a validator of CLI11 describes itself: "0 to 30".
+std::string rangeIn(std::string_view described) {
+    const std::size_t begin = described.find('[');
+    const std::size_t middle = described.find(" - ");
+    const std::size_t end = described.find(']');
+    if (begin == std::string_view::npos || middle == std::string_view::npos || end == std::string_view::npos)
+        return {};
+    return std::string(described.substr(begin + 1, middle - begin - 1)) + " to " +
+           std::string(described.substr(middle + 3, end - middle - 3));
+}
+
+} // namespace
+
+std::string HelpFormatter::make_option(const CLI::Option* option, bool positional) const {
+    std::string name = make_option_name(option, positional);
+    std::string words = option->get_description();
+    const std::string type = option->get_type_name();
+    const std::size_t colon = std::min(type.find(':'), type.size());
+    if (option->get_type_size() != 0 && !positional)
+        name += " " + type.substr(0, colon);
+    if (const std::string range = rangeIn(std::string_view(type).substr(colon)); !range.empty())
+        words += " From " + range + ".";
+    if (!option->get_default_str().empty())
+        words += " Default: " + option->get_default_str() + ".";
+    if (option->get_required() && !positional)
+        words += " Required.";
+    if (!option->get_envname().empty())
+        words += " The environment variable " + option->get_envname() + " does the same.";
+    return entry(name, words);
+}
+
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+    return entry(command->get_name(), command->get_description());
+}
+
+} // namespace texplorer::screenshot
