@@ -1,3 +1,4 @@
+#include "app/ui/fitted_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/probed_pixel.h"
@@ -40,6 +41,22 @@ void text(const std::string& words, ImU32 tint = color::text) {
     ImGui::PushStyleColor(ImGuiCol_Text, tint);
     ImGui::TextUnformatted(words.c_str());
     ImGui::PopStyleColor();
+}
+
+/// Text beside what stands in the line already: what has no room goes on below its beginning, or, where that
+/// would be narrow, on lines of its own.
+void hangingText(const std::string& words, ImU32 tint) {
+    const float em = ImGui::GetFontSize();
+    const float right = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX();
+    const float room = right - ImGui::GetCursorPosX();
+    const float width = ImGui::CalcTextSize(words.c_str()).x;
+    if (room < width && room < 14 * em) {
+        ImGui::NewLine();
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
+    }
+    ImGui::PushTextWrapPos(right);
+    text(words, tint);
+    ImGui::PopTextWrapPos();
 }
 
 /// A square of the colour, as opaque as a pixel is.
@@ -115,7 +132,8 @@ void drawStep(Session& session, const Step& step, bool first, bool severalUnits)
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     }
     const bool idle = step.kind == reference::StepKind::IdleUnit;
-    text(step.summary, idle ? color::problem : color::dim);
+    hangingText(step.summary, idle ? color::problem : color::dim);
+    noteItem(session, "explain:summary of " + title);
     if (open) {
         drawRows(step.rows);
         noteItem(session, "explain:rows of " + title);
@@ -130,7 +148,11 @@ void drawFragment(Session& session, const reference::FragmentSteps& fragment,
     ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
     const std::string title = fragment.title + (fragment.drawn ? "" : ": " + fragment.outcome);
     ImGui::PushStyleColor(ImGuiCol_Text, fragment.drawn ? color::text : color::dim);
-    const bool open = ImGui::CollapsingHeader((title + "###fragment").c_str());
+    const float room = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX() - ImGui::GetCursorPosX() -
+                       ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.5F;
+    const bool open = ImGui::CollapsingHeader((fitted(title, room) + "###fragment").c_str());
+    if (fitted(title, room) != title)
+        helpTip(title);
     ImGui::PopStyleColor();
     noteItem(session, "explain:fragment " + std::to_string(index));
     for (const Step& step : fragment.steps) {

@@ -106,17 +106,45 @@ bool isBlamed(const PassShader& shader, ShaderStage stage, int line) {
     });
 }
 
-void drawLine(const std::vector<GlslToken>& tokens, int number, const std::string& digits, float gutter) {
+/// What one sees as a line: a line of the source, or a part of one that is too long.
+struct Row {
+    std::size_t line;
+    std::string_view part;
+    std::size_t indent; ///< in columns; of a line's first part 0
+    [[nodiscard]] bool begins(std::string_view whole) const { return part.data() == whole.data(); }
+};
+
+std::vector<Row> wrapped(const std::vector<std::string_view>& lines, std::size_t columns) {
+    std::vector<Row> rows;
+    rows.reserve(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::size_t indent = hangingIndent(lines[i], columns);
+        for (const std::string_view part : wrapLine(lines[i], columns, indent))
+            rows.push_back({i, part, part.data() == lines[i].data() ? 0 : indent});
+    }
+    return rows;
+}
+
+void drawNumber(std::size_t number, const std::string& digits) {
     const std::string shown = std::to_string(number);
-    const float left = ImGui::GetCursorPosX();
-    ImGui::SetCursorPosX(left + ImGui::CalcTextSize(digits.c_str()).x - ImGui::CalcTextSize(shown.c_str()).x);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::CalcTextSize(digits.c_str()).x -
+                         ImGui::CalcTextSize(shown.c_str()).x);
     ImGui::PushStyleColor(ImGuiCol_Text, color::faint);
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
-    ImGui::SameLine(left + gutter);
+    ImGui::SameLine(0, 0);
+}
+
+/// What of a line's stretches lies in a part of it.
+void drawPart(const std::vector<GlslToken>& tokens, std::string_view part, float left) {
+    ImGui::SetCursorPosX(left);
     for (const GlslToken& token : tokens) {
+        const char* begin = std::max(token.text.data(), part.data());
+        const char* end = std::min(token.text.data() + token.text.size(), part.data() + part.size());
+        if (begin >= end)
+            continue;
         ImGui::PushStyleColor(ImGuiCol_Text, tintOf(token.kind));
-        ImGui::TextUnformatted(token.text.data(), token.text.data() + token.text.size());
+        ImGui::TextUnformatted(begin, end);
         ImGui::PopStyleColor();
         ImGui::SameLine(0, 0);
     }
@@ -128,31 +156,41 @@ void drawSource(Session& session, const PassShader& shader) {
     const render::StageSource& source = sourceOf(shader, view.stage);
     const std::vector<std::string_view> lines = linesOf(source.text);
     const GlslNames uniforms = uniformsOf(source.text);
-    ImGui::BeginChild("source", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::BeginChild("source", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.12F});
+    const float letter = ImGui::CalcTextSize("M").x;
     const std::string digits = std::to_string(lines.size());
-    const float gutter = ImGui::CalcTextSize((digits + "  ").c_str()).x;
+    const float gutter = letter * static_cast<float>(digits.size() + 2);
+    const auto columns =
+        static_cast<std::size_t>(std::max(16.0F, (ImGui::GetContentRegionAvail().x - gutter) / letter));
+    const std::vector<Row> rows = wrapped(lines, columns);
     const float height = ImGui::GetTextLineHeightWithSpacing();
-    if (view.wantedLine > 0)
-        ImGui::SetScrollY(static_cast<float>(view.wantedLine) * height - ImGui::GetWindowHeight() / 2);
+    if (view.wantedLine > 0) {
+        const auto wanted = std::ranges::find(rows, static_cast<std::size_t>(view.wantedLine), &Row::line);
+        ImGui::SetScrollY(static_cast<float>(wanted - rows.begin()) * height - ImGui::GetWindowHeight() / 2);
+    }
     view.wantedLine = 0;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(lines.size()), height);
+    clipper.Begin(static_cast<int>(rows.size()), height);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const auto at = static_cast<std::size_t>(i);
+            const Row& row = rows[static_cast<std::size_t>(i)];
+            const std::string_view line = lines[row.line];
             const ImVec2 low = ImGui::GetCursorScreenPos();
-            if (isBlamed(shader, view.stage, i + 1))
+            if (isBlamed(shader, view.stage, static_cast<int>(row.line) + 1))
                 ImGui::GetWindowDrawList()->AddRectFilled(
-                    low, {low.x + ImGui::GetWindowWidth() + ImGui::GetScrollX(), low.y + height},
-                    color::blamed);
+                    low, {low.x + ImGui::GetWindowWidth(), low.y + height}, color::blamed);
             ImGui::BeginGroup();
-            drawLine(glslTokens(lines[at], uniforms), i + 1, digits, gutter);
+            const float left = ImGui::GetCursorPosX() + gutter + letter * static_cast<float>(row.indent);
+            if (row.begins(line))
+                drawNumber(row.line + 1, digits);
+            drawPart(glslTokens(line, uniforms), row.part, left);
             ImGui::EndGroup();
-            noteItem(session, "glsl:" + std::to_string(i + 1));
-            if (at < source.lines.size())
-                helpTip(source.lines[at].file + ":" + std::to_string(source.lines[at].line));
+            if (row.begins(line))
+                noteItem(session, "glsl:" + std::to_string(row.line + 1));
+            if (row.line < source.lines.size())
+                helpTip(source.lines[row.line].file + ":" + std::to_string(source.lines[row.line].line));
         }
     }
     ImGui::PopStyleVar();

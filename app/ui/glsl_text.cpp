@@ -47,6 +47,35 @@ std::vector<std::string_view> linesOf(std::string_view text) {
     return lines;
 }
 
+std::vector<std::string_view> wrapLine(std::string_view line, std::size_t columns, std::size_t indent) {
+    std::vector<std::string_view> parts;
+    std::size_t room = std::max<std::size_t>(columns, 1);
+    const std::size_t later = room - std::min(indent, room - 1);
+    const std::size_t begin =
+        std::min(line.find_first_not_of(' '), line.size()); // no break in the indentation
+    while (line.size() > room) {
+        std::size_t end = room;
+        while (end > 0 && std::string_view(" (").find(line[end - 1]) == std::string_view::npos)
+            --end;
+        if (end <= (parts.empty() ? begin : 0)) { // a word without end
+            end = room;
+            while (end > 1 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U)
+                --end; // within a character of UTF-8
+        }
+        parts.push_back(line.substr(0, end));
+        line.remove_prefix(end);
+        room = later;
+    }
+    if (!line.empty() || parts.empty())
+        parts.push_back(line);
+    return parts;
+}
+
+std::size_t hangingIndent(std::string_view line, std::size_t columns) {
+    constexpr std::size_t step = 4;
+    return std::min(std::min(line.find_first_not_of(' '), line.size()) + step, columns / 2);
+}
+
 std::vector<GlslToken> glslTokens(std::string_view line, const GlslNames& uniforms) {
     using Kind = GlslToken::Kind;
     std::vector<GlslToken> tokens;

@@ -25,6 +25,15 @@ using GlslNames = std::set<std::string, std::less<>>;
 /// others.
 [[nodiscard]] std::vector<GlslToken> glslTokens(std::string_view line, const GlslNames& uniforms);
 
+/// A line in parts of at most `columns` bytes, which together are the line: after a blank, a comma or an
+/// opening bracket. Parts after the first have `indent` columns less. A word that is longer is cut.
+[[nodiscard]] std::vector<std::string_view> wrapLine(std::string_view line, std::size_t columns,
+                                                     std::size_t indent);
+
+/// How far the parts of a line after the first are to be indented: a step more than the line, at most half of
+/// the columns.
+[[nodiscard]] std::size_t hangingIndent(std::string_view line, std::size_t columns);
+
 /// Without the line ends.
 [[nodiscard]] std::vector<std::string_view> linesOf(std::string_view text);
 

@@ -94,6 +94,23 @@ TEST_F(ExplainTab, StepsUnfold) {
     EXPECT_TRUE(has("explain:rows of Primary colour"));
 }
 
+// A summary that is longer than the column goes on below.
+TEST_F(ExplainTab, NothingIsCutInANarrowColumn) {
+    start(defaultScene(), 900, 600);
+    open();
+    clickAt({static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.2F,
+             static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F});
+    ASSERT_TRUE(has("explain:summary of Level of detail"));
+    int summaries = 0;
+    for (const auto& [name, item] : session->probe->items) {
+        if (!name.starts_with("explain:summary of"))
+            continue;
+        ++summaries;
+        EXPECT_LE(item.right, static_cast<float>(layout.details.right())) << name;
+    }
+    EXPECT_GT(summaries, 4);
+}
+
 TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
     open();
     clickAt(onTheCube());

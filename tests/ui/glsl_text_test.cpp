@@ -22,6 +22,19 @@ TEST(GlslText, LinesAreWithoutTheirEnds) {
     EXPECT_THAT(linesOf(""), ElementsAre());
 }
 
+TEST(GlslText, ALongLineIsWrapped) {
+    EXPECT_THAT(wrapLine("", 20, 4), ElementsAre(""));
+    EXPECT_THAT(wrapLine("vec4 a = b(c, d);", 20, 4), ElementsAre("vec4 a = b(c, d);"));
+    EXPECT_THAT(wrapLine("vec4 a = b(ccc, ddd, eee);", 20, 4), ElementsAre("vec4 a = b(ccc, ", "ddd, eee);"));
+    EXPECT_THAT(wrapLine("vec4 a = mixed(texture);", 20, 8), ElementsAre("vec4 a = mixed(", "texture);"));
+    EXPECT_THAT(wrapLine("        abcdefgh", 12, 4), ElementsAre("        abcd", "efgh"))
+        << "not before a word";
+    EXPECT_THAT(wrapLine("abcdef", 1, 9), ElementsAre("a", "b", "c", "d", "e", "f"));
+    EXPECT_THAT(wrapLine("abc\xC3\xA9z", 4, 0), ElementsAre("abc", "\xC3\xA9z")) << "not within a character";
+    EXPECT_EQ(hangingIndent("    x", 60), 8U);
+    EXPECT_EQ(hangingIndent("                    x", 16), 8U);
+}
+
 TEST(GlslText, UniformsAreFoundByTheirDeclarations) {
     EXPECT_THAT(uniformsOf("uniform vec4 plane0s;\n"
                            "uniform float lodBias0; // GL_TEXTURE_LOD_BIAS\n"
