@@ -1,6 +1,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 
+#include <string>
 #include <utility>
 
 namespace texplorer::ui {
@@ -34,14 +35,23 @@ void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& 
                             {ImGui::GetFontSize() * 0.2F, ImGui::GetStyle().FramePadding.y});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {1, ImGui::GetStyle().ItemInnerSpacing.y});
     };
+    const float available = ImGui::GetContentRegionAvail().x;
+    const auto haveRoom = [&] {
+        float width = 0;
+        for (const TabRow& row : tabRows)
+            width += ImGui::CalcTextSize(row.label).x + ImGui::GetFontSize() * 0.4F + 2;
+        return width <= available;
+    };
     pushTabStyle();
     const bool hasTabs = ImGui::BeginTabBar("tabs");
     ImGui::PopStyleVar(2);
     if (hasTabs) {
         const std::optional<Tab> wanted = std::exchange(session.wantedTab, std::nullopt);
+        const bool brief = !haveRoom();
         for (const TabRow& row : tabRows) {
             pushTabStyle();
-            const bool open = ImGui::BeginTabItem(row.label, nullptr,
+            const std::string label = std::string(brief ? row.brief : row.label) + "###" + row.label;
+            const bool open = ImGui::BeginTabItem(label.c_str(), nullptr,
                                                   wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
             ImGui::PopStyleVar(2);
             noteItem(session, std::string("tab:") + row.label);

@@ -11,19 +11,37 @@ constexpr float barHeight = 28;
 constexpr float toolRowHeight = 36;
 constexpr float hintHeight = 26;
 constexpr float stripHeight = 32;      // of one line
+constexpr float stripLine = 25;        // of each line more
 constexpr float widestNarrow = 575;    // a view up to here has its strip in two lines
 constexpr float widestNarrowest = 320; // and up to here in three
 constexpr float paneGap = 2;
 constexpr float seamWidth = 5;
 constexpr float narrowestColumn = 150;
-constexpr float narrowestView = 160;
+constexpr float narrowestView = 200;
+constexpr float comfortableView = 420; // what the columns leave it while they have more than their least
+constexpr float leastParameters = 272; // labels beside their controls
+constexpr float leastDetails = 326;    // all tabs side by side
 
 int pixels(float unscaled, float scale) {
     return static_cast<int>(std::lround(unscaled * scale));
 }
 
-float columnWidth(float wanted, float share, float least, float most, float windowWidth) {
-    return wanted > 0 ? wanted : std::clamp(share * windowWidth, least, most);
+/// The widths of the side columns, unscaled: as the user dragged them, else by their shares of the window. In
+/// a small one they give way to the view, down to what they need.
+struct Sides {
+    float parameters;
+    float details;
+};
+Sides sidesFor(float windowWidth, const Columns& columns) {
+    Sides sides{std::clamp(0.24F * windowWidth, 316.0F, 420.0F),
+                std::clamp(0.29F * windowWidth, 360.0F, 760.0F)};
+    const float view = std::min(comfortableView, windowWidth * 0.45F);
+    const float available = windowWidth - 2 * seamWidth - view;
+    const float share = std::min(1.0F, available / (sides.parameters + sides.details));
+    sides = {std::max(leastParameters, sides.parameters * share),
+             std::max(leastDetails, sides.details * share)};
+    return {columns.parameters > 0 ? columns.parameters : sides.parameters,
+            columns.details > 0 ? columns.details : sides.details};
 }
 
 int stripLines(int viewWidth, float scale) {
@@ -41,7 +59,8 @@ void layOutView(Layout& layout, PaneGrid grid) {
     const int toolRow = atMost(toolRowHeight, 4);
     const int hint = atMost(hintHeight, 4);
     const int strip =
-        grid.compares ? atMost(stripHeight * static_cast<float>(stripLines(view.width, s)), 4) : 0;
+        grid.compares ? atMost(stripHeight + stripLine * static_cast<float>(stripLines(view.width, s) - 1), 4)
+                      : 0;
     layout.canvas = {view.x, view.y + toolRow, view.width, std::max(1, view.height - toolRow - hint - strip)};
     layout.strip = {view.x, layout.canvas.bottom(), view.width, strip};
     const int gap = pixels(paneGap, s);
@@ -72,8 +91,9 @@ Layout layoutFor(int width, int height, float scale, const Columns& columns, Pan
     const int seam = std::min(pixels(seamWidth, s), width / 32);
     const int view = std::min(pixels(narrowestView, s), width / 3);
     const int least = std::min(pixels(narrowestColumn, s), width / 4);
-    int left = pixels(columnWidth(columns.parameters, 0.24F, 316, 420, unscaledWidth), s);
-    int right = pixels(columnWidth(columns.details, 0.29F, 360, 760, unscaledWidth), s);
+    const Sides sides = sidesFor(unscaledWidth, columns);
+    int left = pixels(sides.parameters, s);
+    int right = pixels(sides.details, s);
     // Both side columns give way, in proportion, until the view has its least width.
     const int available = width - 2 * seam - view;
     if (left + right > available) {

@@ -24,6 +24,12 @@ std::string labelOf(RendererKind renderer) {
     return std::string(rowOf(renderer).label);
 }
 
+/// The label, or where that has no room its first word.
+std::string labelWithin(RendererKind renderer, float width) {
+    const std::string label = labelOf(renderer);
+    return ImGui::CalcTextSize(label.c_str()).x <= width ? label : label.substr(0, label.find(' '));
+}
+
 /// Text on a dark ground, so that it can be read on any picture.
 void drawChip(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 tint) {
     const float pad = ImGui::GetFontSize() * 0.3F;
@@ -45,7 +51,8 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
     ImGui::SetNextItemWidth(std::min(comboWidth(compared), width));
-    const bool open = ImGui::BeginCombo(id.c_str(), labelOf(compared).c_str());
+    const float arrow = comboWidth(compared) - ImGui::CalcTextSize(labelOf(compared).c_str()).x;
+    const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, width - arrow).c_str());
     ImGui::PopStyleColor();
     const std::string name = "compared:" + std::to_string(which);
     noteItem(session, name);
@@ -123,7 +130,8 @@ void paneLabels(Session& session, const Panes& panes) {
         if (pane.renderer)
             drawChip(*ImGui::GetWindowDrawList(),
                      {static_cast<float>(pane.frame.x) + 2 * gap, static_cast<float>(pane.frame.y) + gap},
-                     labelOf(*pane.renderer), color::text);
+                     labelWithin(*pane.renderer, static_cast<float>(pane.frame.width) - 4 * gap),
+                     color::text);
         else
             lists(pane.frame, false);
     }
@@ -198,13 +206,15 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {
                            {low.x + width * static_cast<float>(i + 1) / columns, low.y + bar},
                            IM_COL32(r, g, b, a));
     }
-    float free = low.x - em; // numbers don't overlap
+    float free = low.x - em; // numbers don't overlap, and the last one is there in any case
+    const float last = low.x + width - ImGui::CalcTextSize(std::to_string(marks.back()).c_str()).x;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const std::string text = std::to_string(marks[i]);
         const float x = low.x + width * static_cast<float>(i) / steps;
         const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
         const float at = std::clamp(x - half, low.x, low.x + width - 2 * half);
-        if (at < free)
+        const bool covers = i + 1 < marks.size() && at + 2 * half + em * 0.3F > last;
+        if (at < free || covers)
             continue;
         draw.AddText({at, low.y + bar + em * 0.15F}, marks[i] == scale.tolerance ? color::text : color::dim,
                      text.c_str());

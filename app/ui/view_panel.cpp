@@ -22,22 +22,57 @@ float aspectOf(const Layout& layout) {
     return static_cast<float>(layout.picture.width) / static_cast<float>(std::max(1, layout.picture.height));
 }
 
+constexpr const char* frameLabel = "Frame";
+constexpr const char* frameHelp = "Aims the camera so that every model is whole (F, or a double click)";
+constexpr const char* moreLabel = "…";
+
+float buttonWidth(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// The choices of the tool row from this one on, and Frame.
+void moreMenu(Session& session, const Layout& layout, std::size_t first) {
+    if (!ImGui::BeginPopup("more"))
+        return;
+    const auto shown = shownNow(session.scene);
+    for (std::size_t i = first; i < showRows.size(); ++i) {
+        const ShowRow& row = showRows[i];
+        const bool chosen = shown == row.show;
+        if (ImGui::MenuItem(row.label, nullptr, chosen) && !chosen)
+            show(session, row, layout);
+        noteItem(session, std::string("show:") + row.label);
+    }
+    ImGui::Separator();
+    if (ImGui::MenuItem(frameLabel, "F"))
+        frameAll(session, layout);
+    noteItem(session, "frame");
+    helpTip(frameHelp);
+    ImGui::EndPopup();
+}
+
+/// What the view shows. Choices that have no room are in a menu at the end.
 void toolRow(Session& session, const Layout& layout) {
     ImGui::SetCursorPos(
         {ImGui::GetStyle().WindowPadding.x,
          (static_cast<float>(layout.picture.y - layout.view.y) - ImGui::GetFrameHeight()) / 2});
-    const auto shown = shownNow(session.scene);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
-    const auto room = [](const char* label) {
-        return ImGui::GetContentRegionAvail().x >=
-               ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-    };
-    for (std::size_t i = 0; i < showRows.size(); ++i) {
+    const float left = ImGui::GetCursorPosX();
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    float all = buttonWidth(frameLabel);
+    for (const ShowRow& row : showRows)
+        all += buttonWidth(row.label) + gap;
+    const bool fits = left + all <= right;
+    const float end = fits ? right : right - buttonWidth(moreLabel) - gap;
+    std::size_t count = 0; // of the choices that have room
+    for (float x = left; count < showRows.size(); ++count) {
+        x += buttonWidth(showRows[count].label);
+        if (x > end)
+            break;
+        x += gap;
+    }
+    const auto shown = shownNow(session.scene);
+    for (std::size_t i = 0; i < count; ++i) {
         const ShowRow& row = showRows[i];
-        if (i > 0)
-            ImGui::SameLine(0, gap);
-        if (!room(row.label))
-            return; // the View menu has them all
         const bool chosen = shown == row.show;
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
@@ -45,17 +80,18 @@ void toolRow(Session& session, const Layout& layout) {
             show(session, row, layout);
         ImGui::PopStyleColor();
         noteItem(session, std::string("show:") + row.label);
+        ImGui::SameLine(0, gap);
     }
-    const char* frame = "Frame";
-    const float width = ImGui::CalcTextSize(frame).x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(0, gap);
-    if (!room(frame))
-        return;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-    if (ImGui::Button(frame))
+    const char* last = fits ? frameLabel : moreLabel;
+    ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last)));
+    const bool pressed = ImGui::Button(last);
+    noteItem(session, fits ? "frame" : "more choices");
+    helpTip(fits ? frameHelp : "What has no room here");
+    if (pressed && fits)
         frameAll(session, layout);
-    noteItem(session, "frame");
-    helpTip("Aims the camera so that every model is whole (F, or a double click)");
+    else if (pressed)
+        ImGui::OpenPopup("more");
+    moreMenu(session, layout, count);
 }
 
 /// With Ctrl the mouse moves and enlarges the pictures, as if with a magnifying glass; else the camera.
@@ -148,10 +184,10 @@ void pick(Session& session, const Layout& layout, const Panes& panes, render::Si
     }
 }
 
-/// What the mouse does, the most useful first: as much of it as fits.
-constexpr std::array hints{"Drag: orbit",
+/// What the mouse does, first what one would not find alone: as much of it as fits.
+constexpr std::array hints{"Hold E: explain",
+                           "Drag: orbit",
                            "Wheel: zoom",
-                           "Hold E: explain",
                            "Right drag: pan",
                            "M: magnifier",
                            "Click: pick a vertex",

@@ -97,6 +97,15 @@ TEST(Layout, TheViewGetsMostOfALargerWindow) {
     EXPECT_GT(large.view.width - small.view.width, (2560 - 1280) / 2);
 }
 
+TEST(Layout, TheViewIsNotTheSmallestPartOfASmallWindow) {
+    const Layout layout = layoutFor(900, 600, 1);
+    EXPECT_GT(layout.view.width, layout.parameters.width);
+    EXPECT_GE(layout.view.width, 280);
+    EXPECT_GE(layoutFor(1024, 768, 1).view.width, 400);
+    EXPECT_EQ(layoutFor(900, 600, 1, {316, 360, 0}).view.width, 900 - 316 - 360 - 10)
+        << "as the user wants it";
+}
+
 TEST(Layout, ImpossibleSizesDoNotCrash) {
     for (const int extent : {-5, 0, 1, 2, 7})
         (void)layoutFor(extent, extent, 1);

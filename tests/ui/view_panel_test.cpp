@@ -1,5 +1,6 @@
 #include "app/ui/keys.h"
 #include "app/ui/panes.h"
+#include "app/ui/show.h"
 #include "core/scene/picking.h"
 #include "tests/ui/workbench.h"
 
@@ -114,6 +115,19 @@ TEST_F(ViewPanel, KeysFrameAndResetTheCamera) {
     wheel(corner(), -10);
     key('F');
     EXPECT_NEAR(scene().view.distance, start.distance, start.distance * 0.05F);
+}
+
+TEST_F(ViewPanel, ChoicesWithoutRoomAreInAMenu) {
+    start(defaultScene(), 900, 600);
+    EXPECT_FALSE(has("show:Floor"));
+    click("more choices");
+    click("show:Floor");
+    EXPECT_EQ(shownNow(scene()), Show::Floor);
+    click("more choices");
+    EXPECT_TRUE(has("frame"));
+    start(defaultScene());
+    EXPECT_TRUE(has("show:Floor"));
+    EXPECT_FALSE(has("more choices"));
 }
 
 TEST_F(ViewPanel, TheButtonsShowOneShapeAndSelectIt) {
