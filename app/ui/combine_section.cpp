@@ -27,9 +27,15 @@ const ParamRow& rowNamed(std::string_view key) {
     return *findParam(combineTable(), key); // the test draws every row
 }
 
-std::string labelOf(const Combine& combine, const std::string& key) {
+bool isPrevious(const EnumRow& choice) {
+    return choice.value == static_cast<std::uint32_t>(CombineSource::Previous);
+}
+
+std::string labelOf(const Combine& combine, const std::string& key, bool isFirstUnit) {
     const ParamRow& row = rowNamed(key);
     const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(row.read(&combine)).number);
+    if (choice && isFirstUnit && key.starts_with("source") && isPrevious(*choice))
+        return "primary colour (no unit before)"; // OpenGL 2.1, section 3.8.13
     std::string label(choice ? choice->label : "?");
     if (label.front() >= 'A' && label.front() <= 'Z')
         label.front() = static_cast<char>(label.front() - 'A' + 'a');
@@ -37,18 +43,19 @@ std::string labelOf(const Combine& combine, const std::string& key) {
 }
 
 /// "colour of this texture", "(1 - alpha of previous unit)"
-std::string argumentInWords(const Combine& combine, const Half& half, int number) {
+std::string argumentInWords(const Combine& combine, const Half& half, int number, bool isFirstUnit) {
     const std::string tail = std::to_string(number) + std::string(half.suffix);
-    const std::string words = labelOf(combine, "operand" + tail) + " of " + labelOf(combine, "source" + tail);
+    const std::string words = labelOf(combine, "operand" + tail, isFirstUnit) + " of " +
+                              labelOf(combine, "source" + tail, isFirstUnit);
     return words.starts_with("1 - ") ? "(" + words + ")" : words;
 }
 
 /// The equation with what its arguments stand for.
-std::string inWords(const Combine& combine, const Half& half, std::string_view equation) {
+std::string inWords(const Combine& combine, const Half& half, std::string_view equation, bool isFirstUnit) {
     std::string words(equation);
     for (int number = 0; number < 3; ++number) {
         const std::string name = "Arg" + std::to_string(number);
-        const std::string meaning = argumentInWords(combine, half, number);
+        const std::string meaning = argumentInWords(combine, half, number, isFirstUnit);
         for (std::size_t at = words.find(name); at != std::string::npos;
              at = words.find(name, at + meaning.size()))
             words.replace(at, name.size(), meaning);
@@ -64,7 +71,7 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
         return;
     }
     std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));
-    const std::string meaning = inWords(combine, half, symbols);
+    const std::string meaning = inWords(combine, half, symbols, session.selection.unit == 0);
     const int factor = static_cast<int>(isAlpha ? combine.alphaScale : combine.rgbScale);
     if (factor != 1)
         symbols = std::to_string(factor) + " × (" + symbols + ")";
@@ -107,7 +114,9 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {ImGui::GetFontSize() * 0.25F, ImGui::GetStyle().FramePadding.y});
     const float argument = ImGui::CalcTextSize("Arg0").x + gap;
-    const float operand = widestChoice(rowNamed("operand0" + std::string(half.suffix)));
+    float operand = 0; // the same in both halves
+    for (const Half& each : halves)
+        operand = std::max(operand, widestChoice(rowNamed("operand0" + std::string(each.suffix))));
     const float choices = full - argument - gap;
     for (int number = 0; number < 3; ++number) {
         const std::string tail = std::to_string(number) + std::string(half.suffix);
@@ -130,7 +139,12 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
 void combineSection(Session& session) {
     Combine& combine = selectedUnit(session).combine;
     static const Combine initial;
-    const Owner owner{&combine, &initial, selectedUnitPath(session) + ".combine"};
+    const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {
+        const bool isNone =
+            session.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
+        return std::string(isNone ? "No unit before" : choice.label);
+    };
+    const Owner owner{&combine, &initial, selectedUnitPath(session) + ".combine", {}, labelOfChoice};
     for (const Half& half : halves) {
         if (&half != halves.data())
             ImGui::Separator();

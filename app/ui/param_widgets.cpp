@@ -1,6 +1,7 @@
 #include "app/ui/param_widgets.h"
 
 #include "app/ui/findings.h"
+#include "app/ui/fitted_text.h"
 #include "app/ui/param_tips.h"
 #include "app/ui/theme.h"
 
@@ -24,17 +25,23 @@ float textWidth(std::string_view words) {
     return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
 }
 
-bool enumWidget(Session& session, const ParamRow& row, EnumValue& value, const std::string& path) {
+bool enumWidget(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
+                const std::string& path) {
+    const auto labelOf = [&](const EnumRow& choice) {
+        return owner.labelOf ? owner.labelOf(row, choice) : std::string(choice.label);
+    };
     const EnumRow* current = findRow(row.choices, value.number);
-    const std::string preview(current ? current->label : "?");
+    const float room =
+        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string preview = fitted(current ? labelOf(*current) : "?", room);
     bool changed = false;
     if (ImGui::BeginCombo("##value", preview.c_str(), ImGuiComboFlags_HeightLarge)) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
         float names = 0;
         for (const EnumRow& choice : row.choices)
-            names = std::max(names, textWidth(choice.label));
+            names = std::max(names, textWidth(labelOf(choice)));
         for (const EnumRow& choice : row.choices) {
-            const std::string label = std::string(choice.label) + "##" + std::string(choice.name);
+            const std::string label = labelOf(choice) + "##" + std::string(choice.name);
             const bool isCurrent = choice.value == value.number;
             if (ImGui::Selectable(label.c_str(), isCurrent)) {
                 changed = !isCurrent;
@@ -136,7 +143,8 @@ bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const st
 }
 
 /// Draws the control; true where `value` changed.
-bool control(Session& session, const ParamRow& row, Value& value, const std::string& path) {
+bool control(Session& session, const Owner& owner, const ParamRow& row, Value& value,
+             const std::string& path) {
     switch (row.kind) {
     case Kind::Bool:
         return ImGui::Checkbox("##value", &std::get<bool>(value));
@@ -157,7 +165,7 @@ bool control(Session& session, const ParamRow& row, Value& value, const std::str
     case Kind::Color:
         return colorWidget(std::get<glm::vec4>(value));
     case Kind::Enum:
-        return enumWidget(session, row, std::get<EnumValue>(value), path);
+        return enumWidget(session, owner, row, std::get<EnumValue>(value), path);
     case Kind::Text:
         return ImGui::InputText("##value", &std::get<std::string>(value),
                                 ImGuiInputTextFlags_EnterReturnsTrue);
@@ -265,10 +273,11 @@ void showWanted(Session& session, const Line& line) {
                                         color::problem, ImGui::GetStyle().FrameRounding);
 }
 
-void drawControl(Session& session, const ParamRow& row, Line& line, float width, ImU32 ink) {
+void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
+                 ImU32 ink) {
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleColor(ImGuiCol_Text, line.idle ? color::dim : ink);
-    line.edited = control(session, row, line.value, line.path);
+    line.edited = control(session, owner, row, line.value, line.path);
     ImGui::PopStyleColor();
     if (!isWide(row.kind)) {
         noteItem(session, line.path);
@@ -298,7 +307,7 @@ bool finish(Session& session, const Owner& owner, const ParamRow& row, const Lin
 bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width) {
     Line line = lineOf(session, owner, row);
     ImGui::PushID(line.path.c_str());
-    drawControl(session, row, line, width,
+    drawControl(session, owner, row, line, width,
                 line.problem   ? color::problem
                 : line.changed ? color::changed
                                : color::text);
@@ -318,10 +327,12 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     const float left = ImGui::GetCursorPosX();
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * 1.3F;
-    const float labelWidth = std::floor(full * labelShare);
-    const bool isNarrow = row.kind != Kind::Bool && full - labelWidth - resetWidth < em * narrowest;
-    const bool ownLine = isWide(row.kind) || isNarrow ||
-                         textWidth(row.label) + (line.problem ? em * 1.2F : 0) > labelWidth - em * 0.4F;
+    // A label that is a little wider than its column takes some of the control's.
+    const float needed = textWidth(row.label) + (line.problem ? em * 1.2F : 0) + em * 0.4F;
+    const float labelWidth = std::floor(std::max(full * labelShare, needed));
+    const float least = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * narrowest;
+    const bool isNarrow = full - labelWidth - resetWidth < least;
+    const bool ownLine = isWide(row.kind) || isNarrow;
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
@@ -343,7 +354,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
         ImGui::SameLine(left + labelWidth);
         controlWidth -= labelWidth;
     }
-    drawControl(session, row, line, controlWidth, color::text);
+    drawControl(session, owner, row, line, controlWidth, color::text);
     if (line.changed) {
         ImGui::SameLine(left + full - em);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});

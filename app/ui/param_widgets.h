@@ -17,6 +17,8 @@ struct Owner {
     std::string path; ///< "textures[0]"; empty for the scene itself
     /// Asked before a value is written; false leaves everything as it was.
     std::function<bool(const ParamRow& row, const Value& value)> accepts = {};
+    /// What a choice is called here; empty: as its row says.
+    std::function<std::string(const ParamRow& row, const EnumRow& choice)> labelOf = {};
 
     [[nodiscard]] std::string pathOf(const ParamRow& row) const {
         return path.empty() ? std::string(row.key) : path + "." + std::string(row.key);

@@ -263,6 +263,18 @@ TEST_F(ParametersPanel, CombineIsEditedWhereTheModeAsksForIt) {
     EXPECT_EQ(unit().combine.rgb, CombineRgb::Interpolate);
 }
 
+TEST_F(ParametersPanel, ALabelALittleTooWideKeepsItsControlBesideIt) {
+    session->wantedSection = Section::Unit;
+    frames(1);
+    session->wantedSection = Section::Unit;
+    frames(2);
+    const Probe::Item& mode = session->probe->items.at("passes[0].units[0].envMode");
+    const Probe::Item& color = session->probe->items.at("passes[0].units[0].envColor");
+    EXPECT_EQ(color.right, mode.right);
+    EXPECT_LT(color.top - mode.top, 1.5F * (mode.bottom - mode.top)) << "the line below";
+    EXPECT_GT(color.left, mode.left);
+}
+
 TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
     const std::string path = "passes[0].units[0].texGenS.";
     open("Generated coordinates");
