@@ -6,6 +6,9 @@
 #include "core/reference/explanation_steps.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -72,6 +75,25 @@ void swatch(glm::vec4 color) {
     ImGui::Dummy({side, ImGui::GetTextLineHeight()});
 }
 
+/// What a table of rows with the same number of cells takes: more than the panel has is reached by scrolling.
+float tableWidth(std::span<const StepRow> rows, float padding) {
+    std::vector<float> columns(rows.front().cells.size() + 1);
+    const auto widen = [](float& column, const std::string& words, float more) {
+        column = std::max(column, ImGui::CalcTextSize(words.c_str()).x + more);
+    };
+    for (const StepRow& row : rows) {
+        const float swatch =
+            row.swatch ? ImGui::GetTextLineHeight() * 0.8F + ImGui::GetStyle().ItemInnerSpacing.x : 0;
+        widen(columns[0], row.label, swatch);
+        for (std::size_t i = 0; i < row.cells.size(); ++i)
+            widen(columns[i + 1], row.cells[i].text, 0);
+    }
+    float width = 0;
+    for (const float column : columns)
+        width += std::ceil(column) + 2 * padding;
+    return width;
+}
+
 /// Rows with the same number of cells share their columns.
 void drawRows(const std::vector<StepRow>& rows) {
     for (std::size_t first = 0; first < rows.size();) {
@@ -88,11 +110,13 @@ void drawRows(const std::vector<StepRow>& rows) {
             continue;
         }
         ImGui::PushID(static_cast<int>(first));
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
-                            {ImGui::GetFontSize() * 0.22F, ImGui::GetStyle().CellPadding.y});
+        const float padding = std::floor(ImGui::GetFontSize() * 0.18F);
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
         const int columns = static_cast<int>(cells) + 1;
-        if (ImGui::BeginTable("rows", columns,
-                              ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
+        const float width = tableWidth(std::span(rows).subspan(first, last - first), padding);
+        const bool open = ImGui::BeginTable(
+            "rows", columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings, {width, 0});
+        if (open) {
             for (; first < last; ++first) {
                 const StepRow& row = rows[first];
                 ImGui::TableNextRow();
@@ -135,9 +159,9 @@ void drawStep(Session& session, const Step& step, bool first, bool severalUnits)
     hangingText(step.summary, idle ? color::problem : color::dim);
     noteItem(session, "explain:summary of " + title);
     if (open) {
+        ImGui::TreePop(); // before the rows: they need the width
         drawRows(step.rows);
         noteItem(session, "explain:rows of " + title);
-        ImGui::TreePop();
     }
     ImGui::PopID();
 }
