@@ -80,6 +80,7 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
     ImGui::TextWrapped("%s", meaning.c_str());
     ImGui::PopStyleColor();
+    noteItem(session, "combine:" + meaning);
 }
 
 /// Of a list that is as wide as its longest choice.

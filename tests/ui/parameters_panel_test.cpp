@@ -263,6 +263,17 @@ TEST_F(ParametersPanel, CombineIsEditedWhereTheModeAsksForIt) {
     EXPECT_EQ(unit().combine.rgb, CombineRgb::Interpolate);
 }
 
+// OpenGL 2.1, section 3.8.13: on unit 0 GL_PREVIOUS is the primary colour.
+TEST_F(ParametersPanel, TheFirstUnitHasNoneBeforeIt) {
+    for (Unit& each : scene().passes[0].units)
+        each.envMode = EnvMode::Combine;
+    frames(2);
+    EXPECT_TRUE(has("combine:colour of this texture × colour of primary colour (no unit before)"));
+    click("unit:1");
+    frames(2);
+    EXPECT_TRUE(has("combine:colour of this texture × colour of previous unit"));
+}
+
 TEST_F(ParametersPanel, ALabelALittleTooWideKeepsItsControlBesideIt) {
     session->wantedSection = Section::Unit;
     frames(1);
