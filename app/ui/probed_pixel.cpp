@@ -40,6 +40,7 @@ void askAboutPicture(Session& session, const Pictures& pictures) {
         asked.answer.reset();
         asked.light.reset();
         asked.lightOf.reset();
+        probeWorkerOf(session).rest();
         return;
     }
     asked.answer = probeWorkerOf(session).answer(

@@ -122,6 +122,10 @@ Result<Contributions> ReferenceRenderer::contributions(const Scene& scene, const
     }
 }
 
+void ReferenceRenderer::rest() {
+    *state_ = State();
+}
+
 Result<Drawn> drawReference(const Scene& scene, const ImageSource& images, double time, int width, int height,
                             const DrawOptions& options) {
     return ReferenceRenderer().draw(scene, images, time, width, height, options);

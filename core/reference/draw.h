@@ -69,6 +69,9 @@ public:
                                                       const TexelQuestion& question,
                                                       const DrawOptions& options = {});
 
+    /// Gives back the memory that it holds for the next picture.
+    void rest();
+
 private:
     struct State;
     std::unique_ptr<State> state_;

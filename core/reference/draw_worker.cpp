@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -17,18 +19,14 @@ constexpr double noticed = 30; // milliseconds
 constexpr int coarsest = 8;
 constexpr double firstGuess = 2e-4; // milliseconds a pixel, before anything was drawn
 
-std::vector<std::shared_ptr<const TextureImage>> imagesOf(const DrawRequest& request) {
-    std::vector<std::shared_ptr<const TextureImage>> images;
-    for (const Texture& texture : request.scene.textures)
-        images.push_back(request.images.find(texture));
-    return images;
-}
-
-bool sameTextures(const DrawRequest& a, const DrawRequest& b) {
-    return a.scene.textures == b.scene.textures && imagesOf(a) == imagesOf(b);
-}
-
 } // namespace
+
+bool sameLevels(const DrawRequest& a, const DrawRequest& b) {
+    return std::ranges::equal(
+        a.scene.textures, b.scene.textures, [&](const Texture& one, const Texture& other) {
+            return imageSettings(one) == imageSettings(other) && a.images.find(one) == b.images.find(other);
+        });
+}
 
 int coarseness(double expectedMilliseconds) {
     int factor = 1;
@@ -45,7 +43,7 @@ struct DrawWorker::State {
 
     struct Job {
         DrawRequest request;
-        std::stop_source all;   ///< the textures are others, or nobody looks
+        std::stop_source all;   ///< other levels are needed, or nobody looks
         std::stop_source whole; ///< anything is different
     };
 
@@ -60,6 +58,7 @@ struct DrawWorker::State {
     mutable std::condition_variable finished;
     std::optional<Job> next;
     std::optional<Job> current;
+    bool forgets = false;        // the renderer's memory is to be given back
     std::optional<Picture> news; // of `wanted`, or of what was wanted before
 
     // Of the thread that draws.
@@ -72,18 +71,32 @@ struct DrawWorker::State {
     void run(const std::stop_token& stop);
     void work(const Job& job);
     std::optional<Picture> draw(const DrawRequest& request, int factor, const std::stop_token& stop);
+    std::optional<Picture> tryToDraw(const DrawRequest& request, int factor, const std::stop_token& stop);
     void publish(const Job& job, Picture picture);
 };
 
 /// Nothing where it was stopped.
 std::optional<DrawWorker::Picture> DrawWorker::State::draw(const DrawRequest& request, int factor,
                                                            const std::stop_token& stop) {
+    Picture failed;
+    failed.whole = factor == 1;
+    try {
+        return tryToDraw(request, factor, stop);
+    } catch (const std::bad_alloc&) {
+        failed.problems = {"there is no memory for the picture"};
+    } catch (const std::exception& error) {
+        failed.problems = {std::string("the picture can't be drawn: ") + error.what()};
+    }
+    return failed;
+}
+
+std::optional<DrawWorker::Picture> DrawWorker::State::tryToDraw(const DrawRequest& request, int factor,
+                                                                const std::stop_token& stop) {
     const auto extent = [factor](int whole) { return factor == 1 ? whole : std::max(1, whole / factor); };
     const int width = extent(request.width);
     const int height = extent(request.height);
     LevelWork work = levels;
-    if (stop.stop_possible())
-        work.stop = stop;
+    work.stop = stop;
     const auto begin = std::chrono::steady_clock::now();
     Result<Drawn> drawn =
         renderer.draw(request.scene, request.images, request.time, width, height,
@@ -129,27 +142,33 @@ void DrawWorker::State::work(const Job& job) {
 }
 
 void DrawWorker::State::run(const std::stop_token& stop) {
-    for (;;) {
-        Job job;
-        {
-            std::unique_lock lock(mutex);
-            if (!arrived.wait(lock, stop, [this] { return next.has_value(); }) || stop.stop_requested())
-                return;
-            job = *std::exchange(next, std::nullopt);
-            current = job;
+    std::unique_lock lock(mutex);
+    while (arrived.wait(lock, stop, [this] { return next || forgets; }) && !stop.stop_requested()) {
+        if (forgets) {
+            lock.unlock();
+            renderer.rest();
+            lock.lock();
+            forgets = false;
+            finished.notify_all();
+            continue;
         }
-        const std::stop_callback atTheEnd(stop, [&job] {
-            job.all.request_stop();
-            job.whole.request_stop();
-        });
-        work(job);
+        current = std::exchange(next, std::nullopt);
+        lock.unlock();
         {
-            const std::scoped_lock lock(mutex);
-            current.reset();
+            const Job& job = *current; // stays: only this thread changes it
+            const std::stop_callback atTheEnd(stop, [&job] {
+                job.all.request_stop();
+                job.whole.request_stop();
+            });
+            work(job);
         }
+        lock.lock();
+        current.reset();
         finished.notify_all();
+        lock.unlock();
         if (wake)
             wake();
+        lock.lock();
     }
 }
 
@@ -158,9 +177,10 @@ void DrawWorker::State::ask(const DrawRequest& request) {
         const std::scoped_lock lock(mutex);
         if (current) {
             current->whole.request_stop();
-            if (!sameTextures(current->request, request))
+            if (!sameLevels(current->request, request))
                 current->all.request_stop();
         }
+        forgets = false;
         next = Job{request, {}, {}};
         if (news)
             news->whole = false;
@@ -188,7 +208,7 @@ const DrawWorker::Picture& DrawWorker::picture(const DrawRequest& request) {
         state.wanted = request;
         state.shown.whole = false;
         if (state.when == When::AtOnce)
-            state.shown = state.draw(request, 1, {}).value_or(Picture{});
+            state.shown = state.draw(request, 1, state.levels.stop).value_or(Picture{});
         else
             state.ask(request);
     }
@@ -204,6 +224,8 @@ void DrawWorker::rest() {
         return;
     state.wanted.reset();
     state.shown = {};
+    if (!state.thread.joinable())
+        return state.renderer.rest();
     const std::scoped_lock lock(state.mutex);
     state.next.reset();
     state.news.reset();
@@ -211,6 +233,8 @@ void DrawWorker::rest() {
         state.current->all.request_stop();
         state.current->whole.request_stop();
     }
+    state.forgets = true;
+    state.arrived.notify_one();
 }
 
 bool DrawWorker::isDrawing() const {
@@ -220,7 +244,7 @@ bool DrawWorker::isDrawing() const {
 
 void DrawWorker::wait() const {
     std::unique_lock lock(state_->mutex);
-    state_->finished.wait(lock, [this] { return !state_->next && !state_->current; });
+    state_->finished.wait(lock, [this] { return !state_->next && !state_->current && !state_->forgets; });
 }
 
 } // namespace texplorer::reference

@@ -21,10 +21,14 @@ struct DrawRequest {
     bool operator==(const DrawRequest&) const = default;
 };
 
+/// Whether the levels of one's textures serve the other: the images are the same, and what is made of them
+/// (imageSettings). How they are sampled may differ.
+[[nodiscard]] bool sameLevels(const DrawRequest& a, const DrawRequest& b);
+
 /// Draws for a window that must not wait: on a thread of its own, first coarsely where the whole picture
 /// takes long, then the whole. A new request ends the drawing of the last one; a coarse picture is ended only
-/// where the textures are others, so that there is something to see while a user drags or a scene moves. All
-/// functions are to be called from one thread; the first request starts the other one.
+/// where other levels are needed (sameLevels), so that there is something to see while a user drags or a
+/// scene moves. All functions are to be called from one thread; the first request starts the other one.
 class DrawWorker {
 public:
     enum class When {
@@ -32,8 +36,9 @@ public:
         WhenReady, ///< whoever asks gets what there is, and asks again when it is woken
     };
 
-    /// `wake` is called on the working thread whenever `picture` has something new to give. Textures that are
-    /// compressed at run time are made as `levels` says.
+    /// `wake` is called on the working thread whenever `picture` has something new to give; it must not
+    /// throw. Textures that are compressed at run time are made as `levels` says; its `stop` ends a drawing
+    /// AtOnce.
     explicit DrawWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
     DrawWorker(const DrawWorker&) = delete;
     DrawWorker& operator=(const DrawWorker&) = delete;
@@ -51,13 +56,13 @@ public:
     /// The newest picture of what is wanted now.
     [[nodiscard]] const Picture& picture(const DrawRequest& request);
 
-    /// Nobody looks any more: ends what is being drawn and forgets the picture.
+    /// Nobody looks any more: ends what is being drawn, and forgets the picture and the textures.
     void rest();
 
     /// Whether a picture is still to come.
     [[nodiscard]] bool isDrawing() const;
 
-    /// Sleeps until none is.
+    /// Sleeps until none is, and what is to be forgotten is.
     void wait() const;
 
 private:

@@ -20,7 +20,8 @@ struct ProbeRequest {
 };
 
 /// Explains pixels for a window that must not wait, on a thread of its own: the first question of a scene
-/// makes its textures' levels. A new request ends the work on the last one where the textures are others. All
+/// makes its textures' levels. A new request ends the work on the last one where it needs other levels
+/// (sameLevels), or asks for another texel, or no longer for one: to find its pixels can take long. All
 /// functions are to be called from one thread; the first request starts the other one.
 class ProbeWorker {
 public:
@@ -29,7 +30,8 @@ public:
         WhenReady, ///< whoever asks gets what there is, and asks again when it is woken
     };
 
-    /// `wake` is called on the working thread whenever there is a new answer.
+    /// `wake` is called on the working thread whenever there is a new answer; it must not throw. `stop` of
+    /// `levels` ends the work AtOnce.
     explicit ProbeWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
     ProbeWorker(const ProbeWorker&) = delete;
     ProbeWorker& operator=(const ProbeWorker&) = delete;
@@ -43,7 +45,10 @@ public:
     /// The newest answer: to this request, or to an earlier one until there is one; nullptr: none yet.
     [[nodiscard]] std::shared_ptr<const Answer> answer(const ProbeRequest& request);
 
-    /// Sleeps until what was asked last is answered.
+    /// Nobody asks any more: ends what is being worked on, and forgets the answer and the textures.
+    void rest();
+
+    /// Sleeps until what was asked last is answered, or forgotten.
     void wait() const;
 
 private:

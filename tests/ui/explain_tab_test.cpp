@@ -45,6 +45,18 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     EXPECT_TRUE(has("probed pixel"));
 }
 
+TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
+    open();
+    const std::shared_ptr<const TextureImage> image = session->images.find(session->scene.textures[0]);
+    const long before = image.use_count();
+    clickAt(onTheCube());
+    ASSERT_TRUE(session->explaining.pixel);
+    EXPECT_EQ(image.use_count(), before + 1);
+    session->explaining.pixel.reset();
+    frames(1);
+    EXPECT_EQ(image.use_count(), before);
+}
+
 TEST_F(ExplainTab, AClickElsewhereMeansNothing) {
     clickAt(onTheCube());
     EXPECT_FALSE(session->explaining.pixel);

@@ -1,13 +1,17 @@
 #include "core/reference/draw_worker.h"
+#include "tests/support/paused_encoding.h"
 
 #include <gmock/gmock.h>
 
 #include <atomic>
 #include <limits>
+#include <random>
+#include <stdexcept>
 
 namespace texplorer::reference {
 namespace {
 
+using testing_support::PausedEncoding;
 using When = DrawWorker::When;
 
 DrawRequest requestOf(Scene scene, int width = 160, int height = 100) {
@@ -98,28 +102,107 @@ TEST(DrawWorkerThread, TheLastPictureStaysUntilThereIsANewOne) {
     EXPECT_FALSE(worker.isDrawing());
 }
 
-TEST(DrawWorkerThread, OtherTexturesEndEvenACoarsePicture) {
-    DrawWorker worker(When::WhenReady);
+/// Large enough to be drawn coarsely first.
+DrawRequest compressedRequest(Pattern pattern = Pattern::Checker) {
     Scene scene = defaultScene();
-    DrawRequest request;
-    for (const Pattern pattern :
-         {Pattern::Checker, Pattern::MipColors, Pattern::Checker, Pattern::MipColors}) {
-        scene.textures[0].pattern = pattern;
-        request = requestOf(scene, 500, 400);
-        static_cast<void>(worker.picture(request));
-    }
+    scene.textures[0].pattern = pattern;
+    scene.textures[0].compression = Compression::Cached;
+    return requestOf(std::move(scene), 500, 400);
+}
+
+TEST(DrawWorkerThread, OtherTexturesEndEvenACoarsePicture) {
+    PausedEncoding encoding;
+    DrawWorker worker(When::WhenReady, {}, encoding.work());
+    static_cast<void>(worker.picture(compressedRequest(Pattern::Checker)));
+    encoding.waitUntilBegun();
+    const DrawRequest other = compressedRequest(Pattern::MipColors);
+    static_cast<void>(worker.picture(other));
+    encoding.goOn();
     worker.wait();
+    EXPECT_THAT(encoding.shares, testing::ElementsAre(testing::Lt(1), 1));
+    EXPECT_EQ(*worker.picture(other).image, expected(other));
+}
+
+// While a user drags a border colour there is something to see.
+TEST(DrawWorkerThread, OtherParametersLetACoarsePictureBeFinished) {
+    PausedEncoding encoding;
+    DrawWorker worker(When::WhenReady, {}, encoding.work());
+    DrawRequest request = compressedRequest();
+    static_cast<void>(worker.picture(request));
+    encoding.waitUntilBegun();
+    Texture& texture = request.scene.textures[0];
+    texture.borderColor = {1, 0, 0, 1};
+    texture.wrapS = Wrap::ClampToBorder;
+    texture.maxAnisotropy = 4;
+    texture.minLod = 1;
+    static_cast<void>(worker.picture(request));
+    encoding.goOn();
+    worker.wait();
+    EXPECT_THAT(encoding.shares, testing::ElementsAre(1)) << "the same levels, made once";
     EXPECT_EQ(*worker.picture(request).image, expected(request));
 }
 
+/// Of noise that takes seconds to compress.
+DrawRequest slowRequest() {
+    DrawRequest request = compressedRequest();
+    Texture& texture = request.scene.textures[0];
+    texture.source = SourceKind::File;
+    texture.file = "noise";
+    texture.compressionQuality = EncodeQuality::Best;
+    Image noise = Image::uninitialised(PixelFormat::Rgb8, 1024, 1024);
+    std::minstd_rand dice;
+    for (std::byte& each : noise.pixels)
+        each = static_cast<std::byte>(dice() >> 8U);
+    request.images.put("noise", std::move(noise));
+    return request;
+}
+
 TEST(DrawWorkerThread, EndsWithWorkUnderWay) {
-    DrawWorker resting(When::WhenReady);
-    static_cast<void>(resting.picture(requestOf(defaultScene(), 4000, 4000)));
-    resting.rest();
-    resting.wait();
-    EXPECT_FALSE(resting.isDrawing());
-    DrawWorker destroyed(When::WhenReady);
-    static_cast<void>(destroyed.picture(requestOf(defaultScene(), 4000, 4000)));
+    for (const bool rests : {true, false}) {
+        PausedEncoding encoding(0);
+        {
+            DrawWorker worker(When::WhenReady, {}, encoding.work());
+            static_cast<void>(worker.picture(slowRequest()));
+            encoding.waitUntilBegun();
+            encoding.goOn();
+            if (rests) {
+                worker.rest();
+                worker.wait();
+                EXPECT_FALSE(worker.isDrawing());
+            }
+        }
+        EXPECT_THAT(encoding.shares, testing::ElementsAre(testing::Lt(1)));
+    }
+}
+
+TEST_P(DrawWorkerTest, GivesTheTexturesBackWhenItRests) {
+    DrawWorker worker(GetParam());
+    DrawRequest request = requestOf(defaultScene());
+    request.scene.textures[0].source = SourceKind::File;
+    request.scene.textures[0].file = "grey";
+    request.images.put("grey", Image{PixelFormat::Luminance8, 1, 1, 1, {std::byte{128}}});
+    const std::weak_ptr<const TextureImage> image = request.images.find(request.scene.textures[0]);
+    static_cast<void>(wholePicture(worker, request));
+    request = DrawRequest();
+    EXPECT_FALSE(image.expired());
+    worker.rest();
+    worker.wait();
+    EXPECT_TRUE(image.expired());
+}
+
+TEST_P(DrawWorkerTest, SaysWhatWasThrown) {
+    bool throws = true;
+    DrawWorker worker(GetParam(), {}, {{}, [&throws](float) {
+                                           if (throws)
+                                               throw std::runtime_error("the disc is gone");
+                                       }});
+    const DrawRequest request = compressedRequest();
+    const DrawWorker::Picture picture = wholePicture(worker, request);
+    EXPECT_FALSE(picture.image);
+    EXPECT_THAT(picture.problems, testing::ElementsAre("the picture can't be drawn: the disc is gone"));
+    throws = false;
+    const DrawRequest again = compressedRequest(Pattern::MipColors);
+    EXPECT_EQ(*wholePicture(worker, again).image, expected(again));
 }
 
 TEST(Coarseness, IsAsFineAsIsQuick) {

@@ -1,11 +1,15 @@
 #include "core/reference/probe_worker.h"
+#include "tests/support/paused_encoding.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <stdexcept>
 
 namespace texplorer::reference {
 namespace {
+
+using testing_support::PausedEncoding;
 
 ProbeRequest requestAt(int x, int y) {
     return {{defaultScene(), ImageSource(), 0, 64, 48}, PixelPlace{x, y}};
@@ -29,6 +33,8 @@ TEST(ProbeWorker, AnswersWhatWasAskedLast) {
     for (int x = 0; x < 40; ++x)
         (void)worker.answer(requestAt(x, 24));
     worker.wait();
+    EXPECT_GE(woken, 1);
+    EXPECT_LE(woken, 40);
     const auto answer = worker.answer(requestAt(39, 24));
     ASSERT_TRUE(answer && answer->explanation && *answer->explanation);
     EXPECT_EQ((*answer->explanation)->pixel, (PixelPlace{39, 24}));
@@ -39,8 +45,85 @@ TEST(ProbeWorker, SaysWhatIsWrong) {
     ProbeWorker worker(ProbeWorker::When::AtOnce);
     const auto answer = worker.answer(requestAt(64, 0));
     ASSERT_TRUE(answer && answer->explanation);
-    EXPECT_FALSE(*answer->explanation);
+    ASSERT_FALSE(*answer->explanation);
+    EXPECT_EQ(answer->explanation->error().message, "a picture of 64 x 48 has no pixel 64, 0");
 }
+
+TEST(ProbeWorker, SaysWhatWasThrown) {
+    const LevelWork throwing{{}, [](float) { throw std::runtime_error("the disc is gone"); }, {}};
+    for (const auto when : {ProbeWorker::When::AtOnce, ProbeWorker::When::WhenReady}) {
+        ProbeWorker worker(when, {}, throwing);
+        ProbeRequest request = requestAt(20, 24);
+        request.picture.scene.textures[0].compression = Compression::Cached;
+        (void)worker.answer(request);
+        worker.wait();
+        const auto answer = worker.answer(request);
+        ASSERT_TRUE(answer && answer->explanation);
+        ASSERT_FALSE(*answer->explanation);
+        EXPECT_EQ(answer->explanation->error().message, "there is no answer: the disc is gone");
+    }
+}
+
+TEST(ProbeWorker, GivesTheTexturesBackWhenItRests) {
+    for (const auto when : {ProbeWorker::When::AtOnce, ProbeWorker::When::WhenReady}) {
+        ProbeWorker worker(when);
+        ProbeRequest request = requestAt(20, 24);
+        Texture& texture = request.picture.scene.textures[0];
+        texture.source = SourceKind::File;
+        texture.file = "grey";
+        request.picture.images.put("grey", Image{PixelFormat::Luminance8, 1, 1, 1, {std::byte{128}}});
+        const std::weak_ptr<const TextureImage> image = request.picture.images.find(texture);
+        (void)worker.answer(request);
+        worker.wait();
+        request = requestAt(0, 0);
+        EXPECT_FALSE(image.expired());
+        worker.rest();
+        worker.wait();
+        EXPECT_TRUE(image.expired());
+        EXPECT_EQ(worker.answer(requestAt(20, 24)) == nullptr, when == ProbeWorker::When::WhenReady);
+    }
+}
+
+/// What comes while a question waits for its texture's levels, and whether that question is answered all the
+/// same.
+struct Next {
+    const char* name;
+    void (*change)(ProbeRequest& request);
+    bool bothAreAnswered;
+};
+class ProbeWorkerWith : public testing::TestWithParam<Next> {};
+TEST_P(ProbeWorkerWith, EndsOrFinishesTheLastQuestion) {
+    PausedEncoding encoding;
+    int answers = 0;
+    ProbeWorker worker(
+        ProbeWorker::When::WhenReady, [&answers] { ++answers; }, encoding.work());
+    ProbeRequest request = requestAt(20, 24);
+    request.picture.scene.textures[0].compression = Compression::Cached;
+    request.texel = TexelQuestion{};
+    (void)worker.answer(request);
+    encoding.waitUntilBegun();
+    GetParam().change(request);
+    (void)worker.answer(request);
+    encoding.goOn();
+    worker.wait();
+    EXPECT_EQ(answers, GetParam().bothAreAnswered ? 2 : 1);
+    EXPECT_EQ(worker.answer(request)->request, request);
+}
+INSTANTIATE_TEST_SUITE_P(
+    All, ProbeWorkerWith,
+    testing::Values(Next{"OtherLevels",
+                         [](ProbeRequest& r) { r.picture.scene.textures[0].mipFilter = MipFilter::Mitchell; },
+                         false},
+                    Next{"AnotherTexel", [](ProbeRequest& r) { r.texel->texel.index.x = 1; }, false},
+                    Next{"NoTexel", [](ProbeRequest& r) { r.texel.reset(); }, false},
+                    Next{"AnotherPixel", [](ProbeRequest& r) { r.pixel->x = 21; }, true},
+                    Next{"AnotherView", [](ProbeRequest& r) { r.picture.scene.view.azimuth += 1; }, true},
+                    Next{"OtherParameters",
+                         [](ProbeRequest& r) {
+                             r.picture.scene.textures[0].borderColor = {1, 0, 0, 1};
+                         },
+                         true}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 /// What waits behind the work is not begun any more: this one would take seconds.
 TEST(ProbeWorker, EndsWithAQuestionThatWaits) {
