@@ -119,7 +119,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
 
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     pipeline->beginFrame(scene, projectionMatrix(scene.view, aspect), errors);
-    textures->keepFirst(scene.textures.size());
+    textures->keepOnly(scene);
     meshes.beginFrame();
     const glm::mat4 view = viewMatrix(scene.view);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {

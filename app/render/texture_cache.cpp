@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace texplorer::render {
 
@@ -53,8 +54,16 @@ bool TextureCache::isUploading() const {
     return std::ranges::any_of(slots_, [](const auto& entry) { return entry.second.isUploading(); });
 }
 
-void TextureCache::keepFirst(std::size_t count) {
-    std::erase_if(slots_, [count](const auto& entry) { return entry.first.first >= count; });
+void TextureCache::keepOnly(const Scene& scene) {
+    std::erase_if(slots_, [&scene](const auto& entry) {
+        const auto& [index, target] = entry.first;
+        return index >= scene.textures.size() ||
+               std::ranges::none_of(scene.passes, [&, index = index, target = target](const Pass& pass) {
+                   return std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                       return std::cmp_equal(unit.texture, index) && unit.target == target;
+                   });
+               });
+    });
 }
 
 } // namespace texplorer::render

@@ -36,8 +36,8 @@ public:
     /// What `prepare` made last, or nullptr.
     [[nodiscard]] const TextureObject* find(std::size_t index, Target target) const;
 
-    /// Forgets the texture objects of textures that a scene with `count` textures does not have.
-    void keepFirst(std::size_t count);
+    /// Forgets the texture objects that no unit of the scene names, whether it is on or off.
+    void keepOnly(const Scene& scene);
 
     /// Whether an upload has to go on with the next frame.
     [[nodiscard]] bool isUploading() const;

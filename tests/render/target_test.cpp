@@ -42,6 +42,27 @@ TEST_P(TextureTarget, Samples) {
     EXPECT_THAT(problems, testing::IsEmpty());
 }
 
+class UsedTargets : public RenderTest {};
+
+// A picture is as large for each target that it was ever used with.
+TEST_F(UsedTargets, AloneAreKept) {
+    images.put("image", rgbaImage(2, 2, 1, {red, green, blue, white}));
+    Scene scene = texturedScene();
+    for (const Target target : {Target::Texture1D, Target::Texture3D, Target::CubeMap}) {
+        for (Unit& unit : scene.passes[0].units)
+            unit.target = target;
+        EXPECT_FALSE(picture(scene, 8).empty());
+        for (const EnumRow& row : EnumTable<Target>::rows) {
+            const auto each = static_cast<Target>(row.value);
+            EXPECT_EQ(renderer->readTexture(0, each).has_value(), each == target)
+                << row.name << " after " << rowOf(target).name;
+        }
+    }
+    scene.passes[0].units[0].enabled = false; // to see what the unit does, one switches it off and on
+    EXPECT_FALSE(picture(scene, 8).empty());
+    EXPECT_TRUE(renderer->readTexture(0, Target::CubeMap));
+}
+
 using T = Target;
 
 INSTANTIATE_TEST_SUITE_P(
