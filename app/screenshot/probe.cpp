@@ -68,12 +68,13 @@ std::vector<ReadBack> readBack(Drawing drawing, const reference::PixelPlace& pix
     return all;
 }
 
-ExitCode print(const std::string& text, const std::vector<std::string>& problems) {
+Result<void> print(std::string_view text) {
+    return writeOutput("-", std::as_bytes(std::span(text)));
+}
+
+void complainAbout(const std::vector<std::string>& problems) {
     for (const std::string& problem : problems)
         complain({ErrorCode::Driver, problem, {}});
-    if (const auto written = writeOutput("-", std::as_bytes(std::span(text))); !written)
-        return complain(written.error());
-    return success;
 }
 
 ExitCode probePixel(const Options& options, Drawing drawing) {
@@ -88,7 +89,10 @@ ExitCode probePixel(const Options& options, Drawing drawing) {
     std::vector<std::string> problems = explanation->problems;
     const std::vector<ReadBack> readBacks =
         options.withoutGl ? std::vector<ReadBack>() : readBack(std::move(drawing), *pixel, problems);
-    return print(options.json ? asJson(*explanation, readBacks) : asText(*explanation, readBacks), problems);
+    complainAbout(problems);
+    const Result<void> printed =
+        print(options.json ? asJson(*explanation, readBacks) : asText(*explanation, readBacks));
+    return printed ? success : complain(printed.error());
 }
 
 ExitCode findPixels(const Options& options, const Drawing& drawing) {
@@ -100,7 +104,10 @@ ExitCode findPixels(const Options& options, const Drawing& drawing) {
         {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
     if (!found)
         return complain(found.error(), found.error().code == ErrorCode::OutOfRange ? wrongCall : failure);
-    return print(options.json ? asJson(*found, *question) : asText(*found, *question), found->problems);
+    complainAbout(found->problems);
+    const Result<void> printed =
+        options.json ? writeJson(*found, *question, print) : print(asText(*found, *question));
+    return printed ? success : complain(printed.error());
 }
 
 ExitCode probe(const Options& options) {

@@ -1,6 +1,7 @@
 #include "app/screenshot/probe_report.h"
 #include "core/reference/explanation_steps.h"
 #include "core/reference/sampling_steps.h"
+#include "core/scene/param_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -212,23 +213,35 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
     return dumped(json);
 }
 
-std::string asJson(const Contributions& found, const TexelQuestion& question) {
-    Json json{{"pass", question.pass},
-              {"unit", question.unit},
-              {"level", question.texel.level},
-              {"texel", listOf(question.texel.index)},
-              {"size", Json::array({found.width, found.height})}};
-    Json& pixels = json["pixels"] = Json::array(); // x, y from the top left, weight
+Result<void> writeJson(const Contributions& found, const TexelQuestion& question,
+                       const std::function<Result<void>(std::string_view)>& write) {
+    const Json head{{"pass", question.pass},
+                    {"unit", question.unit},
+                    {"level", question.texel.level},
+                    {"texel", listOf(question.texel.index)},
+                    {"size", Json::array({found.width, found.height})}};
+    std::string text = dumped(head);
+    text.resize(text.size() - std::string_view("\n}\n").size());
+    text += ",\n  \"pixels\": ["; // x, y from the top left, weight
+    bool isFirst = true;
     for (int y = found.height - 1; y >= 0; --y) {
+        const float* weights =
+            found.weights.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(found.width);
         for (int x = 0; x < found.width; ++x) {
-            const float weight =
-                found.weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(found.width) +
-                              static_cast<std::size_t>(x)];
-            if (weight > 0)
-                pixels.push_back(Json::array({x, found.height - 1 - y, weight}));
+            if (!(weights[x] > 0))
+                continue;
+            text += isFirst ? "\n    [" : ",\n    [";
+            text += std::to_string(x) + ", " + std::to_string(found.height - 1 - y) + ", " +
+                    formatNumber(weights[x]) + "]";
+            isFirst = false;
         }
+        if (text.empty())
+            continue;
+        if (const Result<void> written = write(text); !written)
+            return written;
+        text.clear();
     }
-    return dumped(json);
+    return write(isFirst ? "]\n}\n" : "\n  ]\n}\n");
 }
 
 } // namespace texplorer::screenshot

@@ -7,7 +7,9 @@
 #include "core/reference/explanation.h"
 #include "core/scene/renderer.h"
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::screenshot {
@@ -25,7 +27,11 @@ struct ReadBack {
 
 [[nodiscard]] std::string asText(const reference::Contributions& found,
                                  const reference::TexelQuestion& question);
-[[nodiscard]] std::string asJson(const reference::Contributions& found,
-                                 const reference::TexelQuestion& question);
+
+/// As JSON, to be written piece by piece: a large picture's list would take many times its memory. Ends with
+/// the first error of `write`.
+[[nodiscard]] Result<void> writeJson(const reference::Contributions& found,
+                                     const reference::TexelQuestion& question,
+                                     const std::function<Result<void>(std::string_view)>& write);
 
 } // namespace texplorer::screenshot

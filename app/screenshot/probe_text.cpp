@@ -111,32 +111,40 @@ std::string asText(const reference::Contributions& found, const reference::Texel
         int y;
         float weight;
     };
-    std::vector<Pixel> pixels;
+    std::vector<Pixel> heaviest; // of equal ones, the lowest and leftmost first
+    std::size_t count = 0;
     double sum = 0;
+    Pixel least{found.width, found.height, 0};
+    Pixel most{-1, -1, 0};
     for (std::size_t i = 0; i < found.weights.size(); ++i) {
         if (!(found.weights[i] > 0))
             continue;
         const auto width = static_cast<std::size_t>(found.width);
-        pixels.push_back(
-            {static_cast<int>(i % width), found.height - 1 - static_cast<int>(i / width), found.weights[i]});
-        sum += static_cast<double>(found.weights[i]);
+        const Pixel pixel{static_cast<int>(i % width), found.height - 1 - static_cast<int>(i / width),
+                          found.weights[i]};
+        ++count;
+        sum += static_cast<double>(pixel.weight);
+        least = {std::min(least.x, pixel.x), std::min(least.y, pixel.y), 0};
+        most = {std::max(most.x, pixel.x), std::max(most.y, pixel.y), 0};
+        if (heaviest.size() == mostListed && !(pixel.weight > heaviest.back().weight))
+            continue;
+        if (heaviest.size() == mostListed)
+            heaviest.pop_back();
+        heaviest.insert(
+            std::ranges::upper_bound(heaviest, pixel.weight, std::ranges::greater(), &Pixel::weight), pixel);
     }
     std::string text = placeText(question) + "\n";
-    if (pixels.empty())
+    if (count == 0)
         return text + "No pixel that one sees reads it.\n";
-    const auto [left, right] = std::ranges::minmax(pixels, {}, &Pixel::x);
-    const auto [top, bottom] = std::ranges::minmax(pixels, {}, &Pixel::y);
-    std::ranges::stable_sort(pixels, std::ranges::greater(), &Pixel::weight);
-    text += std::to_string(pixels.size()) + (pixels.size() == 1 ? " pixel reads" : " pixels read") +
-            " it, x from " + std::to_string(left.x) + " to " + std::to_string(right.x) + ", y from " +
-            std::to_string(top.y) + " to " + std::to_string(bottom.y) + " (from the top left), " +
+    text += std::to_string(count) + (count == 1 ? " pixel reads" : " pixels read") + " it, x from " +
+            std::to_string(least.x) + " to " + std::to_string(most.x) + ", y from " +
+            std::to_string(least.y) + " to " + std::to_string(most.y) + " (from the top left), " +
             reference::numberText(static_cast<float>(sum)) + " pixels' worth of colour in all\n";
-    for (std::size_t i = 0; i < std::min(pixels.size(), mostListed); ++i)
-        text += "  " + padded(std::to_string(pixels[i].x) + ", " + std::to_string(pixels[i].y), 12) +
-                reference::numberText(pixels[i].weight) + "\n";
-    if (pixels.size() > mostListed)
-        text +=
-            "  and " + std::to_string(pixels.size() - mostListed) + " of lesser weight; --json lists all\n";
+    for (const Pixel& pixel : heaviest)
+        text += "  " + padded(std::to_string(pixel.x) + ", " + std::to_string(pixel.y), 12) +
+                reference::numberText(pixel.weight) + "\n";
+    if (count > mostListed)
+        text += "  and " + std::to_string(count - mostListed) + " of lesser weight; --json lists all\n";
     return text;
 }
 

@@ -786,6 +786,22 @@ class Probe(Texshot):
         said = self.succeeds("probe", self.scene, "--size", "4x4", "--texel", "0,0,0,0").decode()
         self.assertIn("16 pixels read it, x from 0 to 3, y from 0 to 3", said)
         self.assertIn("4 pixels' worth of colour", said)
+        # The heaviest first; of equal ones, row by row from below.
+        self.assertRegex(said, r"colour in all\n  0, 3 +0.5625\n  1, 3 +0.5625\n  0, 2 +0.5625\n  1, 2 +0.5625\n"
+                               r"  2, 3 +0.1875\n")
+        self.scene.write_text(self.scene.read_text().replace('"quad"', '"quad", "visible": false'))
+        self.assertEqual(self.probe("--texel", "0,0,0,0")["pixels"], [])
+
+    def test_the_list_of_a_large_picture_is_written_as_it_is_found(self):
+        probe = subprocess.Popen([TEXSHOT, "probe", self.scene, "--size", "1500x1500", "--json", "--texel", "0,0,0,0"],
+                                 stdout=subprocess.PIPE)
+        found = json.loads(probe.stdout.read())
+        probe.stdout.close()
+        _, code, used = os.wait4(probe.pid, 0)
+        probe.returncode = code
+        self.assertEqual(code, 0)
+        self.assertEqual(len(found["pixels"]), 1500 * 1500)  # only at the others' very centres it has no share
+        self.assertLess(used.ru_maxrss, 150 * 1024)  # KiB
 
     def test_the_window_explains_the_pixel_that_it_is_asked_for(self):
         window = ("--ui", "--size", "800x500", "--tab", "explain")
