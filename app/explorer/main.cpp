@@ -1,5 +1,6 @@
 // texplorer: the window.
 
+#include "app/command_line/wrong_call.h"
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
 #include "app/ui/document.h"
@@ -57,7 +58,10 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : wrongCall;
+        if (error.get_exit_code() == 0) // --help, --version
+            return app.exit(error);
+        complain(describeWrongCall(app, error));
+        return wrongCall;
     }
     return run(files, shaders);
 }

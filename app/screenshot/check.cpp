@@ -25,7 +25,7 @@ void loadImages(OpenedScene& opened, std::vector<std::string>& reasons) {
         if (alone.textures[0].source != SourceKind::File || alone.textures[0].file.empty())
             continue;
         if (const Result<void> loaded = opened.images.load(alone); !loaded)
-            reasons[i] = describe(loaded.error());
+            reasons[i] = loaded.error().message;
     }
 }
 

@@ -8,14 +8,20 @@
 
 namespace texplorer::screenshot {
 
+/// The names that an option accepts, and what was found instead.
+[[nodiscard]] inline tl::unexpected<Error> refuseChoice(const std::string& names, std::string_view found,
+                                                        const char* option) {
+    return fail(ErrorCode::OutOfRange, "expected one of " + names + ", found \"" + std::string(found) + "\"",
+                option);
+}
+
 /// One of the rows, by its name; `option` is named in the error.
 template<Enumerated E>
 [[nodiscard]] Result<E> parseChoice(std::string_view name, const char* option) {
     const std::span<const EnumRow> rows = EnumTable<E>::rows;
     if (const EnumRow* row = findRow(rows, name))
         return static_cast<E>(row->value);
-    return fail(ErrorCode::OutOfRange,
-                "expected one of " + listNames(rows) + ", found \"" + std::string(name) + "\"", option);
+    return refuseChoice(listNames(rows), name, option);
 }
 
 /// For a help text, what each choice is: " probes: … ellipse: …"

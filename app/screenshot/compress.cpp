@@ -1,3 +1,4 @@
+#include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/long_work.h"
 #include "app/screenshot/texture_io.h"
@@ -6,7 +7,7 @@
 #include "core/s3tc/encode.h"
 #include "core/scene/texture_levels.h"
 
-#include <map>
+#include <array>
 #include <optional>
 
 namespace texplorer::screenshot {
@@ -15,47 +16,58 @@ namespace {
 struct Options {
     std::string in;
     std::string out;
-    BlockFormat format = BlockFormat::Dxt1;
-    EncodeQuality quality = EncodeQuality::Normal;
-    std::optional<MipFilter> mips = MipFilter::Box;
+    std::string format;
+    std::string quality = std::string(rowOf(EncodeQuality::Normal).name);
+    std::string mips = std::string(rowOf(MipFilter::Box).name);
     bool gamma = false;
     bool powerOfTwo = false;
     bool report = false;
 };
 
-const std::map<std::string, BlockFormat> formats{
-    {"dxt1", BlockFormat::Dxt1}, {"dxt1a", BlockFormat::Dxt1Alpha}, {"dxt3", BlockFormat::Dxt3},
-    {"dxt5", BlockFormat::Dxt5}, {"bc4", BlockFormat::Bc4},         {"bc5", BlockFormat::Bc5},
+/// The formats that can be written, by the names that DirectX gave them.
+constexpr std::array formats{
+    row(BlockFormat::Dxt1, "dxt1", "", ""), row(BlockFormat::Dxt1Alpha, "dxt1a", "", ""),
+    row(BlockFormat::Dxt3, "dxt3", "", ""), row(BlockFormat::Dxt5, "dxt5", "", ""),
+    row(BlockFormat::Bc4, "bc4", "", ""),   row(BlockFormat::Bc5, "bc5", "", ""),
 };
 
-std::map<std::string, EncodeQuality> qualities() {
-    std::map<std::string, EncodeQuality> names;
-    for (const EnumRow& row : encodeQualityRows)
-        names.emplace(row.name, static_cast<EncodeQuality>(row.value));
-    return names;
-}
-
 /// What --mips accepts: every filter, and none.
-std::map<std::string, std::optional<MipFilter>> mipChoices() {
-    std::map<std::string, std::optional<MipFilter>> names{{"none", std::nullopt}};
-    for (const EnumRow& row : mipFilterRows)
-        names.emplace(row.name, static_cast<MipFilter>(row.value));
-    return names;
+constexpr std::string_view noMips = "none";
+std::string mipNames() {
+    return std::string(noMips) + ", " + listNames(mipFilterRows);
 }
 
-std::string namesOf(const auto& choices) {
-    std::string names;
-    for (const auto& [name, choice] : choices)
-        names.append(names.empty() ? "" : ", ").append(name);
-    return names;
+/// The options as what they name.
+struct Choices {
+    BlockFormat format = BlockFormat::Dxt1;
+    EncodeQuality quality = EncodeQuality::Normal;
+    std::optional<MipFilter> mips;
+};
+
+Result<Choices> choicesOf(const Options& options) {
+    Choices choices;
+    const EnumRow* format = findRow(formats, options.format);
+    if (!format)
+        return refuseChoice(listNames(formats), options.format, "--format");
+    choices.format = static_cast<BlockFormat>(format->value);
+    const Result<EncodeQuality> quality = parseChoice<EncodeQuality>(options.quality, "--quality");
+    if (!quality)
+        return fail(quality.error());
+    choices.quality = *quality;
+    if (options.mips == noMips)
+        return choices;
+    const EnumRow* filter = findRow(mipFilterRows, options.mips);
+    if (!filter)
+        return refuseChoice(mipNames(), options.mips, "--mips");
+    choices.mips = static_cast<MipFilter>(filter->value);
+    return choices;
 }
 
 /// The levels to compress, in the order in which a DDS file stores rows.
-MipChain levelsOf(Image base, const Options& options) {
-    const MipOptions how{options.mips.value_or(MipFilter::Box), options.gamma,
+MipChain levelsOf(Image base, std::optional<MipFilter> mips, const Options& options) {
+    const MipOptions how{mips.value_or(MipFilter::Box), options.gamma,
                          options.powerOfTwo ? NpotPolicy::PowerOfTwo : NpotPolicy::Keep};
-    MipChain chain =
-        applyMipPolicy(options.mips ? MipPolicy::Generated : MipPolicy::None, std::move(base), how);
+    MipChain chain = applyMipPolicy(mips ? MipPolicy::Generated : MipPolicy::None, std::move(base), how);
     for (Image& level : chain)
         flipVertically(level);
     return chain;
@@ -69,6 +81,9 @@ std::string reportOf(const TextureImage& texture, const MipChain& source) {
 }
 
 ExitCode run(const Options& options) {
+    const Result<Choices> choices = choicesOf(options);
+    if (!choices)
+        return complain(choices.error(), wrongCall);
     const Result<const CodecRow*> writer = writerFor(options.out);
     if (!writer)
         return complain(writer.error(), wrongCall);
@@ -80,11 +95,11 @@ ExitCode run(const Options& options) {
         return complain({ErrorCode::Unsupported,
                          "expected a picture, found a volume of " + std::to_string(base.depth) + " slices",
                          options.in});
-    const MipChain source = levelsOf(std::move(base), options);
+    const MipChain source = levelsOf(std::move(base), choices->mips, options);
 
     LongWork work("texshot: compressing");
     auto blocks = encodeLevels(
-        source, options.format, options.quality, [&work](float done) { work.report(done); },
+        source, choices->format, choices->quality, [&work](float done) { work.report(done); },
         work.stopToken());
     work.finish();
     if (work.stopToken().stop_requested())
@@ -117,19 +132,12 @@ void addCompress(CLI::App& app, Action& action) {
     command->add_option("IN", options->in, "The picture: any format that Texplorer reads.")->required();
     command->add_option("OUT", options->out, "The DDS file to write.")->required();
     command->add_option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.")
-        ->required()
-        ->transform(CLI::CheckedTransformer(formats).description(""));
-    command
-        ->add_option("--quality", options->quality,
-                     "fast, normal or best: from tens of megatexels a second to half a one.")
-        ->transform(CLI::CheckedTransformer(qualities()).description(""));
-    command
-        ->add_option_function<std::string>(
-            "--mips",
-            [options, choices = mipChoices()](const std::string& name) { options->mips = choices.at(name); },
-            "The filter that makes the mip levels, box unless another is named, or none: " +
-                namesOf(mipChoices()) + ".")
-        ->check(CLI::IsMember(mipChoices()).description(""));
+        ->required();
+    command->add_option("--quality", options->quality,
+                        "fast, normal or best: from tens of megatexels a second to half a one.");
+    command->add_option(
+        "--mips", options->mips,
+        "The filter that makes the mip levels, box unless another is named, or none: " + mipNames() + ".");
     command->add_flag("--gamma", options->gamma,
                       "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
     command->add_flag("--power-of-two", options->powerOfTwo,

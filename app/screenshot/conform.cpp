@@ -2,12 +2,14 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
 #include "app/screenshot/long_work.h"
+#include "app/screenshot/number_argument.h"
 #include "core/base/file_io.h"
 #include "core/conform/report.h"
 #include "core/scene/param_text.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace texplorer::screenshot {
 namespace {
@@ -62,6 +64,13 @@ Result<std::vector<conform::Pair>> pairsOf(const Options& options) {
     for (const Result<RendererKind>* each : {&subject, &against}) {
         if (!*each)
             return fail(each->error());
+    }
+    if (*subject == *against && (options.renderer.empty() || options.against.empty())) {
+        const bool named = !options.against.empty();
+        return fail(ErrorCode::OutOfRange,
+                    "expected another renderer than " + std::string(rowOf(*subject).name) + ", which " +
+                        (named ? "--renderer" : "--against") + " is unless it is given",
+                    named ? "--against" : "--renderer");
     }
     if (*subject == *against)
         return fail(ErrorCode::OutOfRange, "expected two different renderers, found \"" +
@@ -180,13 +189,12 @@ void addConform(CLI::App& app, Action& action) {
                             ". Without it and --against: shader against fixed, and reference against fixed.");
     command->add_option("--against", options->against, "With whom, " + renderers + ".");
     command->add_option("--feature", options->features, "Only these features; --list names them.");
-    command
-        ->add_option("--scenes", options->scenes,
-                     "How many, shared out among the features. Without it: " +
-                         std::to_string(conform::defaultScenes) + ".")
-        ->check(CLI::Range(1, 100000));
-    command->add_option("--seed", options->seed, "Other scenes; the same number gives the same ones.")
-        ->capture_default_str();
+    addNumber(*command, "--scenes", options->scenes, 1, 100000,
+              "How many, shared out among the features. Without it: " +
+                  std::to_string(conform::defaultScenes) + ".");
+    addNumber(*command, "--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
+              "Other scenes; the same number gives the same ones.")
+        ->default_str(std::to_string(options->seed));
     command->add_option("-o,--out", options->folder,
                         "A folder for the report: index.html, report.json, and for each feature its worst "
                         "scene with both pictures and their difference.");

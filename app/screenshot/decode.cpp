@@ -1,4 +1,5 @@
 #include "app/screenshot/command.h"
+#include "app/screenshot/number_argument.h"
 #include "app/screenshot/texture_io.h"
 #include "core/codec/png.h"
 #include "core/image/mipmaps.h"
@@ -75,16 +76,12 @@ void addDecode(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
     command->add_option("OUT", options->out, "The PNG to write; - for standard output.")->required();
-    command
-        ->add_option(
-            "--level", options->level,
-            "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.")
-        ->check(CLI::Range(0, 30));
-    command
-        ->add_option("--face", options->face, "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.")
-        ->check(CLI::Range(0, 5));
-    command->add_option("--slice", options->slice, "Which slice of a volume, 0 the first.")
-        ->check(CLI::Range(0, 16383));
+    addNumber(
+        *command, "--level", options->level, 0, 30,
+        "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.");
+    addNumber(*command, "--face", options->face, 0, 5,
+              "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.");
+    addNumber(*command, "--slice", options->slice, 0, 16383, "Which slice of a volume, 0 the first.");
     command->add_flag("--no-flip", options->noFlip,
                       "Put the file's first row at the bottom, as a loader does that hands its bytes to "
                       "glTexImage2D: upside down for most formats.");

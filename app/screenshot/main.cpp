@@ -1,5 +1,6 @@
 // texshot: the same scenes and the same panels as texplorer, without a display.
 
+#include "app/command_line/wrong_call.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/help_format.h"
 #include "core/base/file_io.h"
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) // --help, --version
             return app.exit(error) == 0 ? success : failure;
-        return complain({ErrorCode::OutOfRange, error.what(), {}}, wrongCall);
+        return complain({ErrorCode::OutOfRange, describeWrongCall(app, error), {}}, wrongCall);
     } catch (const std::exception& error) { // out of memory, at worst: still one sentence and an exit status
         std::fprintf(stderr, "texshot: %s\n", error.what());
         return failure;

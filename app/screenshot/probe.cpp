@@ -2,6 +2,7 @@
 
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/number_argument.h"
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/probe_report.h"
 #include "app/screenshot/scene_argument.h"
@@ -134,7 +135,7 @@ ExitCode probe(const Options& options) {
     drawing.anisotropy = *anisotropy;
     drawing.levels.cache = BlockCache::ofUser();
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
-        return complain(loaded.error());
+        return complain(inScene(options.scene, loaded.error()));
     return options.at.empty() ? findPixels(options, drawing) : probePixel(options, std::move(drawing));
 }
 
@@ -159,9 +160,9 @@ void addProbe(CLI::App& app, Action& action) {
             "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
             "border.")
         ->type_name("UNIT,LEVEL,I,J");
-    command->add_option("--pass", options->pass, "With --texel: the pass that the unit belongs to.")
-        ->type_name("NUMBER")
-        ->capture_default_str();
+    addNumber(*command, "--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
+              "With --texel: the pass that the unit belongs to.")
+        ->default_str(std::to_string(options->pass));
     command->add_flag("--json", options->json, "For programs: everything, as JSON.");
     command->add_flag("--no-gl", options->withoutGl,
                       "Don't draw the picture with OpenGL, to compare its pixel with the specification's.");

@@ -37,7 +37,7 @@ tl::expected<OpenedScene, ExitCode> openScene(const SceneArgument& argument) {
             return tl::unexpected(complain(text.error()));
         Result<Scene> scene = parseScene(*text);
         if (!scene)
-            return tl::unexpected(complain({scene.error().code, describe(scene.error()), argument.file}));
+            return tl::unexpected(complain(inScene(argument, scene.error())));
         opened.scene = *std::move(scene);
         opened.images = ImageSource{std::filesystem::path(argument.file).parent_path()};
     }
@@ -46,6 +46,10 @@ tl::expected<OpenedScene, ExitCode> openScene(const SceneArgument& argument) {
             return tl::unexpected(complain(assigned.error(), wrongCall));
     }
     return opened;
+}
+
+Error inScene(const SceneArgument& argument, const Error& error) {
+    return argument.file.empty() ? error : Error{error.code, describe(error), argument.file};
 }
 
 } // namespace texplorer::screenshot

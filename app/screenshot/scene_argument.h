@@ -23,4 +23,7 @@ struct OpenedScene {
 /// What goes wrong is said on standard error; the error is the exit status.
 [[nodiscard]] tl::expected<OpenedScene, ExitCode> openScene(const SceneArgument& argument);
 
+/// An error about something in the scene, with the scene's file in front of its place.
+[[nodiscard]] Error inScene(const SceneArgument& argument, const Error& error);
+
 } // namespace texplorer::screenshot

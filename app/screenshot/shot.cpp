@@ -79,8 +79,9 @@ Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
 Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
     constexpr const char* option = "--compare";
     std::vector<RendererKind> renderers;
-    while (!text.empty()) {
+    for (bool more = !text.empty(); more;) {
         const std::size_t end = std::min(text.find(','), text.size());
+        more = end < text.size(); // a comma at the end asks for one more
         const Result<RendererKind> renderer = parseChoice<RendererKind>(text.substr(0, end), option);
         if (!renderer)
             return fail(renderer.error());
@@ -159,7 +160,7 @@ ExitCode shoot(const Options& options) {
                     *anisotropy,
                     *section};
     if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
-        return complain(loaded.error());
+        return complain(inScene(options.scene, loaded.error()));
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
     drawing.levels.cache = BlockCache::ofUser();
     if (std::ranges::find(drawing.scene.textures, Compression::Cached, &Texture::compression) !=

@@ -19,8 +19,9 @@ constexpr float texelError = 1.0F / 128; // dEQP: uvwBits = 7
 void forEachUnit(Scene& scene, auto each) {
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
-            if (unit.enabled)
-                each(unit, scene.textures[static_cast<std::size_t>(unit.texture)]);
+            const auto texture = static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
+            if (unit.enabled && texture < scene.textures.size())
+                each(unit, scene.textures[texture]);
         }
     }
 }

@@ -19,6 +19,10 @@ namespace texplorer::conform {
 /// What features there are, with the rules that they are held to.
 [[nodiscard]] std::string listing();
 
+/// What came of it all: "all agree", "all agree, 4 of 300 comparisons skipped", "not all agree" or "nothing
+/// was compared".
+[[nodiscard]] std::string summary(const Report& report);
+
 struct ReportFile {
     std::string name; ///< within the folder
     Bytes bytes;

@@ -75,6 +75,7 @@ std::string asJson(const Report& report) {
                     {"seed", report.selection.seed},
                     {"scenes", report.scenes},
                     {"extent", extent},
+                    {"compared", report.compared()},
                     {"agrees", report.agrees()},
                     {"pairs", std::move(pairs)}};
     // A driver's name may be no UTF-8.

@@ -154,8 +154,9 @@ std::string table(const PairReport& pair) {
         text += "<tr><td>" + name;
         for (const std::string& cell :
              {std::to_string(all.scenes), std::to_string(skipped), std::to_string(all.pixels),
-              percent(all.shareOver()), percent(all.shareUnexplained()), std::to_string(all.max),
-              std::string(mean.data())})
+              percent(all.shareOver()),
+              outcome.rule->latitude == Latitude::None ? "–" : percent(all.shareUnexplained()),
+              std::to_string(all.max), std::string(mean.data())})
             text += "<td>" + cell;
         text += all.scenes == 0    ? "<td>skipped"
                 : outcome.agrees() ? "<td class=\"agree\">agree"
@@ -181,8 +182,8 @@ Result<std::vector<ReportFile>> asFolder(const Report& report) {
     if (!report.driver.name.empty())
         page += ", on " + escaped(report.driver.name) + ", " + escaped(report.driver.version) +
                 (report.driver.settings.empty() ? "" : ", with " + escaped(report.driver.settings));
-    page +=
-        report.agrees() ? ": <b class=\"agree\">all agree</b>" : ": <b class=\"differ\">not all agree</b>";
+    page += std::string(": <b class=\"") + (report.agrees() ? "agree" : "differ") + "\">" + summary(report) +
+            "</b>";
     page +=
         ".</p>\n<p>A pixel is over the bound when a component differs by more than its rule allows, and "
         "unexplained when what the rule grants a driver's arithmetic does not explain it either. Differences "

@@ -36,18 +36,24 @@ std::string allowed(const Rule& rule) {
 
 using Cells = std::vector<std::string>;
 
+/// How many letters a terminal shows: in UTF-8, 10xxxxxx is never the first byte of one.
+std::size_t lettersOf(const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        text, [](char each) { return (static_cast<unsigned char>(each) & 0xC0U) != 0x80U; }));
+}
+
 /// Columns as wide as their widest cell; the first and the last two to the left, numbers to the right.
 std::string aligned(const std::vector<Cells>& lines) {
     std::vector<std::size_t> widths(lines.front().size());
     for (const Cells& line : lines) {
         for (std::size_t i = 0; i < line.size(); ++i)
-            widths[i] = std::max(widths[i], line[i].size());
+            widths[i] = std::max(widths[i], lettersOf(line[i]));
     }
     std::string text;
     for (const Cells& line : lines) {
         std::string row;
         for (std::size_t i = 0; i < line.size(); ++i) {
-            const std::string padding(widths[i] - line[i].size(), ' ');
+            const std::string padding(widths[i] - lettersOf(line[i]), ' ');
             const bool left = i == 0 || i + 2 >= line.size();
             row += (i == 0 ? "" : "  ") + (left ? line[i] + padding : padding + line[i]);
         }
@@ -73,7 +79,7 @@ std::string pairText(const PairReport& pair) {
         const bool latitude = outcome.rule->latitude != Latitude::None;
         lines.push_back({std::string(outcome.feature->name), std::to_string(all.scenes),
                          std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
-                         percent(all.shareOver()), latitude ? percent(all.shareUnexplained()) : "",
+                         percent(all.shareOver()), latitude ? percent(all.shareUnexplained()) : "–",
                          std::to_string(all.max),
                          all.scenes == 0    ? "skipped"
                          : outcome.agrees() ? "agree"
@@ -106,10 +112,26 @@ std::string asText(const Report& report) {
     return text + std::to_string(report.scenes) + " scenes of " + size + " x " + size + " pixels, seed " +
            std::to_string(report.selection.seed) + ", in " + fixed(report.seconds, 1) + " s" +
            (report.driver.name.empty() ? "" : " on " + report.driver.name) +
-           (report.driver.settings.empty() ? "" : " with " + report.driver.settings) +
-           (!report.compared() ? ": nothing was compared\n"
-            : report.agrees()  ? ": all agree\n"
-                               : ": not all agree\n");
+           (report.driver.settings.empty() ? "" : " with " + report.driver.settings) + ": " +
+           summary(report) + "\n";
+}
+
+std::string summary(const Report& report) {
+    if (!report.compared())
+        return "nothing was compared";
+    if (!report.agrees())
+        return "not all agree";
+    int skipped = 0;
+    int all = 0;
+    for (const PairReport& pair : report.pairs) {
+        for (const Outcome& outcome : pair.outcomes) {
+            skipped += skippedOf(outcome);
+            all += skippedOf(outcome) + outcome.all.scenes;
+        }
+    }
+    return skipped == 0 ? "all agree"
+                        : "all agree, " + std::to_string(skipped) + " of " + std::to_string(all) +
+                              " comparisons skipped";
 }
 
 std::string listing() {

@@ -16,7 +16,9 @@ bool isDefinedDecal(BaseFormat format) {
 bool anyUnit(const Scene& scene, auto condition) {
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
         return std::ranges::any_of(pass.units, [&](const Unit& unit) {
-            return unit.enabled && condition(unit, scene.textures[static_cast<std::size_t>(unit.texture)]);
+            const auto texture = static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
+            return unit.enabled && texture < scene.textures.size() &&
+                   condition(unit, scene.textures[texture]);
         });
     });
 }
@@ -34,7 +36,7 @@ constexpr std::array rows{
                        !isDefinedDecal(texture.internalFormat);
             });
         },
-        "GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.22)"},
+        "GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.21)"},
     Skip{"switch-over",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&

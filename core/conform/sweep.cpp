@@ -69,6 +69,18 @@ auto badness(const Worst& worst) {
     return std::tuple(j.unexplained, j.difference.over, j.difference.max, -worst.number);
 }
 
+/// The first problem that only one of two has; nullptr: they have the same.
+const std::string* problemOfOne(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        const auto lacks = [&other = *other](const std::string& each) {
+            return std::ranges::find(other, each) == other.end();
+        };
+        if (const auto found = std::ranges::find_if(*own, lacks); found != own->end())
+            return &*found;
+    }
+    return nullptr;
+}
+
 /// What the threads have found so far.
 class Outcomes {
 public:
@@ -102,11 +114,9 @@ public:
             std::max(outcome.worstScene, static_cast<double>(judgement.unexplained) /
                                              static_cast<double>(judgement.difference.pixels));
         // What neither can do, as a compression without a cache, is no disagreement.
-        if (subject.problems != against.problems) {
-            const std::string sentence = (subject.problems.empty() ? against : subject).problems.front();
-            if (outcome.problem.empty() || sentence < outcome.problem)
-                outcome.problem = sentence;
-        }
+        const std::string* only = problemOfOne(subject.problems, against.problems);
+        if (only && (outcome.problem.empty() || *only < outcome.problem))
+            outcome.problem = *only;
         Worst candidate{item.number, item.scene, subject.image, against.image, judgement};
         if (!outcome.worst || badness(*outcome.worst) < badness(candidate))
             outcome.worst = std::move(candidate);

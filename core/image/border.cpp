@@ -1,18 +1,14 @@
 #include "core/image/border.h"
 
+#include "core/image/power_of_two.h"
 #include "core/image/resample.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace texplorer {
 
 namespace {
-
-bool isPowerOfTwo(int extent) {
-    return extent > 0 && std::has_single_bit(static_cast<unsigned>(extent));
-}
 
 using Extents = std::array<int, 3>;
 

@@ -98,7 +98,7 @@ Result<Difference> compare(const Image& a, const Image& b, int tolerance, Compar
 }
 
 std::array<std::uint8_t, 4> heatColor(float difference, const HeatScale& scale) {
-    const auto tolerance = static_cast<float>(scale.tolerance);
+    const auto tolerance = static_cast<float>(std::max(0, scale.tolerance));
     if (!(difference > 0))
         return {0, 0, 0, 255};
     if (difference <= tolerance)

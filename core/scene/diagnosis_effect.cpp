@@ -1,6 +1,8 @@
 // Which settings of a texture object change nothing at present.
 
 #include "core/image/border.h"
+#include "core/image/power_of_two.h"
+#include "core/reference/lod.h"
 #include "core/scene/diagnosis_rules.h"
 
 #include <algorithm>
@@ -14,24 +16,10 @@ struct Setting {
     std::string (*reason)(const Texture& texture, const TextureFacts& facts);
 };
 
-bool samplesMipmaps(const Texture& texture) {
-    return texture.minFilter != MinFilter::Nearest && texture.minFilter != MinFilter::Linear;
-}
-
-bool isLinear(MinFilter filter) {
-    return filter == MinFilter::Linear || filter == MinFilter::LinearMipmapNearest ||
-           filter == MinFilter::LinearMipmapLinear;
-}
-
-/// Table 3.19: GL_CLAMP leaves the image by half a texel, which a linear filter alone sees.
+/// Section 3.8.7: GL_CLAMP leaves the image by half a texel, which a linear filter alone sees.
 bool showsBorder(const Texture& texture, Wrap wrap) {
-    return wrap == Wrap::ClampToBorder ||
-           (wrap == Wrap::Clamp && (texture.magFilter == MagFilter::Linear || isLinear(texture.minFilter)));
-}
-
-bool isPowerOfTwo(const Surface& surface) {
-    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
-    return power(widthOf(surface)) && power(heightOf(surface)) && power(depthOf(surface));
+    return wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && (texture.magFilter == MagFilter::Linear ||
+                                                                   reference::isLinear(texture.minFilter)));
 }
 
 std::string noFlip(const Texture& texture, const TextureFacts& facts) {
@@ -54,8 +42,11 @@ std::string noInternalFormat(const Texture&, const TextureFacts& facts) {
 }
 
 std::string noScaling(const Texture&, const TextureFacts& facts) {
-    return facts.image && isPowerOfTwo(facts.image->surfaces.front()) ? "the image's size is a power of two"
-                                                                      : "";
+    if (!facts.image)
+        return {};
+    const Surface& base = facts.image->surfaces.front();
+    return arePowersOfTwo(widthOf(base), heightOf(base), depthOf(base)) ? "the image's size is a power of two"
+                                                                        : "";
 }
 
 std::string noWrapT(const Texture&, const TextureFacts& facts) {
@@ -91,7 +82,7 @@ std::string noBorder(const Texture& texture, const TextureFacts& facts) {
 }
 
 std::string noMipmaps(const Texture& texture, const TextureFacts&) {
-    return samplesMipmaps(texture) ? "" : nameOf(texture.minFilter) + " reads no mipmaps";
+    return reference::wantsMipmaps(texture.minFilter) ? "" : nameOf(texture.minFilter) + " reads no mipmaps";
 }
 
 /// Without mipmaps λ decides only which of the two filters is taken.

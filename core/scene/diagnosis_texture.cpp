@@ -1,5 +1,6 @@
 // What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
 
+#include "core/image/power_of_two.h"
 #include "core/scene/diagnosis_rules.h"
 #include "core/scene/param_text.h"
 
@@ -83,11 +84,6 @@ void anisotropyLimit(const Case& about, Report& report) {
     });
 }
 
-bool isPowerOfTwo(const PlannedLevel& level) {
-    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
-    return power(level.width) && power(level.height) && power(level.depth);
-}
-
 std::string extentsOf(const PlannedLevel& level) {
     std::string text = std::to_string(level.width) + " x " + std::to_string(level.height);
     return level.depth > 1 ? text + " x " + std::to_string(level.depth) : text;
@@ -98,7 +94,8 @@ void nonPowerOfTwo(const Case& about, Report& report) {
         return;
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         const LevelPlan& plan = facts.targets.front().plan;
-        if (plan.levels.empty() || isPowerOfTwo(plan.levels.front()))
+        if (plan.levels.empty() ||
+            arePowersOfTwo(plan.levels.front().width, plan.levels.front().height, plan.levels.front().depth))
             return;
         std::optional<Fix> fix;
         if (texture.mipmaps != MipPolicy::FromFile)

@@ -228,16 +228,19 @@ void noGeneration(const Case& about, Report& report) {
     });
 }
 
-/// Whether a unit lets neither colour nor alpha of the units before it through.
-bool replacesAll(const Case& about, const Unit& unit) {
+/// Whether a unit lets neither colour nor alpha of the units before it through. With an argument that is
+/// undefined it may, as if it were off.
+bool replacesAll(const Case& about, const Pass& pass, const Unit& unit) {
     const BaseFormat format = about.textureOf(unit)->as(unit.target)->format;
     if (unit.envMode == EnvMode::Replace)
         return format == BaseFormat::Rgba || format == BaseFormat::LuminanceAlpha ||
                format == BaseFormat::Intensity;
     if (unit.envMode != EnvMode::Combine)
         return false;
-    return std::ranges::none_of(argumentsOf(unit.combine), [](const Argument& each) {
-        return each.read && each.source == CombineSource::Previous;
+    return std::ranges::none_of(argumentsOf(unit.combine), [&](const Argument& each) {
+        const std::optional<std::size_t> asked = crossbarUnit(each.source);
+        return each.read &&
+               (each.source == CombineSource::Previous || (asked && !about.works(pass.units[*asked])));
     });
 }
 
@@ -252,7 +255,7 @@ void overruledUnit(const Case& about, Report& report) {
             for (std::size_t v = u + 1; v < maxUnits; ++v) {
                 if (!about.works(units[v]))
                     continue;
-                if (replacesAll(about, units[v]))
+                if (replacesAll(about, about.scene.passes[p], units[v]))
                     last = v;
                 asked |= units[v].envMode == EnvMode::Combine &&
                          std::ranges::any_of(argumentsOf(units[v].combine), [&](const Argument& each) {

@@ -58,17 +58,17 @@ Result<void> ImageSource::load(const Scene& scene) {
         const Texture& texture = scene.textures[i];
         if (texture.source != SourceKind::File || files_.contains(texture.file))
             continue;
+        const std::string path = "textures[" + std::to_string(i) + "].file";
         if (texture.file.empty()) {
-            first =
-                first.value_or(Error{ErrorCode::NotFound, "the texture wants an image file, but names none",
-                                     "textures[" + std::to_string(i) + "].file"});
+            first = first.value_or(
+                Error{ErrorCode::NotFound, "the texture wants an image file, but names none", path});
             continue;
         }
         Result<TextureImage> image = readTexture(directory_ / texture.file);
         if (image)
             put(texture.file, *std::move(image));
         else
-            first = first.value_or(image.error());
+            first = first.value_or(Error{image.error().code, describe(image.error()), path});
     }
     if (first)
         return fail(*std::move(first));

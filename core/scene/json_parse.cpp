@@ -3,6 +3,7 @@
 // lists can cost more memory than a scene may have.
 
 #include "core/scene/json.h"
+#include "core/scene/json_problem.h"
 #include "core/scene/param_text.h"
 #include "core/scene/params.h"
 #include "core/scene/scene_check.h"
@@ -319,7 +320,7 @@ bool Reader::parse_error(std::size_t, const std::string& token, const Json::exce
     const std::size_t colon = text.find(": ");
     error_ = colon == std::string_view::npos
                  ? Error{ErrorCode::Malformed, std::string(text), {}}
-                 : Error{ErrorCode::Malformed, std::string(text.substr(colon + 2)),
+                 : Error{ErrorCode::Malformed, readableProblem(text.substr(colon + 2)),
                          std::string(text.substr(0, colon))};
     return false;
 }

@@ -2,6 +2,7 @@
 
 #include "core/image/border.h"
 #include "core/image/cube_faces.h"
+#include "core/image/power_of_two.h"
 #include "core/image/resample.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
@@ -25,11 +26,6 @@ std::string number(int value) {
 
 std::string extentsOf(const Surface& surface) {
     return number(widthOf(surface)) + " x " + number(heightOf(surface));
-}
-
-bool isPowerOfTwo(const Surface& surface) {
-    const auto power = [](int extent) { return (extent & (extent - 1)) == 0; };
-    return power(widthOf(surface)) && power(heightOf(surface)) && power(depthOf(surface));
 }
 
 std::array<std::uint8_t, 3> stencil(const Texture& texture) {
@@ -134,7 +130,7 @@ bool Preparation::keepsBlocks() {
         return false;
     }
     if (texture_.npot == NpotPolicy::PowerOfTwo && texture_.mipmaps == MipPolicy::None &&
-        !isPowerOfTwo(base())) {
+        !arePowersOfTwo(widthOf(base()), heightOf(base()), depthOf(base()))) {
         note("scaling " + extentsOf(base()) + " to powers of two needs pixels: decompressed");
         return false;
     }

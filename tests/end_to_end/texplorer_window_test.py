@@ -104,7 +104,7 @@ class Command(unittest.TestCase):
         self.assertRegex(version.stdout, r"^texplorer \d+\.\d+\.\d+\n$")
 
     def test_refuses_a_wrong_call(self):
-        self.assertEqual(run("--nonsense").returncode, 2)
+        self.one_sentence(run("--nonsense"), 2, "texplorer: there is no option --nonsense; see texplorer --help")
 
     def test_without_a_display_it_names_texshot(self):
         self.one_sentence(run(), 1, "display", "texshot")

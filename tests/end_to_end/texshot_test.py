@@ -171,7 +171,9 @@ class Shot(Texshot):
             ("one of texture, unit, combine, coordinates, matrix, model, pass, light, material, view, found \"lod\"",
              ["--ui", "--section", "lod"]),
             ("--ui", ["--section", "matrix"]),
-            ("--nonsense", ["--nonsense"]),
+            ("there is no option --nonsense; see texshot shot --help", ["--nonsense"]),
+            ("expected no further argument, found \"b.json\"; see texshot shot --help", ["a.json", "b.json"]),
+            ("--size: expected a value, found none", ["--size"]),
         ]:
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
@@ -306,6 +308,8 @@ class Shot(Texshot):
     def test_bad_comparisons_are_refused(self):
         for expected, value in [("expected one of fixed, shader, reference, found \"metal\"", "fixed,metal"),
                                 ("two renderers or more, found one", "fixed"),
+                                ("expected one of fixed, shader, reference, found \"\"", "fixed,shader,"),
+                                ("expected one of fixed, shader, reference, found \"\"", ",fixed"),
                                 ("found \"shader\" twice", "shader,shader")]:
             with self.subTest(value):
                 self.complains(2, expected, "shot", "--ui", "--compare", value, "-o", self.path / "out.png")
@@ -550,6 +554,14 @@ class Textures(Texshot):
             (".dds", ["convert", source, self.path / "out"]),
             ("--format", ["compress", source, self.path / "out.dds"]),
             ("dxt9", ["compress", source, self.path / "out.dds", "--format", "dxt9"]),
+            ("--format: expected one of dxt1, dxt1a, dxt3, dxt5, bc4, bc5, found \"foo\"",
+             ["compress", source, self.path / "out.dds", "--format", "foo"]),
+            ("--quality: expected one of fast, normal, best, found \"fine\"",
+             ["compress", source, self.path / "out.dds", "--format", "dxt1", "--quality", "fine"]),
+            ("--mips: expected one of none, box, ",
+             ["compress", source, self.path / "out.dds", "--format", "dxt1", "--mips", "many"]),
+            ("--level: expected a whole number from 0 to 30, found \"31\"",
+             ["decode", source, self.path / "out.png", "--level", "31"]),
             ("--half-turn", ["flip", source, self.path / "out.dds", "--half-turn", "--horizontal"]),
         ]:
             with self.subTest(arguments[0] + expected):
@@ -631,6 +643,14 @@ class Check(Texshot):
         self.complains(1, "nowhere.json", "check", self.path / "nowhere.json")
         self.complains(2, "minFliter", "check", "--set", "textures[0].minFliter=GL_NEAREST")
 
+    def test_a_shot_names_the_scene_and_the_texture_whose_file_is_missing(self):
+        scene = self.path / "lesson.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "nowhere.bmp"}]}))
+        for command in (["shot", scene, "-o", self.path / "out.png"], ["probe", scene, "--at", "1,1"]):
+            self.complains(1, f"texshot: {scene}: textures[0].file: {self.path}/nowhere.bmp: ", *command)
+        checked = texshot("check", scene).stdout.decode()
+        self.assertIn(f"error: textures[0].file: {self.path}/nowhere.bmp: ", checked)
+
     def test_a_shot_says_it_too_and_is_drawn(self):
         result = texshot("shot", "--size", "32x32", "--set", self.INCOMPLETE, "-o", "-")
         self.assertEqual(result.returncode, 0)
@@ -697,9 +717,12 @@ class Conform(Texshot):
         for expected, *arguments in (
             ("--feature: expected one of coverage, depth, ", "--feature", "none"),
             ("--renderer: expected one of fixed, shader, reference, found \"gpu\"", "--renderer", "gpu"),
-            ("expected two different renderers, found \"fixed\" twice", "--renderer", "fixed"),
-            ("--scenes", "--scenes", "0"),
-            ("--seed", "--seed", "some"),
+            ("expected two different renderers, found \"fixed\" twice", "--renderer", "fixed", "--against", "fixed"),
+            ("--renderer: expected another renderer than fixed, which --against is unless it is given", "--renderer", "fixed"),
+            ("--against: expected another renderer than fixed, which --renderer is", "--against", "fixed"),
+            ("--scenes: expected a whole number from 1 to 100000, found \"0\"", "--scenes", "0"),
+            ("--seed: expected a whole number from 0 to 4294967295, found \"-1\"", "--seed", "-1"),
+            ("--seed: expected a whole number from 0 to 4294967295, found \"some\"", "--seed", "some"),
         ):
             with self.subTest(expected=expected):
                 self.complains(2, expected, "conform", *arguments)

@@ -1,4 +1,5 @@
 #include "core/conform/judge.h"
+#include "core/conform/skip.h"
 #include "core/conform/surfaces.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,18 @@ Scene boardWithEdgesAt(float offset) {
         scene.models[0].texCoords[0].emplace_back(
             (vertex.position.x > 0 ? 1.0F : 0.0F) + (offset - 0.5F) / 64, 0.5F / 64, 0, 1);
     return scene;
+}
+
+TEST_F(Judging, TakesUnitsWithoutATextureAsTheyAre) {
+    Scene scene = boardWithEdgesAt(0.005F);
+    scene.passes[0].units[1].enabled = true;
+    for (const int texture : {-1, 1, 5}) {
+        scene.passes[0].units[1].texture = texture;
+        EXPECT_EQ(movedByTexelError(scene).size(), 4U);
+        EXPECT_EQ(judged(edge, scene, boardWithEdgesAt(-0.005F)).unexplained, 0U);
+        EXPECT_EQ(skipOf(scene, {RendererKind::Reference, RendererKind::Fixed}, {"llvmpipe", "", "", {}}),
+                  nullptr);
+    }
 }
 
 TEST_F(Judging, GrantsTheNeighbourNextToAnEdge) {

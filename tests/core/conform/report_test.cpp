@@ -47,6 +47,7 @@ TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
     EXPECT_THAT(text, HasSubstr("agree"));
     EXPECT_THAT(text, HasSubstr("skipped: driver-compression, "));
     EXPECT_THAT(text, HasSubstr("on llvmpipe <&> with A=b: not all agree\n"));
+    EXPECT_THAT(text, HasSubstr("  –  ")); // what no rule explains has no number
     std::istringstream lines(text);
     std::string line;
     std::getline(lines, line);
@@ -54,8 +55,41 @@ TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
     const std::size_t column = line.find("verdict");
     for (int row = 0; row < 3; ++row) {
         std::getline(lines, line);
+        if (const std::size_t dash = line.find("–"); dash != std::string::npos)
+            line.replace(dash, std::string_view("–").size(), "-");
         const std::string verdict = line.substr(column, 5);
         EXPECT_TRUE(verdict == "agree" || verdict == "DIFFE") << line;
+    }
+}
+
+std::string pageOf(const Report& report) {
+    const std::vector<ReportFile> files = *asFolder(report);
+    const Bytes& page = std::ranges::find(files, "index.html", &ReportFile::name)->bytes;
+    return {reinterpret_cast<const char*>(page.data()), page.size()};
+}
+
+TEST(Report, SaysTheSameOfAllInEachForm) {
+    struct Row {
+        const char* words;
+        const char* inPage;
+        bool compared;
+        Report report;
+    };
+    Report none = reportOf({findFeature("wrap")});
+    none.pairs[0].outcomes[0].all = {};
+    Report some = reportOf({findFeature("incomplete")});
+    Report most = some;
+    most.pairs[0].outcomes[0].skipped[&skips()[0]] = 4;
+    const std::string sum = std::to_string(some.scenes + 4);
+    const std::string skipped = "all agree, 4 of " + sum + " comparisons skipped";
+    for (const auto& [words, inPage, compared, report] :
+         {Row{": nothing was compared\n", ">nothing was compared<", false, none},
+          Row{": all agree\n", ">all agree<", true, some},
+          Row{": not all agree\n", ">not all agree<", true, reportOf({findFeature("wrap")})},
+          Row{skipped.c_str(), skipped.c_str(), true, most}}) {
+        EXPECT_THAT(asText(report), HasSubstr(words));
+        EXPECT_THAT(pageOf(report), HasSubstr(inPage));
+        EXPECT_EQ(nlohmann::json::parse(asJson(report))["compared"], compared) << words;
     }
 }
 

@@ -58,6 +58,36 @@ TEST(Sweep, FindsThatTheReferenceAgreesWithItself) {
     }
 }
 
+/// Draws as the reference does and complains of what it is told.
+class Complainer : public Painter {
+public:
+    explicit Complainer(std::vector<std::string> problems)
+        : problems_(std::move(problems)) {}
+    Result<Painting> paint(const Scene& scene) override {
+        Result<Painting> painted = reference_->paint(scene);
+        painted->problems = problems_;
+        return painted;
+    }
+
+private:
+    std::vector<std::string> problems_;
+    std::unique_ptr<Painter> reference_ = referencePainter();
+};
+
+TEST(Sweep, NamesTheProblemThatOnlyOneHas) {
+    SweepOptions options = optionsFor({findFeature("wrap")}, 4);
+    options.pairs = {Pair{RendererKind::Shader, RendererKind::Fixed}};
+    const auto problemOf = [&](std::vector<std::string> fixed, std::vector<std::string> shader) {
+        Complainer one(std::move(fixed));
+        Complainer other(std::move(shader));
+        return sweep(options, {&one, &other})->pairs[0].outcomes[0].problem;
+    };
+    EXPECT_EQ(problemOf({"of both"}, {"of both", "of the shader"}), "of the shader");
+    EXPECT_EQ(problemOf({"of both", "of fixed"}, {"of both"}), "of fixed");
+    EXPECT_EQ(problemOf({"of both", "and this"}, {"and this", "of both"}), "");
+    EXPECT_EQ(problemOf({"of fixed"}, {}), "of fixed");
+}
+
 TEST(Sweep, IsTheSameWithAnyNumberOfThreads) {
     SweepOptions options = optionsFor({findFeature("wrap"), findFeature("trilinear")}, 40);
     std::vector<Report> reports;

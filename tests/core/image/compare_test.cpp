@@ -168,6 +168,8 @@ TEST_P(Heat, RunsFromBlackToBrightWithoutAStepBack) {
     EXPECT_EQ(heatColor(300, scale), heatColor(static_cast<float>(scale.top), scale));
     EXPECT_EQ(heatColor(-1, scale), heatColor(0, scale));
     EXPECT_EQ(heatColor(NAN, scale), heatColor(0, scale));
+    for (const float difference : {0.5F, 1.0F, 7.0F, 255.0F}) // no tolerance is less than none
+        EXPECT_EQ(heatColor(difference, {-3, 255}), heatColor(difference, {0, 255})) << difference;
 }
 
 // One sees at a glance whether a pixel is over the tolerance.

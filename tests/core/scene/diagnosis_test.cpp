@@ -371,6 +371,16 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit(1).combine.source1Alpha = CombineSource::Texture;
             },
             [](Stage& s) { s.unit(1).combine.source0Rgb = CombineSource::Texture0; }},
+        Row{"OverruledUnlessItIsUndefined", "overruled-unit", Hint, "passes[0].units[0].enabled", "unit 2",
+            [](Stage& s) {
+                s.unit(1).enabled = s.unit(2).enabled = true;
+                s.unit(2).envMode = EnvMode::Combine;
+                s.unit(2).combine.rgb = CombineRgb::Replace;
+                s.unit(2).combine.alpha = CombineAlpha::Replace;
+                s.unit(2).combine.source0Rgb = CombineSource::Texture1;
+                s.unit(2).combine.source0Alpha = CombineSource::Texture1;
+            },
+            [](Stage& s) { s.unit(1).enabled = false; }},
         Row{"AngleOfAScale", "other-matrix-operation", Unused, "passes[0].units[0].matrix[0].angle", "rotate",
             [](Stage& s) {
                 s.unit().matrix = {{MatrixOp::Scale, {1, 1, 1}}};
