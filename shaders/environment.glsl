@@ -2,6 +2,10 @@
 // piece is a cell of the tables: an environment mode with the base internal formats that share it. A format
 // without colour leaves the incoming colour alone, one without alpha the incoming alpha.
 
+//@ signed
+
+    // What a unit gives lies between 0 and 1; the texels of this format need not.
+    color = clamp(color, 0.0, 1.0);
 //@ GL_REPLACE GL_ALPHA
 
     // Unit UNIT, GL_REPLACE with alpha alone

@@ -11,16 +11,16 @@ uniform vec3 materialSpecular;
 uniform float shininess;
 //@ directional light
 
-    vec3 toLight = normalize(lightPosition.xyz);
+    vec3 toLight = direction(lightPosition.xyz);
 //@ positional light
 
-    vec3 toLight = normalize(lightPosition.xyz / lightPosition.w - eyePosition);
+    vec3 toLight = direction(lightPosition.xyz / lightPosition.w - eyePosition);
 //@ infinite viewer
     vec3 toViewer = vec3(0.0, 0.0, 1.0);
 //@ local viewer
-    vec3 toViewer = normalize(-eyePosition);
+    vec3 toViewer = direction(-eyePosition);
 //@ terms
-    vec3 halfway = normalize(toLight + toViewer);
+    vec3 halfway = direction(toLight + toViewer);
     float diffuse = max(dot(eyeNormal, toLight), 0.0);
     float cosine = max(dot(eyeNormal, halfway), 0.0);
     // No highlight on the side that looks away from the light. 0 to the power of 0 is 1 here, as in the

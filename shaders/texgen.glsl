@@ -7,15 +7,16 @@ uniform vec4 planeUNITCOORD;
 
 // The direction in which a surface mirrors the eye's ray; the eye is at the origin.
 vec3 reflectionVector(vec3 eyePosition, vec3 n) {
-    vec3 u = normalize(eyePosition);
+    vec3 u = direction(eyePosition);
     return u - 2.0 * n * dot(n, u);
 }
 //@ sphere map
 
-// Where that direction falls on the photograph of a mirror ball.
+// Where that direction falls on the photograph of a mirror ball. Straight away from the eye is all of its rim,
+// and has no place: the middle is taken.
 vec2 sphereMap(vec3 r) {
     float m = 2.0 * length(vec3(r.xy, r.z + 1.0));
-    return r.xy / m + 0.5;
+    return m > 0.0 ? r.xy / m + 0.5 : vec2(0.5);
 }
 //@ GL_OBJECT_LINEAR
     coordUNIT.MEMBER = dot(planeUNITCOORD, vec4(position, 1.0));

@@ -46,6 +46,13 @@ out vec3 secondaryColorTimesW;
 flat out vec3 secondaryColor;
 //@ coordinate output
 out vec4 texCoordUNIT;
+//@ direction
+
+// What points where v does and has the length 1. A v of length 0 stays: of it normalize would make no number.
+vec3 direction(vec3 v) {
+    float size = length(v);
+    return size > 0.0 ? v / size : v;
+}
 //@ begin
 
 void main() {

@@ -112,6 +112,11 @@ void LiveTexture::finish() {
     const TextureLevels& levels = **next.levels;
     lastLevel_ = levels.lastLevel;
     lateFlip_ = levels.lateFlip;
+    hasNegative_ = std::ranges::any_of(levels.levels, [](const TextureLevel& each) {
+        const auto* blocks = std::get_if<BlockImage>(&each.surface);
+        return blocks &&
+               (blocks->format == BlockFormat::Bc4Signed || blocks->format == BlockFormat::Bc5Signed);
+    });
     shape_ = reference::shapeOf(levels, next.request.settings.internalFormat, next.request.target);
     object_ = std::move(next.object);
     errors_ = std::move(next.errors);

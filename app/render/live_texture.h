@@ -31,6 +31,9 @@ public:
     [[nodiscard]] int lastLevel() const { return lastLevel_; }
     [[nodiscard]] LateFlip lateFlip() const { return lateFlip_; }
 
+    /// Whether texels may be below 0: those of a signed format.
+    [[nodiscard]] bool hasNegative() const { return hasNegative_; }
+
     /// Its base format and the extents of its levels, without texels: enough to say whether it is complete.
     [[nodiscard]] const reference::SampledTexture& shape() const { return shape_; }
 
@@ -67,6 +70,7 @@ private:
     TextureObject object_;
     int lastLevel_ = 1000;
     LateFlip lateFlip_ = LateFlip::None;
+    bool hasNegative_ = false;
     reference::SampledTexture shape_;
     GlErrors errors_;
     bool cancelled_ = false;

@@ -25,7 +25,7 @@ SampledUnits sampledUnits(const BoundTextures& textures) {
     SampledUnits units;
     std::ranges::transform(textures, units.begin(), [](const BoundTexture& texture) {
         return texture.name != 0 && texture.complete
-                   ? std::optional(SampledUnit{texture.format, texture.lateFlip})
+                   ? std::optional(SampledUnit{texture.format, texture.lateFlip, texture.hasNegative})
                    : std::nullopt;
     });
     return units;

@@ -187,7 +187,10 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
     plan.forEachUnit([&](const Unit&, const SampledUnit&, const std::string& index) {
         stage.add("vertex", "coordinate output", {{"UNIT", index}});
     });
-    if (body.mentions("reflectionVector("))
+    const bool reflects = body.mentions("reflectionVector(");
+    if (reflects || body.mentions("direction("))
+        stage.add("vertex", "direction");
+    if (reflects)
         stage.add("texgen", "reflection vector");
     if (body.mentions("sphereMap("))
         stage.add("texgen", "sphere map");
@@ -282,6 +285,8 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
             writeCombine(body, unit.combine, index, plan.units, pieces);
         else
             body.add("environment", nameOf(unit.envMode) + " " + nameOf(sampled.format), {{"UNIT", index}});
+        if (sampled.hasNegative && unit.envMode != EnvMode::Combine)
+            body.add("environment", "signed");
     });
     if (plan.affineColors() && plan.separateSpecular())
         body.add("fragment", "secondary color without perspective");

@@ -19,6 +19,7 @@ namespace texplorer::render {
 struct SampledUnit {
     BaseFormat format = BaseFormat::Rgba;
     LateFlip lateFlip = LateFlip::None;
+    bool hasNegative = false; ///< its format is signed
 };
 
 /// None where a unit takes no part: it is off, or its texture is missing or incomplete (section 3.8.10).

@@ -40,7 +40,7 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     reference::SampledTexture shape = slot.shape();
     reference::setParameters(shape, applied, slot.lastLevel());
     shape.baseLevel = std::max(0, shape.baseLevel); // GL refuses another, and keeps 0
-    return {slot.object().name(), slot.lateFlip(), shape.format,
+    return {slot.object().name(), slot.lateFlip(), shape.format, slot.hasNegative(),
             reference::checkCompleteness(shape).complete()};
 }
 

@@ -16,6 +16,7 @@ struct BoundTexture {
     GLuint name = 0; ///< 0: drawn without it
     LateFlip lateFlip = LateFlip::None;
     BaseFormat format = BaseFormat::Rgba; ///< the base internal format, which the environment asks for
+    bool hasNegative = false;             ///< its format is signed
     bool complete = true;                 ///< section 3.8.10; fixed function decides that for itself
 };
 

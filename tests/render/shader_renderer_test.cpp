@@ -4,6 +4,8 @@
 #include "app/render/shader_pieces.h"
 #include "app/render/shader_renderer.h"
 #include "core/base/file_io.h"
+#include "core/mesh/mesh.h"
+#include "core/reference/draw.h"
 #include "core/scene/json.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
@@ -175,6 +177,83 @@ TEST_F(ShaderAgainstFixed, AnySceneIsTheSameWithinARounding) {
     }
     EXPECT_LE(inAll, scenes * extent * extent / 10000);
     EXPECT_GE(exact, scenes * 9 / 10);
+}
+
+/// Where a driver's own arithmetic is no measure: what it makes of vectors without a direction is its affair.
+class ShaderAgainstReference : public RenderTest {
+protected:
+    void agree(const Scene& scene) {
+        constexpr int extent = 32;
+        auto shader = render::ShaderRenderer::create(capabilities);
+        ASSERT_TRUE(shader);
+        const Result<render::Frame> frame = shader->draw(scene, images, 0, {extent, extent});
+        ASSERT_TRUE(frame) << describe(frame.error());
+        EXPECT_THAT(frame->problems, IsEmpty());
+        const Result<reference::Drawn> drawn = reference::drawReference(scene, images, 0, extent, extent);
+        ASSERT_TRUE(drawn);
+        EXPECT_LE(differing(shader->read().value_or(Image()), drawn->image), extent * extent / 100);
+    }
+    static Scene litScene() {
+        Scene scene = flatScene();
+        scene.passes[0].lighting = true;
+        scene.light.diffuse = {0.25F, 0.5F, 0.75F, 1};
+        scene.material.specular = {1, 1, 1, 1};
+        scene.material.shininess = 8;
+        return scene;
+    }
+};
+
+TEST_F(ShaderAgainstReference, ALightWithoutADirectionGivesAmbientLight) {
+    Scene scene = litScene();
+    scene.light.position = {0, 0, 0, 0};
+    agree(scene);
+    scene.light.localViewer = true;
+    agree(scene);
+}
+
+// The light shines on the back, which the viewer sees from in front: half-way between them is nowhere.
+TEST_F(ShaderAgainstReference, ALightOppositeToTheViewerGivesNoHighlight) {
+    Scene scene = litScene();
+    scene.light.position = {0, 0, -1, 0};
+    scene.models[0].rotation = {0, 180, 0};
+    agree(scene);
+}
+
+TEST_F(ShaderAgainstReference, AVertexAtTheEyeHasNoDirection) {
+    for (const TexGenMode mode : {TexGenMode::SphereMap, TexGenMode::ReflectionMap}) {
+        Scene scene = texturedScene();
+        scene.textures[0].source = SourceKind::Pattern;
+        scene.textures[0].pattern = Pattern::UvTemplate;
+        const Vertex corner = makeMesh(Shape::Quad, 0, 0).vertices.front();
+        scene.models[0].position = glm::vec3(0, 0, scene.view.distance) - corner.position;
+        scene.passes[0].units[0].texGenS = {.enabled = true, .mode = mode};
+        scene.passes[0].units[0].texGenT = {.enabled = true, .mode = mode};
+        agree(scene);
+    }
+}
+
+// Red -1 times white is clamped to 0 before the next unit adds to it.
+TEST_F(ShaderAgainstReference, NegativeTexelsDoNotReachTheNextUnit) {
+    for (const BlockFormat format : {BlockFormat::Bc4Signed, BlockFormat::Bc5Signed}) {
+        BlockImage blocks = BlockImage::uninitialised(format, 4, 4);
+        std::ranges::fill(blocks.blocks, std::byte{0});
+        for (std::size_t i = 0; i < blocks.blocks.size(); i += 8)
+            blocks.blocks[i] = blocks.blocks[i + 1] = std::byte{0x81}; // both ends -127
+        TextureImage file;
+        file.surfaces.emplace_back(std::move(blocks));
+        images.put("signed", std::move(file));
+        images.put("image", plainImage(1, 1, {128, 64, 32, 255}));
+        for (const EnvMode mode : {EnvMode::Modulate, EnvMode::Replace, EnvMode::Blend, EnvMode::Add}) {
+            Scene scene = texturedScene();
+            scene.textures.push_back(scene.textures[0]);
+            scene.textures[0].file = "signed";
+            scene.passes[0].units[0].envMode = mode;
+            scene.passes[0].units[0].envColor = {1, 1, 1, 1};
+            scene.passes[0].units[1] = {.enabled = true, .texture = 1, .envMode = EnvMode::Add};
+            scene.material.color = {0.5F, 0.5F, 0.5F, 1};
+            agree(scene);
+        }
+    }
 }
 
 /// A folder with the shaders, of which a line can be replaced by another.
