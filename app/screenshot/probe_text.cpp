@@ -18,9 +18,15 @@ std::size_t columnsOf(std::string_view text) {
         std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
+/// Numbers stand to the right, so that their signs and points are below each other.
+bool isNumber(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("-0123456789.") == std::string_view::npos;
+}
+
 std::string padded(std::string text, std::size_t width) {
     const std::size_t columns = columnsOf(text);
-    return columns < width ? text.append(width - columns, ' ') : text;
+    const std::string space(width - std::min(width, columns), ' ');
+    return isNumber(text) ? space + text : text + space;
 }
 
 /// Rows with the same number of cells that follow each other share their columns.
@@ -142,7 +148,7 @@ std::string asText(const reference::Contributions& found, const reference::Texel
             reference::numberText(static_cast<float>(sum)) + " pixels' worth of colour in all\n";
     for (const Pixel& pixel : heaviest)
         text += "  " + padded(std::to_string(pixel.x) + ", " + std::to_string(pixel.y), 12) +
-                reference::numberText(pixel.weight) + "\n";
+                reference::amountText(pixel.weight) + "\n";
     if (count > mostListed)
         text += "  and " + std::to_string(count - mostListed) + " of lesser weight; --json lists all\n";
     return text;

@@ -226,6 +226,7 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
         text(remark, remark.starts_with("differs") ? color::problem : color::dim);
     };
     line(rowOf(RendererKind::Reference).label, explanation.bytes, "");
+    const bool comparable = explainsThePicture(session);
     for (const RenderedView& view : pictures.views) {
         if (!view.image || !view.whole || view.image->width != explanation.width ||
             view.image->height != explanation.height || view.image->format != PixelFormat::Rgba8)
@@ -233,7 +234,11 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
         PixelBytes bytes{};
         for (std::size_t i = 0; i < bytes.size(); ++i)
             bytes[i] = std::to_integer<std::uint8_t>(view.image->at(x, y)[i]);
-        line(rowOf(view.renderer).label, bytes, differenceText(explanation.bytes, bytes));
+        // While the scene moves the pictures are ahead of the answer: they have nothing in common.
+        const std::string label(rowOf(view.renderer).label);
+        line(label, bytes, comparable ? differenceText(explanation.bytes, bytes) : "");
+        if (comparable)
+            noteItem(session, "explain:compared " + label);
     }
     ImGui::EndTable();
 }

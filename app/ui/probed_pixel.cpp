@@ -27,6 +27,10 @@ std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
     return std::make_shared<const Image>(std::move(image));
 }
 
+reference::DrawRequest pictureNow(const Session& session, int width, int height) {
+    return {session.scene, session.images, session.playback.time, width, height, session.views.anisotropy};
+}
+
 } // namespace
 
 void askAboutPicture(Session& session, const Pictures& pictures) {
@@ -43,10 +47,8 @@ void askAboutPicture(Session& session, const Pictures& pictures) {
         probeWorkerOf(session).rest();
         return;
     }
-    asked.answer = probeWorkerOf(session).answer(
-        {{session.scene, session.images, session.playback.time, width, height, session.views.anisotropy},
-         asked.pixel,
-         asked.texel});
+    asked.answer =
+        probeWorkerOf(session).answer({pictureNow(session, width, height), asked.pixel, asked.texel});
     if (asked.lightOf == asked.answer)
         return;
     asked.lightOf = asked.answer;
@@ -59,6 +61,15 @@ const reference::Explanation* explanationOf(const Session& session) {
     return session.explaining.pixel && answer && answer->explanation && *answer->explanation
                ? &**answer->explanation
                : nullptr;
+}
+
+bool explainsThePicture(const Session& session) {
+    const reference::Explanation* explanation = explanationOf(session);
+    if (!explanation)
+        return false;
+    const reference::ProbeRequest& answered = session.explaining.answer->request;
+    return answered.pixel == session.explaining.pixel &&
+           answered.picture == pictureNow(session, explanation->width, explanation->height);
 }
 
 const reference::UnitExplanation* probedUnit(const Session& session) {

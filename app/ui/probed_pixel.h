@@ -22,6 +22,9 @@ void drawProbedPixel(Session& session, const Pictures& pictures, const Panes& pa
 /// The explanation that there is; nullptr: none.
 [[nodiscard]] const reference::Explanation* explanationOf(const Session& session);
 
+/// Whether it is about the scene, the pixel and the time as they are now, and not about earlier ones.
+[[nodiscard]] bool explainsThePicture(const Session& session);
+
 /// Asks for a texel of the selected unit; asks no longer where it was the one.
 void chooseTexel(Session& session, const reference::TexelPlace& texel);
 

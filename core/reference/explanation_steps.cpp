@@ -12,8 +12,11 @@ namespace texplorer::reference {
 
 namespace {
 
+/// From here on a power of ten is shorter.
+constexpr float largest = 1e6F;
+
 std::string vectorText(glm::vec3 v) {
-    return "(" + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + ")";
+    return "(" + columnText(v.x) + ", " + columnText(v.y) + ", " + columnText(v.z) + ")";
 }
 
 std::string colorText(glm::vec4 c) {
@@ -50,12 +53,12 @@ Step triangleStep(const FragmentExplanation& fragment) {
     step.summary = shares;
     step.rows = {
         corners(fragment),
-        perCorner("share here", fragment, [](const auto& v) { return numberText(v.weight); }),
+        perCorner("share here", fragment, [](const auto& v) { return columnText(v.weight); }),
         perCorner("x, y, z of the model", fragment,
                   [](const auto& v) { return vectorText(glm::vec3(v.object)); }),
         perCorner("in eye coordinates", fragment, [](const auto& v) { return vectorText(glm::vec3(v.eye)); }),
         perCorner("normal there", fragment, [](const auto& v) { return vectorText(v.normal); }),
-        perCorner("w", fragment, [](const auto& v) { return numberText(v.clip.w); })};
+        perCorner("w", fragment, [](const auto& v) { return columnText(v.clip.w); })};
     if (fragment.clipped)
         step.rows.push_back(
             {"It reaches out of the view and was clipped; the shares are those of its own corners."});
@@ -73,8 +76,10 @@ Step primaryStep(const FragmentExplanation& fragment) {
     };
     step.rows = {
         corners(fragment),
-        perCorner("n . VP", fragment, [](const auto& v) { return numberText(v.lighting->nDotVP); }),
-        perCorner("n . h", fragment, [](const auto& v) { return numberText(v.lighting->nDotH); }),
+        perCorner("cosine, normal to light", fragment,
+                  [](const auto& v) { return columnText(v.lighting->nDotVP); }),
+        perCorner("cosine, normal to half-way", fragment,
+                  [](const auto& v) { return columnText(v.lighting->nDotH); }),
         perCorner("scene's ambient", fragment, term(&LightingTerms::scene)),
         perCorner("+ ambient", fragment, term(&LightingTerms::ambient)),
         perCorner("+ diffuse", fragment, term(&LightingTerms::diffuse)),
@@ -203,12 +208,26 @@ Step framebufferStep(const FragmentExplanation& fragment) {
 } // namespace
 
 std::string numberText(float value) {
-    const float size = std::abs(value);
-    if (size == 0 || (size >= 0.01F && size < 1e6F) || !std::isfinite(value))
+    if (std::abs(value) < largest || !std::isfinite(value))
         return shortNumber(value);
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(value));
     return text.data();
+}
+
+std::string amountText(float value) {
+    const std::string text = numberText(value);
+    return text != "0" || value == 0 ? text : value > 0 ? "< 0.0001" : "> -0.0001";
+}
+
+std::string columnText(float value, int digits) {
+    if (!(std::abs(value) < largest))
+        return numberText(value);
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, static_cast<double>(value));
+    const std::string number = text.data();
+    const bool isZero = number.find_first_of("123456789") == std::string::npos;
+    return isZero && number.front() == '-' ? number.substr(1) : number;
 }
 
 std::string bytesText(const PixelBytes& bytes) {

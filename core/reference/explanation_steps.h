@@ -66,8 +66,13 @@ struct FragmentSteps {
 /// "181 90 12 255".
 [[nodiscard]] std::string bytesText(const PixelBytes& bytes);
 
-/// A number for a reader: four digits after the point, more for what is small, a power of ten for what is
-/// large.
+/// A number for a reader: at most four digits after the point, a power of ten for what is large.
 [[nodiscard]] std::string numberText(float value);
+
+/// The same, of which one wants to know that it isn't 0: "< 0.0001".
+[[nodiscard]] std::string amountText(float value);
+
+/// With so many digits after the point that numbers in a column stand below each other.
+[[nodiscard]] std::string columnText(float value, int digits = 4);
 
 } // namespace texplorer::reference

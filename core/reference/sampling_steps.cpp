@@ -1,5 +1,7 @@
 #include "core/reference/sampling_steps.h"
 
+#include "core/reference/wrap.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,12 +23,15 @@ StepRow heading(const char* label, int count) {
     return row;
 }
 
-StepRow coordinates(std::string label, glm::vec4 values, int count = 4) {
+StepRow coordinates(std::string label, glm::vec4 values, int count = 4, int digits = 4) {
     StepRow row{std::move(label)};
     for (int i = 0; i < count; ++i)
-        row.cells.push_back({numberText(values[i]), coordinateInks.at(static_cast<std::size_t>(i))});
+        row.cells.push_back({columnText(values[i], digits), coordinateInks.at(static_cast<std::size_t>(i))});
     return row;
 }
+
+/// Of the coordinates of one pixel and the next, in which small numbers count.
+constexpr int derivativeDigits = 6;
 
 std::string percent(float share) {
     return numberText(std::round(share * 1000) / 10) + " %";
@@ -78,6 +83,19 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     return step;
 }
 
+/// Whether the filter that decided blends neighbours.
+bool isLinearHere(const UnitExplanation& unit) {
+    return unit.sample.lod.magnified ? unit.magFilter == MagFilter::Linear : isLinear(unit.minFilter);
+}
+
+bool areFinite(const Derivatives& change, int axes) {
+    for (int axis = 0; axis < axes; ++axis) {
+        if (!std::isfinite(change.dx[axis]) || !std::isfinite(change.dy[axis]))
+            return false;
+    }
+    return true;
+}
+
 Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
@@ -86,16 +104,16 @@ Step lodStep(const UnitExplanation& unit) {
     const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     step.rows.push_back(
         heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
-    step.rows.push_back(coordinates("  d/dx", glm::vec4(change.dx, 0), axes));
-    step.rows.push_back(coordinates("  d/dy", glm::vec4(change.dy, 0), axes));
+    step.rows.push_back(coordinates("  d/dx", glm::vec4(change.dx, 0), axes, derivativeDigits));
+    step.rows.push_back(coordinates("  d/dy", glm::vec4(change.dy, 0), axes, derivativeDigits));
     const auto value = [&](std::string label, float number) {
-        step.rows.push_back({std::move(label), {{numberText(number)}}});
+        step.rows.push_back({std::move(label), {{amountText(number)}}});
     };
     value("texels a pixel, in x", lod.lengthX);
     value("texels a pixel, in y", lod.lengthY);
     if (lod.ellipse)
         step.rows.push_back({"anisotropic, up to " + numberText(unit.maxAnisotropy) +
-                             ": averaged over the ellipse that the pixel covers"});
+                             ": averaged over the ellipse that the pixel covers, whatever the filters are"});
     else if (lod.probes > 1)
         value("anisotropic, up to " + numberText(unit.maxAnisotropy) + ": probes",
               static_cast<float>(lod.probes));
@@ -111,16 +129,32 @@ Step lodStep(const UnitExplanation& unit) {
     if (lod.lambda != lod.biased)
         step.rows.push_back({"clamped to " + numberText(unit.minLod) + " ... " + numberText(unit.maxLod),
                              {{numberText(lod.lambda)}}});
-    step.rows.push_back({whyMagnified(unit)});
+    if (!lod.ellipse)
+        step.rows.push_back({whyMagnified(unit)});
     if (lod.undefined)
         step.rows.push_back({unit.minLod > unit.maxLod
                                  ? "The least LOD is above the greatest: undefined. The greatest wins here."
+                             : areFinite(change, axes)
+                                 ? "The length of a derivative is beyond what a float holds. rho is 1 here."
                                  : "A derivative is infinite or not a number: undefined. rho is 1 here.",
                              {},
                              {},
                              false,
                              Ink::Bad});
     return step;
+}
+
+std::string texelText(int index, int size) {
+    return index >= 0 && index < size ? "texel " + std::to_string(index) : "the border";
+}
+
+/// Which texels of a row `u` falls on. The centre of texel i is at i + 0.5, which a linear filter goes by.
+std::string texelsText(bool linear, Wrap wrap, float u, int size) {
+    if (!linear)
+        return "its whole part: " + texelText(nearestTexel(u, size), size);
+    const auto [first, second, share] = linearTexels(wrap, u, size);
+    return "- 0.5 = " + numberText(u - 0.5F) + ": " + texelText(first, size) + " and " +
+           texelText(second, size) + ", shares " + numberText(1 - share) + " and " + numberText(share);
 }
 
 Step wrapStep(const UnitExplanation& unit) {
@@ -146,6 +180,11 @@ Step wrapStep(const UnitExplanation& unit) {
             step.rows.push_back(
                 {std::string("  ") + coordinateNames.at(i) + ", " + std::string(rowOf(unit.wrap.at(i)).name),
                  {{wrapped, coordinateInks.at(i)}}});
+            if (!unit.sample.lod.ellipse) // which weighs all texels in it
+                step.rows.push_back(
+                    {"",
+                     {{texelsText(isLinearHere(unit), unit.wrap.at(i), found->texels, extent.size[axis]),
+                       coordinateInks.at(i)}}});
         }
     }
     if (unit.sample.probes.size() > 1)
@@ -166,7 +205,7 @@ std::string placeText(const Tap& tap, Target target, bool severalLevels) {
 
 /// Three digits are enough to tell colours apart, and leave room beside them.
 std::string shorter(float value) {
-    return numberText(std::round(value * 1000) / 1000);
+    return columnText(value, 3);
 }
 
 Step texelsStep(const UnitExplanation& unit) {
@@ -188,7 +227,7 @@ Step texelsStep(const UnitExplanation& unit) {
         const Tap& tap = taps[i];
         StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
                         (tap.border ? " border" : ""),
-                    {{numberText(tap.weight)}},
+                    {{columnText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)
             row.cells.push_back({shorter(tap.color[c])});
@@ -197,7 +236,7 @@ Step texelsStep(const UnitExplanation& unit) {
     if (taps.size() > mostTapsShown)
         step.rows.push_back(
             {"and " + std::to_string(taps.size() - mostTapsShown) + " more, of lesser weight"});
-    StepRow sum{"filtered", {{"1"}}, color};
+    StepRow sum{"filtered", {{columnText(1)}}, color};
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});
     step.rows.push_back(std::move(sum));

@@ -97,6 +97,26 @@ TEST_F(ExplainTab, FollowsTheScene) {
     EXPECT_EQ(probedUnit(*session), nullptr);
 }
 
+TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
+    open();
+    const auto worker =
+        std::make_shared<reference::ProbeWorker>(reference::ProbeWorker::When::WhenReady, [] {});
+    session->probeWorkerAtOnce = worker;
+    clickAt(onTheCube());
+    worker->wait();
+    (void)picture();
+    ASSERT_NE(explanationOf(*session), nullptr);
+    const std::string compared = "explain:compared " + std::string(rowOf(RendererKind::Fixed).label);
+    EXPECT_TRUE(has(compared));
+    session->scene.view.azimuth += 20;
+    (void)picture(); // asks, and has an answer about the view before
+    EXPECT_NE(explanationOf(*session), nullptr);
+    EXPECT_FALSE(has(compared));
+    worker->wait();
+    (void)picture();
+    EXPECT_TRUE(has(compared));
+}
+
 TEST_F(ExplainTab, StepsUnfold) {
     open();
     clickAt(onTheCube());

@@ -67,6 +67,33 @@ INSTANTIATE_TEST_SUITE_P(
              },
              "lambda is not above 0.5 (as GL_LINEAR meets GL_NEAREST_MIPMAP_LINEAR)"},
         Case{"Clamped", [](Scene& it) { it.textures[0].minLod = 4; }, "clamped to 4 ... 1000 | 4"},
+        // In the middle of the middle pixel of a square with 64 x 64 texels s is 0.5: where texel 32 begins.
+        Case{"Linear", [](Scene& it) { it.textures[0].minFilter = MinFilter::Linear; },
+             "0.5 lands at texel 32 of 64\n | - 0.5 = 31.5: texel 31 and texel 32, shares 0.5 and 0.5"},
+        Case{"Nearest",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::Nearest, it.textures[0].magFilter = MagFilter::Nearest;
+             },
+             "0.5 lands at texel 32 of 64\n | its whole part: texel 32"},
+        Case{"LinearAcrossTheRim",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::Linear;
+                 it.models[0].texCoords[0] = TexCoords(4, {0, 0, 0, 1});
+             },
+             "- 0.5 = -0.5: texel 63 and texel 0, shares 0.5 and 0.5"},
+        Case{"LinearIntoTheBorder",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::Linear;
+                 it.textures[0].wrapS = it.textures[0].wrapT = Wrap::Clamp;
+                 it.models[0].texCoords[0] = TexCoords(4, {1, 1, 0, 1});
+             },
+             "- 0.5 = 63.5: texel 63 and the border, shares 0.5 and 0.5"},
+        Case{"TooLong",
+             [](Scene& it) {
+                 for (const float s : {0.0F, 1e30F})
+                     it.models[0].texCoords[0].insert(it.models[0].texCoords[0].end(), 2, {s, 0, 0, 1});
+             },
+             "The length of a derivative is beyond what a float holds."},
         Case{"Contradiction",
              [](Scene& it) {
                  it.textures[0].minLod = 4;
@@ -146,7 +173,20 @@ TEST(NumberText, IsShort) {
     };
     EXPECT_THAT(
         texts({0, 1, -2.5F, 0.333333F, 0.00012345F, 3e38F, -1e-30F, std::numeric_limits<float>::infinity()}),
-        ElementsAre("0", "1", "-2.5", "0.3333", "0.000123", "3e+38", "-1e-30", "inf"));
+        ElementsAre("0", "1", "-2.5", "0.3333", "0.0001", "3e+38", "0", "inf"));
+    EXPECT_EQ(amountText(1.4e-6F), "< 0.0001");
+    EXPECT_EQ(amountText(-4.31e-7F), "> -0.0001");
+    EXPECT_EQ(amountText(0), "0");
+    EXPECT_EQ(amountText(0.25F), "0.25");
+}
+
+TEST(ColumnText, HasTheSameDigitsInEachLine) {
+    EXPECT_EQ(columnText(0.5F), "0.5000");
+    EXPECT_EQ(columnText(-12.25F), "-12.2500");
+    EXPECT_EQ(columnText(-4.31e-7F), "0.0000");
+    EXPECT_EQ(columnText(0.0021306F, 6), "0.002131");
+    EXPECT_EQ(columnText(3e38F), "3e+38");
+    EXPECT_EQ(columnText(std::numeric_limits<float>::infinity()), "inf");
 }
 
 } // namespace
