@@ -27,11 +27,9 @@ int probeCount(float longer, float shorter, float limit) {
     return std::max(1, static_cast<int>(std::min({ratio, std::floor(limit), 1024.0F})));
 }
 
-/// Mesa's ellipse is for pictures and linear minification; everything else is filtered without anisotropy
-/// there.
+/// Mesa's ellipse is for pictures, whatever their filters are; other targets take the probes.
 bool averagesOverEllipse(const SampledTexture& texture, const SampleOptions& options) {
-    return options.anisotropy == AnisotropyMethod::Ellipse && texture.target == Target::Texture2D &&
-           isLinear(texture.minFilter);
+    return options.anisotropy == AnisotropyMethod::Ellipse && texture.target == Target::Texture2D;
 }
 
 } // namespace
@@ -87,7 +85,7 @@ LevelChoice chooseLevels(const SampledTexture& texture, const Lod& lod) {
 
     const int steps = lastMipLevel(texture) - base;
     const float lambda = lod.lambda;
-    if (!blendsLevels(texture.minFilter)) {
+    if (!blendsLevels(texture.minFilter) && !lod.ellipse) { // which takes the larger level, and one alone
         // Equation 3.25: half-way between two levels the lower one is taken.
         int step = 0;
         if (lambda > 0.5F)

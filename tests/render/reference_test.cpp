@@ -421,11 +421,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Filter{"LinearMipmapLinear", MagFilter::Linear, MinFilter::LinearMipmapLinear, 0.01}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST_F(Reference, FiltersByAnEllipseAsLlvmpipe) {
-    Scene scene = floorScene();
-    scene.textures[0].minFilter = MinFilter::LinearMipmapLinear;
-    scene.textures[0].maxAnisotropy = 8;
-    agree(scene, 0.01, 6, 256, {.anisotropy = reference::AnisotropyMethod::Ellipse});
+TEST_F(Reference, FiltersByAnEllipseAsLlvmpipeWhateverTheFilters) {
+    for (const MinFilter filter : {MinFilter::NearestMipmapNearest, MinFilter::LinearMipmapNearest,
+                                   MinFilter::NearestMipmapLinear, MinFilter::LinearMipmapLinear}) {
+        SCOPED_TRACE(rowOf(filter).name);
+        Scene scene = floorScene();
+        scene.textures[0].minFilter = filter;
+        for (const float anisotropy : {8.0F, 16.0F}) {
+            scene.textures[0].maxAnisotropy = anisotropy;
+            agree(scene, 0.01, 6, 256, {.anisotropy = reference::AnisotropyMethod::Ellipse});
+        }
+    }
 }
 
 TEST_F(Reference, DrawsAnIncompleteTextureAsNone) {

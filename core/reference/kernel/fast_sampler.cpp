@@ -14,7 +14,7 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
     const bool flat = sampled.target == Target::Texture1D || sampled.target == Target::Texture2D;
     const bool anisotropic = sampled.maxAnisotropy > 1;
     const bool ellipse = anisotropic && sampling.anisotropy == AnisotropyMethod::Ellipse &&
-                         sampled.target == Target::Texture2D && isLinear(sampled.minFilter);
+                         sampled.target == Target::Texture2D;
     const int steps = wantsMipmaps(sampled.minFilter) ? lastMipLevel(sampled) - sampled.baseLevel : 0;
     if (!flat || ellipse || steps >= maxLevels)
         return;
