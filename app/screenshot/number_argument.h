@@ -20,7 +20,8 @@ CLI::Option* addNumber(CLI::App& command, const std::string& option, T& value, l
                                                    "\"");
         value = static_cast<T>(number);
     };
-    return command.add_option_function<std::string>(option, parse, help)->type_name("NUMBER");
+    const std::string range = " From " + std::to_string(low) + " to " + std::to_string(high) + ".";
+    return command.add_option_function<std::string>(option, parse, help + range)->type_name("NUMBER");
 }
 
 } // namespace texplorer::screenshot

@@ -173,11 +173,11 @@ class Shot(Texshot):
             ("--ui", ["--section", "matrix"]),
             ("there is no option --nonsense; see texshot shot --help", ["--nonsense"]),
             ("expected no further argument, found \"b.json\"; see texshot shot --help", ["a.json", "b.json"]),
-            ("--size: expected a value, found none", ["--size"]),
         ]:
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
+        self.complains(2, "--size: expected a value, found none", "shot", "-o", out, "--size")
         self.complains(2, "expected one of shot, probe, check, conform, params, decode, info")
         for unknown in ["paint", "--paint", "-x", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
