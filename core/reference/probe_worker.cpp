@@ -61,15 +61,18 @@ std::shared_ptr<const ProbeWorker::Answer> ProbeWorker::State::answer(const Prob
                                                                       const std::stop_token& token) try {
     auto made = std::make_shared<Answer>();
     made->request = request;
-    const auto& [scene, images, time, width, height, anisotropy] = request.picture;
-    DrawOptions options{.anisotropy = anisotropy, .levels = levels, .stop = token};
+    const auto& asked = request.picture; // no structured binding: clang 14's lambdas can't take one
+    DrawOptions options{.anisotropy = asked.anisotropy, .levels = levels, .stop = token};
     options.levels.stop = token;
     if (request.pixel)
-        made->explanation = tried(
-            [&] { return renderer.probe(scene, images, time, width, height, *request.pixel, options); });
+        made->explanation = tried([&] {
+            return renderer.probe(asked.scene, asked.images, asked.time, asked.width, asked.height,
+                                  *request.pixel, options);
+        });
     if (request.texel)
         made->contributions = tried([&] {
-            return renderer.contributions(scene, images, time, width, height, *request.texel, options);
+            return renderer.contributions(asked.scene, asked.images, asked.time, asked.width, asked.height,
+                                          *request.texel, options);
         });
     return made;
 } catch (const std::bad_alloc&) { // not even for a sentence: what was answered last stays
