@@ -26,6 +26,7 @@ tl::unexpected<Error> stopped() {
 
 struct ReferenceRenderer::State {
     TextureStore textures;
+    std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
 
     Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
                        const DrawOptions& options) {
@@ -40,7 +41,7 @@ struct ReferenceRenderer::State {
         if (options.literal)
             kernel = nullptr;
         const unsigned threads = options.threads == 0 ? processorThreads() : options.threads;
-        std::vector<Triangle> triangles;
+        triangles.clear(); // of a drawing that ran out of memory
         const auto flush = [&](Following following) {
             rasterize(triangles, canvas, following, kernel, threads, options.stop);
             triangles.clear();
