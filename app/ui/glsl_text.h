@@ -25,7 +25,7 @@ using GlslNames = std::set<std::string, std::less<>>;
 /// others.
 [[nodiscard]] std::vector<GlslToken> glslTokens(std::string_view line, const GlslNames& uniforms);
 
-/// A line in parts of at most `columns` bytes, which together are the line: after a blank, a comma or an
+/// A line in parts of at most `columns` bytes, which together are the line: broken after a blank or an
 /// opening bracket. Parts after the first have `indent` columns less. A word that is longer is cut.
 [[nodiscard]] std::vector<std::string_view> wrapLine(std::string_view line, std::size_t columns,
                                                      std::size_t indent);

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
     /// Reads every file that the scene names and that is not loaded yet. All are tried; the first error is
-    /// returned.
+    /// returned: where it is, is the parameter that names the file.
     [[nodiscard]] Result<void> load(const Scene& scene);
 
     /// The content of a file, from somewhere else than a file: decoded elsewhere, or made up. `file` is

@@ -4,6 +4,7 @@
 // each with every way of filtering.
 
 #include "core/scene/scene.h"
+#include "tests/support/floor_scene.h"
 
 #include <array>
 #include <optional>
@@ -26,24 +27,9 @@ struct FrameFilter {
 inline constexpr int frameWidth = 640;
 inline constexpr int frameHeight = 480;
 
-/// Every footprint from magnified to strongly minified.
-[[nodiscard]] inline Scene floorScene() {
-    Scene scene;
-    scene.view.azimuth = 20;
-    scene.view.elevation = 15;
-    scene.models.resize(1);
-    scene.models[0].shape = Shape::Floor;
-    scene.textures.resize(1);
-    scene.textures[0].pattern = Pattern::Checker;
-    scene.textures[0].mipmaps = MipPolicy::Generated;
-    scene.passes[0].depthTest = true;
-    scene.passes[0].units[0].enabled = true;
-    return scene;
-}
-
 inline constexpr std::array frameScenes{
     FrameScene{"default", defaultScene},
-    FrameScene{"floor", floorScene},
+    FrameScene{"floor", testing_support::floorScene},
 };
 
 inline constexpr std::array frameFilters{

@@ -4,6 +4,7 @@
 #include "core/reference/draw.h"
 #include "core/scene/param_text.h"
 #include "tests/support/flat_scene.h"
+#include "tests/support/floor_scene.h"
 #include "tests/support/render_fixture.h"
 
 #include <gmock/gmock.h>
@@ -53,18 +54,10 @@ protected:
                                              << " pixels, the worst by " << difference.worst;
     }
 
-    /// A floor that runs to the horizon, with noise on it: every footprint from magnified to strongly
-    /// minified.
+    /// Unlit, and without a depth test: nothing but texels.
     Scene floorScene() {
-        Scene scene;
-        scene.view.azimuth = 20;
-        scene.view.elevation = 15;
-        scene.models.resize(1);
-        scene.models[0].shape = Shape::Floor;
-        scene.textures.resize(1);
-        scene.textures[0].pattern = Pattern::Checker;
-        scene.textures[0].mipmaps = MipPolicy::Generated;
-        scene.passes[0].units[0].enabled = true;
+        Scene scene = testing_support::floorScene();
+        scene.passes[0].depthTest = false;
         scene.passes[0].units[0].envMode = EnvMode::Replace;
         return scene;
     }

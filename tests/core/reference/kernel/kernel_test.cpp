@@ -3,6 +3,7 @@
 #include "core/reference/draw.h"
 #include "core/reference/kernel/kernel.h"
 #include "core/scene/param_text.h"
+#include "tests/support/floor_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,8 @@
 
 namespace texplorer::reference {
 namespace {
+
+using testing_support::floorScene;
 
 Image drawn(const Scene& scene, const DrawOptions& options) {
     const Result<Drawn> result = drawReference(scene, ImageSource(), 0.5, 97, 61, options);
@@ -28,19 +31,6 @@ void expectTheSame(const Scene& scene, DrawOptions options = {}) {
             EXPECT_EQ(drawn(scene, options), literal) << kernel->lanes << " lanes, " << threads << " threads";
         }
     }
-}
-
-Scene floorScene() {
-    Scene scene;
-    scene.view.azimuth = 20;
-    scene.view.elevation = 15;
-    scene.models.resize(1);
-    scene.models[0].shape = Shape::Floor;
-    scene.textures.resize(1);
-    scene.textures[0].mipmaps = MipPolicy::Generated;
-    scene.passes[0].depthTest = true;
-    scene.passes[0].units[0].enabled = true;
-    return scene;
 }
 
 /// A second, different texture in unit 2.
