@@ -19,6 +19,11 @@ int clampStacks(int stacks) {
 
 } // namespace
 
+void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners) {
+    for (const std::size_t corner : {0U, 1U, 3U, 1U, 2U, 3U})
+        mesh.triangles.push_back(corners[corner]);
+}
+
 void addPatch(Mesh& mesh, std::string name, const Patch& patch) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const glm::vec3 normal = glm::normalize(glm::cross(patch.right, patch.up));
@@ -29,8 +34,7 @@ void addPatch(Mesh& mesh, std::string name, const Patch& patch) {
     mesh.vertices.push_back({patch.lowerLeft + patch.right, normal, {high.s, low.t, low.p, low.q}});
     mesh.vertices.push_back({patch.lowerLeft + patch.right + patch.up, normal, high});
     mesh.vertices.push_back({patch.lowerLeft + patch.up, normal, {low.s, high.t, low.p, low.q}});
-    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
-        mesh.triangles.push_back(first + corner);
+    addQuad(mesh, {first, first + 1, first + 2, first + 3});
     mesh.faces.push_back({std::move(name), {first, first + 1, first + 2, first + 3}});
 }
 

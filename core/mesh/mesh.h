@@ -45,6 +45,12 @@ struct Face {
 
 /// Triangles, counter-clockwise seen from outside, in a right-handed space with y up. A value without
 /// handles.
+///
+/// A quadrilateral with the corners 0, 1, 2, 3 becomes the triangles 0, 1, 3 and 1, 2, 3. OpenGL leaves the
+/// division open, and between the corners the two diagonals give different coordinates and colours wherever
+/// these aren't linear. This is how Mesa divides GL_QUADS and GL_QUAD_STRIP, so that a program which draws
+/// the same corners that way, or with gluSphere, gives the same pixels. Either way corner 3 comes last: under
+/// GL_FLAT both triangles have its colour, as OpenGL asks of a quadrilateral (section 2.14.7).
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> triangles; ///< three indices each
@@ -60,7 +66,8 @@ inline constexpr int maxSubdivision = 256;
 /// `slices` and `stacks` count for the sphere alone, clamped to [3, 256] and [2, 256]; its s follows
 /// gluSphere: 0 to 1 eastwards around the axis, 0.5 at the front (+z), its t 0 at the south pole (y = -1) and
 /// 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole up; its faces are the
-/// stacks.
+/// stacks. Its triangles come as gluSphere draws them with texture coordinates: from the north pole down, and
+/// westwards around the axis, with as many points at each pole as there are slices.
 [[nodiscard]] Mesh makeMesh(Shape shape, int slices, int stacks);
 
 /// How many vertices makeMesh gives, without making it.

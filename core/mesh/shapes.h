@@ -4,12 +4,17 @@
 
 #include "core/mesh/mesh.h"
 
+#include <array>
+
 namespace texplorer {
 
 [[nodiscard]] Mesh makeCube();
 [[nodiscard]] Mesh makeSphere(int slices, int stacks); ///< within the limits of mesh.h
 [[nodiscard]] Mesh makeQuad();
 [[nodiscard]] Mesh makeFloor();
+
+/// Adds the two triangles of a quadrilateral, whose corners run counter-clockwise: see Mesh.
+void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners);
 
 /// Four corners of a plane rectangle. `right` and `up` lead from the lower left corner along s and t, so that
 /// the image stands upright for whoever looks against `normal`.

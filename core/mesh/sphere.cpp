@@ -49,29 +49,32 @@ Mesh makeSphere(int slices, int stacks) {
         }
     }
 
+    const auto length = static_cast<std::uint32_t>(rowLength);
     for (int stack = 0; stack < stacks; ++stack) {
-        const auto lower = static_cast<std::uint32_t>(stack * rowLength);
-        const auto upper = lower + static_cast<std::uint32_t>(rowLength);
-        const auto length = static_cast<std::uint32_t>(slices);
-        for (std::uint32_t slice = 0; slice < length; ++slice) {
-            const std::uint32_t corners[] = {lower + slice, lower + slice + 1, upper + slice + 1,
-                                             upper + slice};
-            // At a pole one edge of the quad is a point: only one of its triangles has an area.
-            if (stack == 0)
-                addTriangle(mesh, corners[0], corners[2], corners[3]);
-            else if (stack + 1 == stacks)
-                addTriangle(mesh, corners[0], corners[1], corners[3]);
-            else {
-                addTriangle(mesh, corners[0], corners[1], corners[2]);
-                addTriangle(mesh, corners[0], corners[2], corners[3]);
-            }
-        }
+        const auto lower = static_cast<std::uint32_t>(stack) * length;
+        const std::uint32_t upper = lower + length;
         Face band{"Stack " + std::to_string(stack + 1), {}};
-        for (std::uint32_t slice = 0; slice <= length; ++slice)
+        for (std::uint32_t slice = 0; slice < length; ++slice)
             band.vertices.push_back(lower + slice);
-        for (std::uint32_t slice = length + 1; slice-- > 0;)
+        for (std::uint32_t slice = length; slice-- > 0;)
             band.vertices.push_back(upper + slice);
         mesh.faces.push_back(std::move(band));
+    }
+    // gluSphere's strips: from the north pole down, westwards. Where nothing hides what lies behind, the
+    // order shows.
+    for (int stack = stacks; stack-- > 0;) {
+        const auto lower = static_cast<std::uint32_t>(stack) * length;
+        const std::uint32_t upper = lower + length;
+        for (std::uint32_t slice = length - 1; slice-- > 0;) {
+            const std::array corners{lower + slice, lower + slice + 1, upper + slice + 1, upper + slice};
+            // At a pole one edge of the quadrilateral is a point: only one of its triangles has an area.
+            if (stack + 1 == stacks)
+                addTriangle(mesh, corners[0], corners[1], corners[3]);
+            else if (stack == 0)
+                addTriangle(mesh, corners[1], corners[2], corners[3]);
+            else
+                addQuad(mesh, corners);
+        }
     }
     return mesh;
 }

@@ -168,6 +168,42 @@ TEST(Sphere, PolesArePoints) {
     EXPECT_EQ(sphere.faces.back().name, "Stack 5");
 }
 
+// libGLU's quad.c: a GL_QUAD_STRIP for each stack from the north pole down, of pairs (i, j + 1), (i, j);
+// Mesa's division of the quadrilateral (i, j + 1), (i, j), (i + 1, j), (i + 1, j + 1) runs from (i, j + 1) to
+// (i + 1, j), and both triangles end at (i + 1, j), the strip's last vertex.
+TEST(Sphere, TrianglesComeAsGluSphereDrawsThem) {
+    const int slices = 5;
+    const int stacks = 4;
+    const Mesh sphere = makeMesh(Shape::Sphere, slices, stacks);
+    const auto at = [&](int i, int j) {
+        return static_cast<std::uint32_t>((stacks - j) * (slices + 1) + (slices - i));
+    };
+    std::vector<std::uint32_t> expected;
+    const auto expect = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        expected.insert(expected.end(), {a, b, c});
+    };
+    for (int j = 0; j < stacks; ++j)
+        for (int i = 0; i < slices; ++i) {
+            if (j + 1 < stacks)
+                expect(at(i + 1, j + 1), at(i, j + 1), at(i + 1, j));
+            if (j > 0)
+                expect(at(i, j + 1), at(i, j), at(i + 1, j));
+        }
+    EXPECT_EQ(sphere.triangles, expected);
+}
+
+TEST(Patches, AreDividedBetweenTheirSecondAndFourthCorner) {
+    EXPECT_THAT(makeMesh(Shape::Quad, 0, 0).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
+    EXPECT_THAT(makeMesh(Shape::Floor, 0, 0).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
+    const Mesh cube = makeMesh(Shape::Cube, 0, 0);
+    for (std::uint32_t face = 0; face < 6; ++face) {
+        const auto first = cube.triangles.begin() + std::ptrdiff_t{6} * face;
+        const std::uint32_t at = 4 * face;
+        EXPECT_THAT(std::vector(first, first + 6),
+                    testing::ElementsAre(at, at + 1, at + 3, at + 1, at + 2, at + 3));
+    }
+}
+
 TEST(Floor, HasOneTileAUnitAndReachesIntoTheDistance) {
     const Mesh floor = makeMesh(Shape::Floor, 0, 0);
     for (const Vertex& vertex : floor.vertices) {
