@@ -48,9 +48,10 @@ struct Face {
 ///
 /// A quadrilateral with the corners 0, 1, 2, 3 becomes the triangles 0, 1, 3 and 1, 2, 3. OpenGL leaves the
 /// division open, and between the corners the two diagonals give different coordinates and colours wherever
-/// these aren't linear. This is how Mesa divides GL_QUADS and GL_QUAD_STRIP, so that a program which draws
-/// the same corners that way, or with gluSphere, gives the same pixels. Either way corner 3 comes last: under
-/// GL_FLAT both triangles have its colour, as OpenGL asks of a quadrilateral (section 2.14.7).
+/// these aren't linear. This is how Mesa divides GL_QUAD_STRIP, and with it gluSphere, and GL_QUADS in
+/// display lists, with indices, under GL_FLAT and where it clips: a program that draws the same corners that
+/// way gives the same pixels. (Without all of these Mesa 22.3 divides GL_QUADS the other way.) Corner 3 comes
+/// last: under GL_FLAT both triangles have its colour, as OpenGL asks of a quadrilateral (section 2.14.7).
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> triangles; ///< three indices each

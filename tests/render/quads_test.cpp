@@ -1,0 +1,221 @@
+// The shapes as programs of OpenGL 1.1 draw them: the sphere with gluSphere, cube, square and floor as a
+// list of GL_QUADS. How the driver divides their quadrilaterals is what our triangles follow, pixel by pixel.
+
+#include "app/render/gl_handle.h"
+#include "app/render/render_target.h"
+#include "core/scene/animation.h"
+#include "tests/support/flat_scene.h"
+#include "tests/support/render_fixture.h"
+
+#include <GL/glu.h>
+#include <glm/gtc/type_ptr.hpp>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace texplorer {
+namespace {
+
+using namespace testing_support;
+
+constexpr int extent = 200;
+
+struct Camera {
+    float azimuth;
+    float elevation;
+    float distance;
+};
+constexpr std::array cameras{Camera{0, 0, 5}, Camera{24, 18, 4}, Camera{-130, -35, 3.5F}, Camera{75, 80, 5},
+                             Camera{200, -80, 4}};
+
+struct Look {
+    const char* name;
+    bool lighting;
+    ShadeModel shading;
+    bool textured;
+    bool seeThrough; ///< every triangle is seen, and their order
+};
+
+struct Solid {
+    const char* name;
+    Shape shape;
+    int slices;
+    int stacks;
+};
+
+/// Nothing in it is straight: whatever is interpolated otherwise shows.
+Image curvedImage() {
+    Image made = Image::uninitialised(PixelFormat::Rgba8, 64, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const std::array values{x * 4, y * 4, (x * x + y * y) / 32 % 256, 255};
+            std::ranges::transform(values, made.at(x, y).begin(),
+                                   [](int v) { return static_cast<std::byte>(v); });
+        }
+    return made;
+}
+
+/// The mesh's, with one corner of each square pulled away: now the two diagonals are two pictures.
+TexCoords pulledCoords(Shape shape) {
+    TexCoords coords;
+    for (const Vertex& vertex : makeMesh(shape, 0, 0).vertices)
+        coords.push_back(coords.size() % 4 == 2 ? vertex.texCoord * glm::vec4(1.5F, 2, 1, 1)
+                                                : vertex.texCoord);
+    return coords;
+}
+
+void drawQuads(const Mesh& mesh, const TexCoords& coords) {
+    // In a list, where Mesa always divides alike: see core/mesh/mesh.h.
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    glBegin(GL_QUADS);
+    for (const Face& face : mesh.faces) {
+        for (const std::uint32_t index : face.vertices) {
+            const Vertex& vertex = mesh.vertices.at(index);
+            glTexCoord4fv(glm::value_ptr(coords.at(index)));
+            glNormal3fv(glm::value_ptr(vertex.normal));
+            glVertex3fv(glm::value_ptr(vertex.position));
+        }
+    }
+    glEnd();
+    glEndList();
+    glCallList(list);
+    glDeleteLists(list, 1);
+}
+
+/// Its z axis becomes our y axis.
+void drawGluSphere(int slices, int stacks) {
+    constexpr std::array<float, 16> turn{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+    glMultMatrixf(turn.data());
+    const std::unique_ptr<GLUquadric, decltype(&gluDeleteQuadric)> quadric(gluNewQuadric(), gluDeleteQuadric);
+    gluQuadricTexture(quadric.get(), GL_TRUE);
+    gluSphere(quadric.get(), 1, slices, stacks);
+}
+
+class AsPrograms : public RenderTest, public testing::WithParamInterface<std::tuple<Solid, Look>> {
+protected:
+    static Scene sceneOf(const Solid& solid, const Look& look, const Camera& camera) {
+        Scene scene = look.textured ? texturedScene() : flatScene();
+        scene.view = {.azimuth = camera.azimuth, .elevation = camera.elevation, .distance = camera.distance};
+        scene.models[0] = {.shape = solid.shape, .slices = solid.slices, .stacks = solid.stacks};
+        if (solid.shape != Shape::Sphere)
+            scene.models[0].texCoords[0] = pulledCoords(solid.shape);
+        scene.textures[0].magFilter = MagFilter::Linear;
+        scene.textures[0].minFilter = MinFilter::Linear;
+        scene.light.position = {1, 1.5F, -1.5F, 1}; // near: every vertex has a colour of its own
+        scene.material = {.color = {0.9F, 0.7F, 0.5F, look.seeThrough ? 0.4F : 1},
+                          .specular = {0.5F, 0.5F, 0.5F, 1},
+                          .shininess = 16,
+                          .shadeModel = look.shading};
+        Pass& pass = scene.passes[0];
+        pass.lighting = look.lighting;
+        pass.units[0].envMode = EnvMode::Modulate;
+        pass.depthTest = !look.seeThrough;
+        pass.blend = look.seeThrough;
+        pass.blendSrc = BlendFactor::SrcAlpha;
+        pass.blendDst = BlendFactor::OneMinusSrcAlpha;
+        return scene;
+    }
+
+    static void setState(const Scene& scene) {
+        const View& view = scene.view;
+        glMatrixMode(GL_PROJECTION);
+        glLoadMatrixf(glm::value_ptr(projectionMatrix(view, 1)));
+        glMatrixMode(GL_MODELVIEW);
+        glLoadIdentity();
+        glLightfv(GL_LIGHT0, GL_POSITION, glm::value_ptr(scene.light.position));
+        glLoadMatrixf(glm::value_ptr(viewMatrix(view) * modelMatrix(scene.models[0], 0)));
+        glEnable(GL_LIGHT0);
+        const Material& material = scene.material;
+        glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, glm::value_ptr(material.specular));
+        glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
+        glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+        glEnable(GL_COLOR_MATERIAL);
+        glEnable(GL_NORMALIZE);
+        glColor4fv(glm::value_ptr(material.color));
+        glShadeModel(static_cast<GLenum>(material.shadeModel));
+        if (scene.passes[0].lighting)
+            glEnable(GL_LIGHTING);
+        if (scene.passes[0].depthTest)
+            glEnable(GL_DEPTH_TEST);
+        if (scene.passes[0].blend)
+            glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    }
+
+    /// What a program draws that has nothing of ours but numbers.
+    static Image theirs(const Scene& scene) {
+        render::RenderTarget target;
+        EXPECT_TRUE(target.bind({extent, extent}));
+        const render::TextureHandle texture = render::TextureHandle::create();
+        const Image image = curvedImage();
+        glBindTexture(GL_TEXTURE_2D, texture.name());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     image.pixels.data());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        if (scene.passes[0].units[0].enabled)
+            glEnable(GL_TEXTURE_2D);
+
+        glViewport(0, 0, extent, extent);
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        setState(scene);
+        const Model& model = scene.models[0];
+        if (model.shape == Shape::Sphere)
+            drawGluSphere(model.slices, model.stacks);
+        else
+            drawQuads(makeMesh(model.shape, 0, 0), model.texCoords[0]);
+        Image found = Image::uninitialised(PixelFormat::Rgba8, extent, extent);
+        glReadPixels(0, 0, extent, extent, GL_RGBA, GL_UNSIGNED_BYTE, found.pixels.data());
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+        return found;
+    }
+};
+
+TEST_P(AsPrograms, DrawThem) {
+    const auto& [solid, look] = GetParam();
+    images.put("image", curvedImage());
+    for (const Camera& camera : cameras) {
+        SCOPED_TRACE(testing::Message()
+                     << "azimuth " << camera.azimuth << ", elevation " << camera.elevation);
+        const Scene scene = sceneOf(solid, look, camera);
+        const Image ours = picture(scene, extent);
+        glPushAttrib(GL_ALL_ATTRIB_BITS);
+        const Image found = theirs(scene);
+        glPopAttrib();
+        ASSERT_EQ(found.pixels.size(), ours.pixels.size());
+        int covered = 0;
+        int others = 0;
+        int worst = 0;
+        for (std::size_t i = 0; i < found.pixels.size(); ++i) {
+            const int difference =
+                std::abs(std::to_integer<int>(found.pixels[i]) - std::to_integer<int>(ours.pixels[i]));
+            covered += i % 4 == 3 && found.pixels[i] != std::byte{0} ? 1 : 0;
+            others += difference > 0 ? 1 : 0;
+            worst = std::max(worst, difference);
+        }
+        EXPECT_GT(covered, extent);
+        EXPECT_LE(worst, 1) << others << " components differ";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, AsPrograms,
+    testing::Combine(testing::Values(Solid{"Cube", Shape::Cube, 0, 0}, Solid{"Quad", Shape::Quad, 0, 0},
+                                     Solid{"Floor", Shape::Floor, 0, 0},
+                                     Solid{"Sphere32x16", Shape::Sphere, 32, 16},
+                                     Solid{"Sphere7x5", Shape::Sphere, 7, 5},
+                                     Solid{"Sphere3x2", Shape::Sphere, 3, 2}),
+                     testing::Values(Look{"Textured", false, ShadeModel::Smooth, true, false},
+                                     Look{"LitAndTextured", true, ShadeModel::Smooth, true, false},
+                                     Look{"Lit", true, ShadeModel::Smooth, false, false},
+                                     Look{"Flat", true, ShadeModel::Flat, false, false},
+                                     Look{"FlatAndTextured", true, ShadeModel::Flat, true, false},
+                                     Look{"SeeThrough", true, ShadeModel::Smooth, true, true})),
+    [](const auto& test) {
+        return std::string(std::get<0>(test.param).name) + std::get<1>(test.param).name;
+    });
+
+} // namespace
+} // namespace texplorer
