@@ -13,17 +13,26 @@ namespace texplorer::reference {
 
 namespace {
 
-/// Equation 3.21's rho for one screen axis: sqrt((du/dx)^2 + (dv/dx)^2 + (dw/dx)^2).
-float footprint(glm::vec3 derivative, const Level& base, int axes) {
-    glm::vec3 texels(0);
+/// Equation 3.21's rho for one screen axis: sqrt((du/dx)^2 + (dv/dx)^2 + (dw/dx)^2). In floats, as the kernel
+/// has it, unless their range is too small for the square: a double's is not.
+double footprint(glm::vec3 derivative, const Level& base, int axes) {
+    glm::dvec3 texels(0);
     for (int axis = 0; axis < axes; ++axis)
-        texels[axis] = derivative[axis] * static_cast<float>(base.size()[axis]);
-    return glm::length(texels);
+        texels[axis] = double{derivative[axis]} * base.size()[axis];
+    const glm::vec3 rounded(texels);
+    const float square = glm::dot(rounded, rounded);
+    return std::isnormal(square) ? double{std::sqrt(square)} : glm::length(texels);
+}
+
+/// log2(rho), in floats likewise.
+float baseLambda(double rho) {
+    const auto rounded = static_cast<float>(rho);
+    return std::isnormal(rounded) ? logarithm2(rounded) : static_cast<float>(std::log2(rho));
 }
 
 /// EXT_texture_filter_anisotropic: N = min(ceil(Pmax / Pmin), maxAniso). Pmin may be 0.
-int probeCount(float longer, float shorter, float limit) {
-    const float ratio = longer > 0 ? std::ceil(longer / shorter) : 1.0F;
+int probeCount(double longer, double shorter, float limit) {
+    const float ratio = longer > 0 ? std::ceil(static_cast<float>(longer / shorter)) : 1.0F;
     return std::max(1, static_cast<int>(std::min({ratio, std::floor(limit), 1024.0F})));
 }
 
@@ -43,19 +52,19 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
         return lod;
     lod.lengthX = footprint(derivatives.dx, *base, axesOf(texture.target));
     lod.lengthY = footprint(derivatives.dy, *base, axesOf(texture.target));
-    const float longer = std::max(lod.lengthX, lod.lengthY);
-    const float shorter = std::min(lod.lengthX, lod.lengthY);
+    const double longer = std::max(lod.lengthX, lod.lengthY);
+    const double shorter = std::min(lod.lengthX, lod.lengthY);
     lod.undefined = !std::isfinite(lod.lengthX) || !std::isfinite(lod.lengthY);
     // Without a derivative there is nothing to minify by: as if one texel covered one pixel.
-    lod.rho = lod.undefined ? 1.0F : longer;
+    lod.rho = lod.undefined ? 1.0 : longer;
     if (texture.maxAnisotropy > 1 && !lod.undefined && averagesOverEllipse(texture, options)) {
         lod.ellipse = longer > shorter;
-        lod.rho = std::max(shorter, longer / texture.maxAnisotropy);
+        lod.rho = std::max(shorter, longer / double{texture.maxAnisotropy});
     } else if (texture.maxAnisotropy > 1 && !lod.undefined) {
         lod.probes = probeCount(longer, shorter, texture.maxAnisotropy);
-        lod.rho = longer / static_cast<float>(lod.probes);
+        lod.rho = longer / lod.probes;
     }
-    lod.base = logarithm2(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
+    lod.base = baseLambda(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
     const float bias = options.objectBias + options.unitBias + options.shaderBias;
     lod.bias = std::isnan(bias) ? 0.0F : std::clamp(bias, -options.maxBias, options.maxBias);
     lod.biased = lod.base + lod.bias;
@@ -86,10 +95,11 @@ LevelChoice chooseLevels(const SampledTexture& texture, const Lod& lod) {
     const int steps = lastMipLevel(texture) - base;
     const float lambda = lod.lambda;
     if (!blendsLevels(texture.minFilter) && !lod.ellipse) { // which takes the larger level, and one alone
-        // Equation 3.25: half-way between two levels the lower one is taken.
+        // Equation 3.25: half-way between two levels the lower one is taken. Its ceil(lambda + 1/2) - 1 is
+        // ceil(lambda - 1/2), a difference that needs no rounding.
         int step = 0;
         if (lambda > 0.5F)
-            step = lambda <= static_cast<float>(steps) + 0.5F ? -floorToInt(-(lambda + 0.5F)) - 1 : steps;
+            step = lambda <= static_cast<float>(steps) + 0.5F ? -floorToInt(0.5F - lambda) : steps;
         return {base + step, base + step, 0, linear};
     }
     // Equations 3.26 and 3.27.

@@ -36,11 +36,11 @@ struct SampleOptions {
 
 /// How lambda came about, step by step.
 struct Lod {
-    float lengthX = 0; ///< texels of the base level per pixel, in x
-    float lengthY = 0;
+    double lengthX = 0; ///< texels of the base level per pixel, in x; more than a float holds, possibly
+    double lengthY = 0;
     int probes = 1;       ///< N of the anisotropic filter
     bool ellipse = false; ///< averaged over an ellipse instead
-    float rho = 0;        ///< texels a pixel that count: the longer length, over N
+    double rho = 0;       ///< texels a pixel that count: the longer length, over N
     float base = 0;       ///< log2(rho)
     float bias = 0;       ///< the sum of all, clamped
     float biased = 0;     ///< base + bias

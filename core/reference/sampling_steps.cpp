@@ -88,14 +88,6 @@ bool isLinearHere(const UnitExplanation& unit) {
     return unit.sample.lod.magnified ? unit.magFilter == MagFilter::Linear : isLinear(unit.minFilter);
 }
 
-bool areFinite(const Derivatives& change, int axes) {
-    for (int axis = 0; axis < axes; ++axis) {
-        if (!std::isfinite(change.dx[axis]) || !std::isfinite(change.dy[axis]))
-            return false;
-    }
-    return true;
-}
-
 Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
@@ -106,8 +98,8 @@ Step lodStep(const UnitExplanation& unit) {
         heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
     step.rows.push_back(coordinates("  d/dx", glm::vec4(change.dx, 0), axes, derivativeDigits));
     step.rows.push_back(coordinates("  d/dy", glm::vec4(change.dy, 0), axes, derivativeDigits));
-    const auto value = [&](std::string label, float number) {
-        step.rows.push_back({std::move(label), {{amountText(number)}}});
+    const auto value = [&](std::string label, double number) {
+        step.rows.push_back({std::move(label), {{amountText(static_cast<float>(number))}}});
     };
     value("texels a pixel, in x", lod.lengthX);
     value("texels a pixel, in y", lod.lengthY);
@@ -134,8 +126,6 @@ Step lodStep(const UnitExplanation& unit) {
     if (lod.undefined)
         step.rows.push_back({unit.minLod > unit.maxLod
                                  ? "The least LOD is above the greatest: undefined. The greatest wins here."
-                             : areFinite(change, axes)
-                                 ? "The length of a derivative is beyond what a float holds. rho is 1 here."
                                  : "A derivative is infinite or not a number: undefined. rho is 1 here.",
                              {},
                              {},

@@ -30,6 +30,8 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
     const float sum = sampling.objectBias + sampling.unitBias + sampling.shaderBias;
     bias = std::isnan(sum) ? 0.0F : std::clamp(sum, -sampling.maxBias, sampling.maxBias);
     switchOver = switchOverOf(sampled.magFilter, sampled.minFilter);
+    if (bias > 32) // no GL allows it; the kernel takes it for granted that tiny footprints are magnified
+        return;
     maxProbes = anisotropic ? std::min(std::floor(sampled.maxAnisotropy), 1024.0F) : 1.0F;
     readsR = false;
     readsDerivatives = anisotropic || wantsMipmaps(sampled.minFilter) ||
@@ -41,9 +43,10 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
         kind = oneAxis ? Kind::BaseOfOneAxis : Kind::BaseOfTwoAxes;
 }
 
-void sampleLiterally(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
+void sampleLiterally(const FastSampler& sampler, const SampleRow& row, int first, int count,
+                     glm::vec4* colors) {
     for (int i = 0; i < count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
+        const auto at = static_cast<std::size_t>(first + i);
         colors[i] =
             sample(*sampler.texture, {row.s[at], row.t[at], row.r[at]},
                    {{row.dsdx[at], row.dtdx[at], row.drdx[at]}, {row.dsdy[at], row.dtdy[at], row.drdy[at]}},

@@ -62,7 +62,8 @@ struct FastSampler {
     FastSampler(const SampledTexture& texture, const SampleOptions& options);
 };
 
-/// sample() of sampler.h for the first `count` places.
-void sampleLiterally(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors);
+/// sample() of sampler.h for `count` places from `first` on.
+void sampleLiterally(const FastSampler& sampler, const SampleRow& row, int first, int count,
+                     glm::vec4* colors);
 
 } // namespace texplorer::reference

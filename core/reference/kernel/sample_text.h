@@ -107,7 +107,12 @@ public:
     void sample(const SampleRow& row, int count, glm::vec4* colors) const {
         for (int at = 0; at < count; at += laneCount) {
             const Place place(row, at);
-            const Choice choice = choose(place);
+            const Footprint footprint = footprintOf(place);
+            if (leavesFloats(footprint, place)) {
+                sampleLiterally(sampler_, row, at, std::min(laneCount, count - at), colors + at);
+                continue;
+            }
+            const Choice choice = choose(footprint, place);
             write(any(choice.probes > 1.0F) ? probed(choice, place) : filtered(choice, place.s, place.t),
                   colors + at);
         }
@@ -186,37 +191,55 @@ private:
         Floats alongT;
     };
 
-    [[nodiscard]] Choice choose(const Place& place) const {
+    /// How far a place moves, in texels of the base level: the squares of both lengths.
+    struct Footprint {
+        Floats squareX;
+        Floats squareY;
+    };
+
+    [[nodiscard]] Footprint footprintOf(const Place& place) const {
         const Plane& base = sampler_.planes[0];
-        const auto squaredLength = [&](Floats s, Floats t) {
+        const auto square = [&](Floats s, Floats t) {
             const Floats x = s * base.fWidth;
             if (axes == 1)
                 return x * x;
             const Floats y = t * base.fHeight;
             return x * x + y * y;
         };
-        const Floats squaredX = squaredLength(place.dsdx, place.dtdx);
-        const Floats squaredY = squaredLength(place.dsdy, place.dtdy);
-        const Ints defined = isFinite(squaredX) & isFinite(squaredY);
+        return {square(place.dsdx, place.dtdx), square(place.dsdy, place.dtdy)};
+    }
 
+    /// Whether a square is too large for a float, undefined, or so small that the number of probes would
+    /// suffer. Without probes it's magnified then, whatever its digits.
+    [[nodiscard]] bool leavesFloats(const Footprint& footprint, const Place& place) const {
+        Ints leaves = ~(footprint.squareX + footprint.squareY <= std::numeric_limits<float>::max());
+        if (sampler_.maxProbes > 1)
+            leaves |= vanishes(footprint.squareX, place.dsdx, place.dtdx) |
+                      vanishes(footprint.squareY, place.dsdy, place.dtdy);
+        return any(leaves);
+    }
+    [[nodiscard]] static Ints vanishes(Floats square, Floats s, Floats t) {
+        return (square < std::numeric_limits<float>::min()) & ((s != 0.0F) | (t != 0.0F));
+    }
+
+    [[nodiscard]] Choice choose(const Footprint& footprint, const Place& place) const {
         Choice choice;
         choice.probes = floats(1);
         Floats rho;
         if (sampler_.maxProbes > 1) {
-            const Floats x = rooted(squaredX);
-            const Floats y = rooted(squaredY);
+            const Floats x = rooted(footprint.squareX);
+            const Floats y = rooted(footprint.squareY);
             const Floats longer = greater(x, y);
             const Floats ratio = longer > 0.0F ? longer / lesser(x, y) : floats(1);
             const Floats probes = -flooredSmall(-lesser(ratio, floats(sampler_.maxProbes)));
-            choice.probes = defined ? greater(probes, floats(1)) : floats(1);
+            choice.probes = greater(probes, floats(1));
             choice.alongS = x > y ? place.dsdx : place.dsdy;
             choice.alongT = x > y ? place.dtdx : place.dtdy;
             rho = longer / choice.probes;
         } else {
             choice.alongS = choice.alongT = floats(0);
-            rho = rooted(greater(squaredX, squaredY));
+            rho = rooted(greater(footprint.squareX, footprint.squareY));
         }
-        rho = defined ? rho : floats(1);
 
         const Floats biased = logarithms2(rho) + sampler_.bias;
         const Floats lambda = lesser(floats(texture_.maxLod), greater(floats(texture_.minLod), biased));
@@ -236,7 +259,7 @@ private:
             choice.first = truncated(whole);
             choice.second = choice.first - (choice.share > 0.0F);
         } else {
-            const Floats rounded = -flooredSmall(-(lesser(lambda, last + 1.0F) + 0.5F)) - 1.0F;
+            const Floats rounded = -flooredSmall(0.5F - lesser(lambda, last + 1.0F));
             choice.first = truncated((minified & (lambda > 0.5F)) ? lesser(rounded, last) : floats(0));
             choice.second = choice.first;
         }
@@ -373,7 +396,7 @@ private:
 void sampleRow(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors) {
     switch (sampler.kind) {
     case FastSampler::Kind::Literal:
-        return sampleLiterally(sampler, row, count, colors);
+        return sampleLiterally(sampler, row, 0, count, colors);
     case FastSampler::Kind::BaseOfOneAxis:
         return Pixels<1>(sampler).sampleBase(row, count, colors);
     case FastSampler::Kind::BaseOfTwoAxes:

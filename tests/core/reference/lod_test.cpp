@@ -154,6 +154,22 @@ INSTANTIATE_TEST_SUITE_P(
              .lambda = 3,
              .first = 3,
              .second = 4},
+        // 3e17 times 64 texels a pixel: log2(1.92) + 19 log2(10)
+        Case{.name = "SquareTooLarge", .texelsX = 1.92e19F, .lambda = 64.0577401F, .first = 6, .second = 6},
+        // N = 3: log2(0.64e19)
+        Case{.name = "SquareTooLargeForProbes",
+             .texelsX = 1.92e19F,
+             .texelsY = 0.64e19F,
+             .anisotropy = 16,
+             .lambda = 62.4727776F,
+             .first = 6,
+             .second = 6},
+        // log2(1e-30) = -30 log2(10)
+        Case{.name = "SquareTooSmall",
+             .texelsX = 1e-30F,
+             .texelsY = 0,
+             .lambda = -99.6578428F,
+             .magnified = true},
         Case{.name = "NotANumber", .texelsX = nan, .magnified = true},
         Case{.name = "Infinite", .texelsX = infinity, .magnified = true},
         Case{.name = "BiasNotANumber",
@@ -170,6 +186,55 @@ INSTANTIATE_TEST_SUITE_P(
              .first = 1,
              .second = 2}),
     [](const auto& test) { return std::string(test.param.name); });
+
+// What is finite has a length: no square on the way to it may overflow or vanish.
+TEST(LevelOfDetail, HoldsForEveryFiniteDerivative) {
+    const SampledTexture texture = leveledTexture(64);
+    struct Row {
+        Derivatives derivatives;
+        float lambda;
+    };
+    const Row rows[] = {
+        {{{3e17F, 0, 0}, {}}, 64.0577401F},
+        {{{}, {0, -3e17F, 0}}, 64.0577401F},
+        {{{3e38F, 0, 0}, {}}, 133.818230F}, // log2(3) + 38 log2(10) + 6, more than a float's largest
+        {{{2e38F, -2e38F, 0}, {1, 1, 0}}, 133.733267F}, // log2(2) + 38 log2(10) + 1/2 + 6
+        {{{1e-30F, 0, 0}, {}}, -93.6578428F},
+        {{{0x1p-149F, 0, 0}, {}}, -143}, // the least number
+    };
+    for (const Row& row : rows) {
+        const Lod lod = levelOfDetail(texture, row.derivatives, {});
+        EXPECT_FLOAT_EQ(lod.lambda, row.lambda);
+        EXPECT_FALSE(lod.undefined) << row.lambda;
+    }
+}
+
+// N = ceil(Pmax / Pmin), whatever their magnitude.
+TEST(LevelOfDetail, CountsTheProbesOfEveryFiniteDerivative) {
+    SampledTexture texture = leveledTexture(64);
+    texture.maxAnisotropy = 16;
+    for (const float magnitude : {1e-40F, 1e-30F, 1e-20F, 1.0F, 1e17F, 1e30F, 1e38F}) {
+        EXPECT_EQ(levelOfDetail(texture, {{2.5F * magnitude, 0, 0}, {0, magnitude, 0}}, {}).probes, 3)
+            << magnitude;
+        EXPECT_EQ(levelOfDetail(texture, {{magnitude, 0, 0}, {}}, {}).probes, 16) << magnitude;
+    }
+}
+
+// Equation 3.25, whose limits are inequalities: up to 1/2 the base level, up to 3/2 the first one after it.
+TEST(LevelChoice, TakesTheLowerLevelHalfWayAndNoFurther) {
+    SampledTexture texture = leveledTexture(64);
+    texture.minFilter = MinFilter::LinearMipmapNearest;
+    for (int below = 0; below < 6; ++below) {
+        const float half = static_cast<float>(below) + 0.5F;
+        const auto levelAt = [&](float lambda) {
+            texture.minLod = lambda; // which decides, as one texel a pixel has lambda 0
+            return chooseLevels(texture, levelOfDetail(texture, texelsPerPixel(texture, 1, 1), {})).first;
+        };
+        EXPECT_EQ(levelAt(std::nextafter(half, 0.0F)), below);
+        EXPECT_EQ(levelAt(half), below);
+        EXPECT_EQ(levelAt(std::nextafter(half, 100.0F)), below + 1);
+    }
+}
 
 TEST(LevelOfDetail, SaysWhereItIsUndefined) {
     SampledTexture texture = leveledTexture(8);

@@ -93,7 +93,7 @@ TEST(Probe, FindsTheLevelOfDetail) {
     const UnitExplanation unit = flat.unit(2, 1);
     EXPECT_FLOAT_EQ(unit.derivatives.dx.s, 0.25F);
     EXPECT_FLOAT_EQ(unit.derivatives.dy.t, 0.25F);
-    EXPECT_FLOAT_EQ(unit.sample.lod.rho, 0.5F);
+    EXPECT_NEAR(unit.sample.lod.rho, 0.5, 1e-6);
     EXPECT_FLOAT_EQ(unit.sample.lod.base, -1);
     EXPECT_FLOAT_EQ(unit.sample.lod.biased, -0.75F);
     EXPECT_FLOAT_EQ(unit.sample.lod.lambda, -0.5F);

@@ -65,6 +65,8 @@ public:
             return 0;
         case 1:
             return anything();
+        case 3:
+            return std::ldexp(uniform(-1, 1), pick(278) - 149); // squares that no float holds
         case 2:
             return std::ldexp(pick(2) == 0 ? 1.0F : -1.0F, pick(12) - 10); // lambda is whole
         default:
@@ -205,6 +207,16 @@ INSTANTIATE_TEST_SUITE_P(
         Parameters{"Bias", [](SampledTexture&, SampleOptions& it) { it.unitBias = 1.7F; }},
         Parameters{"HugeBias", [](SampledTexture&, SampleOptions& it) { it.unitBias = -1e30F; }},
         Parameters{"NanBias", [](SampledTexture&, SampleOptions& it) { it.objectBias = nan; }},
+        Parameters{"HugeBiasWithoutLimit",
+                   [](SampledTexture&, SampleOptions& it) {
+                       it.unitBias = 100;
+                       it.maxBias = 1000;
+                   }},
+        Parameters{"HalfWay", [](SampledTexture& it, SampleOptions&) { it.minLod = 1.5F; }},
+        Parameters{"JustBeforeHalfWay", [](SampledTexture& it, SampleOptions&) { it.minLod = 1.4999999F; }},
+        Parameters{"JustAfterHalfWay", [](SampledTexture& it, SampleOptions&) { it.minLod = 1.5000001F; }},
+        Parameters{"JustAfterTheFirstHalf",
+                   [](SampledTexture& it, SampleOptions&) { it.minLod = 0.50000006F; }},
         Parameters{"MinLod", [](SampledTexture& it, SampleOptions&) { it.minLod = 1.25F; }},
         Parameters{"MaxLod", [](SampledTexture& it, SampleOptions&) { it.maxLod = 2.5F; }},
         Parameters{"NanLod", [](SampledTexture& it, SampleOptions&) { it.minLod = it.maxLod = nan; }},

@@ -45,6 +45,14 @@ Unit& secondUnit(Scene& scene) {
     return unit;
 }
 
+/// Other coordinates than the mesh's, all of them so many times as large.
+void scaleCoordinates(Scene& scene, float factor) {
+    for (Model& model : scene.models) {
+        for (const Vertex& vertex : makeMesh(model.shape, model.slices, model.stacks).vertices)
+            model.texCoords[0].push_back(glm::vec4(factor, factor, factor, 1) * vertex.texCoord);
+    }
+}
+
 struct Case {
     const char* name;
     void (*edit)(Scene& scene);
@@ -123,6 +131,18 @@ INSTANTIATE_TEST_SUITE_P(
                  unit.envColor = {0.3F, 0.6F, 0.9F, 0.5F};
                  unit.combine.rgb = CombineRgb::Interpolate;
                  unit.combine.source0Rgb = CombineSource::Texture0;
+             }},
+        Case{"HugeCoordinates", [](Scene& it) { scaleCoordinates(it, 3e18F); }},
+        Case{"TheLargestCoordinates", [](Scene& it) { scaleCoordinates(it, 4e36F); }},
+        Case{"HugeAnisotropicCoordinates",
+             [](Scene& it) {
+                 scaleCoordinates(it, 3e18F);
+                 it.textures[0].maxAnisotropy = 16;
+             }},
+        Case{"TinyAnisotropicCoordinates",
+             [](Scene& it) {
+                 scaleCoordinates(it, 1e-20F);
+                 it.textures[0].maxAnisotropy = 16;
              }},
         Case{"UnderTheNose", [](Scene& it) { it.view.distance = 1.2F; }},
         Case{"FarAway", [](Scene& it) { it.view.distance = 300; }}),
