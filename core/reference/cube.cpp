@@ -1,7 +1,9 @@
 #include "core/reference/cube.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace texplorer::reference {
 
@@ -36,6 +38,12 @@ int majorAxis(glm::vec3 direction) {
     return ax >= ay && ax >= az ? x : ay >= az ? y : z;
 }
 
+/// What is finite stays so: beyond the range of a float it becomes the largest one.
+float asFloat(double value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isfinite(value) ? std::clamp(value, -most, most) : value);
+}
+
 } // namespace
 
 CubePlace cubePlace(glm::vec3 direction, const Derivatives& derivatives) {
@@ -43,7 +51,8 @@ CubePlace cubePlace(glm::vec3 direction, const Derivatives& derivatives) {
     const float length = std::abs(direction[major]);
     CubePlace place;
     place.coords = {0.5F, 0.5F, 0};
-    if (!std::isfinite(direction.x + direction.y + direction.z) || !(length > 0))
+    if (!std::isfinite(direction.x) || !std::isfinite(direction.y) || !std::isfinite(direction.z) ||
+        !(length > 0))
         return place;
     place.face = 2 * major + (direction[major] < 0 ? 1 : 0);
     const FaceAxes& axes = table[static_cast<std::size_t>(place.face)];
@@ -51,11 +60,12 @@ CubePlace cubePlace(glm::vec3 direction, const Derivatives& derivatives) {
     const float t = axes.tSign * direction[axes.t] / length;
     place.coords = {(s + 1) / 2, (t + 1) / 2, 0};
     // (sc / |ma|)' = (sc' - (sc / |ma|) |ma|') / |ma|; section 3.8.8 lets u and v be those of one face.
-    const float sign = direction[major] < 0 ? -1.0F : 1.0F;
-    const auto onFace = [&](glm::vec3 change) {
-        const float growth = sign * change[axes.major];
-        return glm::vec3((axes.sSign * change[axes.s] - s * growth) / length / 2,
-                         (axes.tSign * change[axes.t] - t * growth) / length / 2, 0);
+    const double sign = direction[major] < 0 ? -1 : 1;
+    const auto onFace = [&](glm::dvec3 change) {
+        const double growth = sign * change[axes.major];
+        return glm::vec3(
+            asFloat((double{axes.sSign} * change[axes.s] - double{s} * growth) / double{length} / 2),
+            asFloat((double{axes.tSign} * change[axes.t] - double{t} * growth) / double{length} / 2), 0);
     };
     place.derivatives = {onFace(derivatives.dx), onFace(derivatives.dy)};
     return place;

@@ -30,13 +30,15 @@ TEST_P(CubeDirection, HitsAFaceAtAPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, CubeDirection,
-    testing::Values(Hit{"PositiveX", {2, 1, 0.5F}, 0, 0.375F, 0.25F},   // sc = -0.5, tc = -1, ma = 2
-                    Hit{"NegativeX", {-2, 1, 0.5F}, 1, 0.625F, 0.25F},  // sc = 0.5, tc = -1
-                    Hit{"PositiveY", {0.5F, 4, 2}, 2, 0.5625F, 0.75F},  // sc = 0.5, tc = 2
-                    Hit{"NegativeY", {0.5F, -4, 2}, 3, 0.5625F, 0.25F}, // sc = 0.5, tc = -2
-                    Hit{"PositiveZ", {1, 2, 4}, 4, 0.625F, 0.25F},      // sc = 1, tc = -2
-                    Hit{"NegativeZ", {1, 2, -4}, 5, 0.375F, 0.25F},     // sc = -1, tc = -2
-                    Hit{"Zero", {0, 0, 0}, 0, 0.5F, 0.5F},
+    testing::Values(Hit{"PositiveX", {2, 1, 0.5F}, 0, 0.375F, 0.25F},     // sc = -0.5, tc = -1, ma = 2
+                    Hit{"NegativeX", {-2, 1, 0.5F}, 1, 0.625F, 0.25F},    // sc = 0.5, tc = -1
+                    Hit{"PositiveY", {0.5F, 4, 2}, 2, 0.5625F, 0.75F},    // sc = 0.5, tc = 2
+                    Hit{"NegativeY", {0.5F, -4, 2}, 3, 0.5625F, 0.25F},   // sc = 0.5, tc = -2
+                    Hit{"PositiveZ", {1, 2, 4}, 4, 0.625F, 0.25F},        // sc = 1, tc = -2
+                    Hit{"NegativeZ", {1, 2, -4}, 5, 0.375F, 0.25F},       // sc = -1, tc = -2
+                    Hit{"Largest", {3e38F, 2e38F, 0}, 0, 0.5F, 1.0F / 6}, // tc = -2e38
+                    Hit{"LargestCorner", {-3e38F, 3e38F, -3e38F}, 1, 0, 0},
+                    Hit{"Least", {0, 0x1p-149F, 0}, 2, 0.5F, 0.5F}, Hit{"Zero", {0, 0, 0}, 0, 0.5F, 0.5F},
                     Hit{"NoNumber", {std::numeric_limits<float>::quiet_NaN(), 1, 0}, 0, 0.5F, 0.5F},
                     Hit{"Infinite", {0, std::numeric_limits<float>::infinity(), 0}, 0, 0.5F, 0.5F},
                     Hit{"Corner", {-1, 1, -1}, 1, 0, 0}),
@@ -57,6 +59,20 @@ TEST(CubePlace, DerivativesAreThoseOfTheFace) {
             EXPECT_NEAR(place.derivatives.dy[axis], -2 * difference[axis], 4e-3F);
         }
     }
+}
+
+// s = rx / rz of +z: s' = (rx' - s rz') / rz / 2, whose terms may be beyond what a float holds.
+TEST(CubePlace, DerivativesOfFiniteDirectionsAreFinite) {
+    EXPECT_FLOAT_EQ(cubePlace({0, 0, 3e38F}, {{3e38F, 0, -3e38F}, {}}).derivatives.dx.s, 0.5F);
+    EXPECT_FLOAT_EQ(cubePlace({1.5e38F, 0, 3e38F}, {{3e38F, 0, -3e38F}, {}}).derivatives.dx.s, 0.75F);
+    // 5e40, which no float is: the largest one stands for it, and the smallest level is read.
+    SampledTexture texture = leveledTexture(8);
+    texture.target = Target::CubeMap;
+    texture.otherFaces.assign(5, texture.levels);
+    texture.minFilter = MinFilter::LinearMipmapLinear;
+    const SampleRecord record = explainSample(texture, {0, 0, 1e-3F}, {{1e38F, 0, 0}, {}});
+    EXPECT_FALSE(record.lod.undefined);
+    EXPECT_TRUE(isNear(record.color, {0.3F, 0, 0, 1}));
 }
 
 /// Face f is f / 10 in red; its texels i, j are told by green and blue.
@@ -106,8 +122,8 @@ TEST(SampleOfACubeMap, LambdaIsThatOfTheFace) {
     SampledTexture texture = cubeTexture(16);
     texture.minFilter = MinFilter::LinearMipmapLinear;
     const SampleRecord record = explainSample(texture, {0, 0, 1}, {{0.375F, 0, 0.2F}, {0, 0.125F, 0}});
-    EXPECT_FLOAT_EQ(record.lod.lengthX, 3);
-    EXPECT_FLOAT_EQ(record.lod.lengthY, 1);
+    EXPECT_NEAR(record.lod.lengthX, 3, 1e-6);
+    EXPECT_NEAR(record.lod.lengthY, 1, 1e-6);
 }
 
 TEST(CompletenessOfACubeMap, WantsSixSquaresOfOneSize) {
