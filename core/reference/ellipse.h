@@ -8,6 +8,8 @@
 #include "core/reference/texel.h"
 #include "core/reference/wrap.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -16,30 +18,36 @@
 
 namespace texplorer::reference {
 
-/// The texels (u, v) around the ellipse's centre with A u^2 + B u v + C v^2 < F.
-struct Ellipse {
-    float a;
-    float b;
-    float c;
-    float f;
+/// The texels (u, v) around the ellipse's centre with A u^2 + B u v + C v^2 < F, where
+///     A = (dv/dx)^2 + (dv/dy)^2 + 1, B = -2 (du/dx dv/dx + du/dy dv/dy), C = (du/dx)^2 + (du/dy)^2 + 1 and
+///     F = A C - B^2 / 4:
+/// one texel is added to both axes, so that the ellipse always holds some. Both sides are written as sums of
+/// squares, which no rounding makes negative, however long and thin it is; doubles hold them all.
+class Ellipse {
+public:
+    /// `x` and `y`: how far the sample moves per pixel, in texels.
+    Ellipse(glm::dvec2 x, glm::dvec2 y)
+        : x_(x)
+        , y_(y) {
+        const double area = x.x * y.y - x.y * y.x;
+        f_ = area * area + glm::dot(x, x) + glm::dot(y, y) + 1;
+    }
 
-    /// `x` and `y`: how far the sample moves per pixel, in texels. One texel is added to both axes, so that
-    /// the ellipse always holds some.
-    Ellipse(glm::vec2 x, glm::vec2 y)
-        : a(x.y * x.y + y.y * y.y + 1)
-        , b(-2 * (x.x * x.y + y.x * y.y))
-        , c(x.x * x.x + y.x * y.x + 1)
-        , f(a * c - b * b / 4) {}
-
-    /// The halves of the box around it.
-    [[nodiscard]] glm::vec2 halfExtent() const {
-        const float d = 4 * a * c - b * b;
-        return {2 * std::sqrt(c * f / d), 2 * std::sqrt(a * f / d)};
+    /// The halves of the box around it: the roots of C and A.
+    [[nodiscard]] glm::dvec2 halfExtent() const {
+        return {std::sqrt(x_.x * x_.x + y_.x * y_.x + 1), std::sqrt(x_.y * x_.y + y_.y * y_.y + 1)};
     }
     /// 0 at the centre, 1 on the rim.
-    [[nodiscard]] float radius2(glm::vec2 at) const {
-        return (a * at.x * at.x + b * at.x * at.y + c * at.y * at.y) / f;
+    [[nodiscard]] double radius2(glm::dvec2 at) const {
+        const double acrossX = x_.y * at.x - x_.x * at.y;
+        const double acrossY = y_.y * at.x - y_.x * at.y;
+        return (acrossX * acrossX + acrossY * acrossY + at.x * at.x + at.y * at.y) / f_;
     }
+
+private:
+    glm::dvec2 x_;
+    glm::dvec2 y_;
+    double f_;
 };
 
 /// A texel's index after wrapping, from one that counts on beyond the level: the texel that NEAREST takes at
@@ -57,23 +65,23 @@ glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec
     if (!level)
         return {0, 0, 0, 1};
     const glm::vec2 size(level->size());
-    const Ellipse ellipse(glm::vec2(derivatives.dx) * size, glm::vec2(derivatives.dy) * size);
+    const Ellipse ellipse(glm::dvec2(derivatives.dx) * glm::dvec2(size),
+                          glm::dvec2(derivatives.dy) * glm::dvec2(size));
     const glm::vec2 centre(definedCoordinate(coords.s) * size.x - 0.5F,
                            definedCoordinate(coords.t) * size.y - 0.5F);
-    // Rounding can make an ellipse of an extreme footprint endless; no weight is left beyond this, either.
-    const glm::vec2 half = ellipse.halfExtent();
-    constexpr float most = 64;
-    const auto extent = [&](int axis) { return half[axis] <= most ? half[axis] : most; };
-    const int u0 = floorToInt(centre.x - extent(0));
-    const int u1 = floorToInt(centre.x + extent(0)) + 1;
-    const int v0 = floorToInt(centre.y - extent(1));
-    const int v1 = floorToInt(centre.y + extent(1)) + 1;
+    // An extreme footprint has no end of texels; the average of so many tells enough.
+    constexpr double most = 64;
+    const glm::vec2 extent(glm::min(ellipse.halfExtent(), most));
+    const int u0 = floorToInt(centre.x - extent.x);
+    const int u1 = floorToInt(centre.x + extent.x) + 1;
+    const int v0 = floorToInt(centre.y - extent.y);
+    const int v1 = floorToInt(centre.y + extent.y) + 1;
 
     const auto visit = [&](auto&& take) {
         for (int v = v0; v <= v1; ++v) {
             for (int u = u0; u <= u1; ++u) {
-                const float r2 =
-                    ellipse.radius2({static_cast<float>(u) - centre.x, static_cast<float>(v) - centre.y});
+                const auto r2 = static_cast<float>(
+                    ellipse.radius2({static_cast<float>(u) - centre.x, static_cast<float>(v) - centre.y}));
                 if (r2 < 1)
                     take(glm::ivec3(wrappedTexel(texture.wrap[0], u, level->width),
                                     wrappedTexel(texture.wrap[1], v, level->height), 0),
