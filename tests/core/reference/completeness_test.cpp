@@ -66,6 +66,15 @@ INSTANTIATE_TEST_SUITE_P(
                              it.maxLevel = 1;
                          },
                          Rule::BaseAboveMaxLevel, 2, "base level 2 exceeds its maximal level 1"},
+                    // Section 3.8.10 asks for a chain where the filter does; without, the base level is the
+                    // texture, whatever the maximal level.
+                    Case{"BaseAboveMaxWithoutMipmaps",
+                         [](SampledTexture& it) {
+                             it.baseLevel = 2;
+                             it.maxLevel = 1;
+                             it.minFilter = MinFilter::Nearest;
+                         },
+                         Rule::Complete, 0, ""},
                     Case{"WrongSize",
                          [](SampledTexture& it) {
                              it.levels[1] = makeLevel({4, 3, 1}, [](int, int, int) { return glm::vec4(0); });

@@ -52,6 +52,24 @@ TEST(DrawReference, FillsTheSquareAndNothingElse) {
     }
 }
 
+// Section 3.8.10 asks for levels up to GL_TEXTURE_MAX_LEVEL where the filter reads them: without mipmaps the
+// base level is drawn, whatever the maximum.
+TEST(DrawReference, DrawsTheBaseLevelThoughTheMaximumIsBelowIt) {
+    Scene scene = squareScene();
+    scene.textures.resize(1);
+    Texture& texture = scene.textures[0];
+    texture.pattern = Pattern::UvTemplate;
+    texture.mipmaps = MipPolicy::Colored;
+    texture.minFilter = MinFilter::Nearest;
+    texture.baseLevel = 1;
+    scene.passes[0].units[0].enabled = true;
+    const Image unlimited = drawn(scene, 16);
+    EXPECT_NE(pixelAt(unlimited, 8, 8), (Pixel{51, 102, 153, 204})) << "it is textured";
+    texture.maxLevel = 0;
+    EXPECT_EQ(drawn(scene, 16), unlimited);
+    EXPECT_EQ(drawn(scene, 16, {.literal = true}), unlimited);
+}
+
 // Both triangles of the square share the diagonal, which runs through pixel centres.
 TEST(DrawReference, HitsEveryPixelOfASharedEdgeOnce) {
     Scene scene = squareScene();

@@ -1,5 +1,6 @@
 // The filters of OpenGL 2.1, sections 3.8.8 and 3.8.9, worked out by hand.
 
+#include "core/reference/ellipse.h"
 #include "core/reference/sampler.h"
 #include "tests/core/reference/textures.h"
 
@@ -65,6 +66,21 @@ TEST(Sample, TrilinearBlendsTwoLevels) {
         isNear(sample(texture, {0.3F, 0.3F, 0}, texelsPerPixel(texture, 3, 1)), {0.1584963F, 0, 0, 1}));
 }
 
+// Section 3.8.8: without mipmaps the base level is sampled. Where it is present, GL_TEXTURE_MAX_LEVEL has no
+// say.
+TEST(Sample, WithoutMipmapsTheBaseLevelIsReadWhateverTheMaximum) {
+    SampledTexture texture = leveledTexture(16);
+    texture.baseLevel = 2;
+    texture.maxLevel = 1;
+    for (const MinFilter filter : {MinFilter::Nearest, MinFilter::Linear}) {
+        texture.minFilter = filter;
+        for (const float texels : {0.25F, 1.0F, 8.0F})
+            EXPECT_TRUE(isNear(sample(texture, {0.3F, 0.6F, 0}, texelsPerPixel(texture, texels, texels)),
+                               {0.2F, 0, 0, 1}))
+                << texels;
+    }
+}
+
 TEST(Sample, AnisotropyProbesAlongTheLongerAxis) {
     SampledTexture texture = indexTexture(Target::Texture2D, {16, 16, 1});
     texture.maxAnisotropy = 4;
@@ -97,6 +113,31 @@ TEST(Sample, TheEllipseIsSymmetricAndNormalised) {
     }
     EXPECT_EQ(left, 32 - 9);
     EXPECT_EQ(low, 32 - 2);
+}
+
+// Columns of 0 and 1, and more of them in a pixel than anyone could count: their mean.
+TEST(Sample, AHugeEllipseAverages) {
+    SampledTexture texture = leveledTexture(64);
+    for (std::size_t i = 0; i < texture.levels[0].texels.size(); ++i)
+        texture.levels[0].texels[i] = glm::vec4(static_cast<float>(i % 2));
+    texture.maxAnisotropy = 16;
+    texture.maxLod = 0;
+    for (const float texels : {1e3F, 1e10F, 1e20F, 1e38F}) {
+        const SampleRecord record =
+            explainSample(texture, {0.5F, 0.5F, 0}, texelsPerPixel(texture, texels, texels / 2),
+                          {.anisotropy = AnisotropyMethod::Ellipse});
+        EXPECT_TRUE(record.lod.ellipse);
+        EXPECT_TRUE(isNear(record.color, glm::vec4(0.5F), 0.01F)) << texels;
+    }
+}
+
+// With L = 3e5: A = L^2 + 1, B = -2 L^2, C = L^2 + 2 and F = A C - B^2 / 4 = 3 L^2 + 2. Along the diagonal
+// A + B + C = 3 is left of numbers that have eleven digits.
+TEST(Ellipse, HoldsWhenItIsLongAndThin) {
+    const Ellipse ellipse({3e5, 3e5}, {1, 0});
+    EXPECT_NEAR(ellipse.radius2({30, 30}), 900 * 3 / 2.7e11, 1e-13);
+    EXPECT_NEAR(ellipse.radius2({1, -1}), 4 * 9e10 / 2.7e11, 1e-9);
+    EXPECT_NEAR(ellipse.halfExtent().x, 3e5, 1e-3);
 }
 
 struct Bad {
