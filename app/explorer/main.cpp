@@ -1,5 +1,6 @@
 // texplorer: the window.
 
+#include "app/command_line/standard_streams.h"
 #include "app/command_line/wrong_call.h"
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
@@ -8,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <sstream>
 
 namespace {
 
@@ -40,6 +42,7 @@ int run(const std::vector<std::string>& files, const std::string& shaders) {
 } // namespace
 
 int main(int argc, char** argv) {
+    prepareStandardStreams();
     CLI::App app("Explore what each texture parameter of OpenGL does, on a live cube and sphere.",
                  "texplorer");
     app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
@@ -58,8 +61,12 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) // --help, --version
-            return app.exit(error);
+        if (error.get_exit_code() == 0) { // --help, --version
+            std::ostringstream text;
+            app.exit(error, text);
+            const Result<void> printed = writeStandardOutput(viewBytes(text.str()));
+            return printed ? 0 : complain(describe(printed.error()));
+        }
         complain(describeWrongCall(app, error));
         return wrongCall;
     }

@@ -1,5 +1,4 @@
 #include "app/screenshot/scene_argument.h"
-#include "core/base/file_io.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/initial_like.h"
 #include "core/scene/params.h"
@@ -80,7 +79,8 @@ std::string asText(const std::vector<Finding>& findings) {
     return text;
 }
 
-std::string asJson(const std::vector<Finding>& findings) {
+/// `error`: why there are no findings of this scene; empty: there are.
+std::string asJson(const std::vector<Finding>& findings, const std::string& error = {}) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Finding& each : findings) {
         nlohmann::ordered_json entry{{"severity", rowOf(each.severity).name},
@@ -95,16 +95,22 @@ std::string asJson(const std::vector<Finding>& findings) {
         }
         list.push_back(std::move(entry));
     }
+    nlohmann::ordered_json document;
+    if (!error.empty())
+        document["error"] = error;
+    document["findings"] = std::move(list);
     // A file's name may be no UTF-8.
-    return nlohmann::ordered_json{{"findings", std::move(list)}}.dump(
-               2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-           "\n";
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 ExitCode check(const Options& options) {
     auto opened = openScene(options.scene);
-    if (!opened)
-        return opened.error();
+    if (!opened) {
+        const auto& [error, code] = opened.error();
+        const Result<void> printed = options.json && code == failure ? print(asJson({}, describe(error)))
+                                                                     : Result<void>();
+        return printed ? complain(error, code) : complain(printed.error());
+    }
     std::vector<std::string> reasons;
     loadImages(*opened, reasons);
     std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
@@ -115,7 +121,7 @@ ExitCode check(const Options& options) {
         }
     }
     const std::string text = options.json ? asJson(findings) : asText(findings);
-    if (const auto written = writeOutput("-", viewBytes(text)); !written)
+    if (const auto written = print(text); !written)
         return complain(written.error());
     const bool clean = std::ranges::none_of(
         findings, [](const Finding& each) { return each.severity <= Severity::Warning; });

@@ -16,7 +16,7 @@ enum ExitCode : int {
     success = 0,
     failure = 1,       ///< a file, the driver or the scene: one sentence on standard error says which
     wrongCall = 2,     ///< the command line itself: an option, a path or a value that does not exist
-    interrupted = 130, ///< Ctrl+C, as a shell says it of a program that a signal ended
+    // 128 and a signal's number, as a shell has it, of a program that a signal ended: 130 Ctrl+C
 };
 
 /// What the chosen subcommand does once the command line is parsed.
@@ -36,10 +36,7 @@ void addConvert(CLI::App& app, Action& action);
 /// Prints "texshot: …" on standard error and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);
 
-/// The same after Ctrl+C.
-ExitCode complainInterrupted();
-
-/// Writes to a file atomically, or to standard output where `path` is "-".
-[[nodiscard]] Result<void> writeOutput(const std::string& path, ByteView bytes);
+/// All of it to standard output.
+[[nodiscard]] Result<void> print(std::string_view text);
 
 } // namespace texplorer::screenshot

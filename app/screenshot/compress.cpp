@@ -1,8 +1,10 @@
 #include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
+#include "app/screenshot/interrupts.h"
 #include "app/screenshot/long_work.h"
-#include "app/screenshot/texture_io.h"
-#include "core/base/file_io.h"
+#include "app/screenshot/option_use.h"
+#include "app/screenshot/output.h"
+#include "app/screenshot/texture_input.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
 #include "core/scene/texture_levels.h"
@@ -84,9 +86,11 @@ ExitCode run(const Options& options) {
     const Result<Choices> choices = choicesOf(options);
     if (!choices)
         return complain(choices.error(), wrongCall);
-    const Result<const CodecRow*> writer = writerFor(options.out);
-    if (!writer)
-        return complain(writer.error(), wrongCall);
+    if (options.gamma && !choices->mips && !options.powerOfTwo)
+        return refuseUnused("--gamma", "it is for mip levels and --power-of-two, and there is neither");
+    const auto output = openImageOutput(options.out, "DDS", "DDS");
+    if (!output)
+        return output.error();
     Result<TextureImage> file = readTexture(options.in);
     if (!file)
         return complain(file.error());
@@ -114,10 +118,10 @@ ExitCode run(const Options& options) {
     texture.alpha = AlphaMeaning::Straight;
     for (BlockImage& level : *blocks)
         texture.surfaces.emplace_back(std::move(level));
-    if (const auto written = writeTexture(options.out, texture); !written)
+    if (const auto written = output->write(texture); !written)
         return complain(written.error());
     if (options.report) {
-        if (const auto written = writeOutput("-", viewBytes(reportOf(texture, source))); !written)
+        if (const auto written = print(reportOf(texture, source)); !written)
             return complain(written.error());
     }
     return success;
@@ -130,7 +134,7 @@ void addCompress(CLI::App& app, Action& action) {
         app.add_subcommand("compress", "Compress a picture into a DDS file of S3TC or RGTC blocks.");
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The picture: any format that Texplorer reads.")->required();
-    command->add_option("OUT", options->out, "The DDS file to write.")->required();
+    command->add_option("OUT", options->out, "The DDS file to write; - for standard output.")->required();
     command->add_option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.")
         ->required();
     command->add_option("--quality", options->quality,

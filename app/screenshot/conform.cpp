@@ -1,8 +1,10 @@
 #include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/interrupts.h"
 #include "app/screenshot/long_work.h"
 #include "app/screenshot/number_argument.h"
+#include "app/screenshot/option_use.h"
 #include "core/base/file_io.h"
 #include "core/conform/report.h"
 #include "core/scene/param_text.h"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 namespace texplorer::screenshot {
 namespace {
@@ -24,6 +27,8 @@ struct Options {
     int scenes = 0; // 0: as many as the features have
     bool json = false;
     bool list = false;
+    const CLI::Option* shadersOption = nullptr;
+    std::vector<const CLI::Option*> notListing; ///< what --list leaves without effect
 };
 
 /// One of OpenGL's renderers in a studio.
@@ -102,47 +107,39 @@ Result<conform::Selection> selectionOf(const Options& options) {
     return selection;
 }
 
-/// Whether a folder can stand there: asked before the work, so that it isn't lost.
-Result<void> checkFolder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::path above = std::filesystem::absolute(folder, error);
-    while (!std::filesystem::exists(above, error) && above.has_relative_path())
-        above = above.parent_path();
-    if (std::filesystem::is_directory(above, error))
-        return {};
-    return fail(ErrorCode::Unwritable, "can't make the folder: " + above.string() + " is no folder",
-                folder.string());
-}
-
 Result<void> writeFolder(const std::filesystem::path& folder, const conform::Report& report) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return fail(ErrorCode::Unwritable, "can't make the folder: " + error.message(), folder.string());
     const Result<std::vector<conform::ReportFile>> files = conform::asFolder(report);
     if (!files)
         return fail(files.error());
-    for (const conform::ReportFile& file : *files) {
-        if (const Result<void> written = writeFileAtomically(folder / file.name, file.bytes); !written)
-            return written;
-    }
-    return {};
+    std::vector<FileContent> contents;
+    for (const conform::ReportFile& file : *files)
+        contents.push_back({file.name, file.bytes});
+    std::optional<Uninterrupted> placing;
+    return writeFolderAtomically(folder, contents, [&placing] { placing.emplace(); });
 }
 
 ExitCode conformTo(const Options& options) {
     if (options.list) {
+        for (const CLI::Option* option : options.notListing)
+            if (isGiven(*option))
+                return refuseUnused(option->get_name(), "--list compares nothing");
         const std::string text = conform::listing();
-        const Result<void> written = writeOutput("-", viewBytes(text));
+        const Result<void> written = print(text);
         return written ? success : complain(written.error());
     }
     const Result<std::vector<conform::Pair>> pairs = pairsOf(options);
     if (!pairs)
         return complain(pairs.error(), wrongCall);
+    const bool shaders = std::ranges::any_of(*pairs, [](const conform::Pair& pair) {
+        return pair.has(RendererKind::Shader);
+    });
+    if (isGiven(*options.shadersOption) && !shaders)
+        return refuseUnused("--shaders", "it is for the shader renderer, which is not compared");
     const Result<conform::Selection> selection = selectionOf(options);
     if (!selection)
         return complain(selection.error(), wrongCall);
     if (!options.folder.empty()) {
-        if (const Result<void> possible = checkFolder(options.folder); !possible)
+        if (const Result<void> possible = checkFolderWritable(options.folder); !possible)
             return complain(possible.error());
     }
 
@@ -172,7 +169,7 @@ ExitCode conformTo(const Options& options) {
             return complain(written.error());
     }
     const std::string text = options.json ? conform::asJson(*report) : conform::asText(*report);
-    if (const Result<void> written = writeOutput("-", viewBytes(text)); !written)
+    if (const Result<void> written = print(text); !written)
         return complain(written.error());
     return report->agrees() ? success : failure;
 }
@@ -198,7 +195,8 @@ void addConform(CLI::App& app, Action& action) {
     command->add_option("-o,--out", options->folder,
                         "A folder for the report: index.html, report.json, and for each feature its worst "
                         "scene with both pictures and their difference.");
-    command
+    options->shadersOption =
+        command
         ->add_option(
             "--shaders", options->shaders,
             "The folder of the shader renderer's files. Without it: those that the program was built "
@@ -209,6 +207,9 @@ void addConform(CLI::App& app, Action& action) {
         "--list", options->list,
         "Name the features, the rules that they are held to with their reasons, and what is not "
         "compared.");
+    for (const CLI::Option* option : command->get_options())
+        if (option->get_name() != "--list" && option != command->get_help_ptr())
+            options->notListing.push_back(option);
     command->footer(
         "A table on standard output: \"over\" are the pixels that differ by more than the rule's "
         "bound (in 255ths),\n"

@@ -1,5 +1,7 @@
 #include "app/screenshot/command.h"
-#include "app/screenshot/texture_io.h"
+#include "app/screenshot/option_use.h"
+#include "app/screenshot/output.h"
+#include "app/screenshot/texture_input.h"
 
 namespace texplorer::screenshot {
 
@@ -16,18 +18,27 @@ void addConvert(CLI::App& app, Action& action) {
     command
         ->add_option(
             "OUT", options->out,
-            "The file to write. Formats of one picture take the base level, decompressed; DDS takes all.")
+            "The file to write, its format by its extension: " + writtenExtensions() +
+                "; - for standard output, as PNG. Formats of one picture take the base level, decompressed; "
+                "DDS takes all.")
         ->required();
     command->add_flag("--rle", options->write.runLengthCoded, "TGA: run-length coded.");
     command->add_flag("--small", options->write.small, "PNG: smaller rather than faster.");
     command->callback([&action, options] {
         action = [options] {
-            if (const auto writer = writerFor(options->out); !writer)
-                return complain(writer.error(), wrongCall);
+            const auto output = openImageOutput(options->out, "PNG");
+            if (!output)
+                return output.error();
+            for (const auto& [option, given, format] :
+                 {std::tuple{"--rle", options->write.runLengthCoded, "TGA"},
+                  std::tuple{"--small", options->write.small, "PNG"}})
+                if (given && output->format->name != format)
+                    return refuseUnused(option, "it is for " + std::string(format) + " files, OUT is " +
+                                                    std::string(output->format->name));
             const Result<TextureImage> file = readTexture(options->in);
             if (!file)
                 return complain(file.error());
-            if (const auto written = writeTexture(options->out, *file, options->write); !written)
+            if (const auto written = output->write(*file, options->write); !written)
                 return complain(written.error());
             return success;
         };

@@ -1,7 +1,7 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/number_argument.h"
-#include "app/screenshot/texture_io.h"
-#include "core/codec/png.h"
+#include "app/screenshot/output.h"
+#include "app/screenshot/texture_input.h"
 #include "core/image/mipmaps.h"
 
 namespace texplorer::screenshot {
@@ -48,7 +48,7 @@ Result<Image> levelOf(const TextureImage& texture, const Options& options) {
     return std::move(buildMipChain(toImage(base))[static_cast<std::size_t>(options.level)]);
 }
 
-Result<Bytes> decodeToPng(const Options& options) {
+Result<TextureImage> pictureOf(const Options& options) {
     const Result<TextureImage> decoded = readTexture(options.in);
     if (!decoded)
         return fail(decoded.error());
@@ -66,16 +66,19 @@ Result<Bytes> decodeToPng(const Options& options) {
     const bool shouldBeTopFirst = options.noFlip && texture.fileTopFirst;
     if (isTopFirst != shouldBeTopFirst)
         flipVertically(picture);
-    return encodePng(picture);
+    return textureOf(std::move(picture), texture.format);
 }
 
 } // namespace
 
 void addDecode(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("decode", "Turn an image file into a PNG.");
+    CLI::App* command = app.add_subcommand("decode", "Turn an image file, or a part of it, into a picture.");
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
-    command->add_option("OUT", options->out, "The PNG to write; - for standard output.")->required();
+    command->add_option("OUT", options->out, 
+                                    "The picture to write, its format by its extension: " +
+                                        writtenExtensions() + "; - for standard output, as PNG.")
+        ->required();
     addNumber(
         *command, "--level", options->level, 0, 30,
         "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.");
@@ -87,10 +90,13 @@ void addDecode(CLI::App& app, Action& action) {
                       "glTexImage2D: upside down for most formats.");
     command->callback([&action, options] {
         action = [options] {
-            const Result<Bytes> png = decodeToPng(*options);
-            if (!png)
-                return complain(png.error());
-            if (const auto written = writeOutput(options->out, *png); !written)
+            const auto output = openImageOutput(options->out, "PNG");
+            if (!output)
+                return output.error();
+            const Result<TextureImage> picture = pictureOf(*options);
+            if (!picture)
+                return complain(picture.error());
+            if (const auto written = output->write(*picture); !written)
                 return complain(written.error());
             return success;
         };

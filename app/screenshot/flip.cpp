@@ -1,8 +1,10 @@
 #include "core/s3tc/flip.h"
 
 #include "app/screenshot/command.h"
+#include "app/screenshot/interrupts.h"
 #include "app/screenshot/long_work.h"
-#include "app/screenshot/texture_io.h"
+#include "app/screenshot/output.h"
+#include "app/screenshot/texture_input.h"
 
 namespace texplorer::screenshot {
 namespace {
@@ -65,9 +67,7 @@ Result<void> turn(Surface& surface, const Options& options, LongWork& work) {
     return {};
 }
 
-Result<void> flip(const Options& options) {
-    if (const auto writer = writerFor(options.out); !writer)
-        return fail(writer.error());
+Result<void> flip(const Options& options, const ImageOutput& output) {
     Result<TextureImage> decoded = readTexture(options.in);
     if (!decoded)
         return fail(decoded.error());
@@ -83,7 +83,13 @@ Result<void> flip(const Options& options) {
     work.finish();
     if (work.stopToken().stop_requested())
         return fail(ErrorCode::Cancelled, "turning around was stopped");
-    return writeTexture(options.out, texture);
+    return output.write(texture);
+}
+
+/// What a pipe gets: the format of the file that is turned, where that is written.
+std::string_view formatFor(const std::string& in) {
+    const CodecRow* format = codecForExtension(in);
+    return format != nullptr && format->encode ? format->name : "PNG";
 }
 
 } // namespace
@@ -94,7 +100,11 @@ void addFlip(CLI::App& app, Action& action) {
                 "decompressing them.");
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The texture: any format that Texplorer reads.")->required();
-    command->add_option("OUT", options->out, "The file to write, its format by its extension.")->required();
+    command
+        ->add_option("OUT", options->out,
+                     "The file to write, its format by its extension: " + writtenExtensions() +
+                         "; - for standard output, in the format of IN.")
+        ->required();
     CLI::Option* horizontal =
         command->add_flag("--horizontal", options->horizontal, "Left to right instead.");
     command->add_flag("--half-turn", options->halfTurn, "By 180 degrees instead.")->excludes(horizontal);
@@ -103,7 +113,10 @@ void addFlip(CLI::App& app, Action& action) {
                       "those whose extent is not 1, 2 or a multiple of 4.");
     command->callback([&action, options] {
         action = [options] {
-            const auto done = flip(*options);
+            const auto output = openImageOutput(options->out, formatFor(options->in));
+            if (!output)
+                return output.error();
+            const auto done = flip(*options, *output);
             if (!done && done.error().code == ErrorCode::Cancelled)
                 return complainInterrupted();
             if (!done)

@@ -169,11 +169,19 @@ nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
     return {{"fields", fields}, {"damage", anatomy.damage}};
 }
 
+/// A file's name may be no UTF-8.
+std::string asText(const nlohmann::ordered_json& document) {
+    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 /// The anatomy is printed of a damaged file too: that is when people need it.
 ExitCode examine(const std::string& path, bool json) {
     Result<Bytes> bytes = readFile(path);
-    if (!bytes)
-        return complain(bytes.error());
+    if (!bytes) {
+        const nlohmann::ordered_json document = {{"file", path}, {"error", bytes.error().message}};
+        const Result<void> printed = json ? print(asText(document)) : Result<void>();
+        return complain(printed ? bytes.error() : printed.error());
+    }
     const Anatomy anatomy = dissect(*bytes);
     const Result<TextureImage> texture = decodeTexture(*bytes);
 
@@ -185,15 +193,14 @@ ExitCode examine(const std::string& path, bool json) {
         else
             document["error"] = texture.error().message;
         document["anatomy"] = anatomyAsJson(anatomy, *bytes);
-        if (texture || !anatomy.fields.empty())
-            text = document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+        text = asText(document);
     } else {
         if (texture)
             text = factsAsText(path, *texture, bytes->size());
         if (!anatomy.fields.empty())
             text += anatomyAsText(anatomy);
     }
-    if (const auto written = writeOutput("-", viewBytes(text)); !written)
+    if (const auto written = print(text); !written)
         return complain(written.error());
     return texture ? success : complain({texture.error().code, texture.error().message, path});
 }

@@ -3,12 +3,11 @@
 #include <atomic>
 #include <stop_token>
 #include <string>
-#include <thread>
 
 namespace texplorer::screenshot {
 
-/// Work that may take long: Ctrl+C (or SIGTERM) asks it to stop instead of ending the program half-way, a
-/// second one ends the program at once, and after a second a terminal shows how far it is. There may be one
+/// Work that may take long: Ctrl+C, SIGTERM or SIGHUP asks it to stop instead of ending the program half-way,
+/// a second one ends the program at once, and after a second a terminal shows how far it is. There may be one
 /// at a time.
 class LongWork {
 public:
@@ -30,7 +29,6 @@ private:
     double start_;
     bool terminal_;
     std::atomic<int> shownPercent_ = -1;
-    std::jthread watcher_; ///< waits for a signal or the end
 };
 
 } // namespace texplorer::screenshot

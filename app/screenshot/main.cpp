@@ -1,13 +1,13 @@
 // texshot: the same scenes and the same panels as texplorer, without a display.
 
+#include "app/command_line/standard_streams.h"
 #include "app/command_line/wrong_call.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/help_format.h"
-#include "core/base/file_io.h"
+#include "app/screenshot/interrupts.h"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <sstream>
 
 namespace texplorer::screenshot {
 
@@ -16,31 +16,20 @@ ExitCode complain(const Error& error, ExitCode code) {
     return code;
 }
 
-ExitCode complainInterrupted() {
-    return complain({ErrorCode::Cancelled, "interrupted; nothing was written", {}}, interrupted);
-}
-
-Result<void> writeOutput(const std::string& path, ByteView bytes) {
-    if (path != "-")
-        return writeFileAtomically(path, bytes);
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
-        return fail(ErrorCode::Unwritable, std::string("can't write: ") + std::strerror(errno),
-                    "standard output");
-    return {};
-}
-
 } // namespace texplorer::screenshot
 
 int main(int argc, char** argv) {
     using namespace texplorer;
     using namespace texplorer::screenshot;
 
+    prepareStandardStreams();
+    watchInterrupts();
     CLI::App app("Texplorer without a display: draw scenes, look into texture files.", "texshot");
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
-               "130 interrupted by Ctrl+C: nothing was written.\n"
+               "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file appears as a whole or not at all.\n"
                "\"texshot COMMAND --help\" explains each command.");
 
     Action action;
@@ -65,8 +54,12 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return action();
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) // --help, --version
-            return app.exit(error) == 0 ? success : failure;
+        if (error.get_exit_code() == 0) { // --help, --version
+            std::ostringstream text;
+            app.exit(error, text);
+            const Result<void> printed = print(text.str());
+            return printed ? success : complain(printed.error());
+        }
         return complain({ErrorCode::OutOfRange, describeWrongCall(app, error), {}}, wrongCall);
     } catch (const std::exception& error) { // out of memory, at worst: still one sentence and an exit status
         std::fprintf(stderr, "texshot: %s\n", error.what());

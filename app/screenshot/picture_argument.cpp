@@ -23,13 +23,14 @@ void addPictureArgument(CLI::App& command, PictureArgument& argument) {
     command.add_option("--time", argument.time, "On the scene's clock, for what moves.")
         ->type_name("SECONDS")
         ->capture_default_str();
-    command
-        .add_option("--anisotropy", argument.anisotropy,
-                    "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
-                    "leaves open." +
-                        explainChoices<reference::AnisotropyMethod>())
-        ->type_name("METHOD")
-        ->capture_default_str();
+    argument.anisotropyOption =
+        command
+            .add_option("--anisotropy", argument.anisotropy,
+                        "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
+                        "leaves open." +
+                            explainChoices<reference::AnisotropyMethod>())
+            ->type_name("METHOD")
+            ->capture_default_str();
 }
 
 Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest) {

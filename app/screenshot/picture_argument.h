@@ -13,6 +13,7 @@ struct PictureArgument {
     std::string size = "1280x800";
     std::string time = "0";
     std::string anisotropy = std::string(rowOf(reference::AnisotropyMethod::Probes).name);
+    const CLI::Option* anisotropyOption = nullptr;
 };
 
 /// Declares --size, --time and --anisotropy.

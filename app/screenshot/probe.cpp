@@ -3,6 +3,7 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
 #include "app/screenshot/number_argument.h"
+#include "app/screenshot/option_use.h"
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/probe_report.h"
 #include "app/screenshot/scene_argument.h"
@@ -19,6 +20,7 @@ struct Options {
     std::string at;
     std::string texel;
     int pass = 0;
+    const CLI::Option* passOption = nullptr;
     bool json = false;
     bool withoutGl = false;
 };
@@ -69,10 +71,6 @@ std::vector<ReadBack> readBack(Drawing drawing, const reference::PixelPlace& pix
     return all;
 }
 
-Result<void> print(std::string_view text) {
-    return writeOutput("-", std::as_bytes(std::span(text)));
-}
-
 void complainAbout(const std::vector<std::string>& problems) {
     for (const std::string& problem : problems)
         complain({ErrorCode::Driver, problem, {}});
@@ -114,6 +112,10 @@ ExitCode findPixels(const Options& options, const Drawing& drawing) {
 ExitCode probe(const Options& options) {
     if (options.at.empty() == options.texel.empty())
         return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
+    if (isGiven(*options.passOption) && options.texel.empty())
+        return refuseUnused("--pass", "it is for --texel; --at explains every pass");
+    if (options.withoutGl && options.at.empty())
+        return refuseUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
     const Result<render::Size> size = parsePictureSize(options.picture.size);
     if (!size)
         return complain(size.error(), wrongCall);
@@ -125,7 +127,7 @@ ExitCode probe(const Options& options) {
         return complain(anisotropy.error(), wrongCall);
     auto opened = openScene(options.scene);
     if (!opened)
-        return opened.error();
+        return complain(opened.error().error, opened.error().code);
     Drawing drawing;
     drawing.scene = std::move(opened->scene);
     drawing.images = std::move(opened->images);
@@ -160,12 +162,12 @@ void addProbe(CLI::App& app, Action& action) {
             "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
             "border.")
         ->type_name("UNIT,LEVEL,I,J");
-    addNumber(*command, "--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
+    options->passOption = addNumber(*command, "--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
               "With --texel: the pass that the unit belongs to.")
         ->default_str(std::to_string(options->pass));
     command->add_flag("--json", options->json, "For programs: everything, as JSON.");
     command->add_flag("--no-gl", options->withoutGl,
-                      "Don't draw the picture with OpenGL, to compare its pixel with the specification's.");
+                      "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
     command->callback([&action, options] { action = [options] { return probe(*options); }; });
 }
 

@@ -9,10 +9,15 @@ namespace {
 
 Result<void> assign(Scene& scene, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos)
-        return fail(ErrorCode::OutOfRange, "expected PATH=VALUE, found \"" + assignment + "\"", "--set");
     return setParam(scene, std::string_view(assignment).substr(0, equals),
                     std::string_view(assignment).substr(equals + 1));
+}
+
+/// Told while the command line is read, before a value that stands apart is taken for a scene's file.
+std::string checkAssignment(const std::string& text) {
+    return text.find('=') != std::string::npos
+               ? std::string()
+               : "expected PATH=VALUE, joined by = without a space, found \"" + text + "\"";
 }
 
 } // namespace
@@ -26,24 +31,25 @@ void addSceneArgument(CLI::App& command, SceneArgument& argument) {
                     "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
                     "\"texshot params\" lists every path.")
         ->type_name("PATH=VALUE")
+        ->check(checkAssignment)
         ->allow_extra_args(false);
 }
 
-tl::expected<OpenedScene, ExitCode> openScene(const SceneArgument& argument) {
+tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument) {
     OpenedScene opened{defaultScene(), ImageSource{}};
     if (!argument.file.empty()) {
         const Result<std::string> text = readText(argument.file, maxSceneBytes);
         if (!text)
-            return tl::unexpected(complain(text.error()));
+            return tl::unexpected(SceneProblem{text.error(), failure});
         Result<Scene> scene = parseScene(*text);
         if (!scene)
-            return tl::unexpected(complain(inScene(argument, scene.error())));
+            return tl::unexpected(SceneProblem{inScene(argument, scene.error()), failure});
         opened.scene = *std::move(scene);
         opened.images = ImageSource{std::filesystem::path(argument.file).parent_path()};
     }
     for (const std::string& assignment : argument.assignments) {
         if (const auto assigned = assign(opened.scene, assignment); !assigned)
-            return tl::unexpected(complain(assigned.error(), wrongCall));
+            return tl::unexpected(SceneProblem{assigned.error(), wrongCall});
     }
     return opened;
 }

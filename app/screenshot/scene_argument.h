@@ -20,8 +20,13 @@ struct OpenedScene {
     ImageSource images; ///< nothing is loaded yet
 };
 
-/// What goes wrong is said on standard error; the error is the exit status.
-[[nodiscard]] tl::expected<OpenedScene, ExitCode> openScene(const SceneArgument& argument);
+/// Why a scene can't be opened, and the exit status that this leads to.
+struct SceneProblem {
+    Error error;
+    ExitCode code;
+};
+
+[[nodiscard]] tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument);
 
 /// An error about something in the scene, with the scene's file in front of its place.
 [[nodiscard]] Error inScene(const SceneArgument& argument, const Error& error);

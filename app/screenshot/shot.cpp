@@ -1,11 +1,13 @@
 #include "app/screenshot/choice_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
+#include "app/screenshot/interrupts.h"
 #include "app/screenshot/long_work.h"
+#include "app/screenshot/option_use.h"
+#include "app/screenshot/output.h"
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/scene_argument.h"
 #include "app/ui/smallest_window.h"
-#include "core/codec/png.h"
 #include "core/image/convert.h"
 #include "core/reference/draw.h"
 #include "core/scene/diagnosis.h"
@@ -30,6 +32,8 @@ struct Options {
     std::string compared;
     std::string shaders;
     std::string out;
+    const CLI::Option* rendererOption = nullptr;
+    const CLI::Option* shadersOption = nullptr;
 };
 
 /// "vertices, commands, …"
@@ -130,10 +134,12 @@ ExitCode shoot(const Options& options) {
     const Result<AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
     if (!anisotropy)
         return complain(anisotropy.error(), wrongCall);
-    if (*anisotropy != AnisotropyMethod::Probes && !options.window && *renderer != RendererKind::Reference)
-        return complain({ErrorCode::OutOfRange, "OpenGL's driver decides; only the reference has a choice",
-                         "--anisotropy"},
-                        wrongCall);
+    if (isGiven(*options.picture.anisotropyOption) && !options.window && *renderer != RendererKind::Reference)
+        return refuseUnused("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
+    if (isGiven(*options.shadersOption) && !options.window && *renderer != RendererKind::Shader)
+        return refuseUnused("--shaders", "it is for --renderer shader and --ui");
+    if (isGiven(*options.rendererOption) && !options.compared.empty())
+        return refuseUnused("--renderer", "--compare names the renderers");
 
     const Result<std::optional<reference::PixelPlace>> probed = parseProbe(options.probe);
     if (!probed)
@@ -143,9 +149,13 @@ ExitCode shoot(const Options& options) {
     if (!compared)
         return complain(compared.error(), wrongCall);
 
+    const auto output = openImageOutput(options.out, "PNG");
+    if (!output)
+        return output.error();
+
     auto opened = openScene(options.scene);
     if (!opened)
-        return opened.error();
+        return complain(opened.error().error, opened.error().code);
     Drawing drawing{std::move(opened->scene),
                     std::move(opened->images),
                     options.scene.file,
@@ -184,10 +194,8 @@ ExitCode shoot(const Options& options) {
             complain({ErrorCode::Malformed, each.sentence, each.path});
     }
     // What one sees: a viewer would let its own background through the framebuffer's alpha.
-    const Result<Bytes> png = encodePng(withoutAlpha(std::move(picture->image)));
-    if (!png)
-        return complain(png.error());
-    if (const auto written = writeOutput(options.out, *png); !written)
+    const TextureImage seen = textureOf(withoutAlpha(std::move(picture->image)), {});
+    if (const auto written = output->write(seen); !written)
         return complain(written.error());
     return success;
 }
@@ -195,7 +203,7 @@ ExitCode shoot(const Options& options) {
 } // namespace
 
 void addShot(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("shot", "Draw a scene into a PNG.");
+    CLI::App* command = app.add_subcommand("shot", "Draw a scene into a picture.");
     auto options = std::make_shared<Options>();
     addSceneArgument(*command, options->scene);
     addPictureArgument(*command, options->picture);
@@ -218,11 +226,12 @@ void addShot(CLI::App& app, Action& action) {
             "With --ui: the pixel of the picture that is explained, counted from the picture's top left.")
         ->type_name("X,Y")
         ->needs(window);
-    command
-        ->add_option("--renderer", options->renderer,
-                     "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
-        ->type_name("RENDERER")
-        ->capture_default_str();
+    options->rendererOption =
+        command
+            ->add_option("--renderer", options->renderer,
+                         "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
+            ->type_name("RENDERER")
+            ->capture_default_str();
     command
         ->add_option(
             "--compare", options->compared,
@@ -230,13 +239,17 @@ void addShot(CLI::App& app, Action& action) {
             "difference of the first two.")
         ->type_name("A,B")
         ->needs(window);
+    options->shadersOption =
+        command
+            ->add_option("--shaders", options->shaders,
+                         "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
+                         "of shaders/. Without it: those that the program was built with.")
+            ->type_name("DIR")
+            ->envname("TEXPLORER_SHADERS");
     command
-        ->add_option("--shaders", options->shaders,
-                     "The folder of the shader renderer's files, a copy of shaders/. Without it: those that "
-                     "the program was built with.")
-        ->type_name("DIR")
-        ->envname("TEXPLORER_SHADERS");
-    command->add_option("-o,--out", options->out, "The PNG to write; - for standard output.")
+        ->add_option("-o,--out", options->out,
+                     "The picture to write, its format by its extension: " + writtenExtensions() +
+                         "; - for standard output, as PNG.")
         ->type_name("FILE")
         ->required();
     command->callback([&action, options] { action = [options] { return shoot(*options); }; });

@@ -1,6 +1,8 @@
 #include "core/scene/block_cache.h"
 
+#include "core/base/directory_listing.h"
 #include "core/base/file_io.h"
+#include "core/base/private_directory.h"
 #include "core/codec/dds.h"
 #include "core/s3tc/encode.h"
 
@@ -8,9 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
 #include <memory>
 #include <new>
-#include <system_error>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 namespace texplorer {
@@ -22,33 +27,68 @@ namespace fs = std::filesystem;
 constexpr std::size_t hashDigits = 32;
 constexpr std::size_t maxHeaderBytes = 148; // of a DDS file with the DX10 header
 
-std::string hexadecimal(XXH128_hash_t hash) {
+using Digest = std::array<std::byte, sizeof(XXH128_canonical_t)>;
+
+class Hash {
+public:
+    Hash() {
+        if (!state_)
+            throw std::bad_alloc();
+        XXH3_128bits_reset(state_.get());
+    }
+    void add(ByteView bytes) { XXH3_128bits_update(state_.get(), bytes.data(), bytes.size()); }
+    template<class... Numbers>
+    void addNumbers(Numbers... numbers) {
+        const std::array all{static_cast<std::uint32_t>(numbers)...};
+        add(std::as_bytes(std::span(all)));
+    }
+    [[nodiscard]] Digest digest() const {
+        XXH128_canonical_t bytes;
+        XXH128_canonicalFromHash(&bytes, XXH3_128bits_digest(state_.get()));
+        Digest digest;
+        std::memcpy(digest.data(), bytes.digest, digest.size());
+        return digest;
+    }
+
+private:
+    std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_{XXH3_createState(), XXH3_freeState};
+};
+
+std::string hexadecimal(const Digest& digest) {
     constexpr char digits[] = "0123456789abcdef";
-    XXH128_canonical_t bytes;
-    XXH128_canonicalFromHash(&bytes, hash);
     std::string text;
-    for (const unsigned char byte : bytes.digest) {
-        text += digits[byte >> 4];
-        text += digits[byte & 15];
+    for (const std::byte byte : digest) {
+        text += digits[std::to_integer<unsigned>(byte) >> 4];
+        text += digits[std::to_integer<unsigned>(byte) & 15];
     }
     return text;
 }
 
 std::string keyOf(const MipChain& source, BlockFormat format, EncodeQuality quality) {
-    const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
-    if (!state)
-        throw std::bad_alloc();
-    XXH3_128bits_reset(state.get());
-    const auto add = [&](auto... numbers) {
-        const std::array all{static_cast<std::uint32_t>(numbers)...};
-        XXH3_128bits_update(state.get(), all.data(), sizeof all);
-    };
-    add(encoderVersion, format, quality, source.size());
+    Hash hash;
+    hash.addNumbers(encoderVersion, format, quality, source.size());
     for (const Image& level : source) {
-        add(level.format, level.width, level.height, level.depth);
-        XXH3_128bits_update(state.get(), level.pixels.data(), level.pixels.size());
+        hash.addNumbers(level.format, level.width, level.height, level.depth);
+        hash.add(level.pixels);
     }
-    return hexadecimal(XXH3_128bits_digest(state.get()));
+    return hexadecimal(hash.digest());
+}
+
+/// dwReserved1, which readers of DDS files ignore.
+constexpr std::size_t checksumAt = 32;
+
+/// Of all bytes but its own, and of the name: an entry under another's name is damaged, too.
+Digest checksumOf(const std::string& name, ByteView entry) {
+    Hash hash;
+    hash.add(viewBytes(name));
+    hash.add(entry.first(checksumAt));
+    hash.add(entry.subspan(checksumAt + sizeof(Digest)));
+    return hash.digest();
+}
+
+bool isSound(const std::string& name, ByteView entry) {
+    return entry.size() >= checksumAt + sizeof(Digest) &&
+           std::ranges::equal(entry.subspan(checksumAt, sizeof(Digest)), checksumOf(name, entry));
 }
 
 std::size_t blockBytes(const Image& level, BlockFormat format) {
@@ -56,45 +96,43 @@ std::size_t blockBytes(const Image& level, BlockFormat format) {
            ((static_cast<std::size_t>(level.height) + 3) / 4) * bytesPerBlock(format);
 }
 
-/// Entries, and drafts that a program left behind which was killed while it wrote one.
-bool isOurs(const fs::directory_entry& file) {
-    std::error_code error;
-    if (!fs::is_regular_file(file.symlink_status(error)))
-        return false;
-    const std::string name = file.path().filename().string();
-    if (name.starts_with(".texplorer-") && name.ends_with(".tmp"))
-        return true;
+bool isEntryName(std::string_view name) {
     return name.size() == hashDigits + 4 && name.ends_with(".dds") &&
            name.find_first_not_of("0123456789abcdef") == hashDigits;
 }
 
-/// Removes the oldest files until at most `maxBytes` are left beside `replaced`, which is about to be
+/// Removes the oldest entries until at most `maxBytes` are left beside `replaced`, which is about to be
 /// written.
-void makeRoom(const fs::path& directory, std::uintmax_t maxBytes, const fs::path& replaced) {
+void makeRoom(const PrivateDirectory& directory, std::uintmax_t maxBytes, const std::string& replaced) {
     struct Entry {
-        fs::path path;
+        std::string name;
         std::uintmax_t bytes;
-        fs::file_time_type used;
+        std::int64_t used; ///< nanoseconds
     };
+    const int place = directory.descriptor().get();
+    const auto nanoseconds = [](const timespec& time) {
+        return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+    };
+    timespec clock = {};
+    ::clock_gettime(CLOCK_REALTIME, &clock);
     std::vector<Entry> entries;
     std::uintmax_t sum = 0;
-    std::error_code error; // a file that another program has just removed takes no room either
-    for (fs::directory_iterator at(directory, error), end; !error && at != end; at.increment(error)) {
-        std::error_code gone;
-        if (!isOurs(*at) || at->path().filename() == replaced.filename())
-            continue;
-        const std::uintmax_t bytes = at->file_size(gone);
-        const fs::file_time_type used = gone ? fs::file_time_type() : at->last_write_time(gone);
-        if (gone)
-            continue;
+    forEachName(place, [&](const std::string& name) {
+        struct stat info = {};
+        if (!isEntryName(name) || name == replaced ||
+            ::fstatat(place, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(info.st_mode))
+            return;
+        const auto bytes = static_cast<std::uintmax_t>(info.st_size);
+        const std::int64_t used = nanoseconds(info.st_mtim);
         sum += bytes;
-        entries.push_back({at->path(), bytes, used});
-    }
+        // A date to come says nothing of its use, and would keep it for ever.
+        entries.push_back({name, bytes, used <= nanoseconds(clock) ? used : 0});
+    });
     std::ranges::sort(entries, {}, &Entry::used);
     for (const Entry& entry : entries) {
         if (sum <= maxBytes)
             return;
-        if (std::error_code kept; fs::remove(entry.path, kept))
+        if (::unlinkat(place, entry.name.c_str(), 0) == 0)
             sum -= entry.bytes;
     }
 }
@@ -131,8 +169,13 @@ std::optional<std::vector<BlockImage>> BlockCache::find(const fs::path& file, co
     std::size_t wanted = 0;
     for (const Image& level : source)
         wanted += blockBytes(level, format);
-    const Result<Bytes> bytes = readFile(file, wanted + maxHeaderBytes);
-    if (!bytes)
+    const Result<PrivateDirectory> directory = PrivateDirectory::open(directory_);
+    if (!directory)
+        return std::nullopt;
+    const std::string name = file.filename().string();
+    const Descriptor entry = directory->openFile(name);
+    const Result<Bytes> bytes = readOpened(entry, file.string(), wanted + maxHeaderBytes);
+    if (!bytes || !isSound(name, *bytes))
         return std::nullopt;
     Result<TextureImage> found = decodeDds(*bytes);
     // What we wrote gives no notes: it has everything and nothing beyond.
@@ -146,8 +189,7 @@ std::optional<std::vector<BlockImage>> BlockCache::find(const fs::path& file, co
             return std::nullopt;
         levels.push_back(std::move(*blocks));
     }
-    std::error_code readOnly; // then it only seems older than it is
-    fs::last_write_time(file, fs::file_time_type::clock::now(), readOnly);
+    static_cast<void>(::futimens(entry.get(), nullptr)); // else it only seems older than it is
     return levels;
 }
 
@@ -162,20 +204,21 @@ Result<void> BlockCache::keep(const fs::path& file, std::vector<BlockImage> leve
     entry.alpha = AlphaMeaning::Straight;
     for (BlockImage& level : levels)
         entry.surfaces.emplace_back(std::move(level));
-    const Result<Bytes> bytes = encodeDds(entry);
+    Result<Bytes> bytes = encodeDds(entry);
     if (!bytes)
         return fail(bytes.error());
     if (bytes->size() > maxBytes_)
         return fail(ErrorCode::TooLarge, "its " + std::to_string(bytes->size()) +
                                              " bytes exceed the cache's bound of " +
                                              std::to_string(maxBytes_));
-    std::error_code error;
-    fs::create_directories(directory_, error);
-    if (error)
-        return fail(ErrorCode::Unwritable, "the cache directory can't be made: " + error.message(),
-                    directory_.string());
-    makeRoom(directory_, maxBytes_ - bytes->size(), file); // before: the disk may be as small as the bound
-    return writeFileAtomically(file, *bytes);
+    const std::string name = file.filename().string();
+    std::ranges::copy(checksumOf(name, *bytes), bytes->begin() + checksumAt);
+    const Result<PrivateDirectory> directory = PrivateDirectory::make(directory_);
+    if (!directory)
+        return fail(directory.error().code, "the cache directory " + directory.error().message,
+                    directory.error().where);
+    makeRoom(*directory, maxBytes_ - bytes->size(), name); // before: the disk may be as small as the bound
+    return writeFileAtomically(directory->descriptor(), name, *bytes, file.string());
 }
 
 } // namespace texplorer

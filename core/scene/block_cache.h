@@ -20,7 +20,8 @@ namespace texplorer {
 /// format, the quality and the encoder's version. So an entry never is out of date.
 ///
 /// A value that holds nothing open: several threads and programs may share a directory. Entries are DDS files
-/// whose rows are in OpenGL's order, so other viewers show them upside down.
+/// whose rows are in OpenGL's order, so other viewers show them upside down; the checksum of all their bytes
+/// lies where other readers look at nothing, in dwReserved1.
 class BlockCache {
 public:
     static constexpr std::uintmax_t defaultMaxBytes = std::uintmax_t{512} << 20;
@@ -41,13 +42,14 @@ public:
     [[nodiscard]] std::filesystem::path fileFor(const MipChain& source, BlockFormat format,
                                                 EncodeQuality quality) const;
 
-    /// The blocks that a file holds for this source, or nothing: no such file, or one that is damaged, cut,
-    /// foreign or of other sizes. Using an entry makes it the youngest.
+    /// The blocks that a file holds for this source, or nothing: no such file, a link, or one that is damaged,
+    /// be it by a bit, foreign or of other sizes. Using an entry makes it the youngest.
     [[nodiscard]] std::optional<std::vector<BlockImage>>
     find(const std::filesystem::path& file, const MipChain& source, BlockFormat format) const;
 
-    /// Writes an entry atomically, in place of whatever has its name, and makes room for it. Errors: there is
-    /// no directory, it can't be made or written, the levels alone exceed the bound.
+    /// Writes an entry atomically, in place of whatever has its name (a link is not followed), and makes room
+    /// for it. Errors: there is no directory, it can't be made or written, it isn't private
+    /// (core/base/private_directory.h), the levels alone exceed the bound.
     [[nodiscard]] Result<void> keep(const std::filesystem::path& file, std::vector<BlockImage> levels) const;
 
 private:

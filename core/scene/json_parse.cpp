@@ -21,6 +21,7 @@ using Json =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
 
 constexpr std::string_view versionKey = "version";
+constexpr std::string_view schemaKey = "$schema"; // for editors that check while one types
 
 std::size_t maxVertexCount() {
     std::size_t count = 0;
@@ -40,6 +41,7 @@ struct Frame {
         nullptr; ///< Object: the member that comes next; Numbers, TexCoords: what they are for
     const ChildRow* child = nullptr; ///< Object: the member that comes next; List: what its elements are
     bool versionNext = false;        ///< Object: what comes next is the version
+    bool schemaNext = false;         ///< Object: what comes next names a schema, and is not looked at
     std::string key{};               ///< Object: the last key, for the pointer
     std::uint64_t seen = 0;          ///< Object: one bit for each member that occurred
     std::size_t count = 0;           ///< elements so far
@@ -136,6 +138,8 @@ std::string Reader::expected() const {
     case Frame::Kind::Object:
         if (frame.versionNext)
             return "a version number from 1 to " + std::to_string(sceneFormatVersion);
+        if (frame.schemaNext)
+            return "a text";
         if (frame.row)
             return describeAccepted(*frame.row);
         return frame.child->indexed ? "an array" : "an object";
@@ -181,10 +185,16 @@ bool Reader::number(float value, std::optional<std::int64_t> whole, const std::s
         return store(*row, value);
     if (row && row->kind == Kind::Int && whole && *whole >= INT32_MIN && *whole <= INT32_MAX)
         return store(*row, static_cast<int>(*whole));
+    // Some names are numbers: GL_RGB_SCALE is 1, 2 or 4.
+    if (row && row->kind == Kind::Enum && whole)
+        if (const EnumRow* named = findRow(row->choices, std::to_string(*whole)))
+            return store(*row, EnumValue{named->value});
     return refuse(text);
 }
 
 bool Reader::string(std::string& value) {
+    if (!frames_.empty() && frames_.back().schemaNext)
+        return true;
     const ParamRow* row = rowNext();
     if (!row || (row->kind != Kind::Enum && row->kind != Kind::Text))
         return refuse(inQuotes(value));
@@ -222,14 +232,15 @@ bool Reader::key(std::string& key) {
     frame.row = findParam(*frame.table, key);
     frame.child = findChild(*frame.table, key);
     frame.versionNext = root && key == versionKey;
+    frame.schemaNext = root && key == schemaKey;
 
-    std::size_t bit = 63;
+    std::size_t bit = frame.schemaNext ? 62 : 63;
     if (frame.row)
         bit = static_cast<std::size_t>(frame.row - frame.table->params.data());
     else if (frame.child)
         bit =
             frame.table->params.size() + static_cast<std::size_t>(frame.child - frame.table->children.data());
-    else if (!frame.versionNext) {
+    else if (!frame.versionNext && !frame.schemaNext) {
         auto names = tableKeys(*frame.table);
         if (root)
             names.insert(names.begin(), versionKey);

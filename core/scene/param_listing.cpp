@@ -17,7 +17,7 @@ struct Visitor {
     std::function<void(const std::string& path, const ChildRow& child)> list;
 };
 
-/// Walks the tables with one element in each list, whose values are the initial ones.
+/// Walks the tables with one element in each list, as it is when it is new.
 void walk(const StructTable& table, void* owner, const std::string& prefix, const Visitor& visitor) {
     for (const ParamRow& row : table.params)
         visitor.param(prefix + std::string(row.key), row, row.read(owner));
@@ -27,15 +27,17 @@ void walk(const StructTable& table, void* owner, const std::string& prefix, cons
             path += "[]";
             visitor.list(path, child);
         }
-        if (child.size(owner) == 0)
+        if (child.minCount != child.maxCount) {
+            child.resize(owner, 0);
             child.resize(owner, 1);
+        }
         walk(*child.table, child.at(owner, 0), path + ".", visitor);
     }
 }
 
 void walkAll(const Visitor& visitor) {
-    Scene initial;
-    walk(sceneTable(), &initial, "", visitor);
+    Scene start = defaultScene(); // what a scene that says nothing begins with
+    walk(sceneTable(), &start, "", visitor);
 }
 
 std::string_view kindName(Kind kind) {

@@ -6,9 +6,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <csignal>
+#include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -272,6 +281,185 @@ TEST_F(FileIo, AnExistingFileSurvivesAFailedWrite) {
     expectError(written, ErrorCode::Unwritable, path, "File too large");
     EXPECT_EQ(test::readRawText(path), "old");
     EXPECT_THAT(names(), testing::ElementsAre("picture")) << "no partial file stays behind";
+}
+
+
+/// What a system may lack; the kernel's own filter takes it away.
+enum class Lacking { Nothing, NamelessFiles, NamesForThem };
+
+void takeAway(Lacking what) {
+    if (what == Lacking::Nothing)
+        return;
+    constexpr unsigned number = offsetof(seccomp_data, nr);
+    constexpr unsigned flags = offsetof(seccomp_data, args[2]); // of openat
+    const bool files = what == Lacking::NamelessFiles;
+    const unsigned call = files ? SYS_openat : SYS_linkat;
+    const unsigned every = 0xFFFFFFFFU;
+    sock_filter program[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, number),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 3),
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, flags),
+        BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, files ? unsigned{__O_TMPFILE} : every, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | unsigned{EOPNOTSUPP}),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+    };
+    const sock_fprog filter{std::size(program), program};
+    ASSERT_EQ(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), 0);
+    ASSERT_EQ(::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter), 0);
+}
+
+class Writing : public FileIo, public testing::WithParamInterface<Lacking> {
+protected:
+    /// In a program of its own, which lacks it. Its signal, or 0.
+    template<class Work>
+    int inChild(const Work& work) const {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            takeAway(GetParam());
+            work();
+            ::_exit(HasFailure() ? 1 : 0);
+        }
+        int status = 0;
+        EXPECT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << "what failed is said above";
+        return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    }
+    static void dieNow() { ::kill(::getpid(), SIGKILL); }
+};
+
+TEST_P(Writing, MakesAndReplacesFiles) {
+    const fs::path old = make("old", "before");
+    fs::permissions(old, static_cast<fs::perms>(0751));
+    inChild([&] {
+        EXPECT_TRUE(writeFileAtomically(folder_ / "new", viewBytes("fresh")));
+        EXPECT_TRUE(writeFileAtomically(old, viewBytes("after")));
+        EXPECT_TRUE(checkFileWritable(old));
+        EXPECT_TRUE(checkFileWritable(folder_ / "later"));
+        const std::vector<FileContent> both{{"a", viewBytes("1")}, {"b", viewBytes("2")}};
+        EXPECT_TRUE(writeFolderAtomically(folder_ / "sub" / "report", both));
+    });
+    EXPECT_EQ(test::readRawText(folder_ / "new"), "fresh");
+    EXPECT_EQ(test::readRawText(old), "after");
+    EXPECT_EQ(mode(old), 0751U);
+    EXPECT_EQ(test::readRawText(folder_ / "sub" / "report" / "b"), "2");
+    EXPECT_THAT(names(), testing::ElementsAre("new", "old", "sub"));
+}
+
+TEST_P(Writing, WhatAKilledProgramLeftIsGoneAfterTheNextOne) {
+    make("old", "before");
+    const auto die = [&](const char* name) {
+        return inChild([&] {
+            static_cast<void>(writeFileAtomically(folder_ / name, viewBytes("lost"), &dieNow));
+        });
+    };
+    EXPECT_EQ(die("old"), SIGKILL);
+    EXPECT_EQ(die("new"), SIGKILL);
+    const std::vector<FileContent> both{{"a", viewBytes("1")}, {"b", viewBytes("2")}};
+    EXPECT_EQ(inChild([&] {
+                  static_cast<void>(writeFolderAtomically(folder_ / "report", both, &dieNow));
+              }),
+              SIGKILL);
+    if (GetParam() != Lacking::NamelessFiles)
+        EXPECT_THAT(names(), testing::ElementsAre("old")) << "nothing had a name yet";
+    EXPECT_TRUE(writeFileAtomically(folder_ / "next", viewBytes("x")));
+    EXPECT_THAT(names(), testing::ElementsAre("next", "old"));
+    EXPECT_EQ(test::readRawText(folder_ / "old"), "before");
+}
+
+TEST_P(Writing, WhatAnotherProgramIsWritingIsLeftAlone) {
+    inChild([&] {
+        EXPECT_TRUE(writeFileAtomically(folder_ / "slow", viewBytes("slow"), [&] {
+            EXPECT_TRUE(writeFileAtomically(folder_ / "quick", viewBytes("quick")));
+        }));
+    });
+    EXPECT_EQ(test::readRawText(folder_ / "slow"), "slow");
+    EXPECT_EQ(test::readRawText(folder_ / "quick"), "quick");
+    EXPECT_THAT(names(), testing::ElementsAre("quick", "slow"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Without, Writing,
+                         testing::Values(Lacking::Nothing, Lacking::NamelessFiles, Lacking::NamesForThem),
+                         [](const auto& test) {
+                             constexpr std::array words{"Nothing", "NamelessFiles", "NamesForThem"};
+                             return std::string(words[static_cast<std::size_t>(test.param)]);
+                         });
+
+TEST_F(FileIo, OnlyWhatIsSurelyADraftThatWasLeftIsRemoved) {
+    make(".texplorer-4711-0.tmp", "left");
+    const fs::path held = make(".texplorer-4711-1.tmp", "held");
+    const int lock = ::open(held.c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+    make("mine", "x");
+    fs::create_symlink("mine", folder_ / ".texplorer-4711-2.tmp");
+    fs::create_directory(folder_ / ".texplorer-4711-3.tmp");
+    ASSERT_EQ(::mkfifo((folder_ / ".texplorer-4711-6.tmp").c_str(), 0666), 0);
+    for (const char* name : {".texplorer-4711.tmp", ".texplorer-4711-.tmp", ".texplorer--1.tmp", ".texplorer-a-1.tmp",
+                             ".texplorer-4711-1.tmp~", ".texplorer-.tmp", ".texplorer-1-2-3.tmp"})
+        make(name, "somebody's");
+    const std::vector<std::string> before = names();
+    const bool root = ::geteuid() == 0;
+    if (root) {
+        make(".texplorer-4711-5.tmp", "another user's");
+        EXPECT_EQ(::chown((folder_ / ".texplorer-4711-5.tmp").c_str(), 65534, 65534), 0);
+    }
+    EXPECT_TRUE(writeFileAtomically(folder_ / "mine", viewBytes("y")));
+    std::vector<std::string> expected = before;
+    std::erase(expected, ".texplorer-4711-0.tmp");
+    if (root)
+        expected.emplace_back(".texplorer-4711-5.tmp");
+    std::ranges::sort(expected);
+    EXPECT_EQ(names(), expected);
+    ::close(lock);
+}
+
+TEST_F(FileIo, AFolderIsWrittenAsAWholeOrNotAtAll) {
+    const std::string large(5000, 'x');
+    const std::vector<FileContent> files{{"a", viewBytes("1")}, {"b", viewBytes(large)}};
+    fs::create_directory(folder_ / "there");
+    test::writeRaw(folder_ / "there" / "a", "old");
+    for (const char* name : {"there", "fresh", "deep/er"}) {
+        const SmallDisk disk(1000);
+        expectError(writeFolderAtomically(folder_ / name, files), ErrorCode::Unwritable, folder_ / name / "b",
+                    "File too large");
+    }
+    EXPECT_THAT(names(), testing::ElementsAre("there"));
+    EXPECT_EQ(test::readRawText(folder_ / "there" / "a"), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "there" / "b"));
+
+    // What can't take its place is only seen when others have.
+    fs::create_directories(folder_ / "there" / "b");
+    const std::vector<FileContent> blocked{{"new", viewBytes("1")}, {"b", viewBytes("2")}};
+    expectError(writeFolderAtomically(folder_ / "there", blocked), ErrorCode::Unwritable,
+                folder_ / "there" / "b", "Is a directory");
+    EXPECT_FALSE(fs::exists(folder_ / "there" / "new"));
+    make("file", "x");
+    expectError(writeFolderAtomically(folder_ / "file" / "below", files), ErrorCode::Unwritable,
+                folder_ / "file" / "below", "file is no folder");
+    expectError(checkFolderWritable(folder_ / "file"), ErrorCode::Unwritable, folder_ / "file", "is no folder");
+    EXPECT_TRUE(checkFolderWritable(folder_ / "deep" / "er"));
+}
+
+TEST_F(FileIo, WhetherAFileCanBeWrittenIsKnownBefore) {
+    const fs::path path = folder_ / "new";
+    EXPECT_TRUE(checkFileWritable(path));
+    EXPECT_THAT(names(), testing::IsEmpty());
+    for (const fs::path& bad : {folder_ / "none" / "file", folder_.path(), fs::path("/dev/null"), fs::path("/proc/new"),
+                                fs::path(""), folder_ / "new" / ""}) {
+        const Result<void> known = checkFileWritable(bad);
+        ASSERT_FALSE(known) << bad;
+        EXPECT_EQ(known.error(), writeFileAtomically(bad, viewBytes("x")).error());
+    }
+}
+
+TEST_F(FileIo, WithinADirectoryALinkIsReplacedAndNotFollowed) {
+    make("precious", "old");
+    fs::create_symlink("precious", folder_ / "link");
+    const Descriptor directory(::open(folder_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    EXPECT_TRUE(writeFileAtomically(directory, "link", viewBytes("new"), "link"));
+    EXPECT_EQ(test::readRawText(folder_ / "precious"), "old");
+    EXPECT_EQ(test::readRawText(folder_ / "link"), "new");
+    EXPECT_FALSE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(mode(folder_ / "link"), 0600U);
 }
 
 } // namespace

@@ -5,14 +5,18 @@
 #include "core/s3tc/decode.h"
 #include "core/scene/levels_worker.h"
 #include "core/scene/texture_levels.h"
+#include "tests/support/raw_file.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#define XXH_INLINE_ALL
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <set>
+#include <xxhash.h>
 
 namespace texplorer {
 namespace {
@@ -111,6 +115,20 @@ INSTANTIATE_TEST_SUITE_P(Formats, CacheOf,
                                          FormatCase{"Dxt5", CompressedFormat::Dxt5}),
                          [](const auto& test) { return std::string(test.param.name); });
 
+/// As the header says it: of the name and all bytes but its own 16 in dwReserved1.
+void sign(const fs::path& entry, Bytes& file) {
+    const std::string name = entry.filename();
+    const auto begin = file.begin();
+    Bytes covered;
+    for (const char c : name)
+        covered.push_back(static_cast<std::byte>(c));
+    covered.insert(covered.end(), begin, begin + 32);
+    covered.insert(covered.end(), begin + 48, file.end());
+    XXH128_canonical_t digest;
+    XXH128_canonicalFromHash(&digest, XXH3_128bits(covered.data(), covered.size()));
+    std::memcpy(file.data() + 32, digest.digest, 16);
+}
+
 TEST_F(Cache, ReadsTheFileAndNotSomeCopyOfItsOwn) {
     const TextureLevels made = prepare();
     Bytes file = *readFile(onlyEntry());
@@ -118,11 +136,88 @@ TEST_F(Cache, ReadsTheFileAndNotSomeCopyOfItsOwn) {
     const std::size_t blocks = 128;
     for (std::size_t i = blocks; i < file.size(); i += 16)
         std::fill_n(file.begin() + static_cast<std::ptrdiff_t>(i), 16, std::byte{0x42});
+    sign(onlyEntry(), file);
     ASSERT_TRUE(writeFileAtomically(onlyEntry(), file));
     const TextureLevels found = prepare();
     EXPECT_TRUE(found.fromCache);
     for (const BlockImage& level : blocksOf(found))
         EXPECT_THAT(level.blocks, testing::Each(std::byte{0x42}));
+}
+
+TEST_F(Cache, EntriesAreFilesThatOthersRead) {
+    const TextureLevels made = prepare();
+    const Result<TextureImage> read = decodeDds(*readFile(onlyEntry()));
+    ASSERT_TRUE(read);
+    EXPECT_THAT(read->notes, IsEmpty()) << "what is in dwReserved1 is nobody's business";
+    EXPECT_EQ(std::get<BlockImage>(read->surfaces[0]), blocksOf(made)[0]);
+}
+
+TEST_F(Cache, BelievesNoEntryInWhichABitHasFlipped) {
+    const TextureLevels made = prepare();
+    const fs::path entry = onlyEntry();
+    Bytes file = *readFile(entry);
+    ASSERT_TRUE(cache.find(entry, made.source, BlockFormat::Dxt5));
+    std::size_t believed = 0;
+    for (std::size_t bit = 0; bit < 8 * file.size(); ++bit) {
+        const std::byte mask{static_cast<unsigned char>(1U << bit % 8)};
+        file[bit / 8] ^= mask;
+        test::writeRaw(entry, file);
+        believed += cache.find(entry, made.source, BlockFormat::Dxt5) ? 1U : 0U;
+        file[bit / 8] ^= mask;
+    }
+    EXPECT_EQ(believed, 0U) << "of " << 8 * file.size();
+    test::writeRaw(entry, file);
+    EXPECT_TRUE(cache.find(entry, made.source, BlockFormat::Dxt5));
+}
+
+TEST_F(Cache, BelievesNoEntryUnderTheNameOfAnother) {
+    static_cast<void>(prepare());
+    const fs::path first = onlyEntry();
+    TextureImage file = softFile();
+    std::get<Image>(file.surfaces[0]).at(5, 5)[0] ^= std::byte{1};
+    const TextureLevels made = prepare(cachedTexture(), file);
+    for (const fs::path& entry : entries())
+        if (entry != first)
+            fs::copy_file(first, entry, fs::copy_options::overwrite_existing);
+    const TextureLevels again = prepare(cachedTexture(), file);
+    EXPECT_FALSE(again.fromCache);
+    EXPECT_EQ(blocksOf(again), blocksOf(made));
+}
+
+TEST_F(Cache, WritesThroughNoLink) {
+    static_cast<void>(prepare());
+    const fs::path entry = onlyEntry();
+    const Bytes sound = *readFile(entry);
+    const fs::path precious = folder / "precious";
+    for (const bool whole : {false, true}) { // a link to an entry that is sound isn't read either
+        test::writeRaw(precious, whole ? sound : Bytes(5, std::byte{'!'}));
+        fs::remove(entry);
+        fs::create_symlink(precious, entry);
+        EXPECT_FALSE(prepare().fromCache);
+        EXPECT_EQ(*readFile(precious), whole ? sound : Bytes(5, std::byte{'!'}));
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(entry)));
+        EXPECT_EQ(*readFile(entry), sound);
+    }
+}
+
+TEST_F(Cache, IsADirectoryOfMode0700OrNone) {
+    static_cast<void>(prepare());
+    EXPECT_EQ(fs::status(cache.directory()).permissions(), fs::perms::owner_all);
+    EXPECT_EQ(fs::status(onlyEntry()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+
+    fs::permissions(cache.directory(), fs::perms::all);
+    const TextureLevels refused = prepare();
+    EXPECT_FALSE(refused.fromCache) << "anybody may have put it there";
+    EXPECT_THAT(refused.notes, ElementsAre(HasSubstr("the cache directory may be written to by others: expected "
+                                                     "mode 0700, found 0777")));
+    fs::permissions(cache.directory(), fs::perms::owner_all);
+    EXPECT_TRUE(prepare().fromCache);
+
+    fs::rename(cache.directory(), folder / "elsewhere");
+    fs::create_directory_symlink("elsewhere", cache.directory());
+    const TextureLevels linked = prepare();
+    EXPECT_FALSE(linked.fromCache);
+    EXPECT_THAT(linked.notes, ElementsAre(HasSubstr("the cache directory is a link, not a directory")));
 }
 
 struct Damage {
@@ -269,6 +364,11 @@ TEST_F(Cache, NeverTakesMoreThanItsBoundAndDropsWhatWasUsedLongestAgo) {
     EXPECT_FALSE(fs::exists(files[1])) << "used longest ago";
     EXPECT_TRUE(fs::exists(files[2]));
     EXPECT_TRUE(fs::exists(foreign));
+
+    fs::last_write_time(files[0], now + std::chrono::hours(24 * 365));
+    static_cast<void>(prepare(texture, picture(4)));
+    EXPECT_FALSE(fs::exists(files[0])) << "a date to come doesn't keep it for ever";
+    EXPECT_TRUE(fs::exists(files[2]));
 }
 
 TEST_F(Cache, RemovesDraftsThatAKilledProgramLeft) {

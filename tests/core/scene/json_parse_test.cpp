@@ -286,5 +286,43 @@ TEST(ParseScene, EveryChangedByteIsReadOrRefused) {
         }
 }
 
+TEST(ParseScene, TakesNumbersForTheNamesThatAreNumbers) {
+    const auto scaled = [](const std::string& scale) {
+        return parseScene(R"({"version": 1, "passes": [{"units": [{"combine": {"rgbScale": )" + scale +
+                          R"(, "alphaScale": )" + scale + "}}]}]}");
+    };
+    for (const auto& [text, scale] : {std::pair{"1", CombineScale::One}, std::pair{"2", CombineScale::Two},
+                                      std::pair{"4", CombineScale::Four}, std::pair{"2.0", CombineScale::Two},
+                                      std::pair{"\"4\"", CombineScale::Four}}) {
+        const auto scene = scaled(text);
+        ASSERT_TRUE(scene) << text << ": " << describe(scene.error());
+        EXPECT_EQ(scene->passes[0].units[0].combine.rgbScale, scale) << text;
+        EXPECT_EQ(scene->passes[0].units[0].combine.alphaScale, scale) << text;
+    }
+    for (const char* text : {"3", "2.5", "-2", "1e30", "0"}) {
+        const auto scene = scaled(text);
+        ASSERT_FALSE(scene) << text;
+        EXPECT_EQ(scene.error().where, "/passes/0/units/0/combine/rgbScale");
+        EXPECT_THAT(scene.error().message, testing::StartsWith("expected one of 1, 2, 4, found "));
+    }
+    EXPECT_FALSE(parseScene(R"({"version": 1, "textures": [{"minFilter": 9728}]})"))
+        << "enumerants have names, not numbers";
+}
+
+TEST(ParseScene, TakesTheNameOfASchemaAtTheTop) {
+    EXPECT_EQ(parseScene(R"({"$schema": "https://example.org/scene.json", "version": 1})"), defaultScene());
+    for (const auto& [json, message] :
+         {std::pair{R"({"$schema": 1})", "expected a text, found 1"},
+          std::pair{R"({"$schema": {}})", "expected a text, found an object"},
+          std::pair{R"({"$schema": []})", "expected a text, found an array"},
+          std::pair{R"({"$schema": "a", "$schema": "a"})", "expected each key once"}}) {
+        const auto scene = parseScene(json);
+        ASSERT_FALSE(scene) << json;
+        EXPECT_EQ(scene.error().where, "/$schema");
+        EXPECT_THAT(scene.error().message, testing::StartsWith(message));
+    }
+    EXPECT_THAT(parseScene(R"({"view": {"$schema": "a"}})").error().message, testing::StartsWith("unknown key"));
+}
+
 } // namespace
 } // namespace texplorer

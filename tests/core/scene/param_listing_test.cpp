@@ -1,3 +1,4 @@
+#include "core/scene/json.h"
 #include "core/scene/param_listing.h"
 #include "core/scene/params.h"
 
@@ -98,6 +99,25 @@ TEST(ListParamsJson, HasShortNumbersAndTypedDefaults) {
     EXPECT_EQ(json.at("lists").size(), 5U);
     EXPECT_EQ(json.at("lists")[4].at("path"), "passes[].units[].matrix[]");
     EXPECT_EQ(json.at("lists")[4].at("maxCount"), 32);
+}
+
+TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
+    // What a file that names no more than its elements becomes.
+    const Scene scene = parseScene(R"({"version": 1, "models": [{}], "textures": [{}],
+                                       "passes": [{"units": [{"matrix": [{}]}]}]})")
+                            .value();
+    const auto json = nlohmann::json::parse(listParamsJson());
+    const std::string text = "\n" + listParams();
+    for (const auto& param : json.at("parameters")) {
+        std::string path = param.at("path");
+        const std::string listed = path;
+        for (std::size_t at = path.find("[]"); at != std::string::npos; at = path.find("[]"))
+            path.replace(at, 2, "[0]");
+        const std::string value = getParam(scene, path).value();
+        EXPECT_THAT(text, HasSubstr("\n" + listed + (value.empty() ? "\n" : " = " + value + "\n")));
+    }
+    EXPECT_THAT(text, HasSubstr("\nview.elevation = 18\n"));
+    EXPECT_THAT(text, HasSubstr("\nmodels[].position = 0,0,0\n"));
 }
 
 } // namespace

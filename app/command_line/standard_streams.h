@@ -1,0 +1,38 @@
+#pragma once
+
+// Standard output as a file that may be full, closed or a pipe that nobody reads.
+
+#include "core/base/file_io.h"
+#include "core/base/file_kind.h"
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace texplorer {
+
+/// Called first. What can't be written is then told by errno, not by a signal that ends the program; and a
+/// standard stream that is closed is not the number that the next file gets.
+inline void prepareStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0) // opened so that its use fails, as of a closed one
+            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+/// All of it, or an error. Of a file nothing is left then: half a report would look like a whole one.
+[[nodiscard]] inline Result<void> writeStandardOutput(ByteView bytes) {
+    static const off_t start = ::lseek(STDOUT_FILENO, 0, SEEK_CUR);
+    if (writeFully(STDOUT_FILENO, bytes))
+        return {};
+    const int error = errno;
+    struct stat info = {};
+    if (start >= 0 && ::fstat(STDOUT_FILENO, &info) == 0 && S_ISREG(info.st_mode))
+        static_cast<void>(::ftruncate(STDOUT_FILENO, start) == 0);
+    return fail(ErrorCode::Unwritable, "can't be written: " + systemText(error), "standard output");
+}
+
+} // namespace texplorer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/screenshot/command.h"
+
+#include <mutex>
+#include <stop_token>
+
+namespace texplorer::screenshot {
+
+/// From here on Ctrl+C, SIGTERM and SIGHUP end the program with a sentence and, as a shell has it, 128 and the
+/// signal's number; a signal that is ignored stays so (nohup). Called once, before there is another thread.
+void watchInterrupts();
+
+/// Whom a signal asks to stop instead of ending the program; a second one ends it. nullptr: nobody.
+void askToStop(std::stop_source* work);
+
+/// What is said after the work was stopped, and the exit status of its signal.
+ExitCode complainInterrupted();
+
+/// From here on the sentence doesn't say that nothing was written.
+void outputBegins();
+
+/// While it lives no signal ends the program: an output is taking its place.
+class Uninterrupted {
+public:
+    Uninterrupted();
+
+private:
+    std::unique_lock<std::mutex> lock_;
+};
+
+} // namespace texplorer::screenshot

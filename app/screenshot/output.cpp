@@ -1,0 +1,104 @@
+#include "app/screenshot/output.h"
+
+#include "app/command_line/standard_streams.h"
+#include "app/screenshot/interrupts.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace texplorer::screenshot {
+namespace {
+
+bool isStandardOutput(const std::string& path) {
+    return path == "-" || path == "/dev/stdout";
+}
+
+/// What bytes are written into, one after the other, instead of being replaced. Disks are not: nobody means
+/// to write a picture over one.
+bool isStream(const std::string& path) {
+    struct stat info = {};
+    return isStandardOutput(path) ||
+           (::stat(path.c_str(), &info) == 0 && (S_ISFIFO(info.st_mode) || S_ISCHR(info.st_mode)));
+}
+
+std::string writtenExtensions(std::string_view only, std::string_view last) {
+    std::vector<std::string> names;
+    for (const CodecRow& row : codecRows())
+        if (row.encode && (only.empty() || row.name == only))
+            names.push_back(extensionsOf(row).front());
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text.append(i == 0 ? "" : i + 1 == names.size() ? last : ", ").append(names[i]);
+    return text;
+}
+
+Result<const CodecRow*> formatOf(const std::string& path, std::string_view streamFormat,
+                                 std::string_view only) {
+    const CodecRow* format = codecForExtension(path);
+    if (format == nullptr && isStream(path) && !std::filesystem::path(path).has_extension())
+        format = &*std::ranges::find(codecRows(), streamFormat, &CodecRow::name);
+    if (format != nullptr && format->encode && (only.empty() || format->name == only))
+        return format;
+    return fail(ErrorCode::Unsupported, "expected a name that ends in " +
+                                            std::string(only.empty() ? "one of " : "") +
+                                            writtenExtensions(only, ", ") + ", found \"" + path + "\"");
+}
+
+} // namespace
+
+Result<Output> Output::open(const std::string& path) {
+    Output output(path);
+    if (isStandardOutput(path))
+        return output;
+    if (isStream(path)) {
+        output.stream_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+        if (!output.stream_.valid())
+            return fail(ErrorCode::Unwritable, "can't be opened: " + systemText(errno), path);
+        return output;
+    }
+    if (const Result<void> writable = checkFileWritable(path); !writable)
+        return fail(writable.error());
+    return output;
+}
+
+Result<void> Output::write(ByteView bytes) const {
+    if (isStandardOutput(path_)) {
+        outputBegins();
+        return writeStandardOutput(bytes);
+    }
+    if (stream_.valid()) {
+        outputBegins();
+        if (!writeFully(stream_.get(), bytes))
+            return fail(ErrorCode::Unwritable, "can't be written: " + systemText(errno), path_);
+        return {};
+    }
+    std::optional<Uninterrupted> placing;
+    return writeFileAtomically(path_, bytes, [&placing] { placing.emplace(); });
+}
+
+Result<void> ImageOutput::write(const TextureImage& texture, const WriteOptions& options) const {
+    const Result<Bytes> bytes = format->encode(texture, options);
+    return bytes ? output.write(*bytes) : fail(bytes.error().code, bytes.error().message, path);
+}
+
+tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std::string_view streamFormat,
+                                                    std::string_view only) {
+    const Result<const CodecRow*> format = formatOf(path, streamFormat, only);
+    if (!format)
+        return tl::unexpected(complain(format.error(), wrongCall));
+    Result<Output> output = Output::open(path);
+    if (!output)
+        return tl::unexpected(complain(output.error()));
+    return ImageOutput{*std::move(output), *format, path};
+}
+
+std::string writtenExtensions() {
+    return writtenExtensions({}, " or ");
+}
+
+Result<void> print(std::string_view text) {
+    outputBegins();
+    return writeStandardOutput(viewBytes(text));
+}
+
+} // namespace texplorer::screenshot

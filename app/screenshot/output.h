@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/screenshot/command.h"
+#include "core/base/descriptor.h"
+#include "core/codec/registry.h"
+
+namespace texplorer::screenshot {
+
+/// Where a command writes what it was asked for: a file, which appears as a whole; standard output ("-"); or a
+/// device or pipe that has a name.
+class Output {
+public:
+    /// Found to be writable; a device or pipe is open from here on. The error names the path.
+    [[nodiscard]] static Result<Output> open(const std::string& path);
+
+    [[nodiscard]] Result<void> write(ByteView bytes) const;
+
+private:
+    explicit Output(std::string path)
+        : path_(std::move(path)) {}
+
+    std::string path_;
+    Descriptor stream_; ///< of a device or pipe
+};
+
+/// An image file to write, and how.
+struct ImageOutput {
+    Output output;
+    const CodecRow* format;
+    std::string path;
+
+    [[nodiscard]] Result<void> write(const TextureImage& texture, const WriteOptions& options = {}) const;
+};
+
+/// Opens the output before the work that leads to it. Its extension is its format; what has none and is no
+/// file (-, a pipe, /dev/null) gets `streamFormat`. `only`: the one format that the command writes. What goes
+/// wrong is said on standard error; the error is the exit status.
+[[nodiscard]] tl::expected<ImageOutput, ExitCode>
+openImageOutput(const std::string& path, std::string_view streamFormat, std::string_view only = {});
+
+/// ".bmp, .dds, .png or .tga": what openImageOutput takes, for a help text.
+[[nodiscard]] std::string writtenExtensions();
+
+} // namespace texplorer::screenshot

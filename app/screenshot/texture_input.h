@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/codec/registry.h"
+#include "core/image/texture_image.h"
+
+#include <string>
+
+namespace texplorer::screenshot {
+
+/// Reads and decodes a file. Errors name the path.
+[[nodiscard]] Result<TextureImage> readTexture(const std::string& path);
+
+} // namespace texplorer::screenshot

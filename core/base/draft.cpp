@@ -1,0 +1,143 @@
+#include "core/base/draft.h"
+
+#include "core/base/directory_listing.h"
+#include "core/base/file_io.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <string_view>
+#include <sys/file.h>
+
+namespace texplorer {
+
+namespace {
+
+constexpr std::string_view prefix = ".texplorer-";
+constexpr std::string_view suffix = ".tmp";
+constexpr int attempts = 10000;
+
+/// ".texplorer-4711-0.tmp". It says nothing of the target's name, which may already be as long as the system
+/// allows.
+std::string temporaryName(int attempt) {
+    return std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(attempt) +
+           std::string(suffix);
+}
+
+bool isTemporaryName(std::string_view name) {
+    if (!name.starts_with(prefix) || !name.ends_with(suffix) || name.size() < prefix.size() + suffix.size())
+        return false;
+    name = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+    const std::size_t dash = name.find('-');
+    constexpr std::string_view digits = "0123456789";
+    return dash != std::string_view::npos && dash > 0 && dash + 1 < name.size() &&
+           name.find_first_not_of(digits) == dash &&
+           name.find_first_not_of(digits, dash + 1) == std::string_view::npos;
+}
+
+bool lock(int file) {
+    return ::flock(file, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Whether the name still is this very file.
+bool isStill(int directory, const char* name, const struct stat& info) {
+    struct stat now = {};
+    return ::fstatat(directory, name, &now, AT_SYMLINK_NOFOLLOW) == 0 && now.st_ino == info.st_ino &&
+           now.st_dev == info.st_dev;
+}
+
+void sweep(int directory, const char* name) {
+    // For writing: network file systems lock nothing else.
+    const Descriptor left(::openat(directory, name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat info = {};
+    if (left.valid() && ::fstat(left.get(), &info) == 0 && S_ISREG(info.st_mode) &&
+        info.st_uid == ::geteuid() && lock(left.get()) && isStill(directory, name, info))
+        ::unlinkat(directory, name, 0);
+}
+
+} // namespace
+
+Draft::Draft(int directory, mode_t mode)
+    : directory_(directory)
+    , mode_(mode)
+    , file_(::openat(directory, ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, mode)) {
+    if (file_.valid())
+        static_cast<void>(lock(file_.get())); // before it has a name
+    else
+        static_cast<void>(openNamed());
+}
+
+Draft::~Draft() {
+    if (file_.valid() && !temporary_.empty())
+        ::unlinkat(directory_, temporary_.c_str(), 0);
+}
+
+bool Draft::openNamed() {
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        temporary_ = temporaryName(attempt);
+        file_ = Descriptor(::openat(directory_, temporary_.c_str(),
+                                    O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode_));
+        if (!file_.valid() && errno == EEXIST)
+            continue;
+        if (!file_.valid())
+            return false;
+        // Who sweeps may have come between the opening and the lock.
+        struct stat info = {};
+        if (!lock(file_.get()) || (::fstat(file_.get(), &info) == 0 && info.st_nlink > 0))
+            return true;
+    }
+    return false;
+}
+
+bool Draft::fill() {
+    if (replaced_ != nullptr) {
+        // Only root may give files away; whoever can't must not pass on a set-user-ID bit.
+        const bool sameOwner = ::fchown(file_.get(), replaced_->st_uid, replaced_->st_gid) == 0;
+        if (::fchmod(file_.get(), replaced_->st_mode & (sameOwner ? 07777 : 0777)) != 0)
+            return false;
+    }
+    return writeFully(file_.get(), bytes_) && ::fsync(file_.get()) == 0;
+}
+
+bool Draft::write(ByteView bytes, const struct stat* replaced) {
+    bytes_ = bytes;
+    replaced_ = replaced;
+    return valid() && fill();
+}
+
+bool Draft::takeTemporaryName() {
+    // This way needs /proc and no privilege. Where it isn't there, the content is written again.
+    const std::string self = "/proc/self/fd/" + std::to_string(file_.get());
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        std::string name = temporaryName(attempt);
+        if (::linkat(AT_FDCWD, self.c_str(), directory_, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            temporary_ = std::move(name);
+            return true;
+        }
+        if (errno != EEXIST)
+            break;
+    }
+    return openNamed() && fill();
+}
+
+bool Draft::place(int directory, const std::string& name) {
+    // To where nothing is it goes at once, and never has another name.
+    const std::string self = "/proc/self/fd/" + std::to_string(file_.get());
+    if (temporary_.empty() &&
+        ::linkat(AT_FDCWD, self.c_str(), directory, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
+        return true;
+    if (temporary_.empty() && !takeTemporaryName())
+        return false;
+    if (::renameat(directory_, temporary_.c_str(), directory, name.c_str()) != 0)
+        return false;
+    temporary_.clear();
+    return true;
+}
+
+void sweepDrafts(int directory) {
+    forEachName(directory, [directory](const char* name) {
+        if (isTemporaryName(name))
+            sweep(directory, name);
+    });
+}
+
+} // namespace texplorer
