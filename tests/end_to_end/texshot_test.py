@@ -4,6 +4,8 @@ import io
 import json
 import os
 import pty
+import random
+import resource
 import shutil
 import signal
 import struct
@@ -207,9 +209,6 @@ class Shot(Texshot):
             huge.truncate(17 << 20)
         self.complains(1, "at most 16777216 bytes are read", "shot", file, "-o", self.path / "out.png")
 
-    def test_a_pipe_as_the_target_is_refused(self):
-        self.complains(1, "/dev/stdout: is a pipe", "shot", "--size", "8x8", "-o", "/dev/stdout")
-
     def test_the_smallest_window_is_drawn(self):
         self.assertEqual(self.shot("--ui", "--size", "320x200").size, (320, 200))
 
@@ -321,7 +320,8 @@ class Shot(Texshot):
             with self.subTest(" ".join(arguments)):
                 self.complains(1, "nowhere/", "shot", *arguments, "--shaders", self.path / "nowhere", "-o", out)
                 self.assertFalse(out.exists())
-        self.succeeds("shot", "--size", "8x8", "--shaders", self.path / "nowhere", "-o", out)  # nobody asks for them
+        nobody = texshot("shot", "--size", "8x8", "-o", out, env={**os.environ, "TEXPLORER_SHADERS": "nowhere"})
+        self.assertEqual((nobody.returncode, nobody.stderr), (0, b""), "nobody asks for what the environment names")
 
     def test_a_renderer_that_does_not_exist_is_refused(self):
         self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
@@ -463,15 +463,35 @@ class Textures(Texshot):
         self.assertTrue(entries[0].read_bytes().startswith(b"DDS "))
         self.assertEqual(texshot(*call, env=environment).stdout, first.stdout)
         kept = entries[0].read_bytes()
-        entries[0].write_bytes(kept[:128] + b"\0" * (len(kept) - 128))  # a black picture
-        self.assertNotEqual(texshot(*call, env=environment).stdout, first.stdout, "it is read from there")
-        entries[0].write_bytes(kept[:200])
+        os.utime(entries[0], (0, 0))
         self.assertEqual(texshot(*call, env=environment).stdout, first.stdout)
-        self.assertEqual(entries[0].read_bytes(), kept)
+        self.assertGreater(entries[0].stat().st_mtime, 1e9, "it is read from there, so it is young again")
+        for damaged in (kept[:200], kept[:128] + b"\0" * (len(kept) - 128)):  # a black picture
+            entries[0].write_bytes(damaged)
+            self.assertEqual(texshot(*call, env=environment).stdout, first.stdout)
+            self.assertEqual(entries[0].read_bytes(), kept)
         homeless = {key: value for key, value in environment.items() if key not in ("XDG_CACHE_HOME", "HOME")}
         told = texshot(*call, env=homeless)
         self.assertEqual((told.returncode, told.stdout), (0, first.stdout))
         self.assertIn(b"no cache directory", told.stderr)
+
+    def test_no_bit_that_flips_in_the_cache_is_seen(self):
+        cache = self.path / "cache"
+        environment = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+        call = ["shot", "--renderer", "reference", "--size", "48x32", "--set", "textures[0].compression=cached", "-o", "-"]
+        wanted = texshot(*call, env=environment).stdout
+        (entry,) = (cache / "texplorer/blocks").iterdir()
+        kept = entry.read_bytes()
+        dice = random.Random(9)
+        places = list(range(0, 128, 4)) + [dice.randrange(128, len(kept)) for _ in range(32)]
+        for place in places:
+            flipped = bytearray(kept)
+            flipped[place] ^= 1 << dice.randrange(8)
+            entry.write_bytes(flipped)
+            seen = texshot(*call, env=environment)
+            self.assertEqual((seen.returncode, seen.stderr), (0, b""))
+            self.assertEqual(seen.stdout, wanted, f"a bit of byte {place}")
+            self.assertEqual(entry.read_bytes(), kept)
 
     def begun(self, *arguments):
         """A program that handles Ctrl+C by now: it has a thread for that."""
@@ -497,8 +517,8 @@ class Textures(Texshot):
                           "2048x2048", "-o", "-")
         work.stdout.read(1)  # the rest waits for a reader
         work.send_signal(signal.SIGINT)
-        self.assertEqual(work.wait(timeout=60), -signal.SIGINT)
-        work.communicate()
+        self.assertEqual(work.wait(timeout=60), 130)
+        self.assertEqual(work.communicate()[1], b"texshot: interrupted\n")
 
     def test_a_terminal_is_told_how_far_long_work_is(self):
         source = self.path / "large.bmp"
@@ -546,6 +566,11 @@ class Textures(Texshot):
         document = json.loads(texshot("info", file, "--json").stdout)
         self.assertTrue(document["error"])
         self.assertTrue(document["anatomy"]["fields"])
+        (self.path / "text.bmp").write_bytes(b"hello world")
+        for name in ("text.bmp", "nowhere.bmp"):
+            result = texshot("info", self.path / name, "--json")
+            self.assertEqual(result.returncode, 1)
+            self.assertTrue(json.loads(result.stdout)["error"])
 
     def test_wrong_calls(self):
         source = self.picture(4, 4)
@@ -579,6 +604,225 @@ class Textures(Texshot):
         self.assertEqual(sorted(os.listdir(self.path)), before)
         self.assertEqual(work.returncode, 130)
         self.assertIn("interrupted", said)
+
+
+class Outputs(Texshot):
+    """Where a picture goes: its extension decides what it is; pipes and devices are places like any other."""
+
+    def setUp(self):
+        super().setUp()
+        self.bmp = self.path / "in.bmp"
+        self.bmp.write_bytes(bmp(16, 8, lambda x, y: (x * 15, y * 30, 60)))
+        self.dds = self.path / "in.dds"
+        self.succeeds("compress", self.bmp, self.dds, "--format", "dxt1")
+        self.writers = {
+            "shot": (["shot", "--renderer", "reference", "--size", "16x16", "-o"], []),
+            "decode": (["decode", self.dds], []),
+            "convert": (["convert", self.bmp], []),
+            "flip": (["flip", self.dds], []),
+            "compress": (["compress", self.bmp], ["--format", "dxt1"]),
+        }
+
+    def test_the_extension_decides_the_format_or_is_refused(self):
+        for name in ("shot", "decode", "convert", "flip"):
+            before, after = self.writers[name]
+            for extension, format in ((".bmp", "BMP"), (".PNG", "PNG"), (".tga", "TGA"), (".dds", "DDS")):
+                with self.subTest(name + extension):
+                    out = self.path / ("out" + extension)
+                    self.succeeds(*before, out, *after)
+                    self.assertEqual(Image.open(out).format, format)
+                    out.unlink()
+            for wrong in ("out.jpg", "out.jpeg", "out.xyz", "out", "png", ".png"):
+                self.complains(2, f'expected a name that ends in one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
+                               *before, self.path / wrong, *after)
+        before, after = self.writers["compress"]
+        for wrong in ("out.png", "out"):
+            self.complains(2, "expected a name that ends in .dds, found", *before, self.path / wrong, *after)
+
+    def test_pipes_and_devices_are_written(self):
+        magic = {"shot": b"\x89PNG", "decode": b"\x89PNG", "convert": b"\x89PNG", "flip": b"DDS ", "compress": b"DDS "}
+        pipe = self.path / "pipe"
+        os.mkfifo(pipe)
+        for name, (before, after) in self.writers.items():
+            with self.subTest(name):
+                plain = self.succeeds(*before, "-", *after)
+                self.assertTrue(plain.startswith(magic[name]))
+                self.assertEqual(self.succeeds(*before, "/dev/stdout", *after), plain)
+                self.assertEqual(self.succeeds(*before, "/dev/null", *after), b"")
+                writer = subprocess.Popen([TEXSHOT, *map(str, before), pipe, *after])
+                self.assertEqual(pipe.read_bytes(), plain)
+                self.assertEqual(writer.wait(timeout=60), 0)
+                self.complains(1, "/dev/full: can't be written: No space left on device", *before, "/dev/full", *after)
+        self.assertTrue(pipe.is_fifo())
+
+    def test_an_output_that_cant_be_written_is_known_before_the_work(self):
+        for name, (before, after) in self.writers.items():
+            with self.subTest(name):
+                lost = self.path / "no" / "out.dds"
+                missing = [str(argument).replace("in.", "missing.") for argument in before]  # not even looked at
+                self.complains(1, f"{lost}: can't be written: No such file or directory", *missing, lost, *after)
+                folder = self.path / "folder.dds"
+                folder.mkdir(exist_ok=True)
+                self.complains(1, f"{folder}: is a directory, not a file", *missing, folder, *after)
+
+    def test_what_is_printed_is_printed_or_fails(self):
+        scene = self.path / "broken.json"
+        scene.write_text('{"version": 1, "textures": [{"mipmaps": "none"}], "passes": [{"units": [{"enabled": true}]}]}')
+        calls = [["--help"], ["--version"], ["shot", "--help"], ["conform", "--help"], ["params"], ["params", "--json"],
+                 ["info", self.bmp], ["info", self.bmp, "--json"], ["check", "--json"], ["conform", "--list"],
+                 ["check", "--set", "textures[0].mipmaps=none"],
+                 ["probe", "--no-gl", "--size", "8x8", "--at", "4,4"], ["probe", "--size", "8x8", "--texel", "0,0,0,0", "--json"],
+                 ["compress", self.bmp, self.path / "out.dds", "--format", "dxt1", "--report"]]
+        calls += [[*before, "-", *after] for before, after in self.writers.values()]
+        for call in calls:
+            with self.subTest(call):
+                with open("/dev/full", "wb") as full:
+                    self.fails_to_print("No space left on device", call, stdout=full)
+                reader, writer = os.pipe()
+                os.close(reader)
+                self.fails_to_print("Broken pipe", call, stdout=writer)
+                os.close(writer)
+                self.fails_to_print("Bad file descriptor", call, preexec_fn=lambda: os.close(1))
+
+    def fails_to_print(self, expected, call, **options):
+        result = subprocess.run([TEXSHOT, *map(str, call)], stderr=subprocess.PIPE, timeout=120, **options)
+        self.assertEqual(result.stderr.decode(), f"texshot: standard output: can't be written: {expected}\n")
+        self.assertEqual(result.returncode, 1)
+
+    def test_a_full_disk_gets_no_half_of_anything(self):
+        def small_disk(limit):
+            return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))}
+        for name, (before, after) in self.writers.items():
+            with self.subTest(name):
+                out = self.path / "out.dds"
+                out.write_bytes(b"old")
+                names = sorted(os.listdir(self.path))
+                result = texshot(*before, out, *after, **small_disk(64))
+                self.assertEqual(result.returncode, 1)
+                self.assertEqual(result.stderr.decode(), f"texshot: {out}: can't be written: File too large\n")
+                self.assertEqual((out.read_bytes(), sorted(os.listdir(self.path))), (b"old", names))
+        with open(self.path / "params.txt", "wb") as report:
+            result = subprocess.run([TEXSHOT, "params"], stdout=report, stderr=subprocess.PIPE, **small_disk(1000))
+        self.assertEqual((result.returncode, (self.path / "params.txt").read_bytes()), (1, b""))
+        self.assertIn(b"standard output: can't be written: File too large", result.stderr)
+        call = ("conform", "--feature", "wrap", "--scenes", "2", "-o")
+        result = texshot(*call, self.path / "new" / "report", **small_disk(4000))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"can't be written: File too large", result.stderr)
+        self.assertFalse((self.path / "new").exists())
+
+    def test_options_without_effect_are_refused(self):
+        out = self.path / "out"
+        for expected, *call in [
+            ("--rle: has no effect here: it is for TGA files, OUT is DDS", "convert", self.bmp, f"{out}.dds", "--rle"),
+            ("--small: has no effect here: it is for PNG files, OUT is BMP", "convert", self.bmp, f"{out}.bmp", "--small"),
+            ("--gamma: has no effect here", "compress", self.bmp, f"{out}.dds", "--format", "dxt1", "--gamma", "--mips", "none"),
+            ("--shaders: has no effect here", "shot", "--shaders", self.path, "-o", f"{out}.png"),
+            ("--shaders: has no effect here", "shot", "--renderer", "reference", "--shaders", self.path, "-o", f"{out}.png"),
+            ("--anisotropy: has no effect here", "shot", "--anisotropy", "probes", "-o", f"{out}.png"),
+            ("--renderer: has no effect here: --compare names", "shot", "--ui", "--compare", "fixed,shader", "--renderer", "fixed",
+             "-o", f"{out}.png"),
+            ("--pass: has no effect here", "probe", "--at", "1,1", "--pass", "0"),
+            ("--no-gl: has no effect here", "probe", "--texel", "0,0,0,0", "--no-gl"),
+            ("--seed: has no effect here: --list compares nothing", "conform", "--list", "--seed", "1"),
+            ("--json: has no effect here: --list compares nothing", "conform", "--list", "--json"),
+            ("--out: has no effect here: --list compares nothing", "conform", "--list", "-o", self.path / "report"),
+            ("--shaders: has no effect here", "conform", "--renderer", "reference", "--shaders", self.path),
+        ]:
+            with self.subTest(expected):
+                self.complains(2, expected, *call)
+
+    def test_a_value_that_stands_apart_is_explained(self):
+        explained = '--set: expected PATH=VALUE, joined by = without a space, found "view.azimuth"'
+        out = self.path / "out.png"
+        self.complains(2, explained, "shot", "--set", "view.azimuth", "3", "-o", out)
+        self.complains(2, explained, "shot", self.path / "scene.json", "--set", "view.azimuth", "3", "-o", out)
+        self.complains(2, explained, "check", "--set", "view.azimuth", "=", "3")
+        self.complains(2, explained, "probe", "--at", "1,1", "--set", "view.azimuth")
+
+
+class Signals(Texshot):
+    """However a program ends, no half of a file and none of another name stays behind."""
+
+    KILLS = int(os.environ.get("TEXSHOT_KILLS", "8"))  # of each command by each signal
+
+    def setUp(self):
+        super().setUp()
+        source, plain = self.path / "in.bmp", self.path / "in.dds"
+        source.write_bytes(bmp(256, 256, lambda x, y: (x, y, x * y & 255)))
+        self.succeeds("compress", source, plain, "--format", "dxt1")
+        self.out = self.path / "out"
+        self.commands = [
+            ["flip", plain, self.out / "flip.dds"],
+            ["compress", source, self.out / "compress.dds", "--format", "dxt5", "--quality", "fast"],
+            ["decode", plain, self.out / "decode.png"],
+            ["convert", source, self.out / "convert.tga"],
+            ["shot", "--renderer", "reference", "--size", "64x64", "-o", self.out / "shot.png"],
+            ["conform", "--feature", "wrap", "--scenes", "2", "--renderer", "reference", "-o", self.out / "report"],
+        ]
+
+    def content(self):
+        return {str(path.relative_to(self.out)): path.read_bytes() for path in self.out.rglob("*") if path.is_file()}
+
+    def test_kills_at_any_moment_leave_nothing(self):
+        dice = random.Random(9)
+        for command in self.commands:
+            for fresh in (True, False):  # where nothing is yet, and where something is replaced
+                shutil.rmtree(self.out, ignore_errors=True)
+                self.out.mkdir()
+                start = time.monotonic()
+                self.succeeds(*command)
+                duration = time.monotonic() - start
+                wanted = self.content()
+                for kill in (signal.SIGKILL, signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                    for _ in range((self.KILLS + 1) // 2):
+                        if fresh:
+                            shutil.rmtree(self.out)
+                            self.out.mkdir()
+                        self.kill(command, kill, dice.uniform(0, duration), wanted, {} if fresh else wanted)
+
+    def kill(self, command, kill, delay, wanted, before):
+        work = subprocess.Popen([TEXSHOT, *map(str, command)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(delay)
+        work.send_signal(kill)
+        said = work.communicate(timeout=60)[1].decode()
+        # As a shell says it; before texshot has begun to watch for signals, they end it themselves.
+        code = work.returncode if work.returncode >= 0 else 128 - work.returncode
+        self.assertIn(code, (0, 128 + kill), said)
+        found = self.content()
+        if kill == signal.SIGKILL:
+            if any(name.endswith(".tmp") for name in found):
+                self.succeeds(*command)
+                self.assertEqual(self.content(), wanted)
+            return
+        if work.returncode == 128 + kill:
+            self.assertIn(said, ("texshot: interrupted; nothing was written\n", "texshot: interrupted\n"))
+        self.assertIn(found, (before, wanted), "all of it or nothing")
+        if code == 0:
+            self.assertEqual(found, wanted)
+
+    def test_every_signal_has_its_exit_status(self):
+        pipe = self.path / "pipe"
+        os.mkfifo(pipe)
+        for kill, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
+            for command in (["decode", self.path / "in.dds", pipe], ["shot", "--size", "8x8", "-o", pipe]):
+                work = subprocess.Popen([TEXSHOT, *map(str, command)], stderr=subprocess.PIPE)
+                while work.poll() is None and len(os.listdir(f"/proc/{work.pid}/task")) < 2:
+                    time.sleep(0.01)  # until it watches; then it waits for a reader of the pipe
+                work.send_signal(kill)
+                self.assertEqual(work.communicate(timeout=60)[1], b"texshot: interrupted; nothing was written\n")
+                self.assertEqual(work.returncode, code)
+
+    def test_a_signal_that_is_ignored_stays_so(self):
+        pipe = self.path / "pipe"
+        os.mkfifo(pipe)
+        work = subprocess.Popen([TEXSHOT, "decode", self.path / "in.dds", pipe],
+                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))  # as nohup does
+        while work.poll() is None and len(os.listdir(f"/proc/{work.pid}/task")) < 2:
+            time.sleep(0.01)
+        work.send_signal(signal.SIGHUP)
+        self.assertTrue(pipe.read_bytes().startswith(b"\x89PNG"))
+        self.assertEqual(work.wait(timeout=60), 0)
 
 
 class Check(Texshot):
@@ -641,6 +885,14 @@ class Check(Texshot):
 
     def test_bad_calls(self):
         self.complains(1, "nowhere.json", "check", self.path / "nowhere.json")
+        (self.path / "broken.json").write_text('{"version": 1, "view": {"azimuth": "north"}}')
+        for name, expected in (("broken.json", "/view/azimuth: expected a number"), ("nowhere.json", "can't be opened")):
+            result = texshot("check", "--json", self.path / name)
+            self.assertEqual(result.returncode, 1)
+            told = json.loads(result.stdout)
+            self.assertEqual(told["findings"], [])
+            self.assertIn(expected, told["error"])
+            self.assertEqual(result.stderr.decode(), f"texshot: {told['error']}\n")
         self.complains(2, "minFliter", "check", "--set", "textures[0].minFliter=GL_NEAREST")
 
     def test_a_shot_names_the_scene_and_the_texture_whose_file_is_missing(self):
@@ -706,7 +958,7 @@ class Conform(Texshot):
         nowhere = self.path / "nowhere"
         self.complains(1, "nowhere/", "conform", "--feature", "wrap", "--shaders", nowhere, "-o", self.path / "report")
         self.assertFalse((self.path / "report").exists())
-        self.succeeds("conform", "--feature", "wrap", "--scenes", "10", "--renderer", "reference", "--shaders", nowhere)
+        self.complains(2, "--shaders: has no effect here", "conform", "--renderer", "reference", "--shaders", nowhere)
 
     def test_the_list_gives_features_and_reasons(self):
         said = self.succeeds("conform", "--list").decode()
