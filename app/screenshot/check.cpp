@@ -107,8 +107,8 @@ ExitCode check(const Options& options) {
     auto opened = openScene(options.scene);
     if (!opened) {
         const auto& [error, code] = opened.error();
-        const Result<void> printed = options.json && code == failure ? print(asJson({}, describe(error)))
-                                                                     : Result<void>();
+        const Result<void> printed =
+            options.json && code == failure ? print(asJson({}, describe(error))) : Result<void>();
         return printed ? complain(error, code) : complain(printed.error());
     }
     std::vector<std::string> reasons;

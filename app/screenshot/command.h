@@ -14,8 +14,8 @@ namespace texplorer::screenshot {
 
 enum ExitCode : int {
     success = 0,
-    failure = 1,       ///< a file, the driver or the scene: one sentence on standard error says which
-    wrongCall = 2,     ///< the command line itself: an option, a path or a value that does not exist
+    failure = 1,   ///< a file, the driver or the scene: one sentence on standard error says which
+    wrongCall = 2, ///< the command line itself: an option, a path or a value that does not exist
     // 128 and a signal's number, as a shell has it, of a program that a signal ended: 130 Ctrl+C
 };
 

@@ -130,9 +130,8 @@ ExitCode conformTo(const Options& options) {
     const Result<std::vector<conform::Pair>> pairs = pairsOf(options);
     if (!pairs)
         return complain(pairs.error(), wrongCall);
-    const bool shaders = std::ranges::any_of(*pairs, [](const conform::Pair& pair) {
-        return pair.has(RendererKind::Shader);
-    });
+    const bool shaders =
+        std::ranges::any_of(*pairs, [](const conform::Pair& pair) { return pair.has(RendererKind::Shader); });
     if (isGiven(*options.shadersOption) && !shaders)
         return refuseUnused("--shaders", "it is for the shader renderer, which is not compared");
     const Result<conform::Selection> selection = selectionOf(options);
@@ -197,11 +196,11 @@ void addConform(CLI::App& app, Action& action) {
                         "scene with both pictures and their difference.");
     options->shadersOption =
         command
-        ->add_option(
-            "--shaders", options->shaders,
-            "The folder of the shader renderer's files. Without it: those that the program was built "
-            "with.")
-        ->envname("TEXPLORER_SHADERS");
+            ->add_option(
+                "--shaders", options->shaders,
+                "The folder of the shader renderer's files. Without it: those that the program was built "
+                "with.")
+            ->envname("TEXPLORER_SHADERS");
     command->add_flag("--json", options->json, "The report as JSON, for programs.");
     command->add_flag(
         "--list", options->list,

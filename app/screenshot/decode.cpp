@@ -75,9 +75,10 @@ void addDecode(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("decode", "Turn an image file, or a part of it, into a picture.");
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
-    command->add_option("OUT", options->out, 
-                                    "The picture to write, its format by its extension: " +
-                                        writtenExtensions() + "; - for standard output, as PNG.")
+    command
+        ->add_option("OUT", options->out,
+                     "The picture to write, its format by its extension: " + writtenExtensions() +
+                         "; - for standard output, as PNG.")
         ->required();
     addNumber(
         *command, "--level", options->level, 0, 30,

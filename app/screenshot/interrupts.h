@@ -7,8 +7,9 @@
 
 namespace texplorer::screenshot {
 
-/// From here on Ctrl+C, SIGTERM and SIGHUP end the program with a sentence and, as a shell has it, 128 and the
-/// signal's number; a signal that is ignored stays so (nohup). Called once, before there is another thread.
+/// From here on Ctrl+C, SIGTERM and SIGHUP end the program with a sentence and, as a shell has it, 128 and
+/// the signal's number; a signal that is ignored stays so (nohup). Called once, before there is another
+/// thread.
 void watchInterrupts();
 
 /// Whom a signal asks to stop instead of ending the program; a second one ends it. nullptr: nobody.

@@ -28,9 +28,10 @@ int main(int argc, char** argv) {
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
-               "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file appears as a whole or not at all.\n"
-               "\"texshot COMMAND --help\" explains each command.");
+    app.footer(
+        "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
+        "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file appears as a whole or not at all.\n"
+        "\"texshot COMMAND --help\" explains each command.");
 
     Action action;
     for (const auto add : {addShot, addProbe, addCheck, addConform, addParams, addDecode, addInfo, addConvert,

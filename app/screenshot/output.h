@@ -6,8 +6,8 @@
 
 namespace texplorer::screenshot {
 
-/// Where a command writes what it was asked for: a file, which appears as a whole; standard output ("-"); or a
-/// device or pipe that has a name.
+/// Where a command writes what it was asked for: a file, which appears as a whole; standard output ("-"); or
+/// a device or pipe that has a name.
 class Output {
 public:
     /// Found to be writable; a device or pipe is open from here on. The error names the path.

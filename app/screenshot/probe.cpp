@@ -162,12 +162,14 @@ void addProbe(CLI::App& app, Action& action) {
             "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
             "border.")
         ->type_name("UNIT,LEVEL,I,J");
-    options->passOption = addNumber(*command, "--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
-              "With --texel: the pass that the unit belongs to.")
-        ->default_str(std::to_string(options->pass));
+    options->passOption =
+        addNumber(*command, "--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
+                  "With --texel: the pass that the unit belongs to.")
+            ->default_str(std::to_string(options->pass));
     command->add_flag("--json", options->json, "For programs: everything, as JSON.");
-    command->add_flag("--no-gl", options->withoutGl,
-                      "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
+    command->add_flag(
+        "--no-gl", options->withoutGl,
+        "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
     command->callback([&action, options] { action = [options] { return probe(*options); }; });
 }
 

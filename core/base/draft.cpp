@@ -47,7 +47,8 @@ bool isStill(int directory, const char* name, const struct stat& info) {
 
 void sweep(int directory, const char* name) {
     // For writing: network file systems lock nothing else.
-    const Descriptor left(::openat(directory, name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    const Descriptor left(
+        ::openat(directory, name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat info = {};
     if (left.valid() && ::fstat(left.get(), &info) == 0 && S_ISREG(info.st_mode) &&
         info.st_uid == ::geteuid() && lock(left.get()) && isStill(directory, name, info))

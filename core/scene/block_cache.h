@@ -42,8 +42,8 @@ public:
     [[nodiscard]] std::filesystem::path fileFor(const MipChain& source, BlockFormat format,
                                                 EncodeQuality quality) const;
 
-    /// The blocks that a file holds for this source, or nothing: no such file, a link, or one that is damaged,
-    /// be it by a bit, foreign or of other sizes. Using an entry makes it the youngest.
+    /// The blocks that a file holds for this source, or nothing: no such file, a link, or one that is
+    /// damaged, be it by a bit, foreign or of other sizes. Using an entry makes it the youngest.
     [[nodiscard]] std::optional<std::vector<BlockImage>>
     find(const std::filesystem::path& file, const MipChain& source, BlockFormat format) const;
 

@@ -67,8 +67,9 @@ public:
         return number(static_cast<float>(value), value, std::to_string(value));
     }
     bool number_unsigned(std::uint64_t value) override {
-        const auto whole =
-            value <= INT64_MAX ? std::optional(static_cast<std::int64_t>(value)) : std::nullopt;
+        std::optional<std::int64_t> whole;
+        if (value <= INT64_MAX)
+            whole = static_cast<std::int64_t>(value);
         return number(static_cast<float>(value), whole, std::to_string(value));
     }
     bool number_float(float value, const std::string& text) override {
@@ -187,7 +188,7 @@ bool Reader::number(float value, std::optional<std::int64_t> whole, const std::s
         return store(*row, static_cast<int>(*whole));
     // Some names are numbers: GL_RGB_SCALE is 1, 2 or 4.
     if (row && row->kind == Kind::Enum && whole)
-        if (const EnumRow* named = findRow(row->choices, std::to_string(*whole)))
+        if (const EnumRow* named = findRow(row->choices, std::to_string(whole.value_or(0))))
             return store(*row, EnumValue{named->value});
     return refuse(text);
 }

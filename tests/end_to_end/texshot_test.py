@@ -630,9 +630,10 @@ class Outputs(Texshot):
                 with self.subTest(name + extension):
                     out = self.path / ("out" + extension)
                     self.succeeds(*before, out, *after)
-                    self.assertEqual(Image.open(out).format, format)
+                    with Image.open(out) as written:
+                        self.assertEqual(written.format, format)
                     out.unlink()
-            for wrong in ("out.jpg", "out.jpeg", "out.xyz", "out", "png", ".png"):
+            for wrong in ("out.jpg", "out.jpeg", "out.xyz", "out", "png"):
                 self.complains(2, f'expected a name that ends in one of .bmp, .dds, .png, .tga, found "{self.path / wrong}"',
                                *before, self.path / wrong, *after)
         before, after = self.writers["compress"]

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <csignal>
+#include <cstddef>
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -283,9 +283,13 @@ TEST_F(FileIo, AnExistingFileSurvivesAFailedWrite) {
     EXPECT_THAT(names(), testing::ElementsAre("picture")) << "no partial file stays behind";
 }
 
-
 /// What a system may lack; the kernel's own filter takes it away.
 enum class Lacking { Nothing, NamelessFiles, NamesForThem };
+
+std::string nameOf(Lacking what) {
+    constexpr std::array names{"Nothing", "NamelessFiles", "NamesForThem"};
+    return names[static_cast<std::size_t>(what)];
+}
 
 void takeAway(Lacking what) {
     if (what == Lacking::Nothing)
@@ -299,7 +303,7 @@ void takeAway(Lacking what) {
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, number),
         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 3),
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, flags),
-        BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, files ? unsigned{__O_TMPFILE} : every, 0, 1),
+        BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, files ? unsigned{O_TMPFILE & ~O_DIRECTORY} : every, 0, 1),
         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | unsigned{EOPNOTSUPP}),
         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
     };
@@ -348,19 +352,17 @@ TEST_P(Writing, MakesAndReplacesFiles) {
 TEST_P(Writing, WhatAKilledProgramLeftIsGoneAfterTheNextOne) {
     make("old", "before");
     const auto die = [&](const char* name) {
-        return inChild([&] {
-            static_cast<void>(writeFileAtomically(folder_ / name, viewBytes("lost"), &dieNow));
-        });
+        return inChild(
+            [&] { static_cast<void>(writeFileAtomically(folder_ / name, viewBytes("lost"), &dieNow)); });
     };
     EXPECT_EQ(die("old"), SIGKILL);
     EXPECT_EQ(die("new"), SIGKILL);
     const std::vector<FileContent> both{{"a", viewBytes("1")}, {"b", viewBytes("2")}};
-    EXPECT_EQ(inChild([&] {
-                  static_cast<void>(writeFolderAtomically(folder_ / "report", both, &dieNow));
-              }),
+    EXPECT_EQ(inChild([&] { static_cast<void>(writeFolderAtomically(folder_ / "report", both, &dieNow)); }),
               SIGKILL);
-    if (GetParam() != Lacking::NamelessFiles)
+    if (GetParam() != Lacking::NamelessFiles) {
         EXPECT_THAT(names(), testing::ElementsAre("old")) << "nothing had a name yet";
+    }
     EXPECT_TRUE(writeFileAtomically(folder_ / "next", viewBytes("x")));
     EXPECT_THAT(names(), testing::ElementsAre("next", "old"));
     EXPECT_EQ(test::readRawText(folder_ / "old"), "before");
@@ -379,10 +381,7 @@ TEST_P(Writing, WhatAnotherProgramIsWritingIsLeftAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Without, Writing,
                          testing::Values(Lacking::Nothing, Lacking::NamelessFiles, Lacking::NamesForThem),
-                         [](const auto& test) {
-                             constexpr std::array words{"Nothing", "NamelessFiles", "NamesForThem"};
-                             return std::string(words[static_cast<std::size_t>(test.param)]);
-                         });
+                         [](const auto& test) { return nameOf(test.param); });
 
 TEST_F(FileIo, OnlyWhatIsSurelyADraftThatWasLeftIsRemoved) {
     make(".texplorer-4711-0.tmp", "left");
@@ -393,8 +392,9 @@ TEST_F(FileIo, OnlyWhatIsSurelyADraftThatWasLeftIsRemoved) {
     fs::create_symlink("mine", folder_ / ".texplorer-4711-2.tmp");
     fs::create_directory(folder_ / ".texplorer-4711-3.tmp");
     ASSERT_EQ(::mkfifo((folder_ / ".texplorer-4711-6.tmp").c_str(), 0666), 0);
-    for (const char* name : {".texplorer-4711.tmp", ".texplorer-4711-.tmp", ".texplorer--1.tmp", ".texplorer-a-1.tmp",
-                             ".texplorer-4711-1.tmp~", ".texplorer-.tmp", ".texplorer-1-2-3.tmp"})
+    for (const char* name :
+         {".texplorer-4711.tmp", ".texplorer-4711-.tmp", ".texplorer--1.tmp", ".texplorer-a-1.tmp",
+          ".texplorer-4711-1.tmp~", ".texplorer-.tmp", ".texplorer-1-2-3.tmp"})
         make(name, "somebody's");
     const std::vector<std::string> before = names();
     const bool root = ::geteuid() == 0;
@@ -435,7 +435,8 @@ TEST_F(FileIo, AFolderIsWrittenAsAWholeOrNotAtAll) {
     make("file", "x");
     expectError(writeFolderAtomically(folder_ / "file" / "below", files), ErrorCode::Unwritable,
                 folder_ / "file" / "below", "file is no folder");
-    expectError(checkFolderWritable(folder_ / "file"), ErrorCode::Unwritable, folder_ / "file", "is no folder");
+    expectError(checkFolderWritable(folder_ / "file"), ErrorCode::Unwritable, folder_ / "file",
+                "is no folder");
     EXPECT_TRUE(checkFolderWritable(folder_ / "deep" / "er"));
 }
 
@@ -443,8 +444,8 @@ TEST_F(FileIo, WhetherAFileCanBeWrittenIsKnownBefore) {
     const fs::path path = folder_ / "new";
     EXPECT_TRUE(checkFileWritable(path));
     EXPECT_THAT(names(), testing::IsEmpty());
-    for (const fs::path& bad : {folder_ / "none" / "file", folder_.path(), fs::path("/dev/null"), fs::path("/proc/new"),
-                                fs::path(""), folder_ / "new" / ""}) {
+    for (const fs::path& bad : {folder_ / "none" / "file", folder_.path(), fs::path("/dev/null"),
+                                fs::path("/proc/new"), fs::path(""), folder_ / "new" / ""}) {
         const Result<void> known = checkFileWritable(bad);
         ASSERT_FALSE(known) << bad;
         EXPECT_EQ(known.error(), writeFileAtomically(bad, viewBytes("x")).error());

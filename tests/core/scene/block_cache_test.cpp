@@ -208,8 +208,9 @@ TEST_F(Cache, IsADirectoryOfMode0700OrNone) {
     fs::permissions(cache.directory(), fs::perms::all);
     const TextureLevels refused = prepare();
     EXPECT_FALSE(refused.fromCache) << "anybody may have put it there";
-    EXPECT_THAT(refused.notes, ElementsAre(HasSubstr("the cache directory may be written to by others: expected "
-                                                     "mode 0700, found 0777")));
+    EXPECT_THAT(refused.notes,
+                ElementsAre(HasSubstr("the cache directory may be written to by others: expected "
+                                      "mode 0700, found 0777")));
     fs::permissions(cache.directory(), fs::perms::owner_all);
     EXPECT_TRUE(prepare().fromCache);
 

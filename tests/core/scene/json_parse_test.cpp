@@ -321,7 +321,8 @@ TEST(ParseScene, TakesTheNameOfASchemaAtTheTop) {
         EXPECT_EQ(scene.error().where, "/$schema");
         EXPECT_THAT(scene.error().message, testing::StartsWith(message));
     }
-    EXPECT_THAT(parseScene(R"({"view": {"$schema": "a"}})").error().message, testing::StartsWith("unknown key"));
+    EXPECT_THAT(parseScene(R"({"view": {"$schema": "a"}})").error().message,
+                testing::StartsWith("unknown key"));
 }
 
 } // namespace
