@@ -1,5 +1,6 @@
 #include "app/explorer/window.h"
 
+#include "app/render/driver_cache.h"
 #include "app/ui/input_queue.h"
 #include "app/ui/smallest_window.h"
 
@@ -119,6 +120,7 @@ void installCallbacks(GLFWwindow* window) {
 } // namespace
 
 Result<Window> Window::open(render::Size size, const std::string& title) {
+    render::setUpDriverCache();
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
         return fail(ErrorCode::Driver, "no display can be opened (" + lastGlfwError + ")");

@@ -4,6 +4,10 @@
 
 #include <GL/osmesa.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
 #include <new>
 #include <string>
 #include <type_traits>
@@ -16,6 +20,18 @@ struct DestroyContext {
     void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
 };
 using Context = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyContext>;
+
+/// Of Gallium's drivers, those that draw into memory. OSMesa doesn't survive the name of another.
+constexpr std::array drivers{"llvmpipe", "softpipe"};
+
+Result<void> checkDriverName() {
+    const char* name = std::getenv("GALLIUM_DRIVER"); // NOLINT(concurrency-mt-unsafe): nobody changes it
+    if (!name || *name == '\0' ||
+        std::ranges::any_of(drivers, [&](const char* each) { return std::strcmp(each, name) == 0; }))
+        return {};
+    return fail(ErrorCode::Unsupported, "GALLIUM_DRIVER names the driver \"" + std::string(name) +
+                                            "\"; without a display there are llvmpipe and softpipe");
+}
 
 } // namespace
 
@@ -39,6 +55,8 @@ OsmesaContext& OsmesaContext::operator=(OsmesaContext&&) noexcept = default;
 OsmesaContext::~OsmesaContext() = default;
 
 Result<OsmesaContext> OsmesaContext::create(render::Size size) {
+    if (const Result<void> known = checkDriverName(); !known)
+        return fail(known.error());
     GLint limit = 0;
     OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &limit);
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)

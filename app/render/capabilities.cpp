@@ -1,6 +1,7 @@
 #include "app/render/capabilities.h"
 
 #include "app/render/gl_errors.h"
+#include "app/render/gl_functions.h"
 
 #include <GL/glew.h>
 
@@ -49,6 +50,13 @@ bool keepsBorders() {
     return GlErrors().check("glTexImage2D with a border") && border == 1;
 }
 
+/// Whether there are stacks of attributes: neither in a core profile nor in a forward-compatible context.
+bool hasFixedFunctions() {
+    glPushAttrib(GL_CURRENT_BIT);
+    glPopAttrib();
+    return GlErrors().check("glPushAttrib");
+}
+
 /// glewInit() ends with a look at GLX, after it has loaded every function of OpenGL. Without GLX, that is
 /// under OSMesa and Wayland, it then returns one of two errors that say nothing about OpenGL.
 bool functionsAreLoaded(GLenum status) {
@@ -76,13 +84,20 @@ Result<Capabilities> loadCapabilities() {
         return fail(ErrorCode::Unsupported,
                     std::string(needs) + offer + " without GL_ARB_framebuffer_object");
 
+    const std::span<const GlFunction> functions = glFunctions();
+    const auto missing = std::ranges::find_if(
+        functions, [](const GlFunction& each) { return each.needed && !each.isLoaded(); });
+    if (missing != functions.end())
+        return fail(ErrorCode::Unsupported, std::string(needs) + offer + " without the function " +
+                                                missing->name + " (" + missing->source + ")");
+
     capabilities.s3tc = has(s3tc);
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
     capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
     capabilities.maxCubeMapSize = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);
-    if (!GlErrors().check("glGetIntegerv") || capabilities.textureUnits < 1)
+    if (!GlErrors().check("glGetIntegerv") || capabilities.textureUnits < 1 || !hasFixedFunctions())
         return fail(ErrorCode::Unsupported,
                     std::string(needs) + offer + " without fixed functions (a core profile)");
     capabilities.textureBorders = keepsBorders();

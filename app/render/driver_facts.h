@@ -8,6 +8,7 @@ namespace texplorer::render {
 /// What the diagnosis wants to know of a driver.
 [[nodiscard]] inline DriverFacts driverFacts(const Capabilities& capabilities) {
     DriverFacts facts;
+    facts.renderer = capabilities.renderer;
     facts.textureUnits = capabilities.textureUnits;
     facts.maxTextureSize = capabilities.maxTextureSize;
     if (capabilities.max3DTextureSize > 0)

@@ -24,7 +24,7 @@ constexpr std::size_t maxPrograms = 256;
 SampledUnits sampledUnits(const BoundTextures& textures) {
     SampledUnits units;
     std::ranges::transform(textures, units.begin(), [](const BoundTexture& texture) {
-        return texture.name != 0 && texture.complete
+        return texture.name != 0
                    ? std::optional(SampledUnit{texture.format, texture.lateFlip, texture.hasNegative})
                    : std::nullopt;
     });

@@ -89,14 +89,15 @@ GLenum unitEnum(std::size_t unit) {
     return GL_TEXTURE0 + static_cast<GLenum>(unit);
 }
 
+// GLEW loads these with their extension alone, which a driver of a version that has them need not list.
 bool hasVertexArrays() {
-    return GLEW_VERSION_3_0 || GLEW_ARB_vertex_array_object;
+    return glBindVertexArray != nullptr && (GLEW_VERSION_3_0 || GLEW_ARB_vertex_array_object);
 }
 bool hasSamplers() {
-    return GLEW_VERSION_3_3 || GLEW_ARB_sampler_objects;
+    return glBindSampler != nullptr && (GLEW_VERSION_3_3 || GLEW_ARB_sampler_objects);
 }
 bool hasProvokingVertex() {
-    return GLEW_VERSION_3_2 || GLEW_ARB_provoking_vertex;
+    return glProvokingVertex != nullptr && (GLEW_VERSION_3_2 || GLEW_ARB_provoking_vertex);
 }
 
 } // namespace

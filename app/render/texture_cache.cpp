@@ -1,6 +1,6 @@
 #include "app/render/texture_cache.h"
 
-#include "core/reference/completeness.h"
+#include "core/scene/applied_texture.h"
 #include "core/scene/param_text.h"
 
 #include <algorithm>
@@ -34,14 +34,13 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
         errors.add(where + ": an anisotropy of " + formatNumber(texture.maxAnisotropy) +
                    " exceeds the driver's " + formatNumber(capabilities_.maxAnisotropy) +
                    "; drawn with that");
-    Texture applied = texture;
-    applied.maxLevel = std::min(applied.maxLevel, slot.lastLevel());
-    slot.object().apply(applied, capabilities_.maxAnisotropy, where, errors);
-    reference::SampledTexture shape = slot.shape();
-    reference::setParameters(shape, applied, slot.lastLevel());
-    shape.baseLevel = std::max(0, shape.baseLevel); // GL refuses another, and keeps 0
-    return {slot.object().name(), slot.lateFlip(), shape.format, slot.hasNegative(),
-            reference::checkCompleteness(shape).complete()};
+    const AppliedTexture applied = appliedTexture(texture, slot.shape(), slot.lastLevel(), facts_);
+    if (!applied.completeness.complete())
+        return {};
+    for (const std::string_view sentence : applied.heldBack)
+        errors.add(where + ": " + std::string(sentence));
+    slot.object().apply(applied.texture, capabilities_.maxAnisotropy, where, errors);
+    return {slot.object().name(), slot.lateFlip(), slot.shape().format, slot.hasNegative()};
 }
 
 const TextureObject* TextureCache::find(std::size_t index, Target target) const {

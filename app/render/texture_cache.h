@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/capabilities.h"
+#include "app/render/driver_facts.h"
 #include "app/render/gl_errors.h"
 #include "app/render/live_texture.h"
 #include "core/scene/image_source.h"
@@ -13,11 +14,10 @@ namespace texplorer::render {
 
 /// What is bound to a unit, and what is left to do for it.
 struct BoundTexture {
-    GLuint name = 0; ///< 0: drawn without it
+    GLuint name = 0; ///< 0: drawn without it; incomplete textures are, too (section 3.8.10)
     LateFlip lateFlip = LateFlip::None;
     BaseFormat format = BaseFormat::Rgba; ///< the base internal format, which the environment asks for
     bool hasNegative = false;             ///< its format is signed
-    bool complete = true;                 ///< section 3.8.10; fixed function decides that for itself
 };
 
 /// The texture objects of a scene: one for each texture and target that it is used with. Images are uploaded
@@ -25,7 +25,8 @@ struct BoundTexture {
 class TextureCache {
 public:
     explicit TextureCache(const Capabilities& capabilities)
-        : capabilities_(capabilities) {}
+        : capabilities_(capabilities)
+        , facts_(driverFacts(capabilities)) {}
 
     /// The texture object, up to date; its name is 0 where it can't be drawn: then a sentence in `errors`
     /// says why. What was done otherwise than asked for is said there, too. `index` must be one of the
@@ -48,6 +49,7 @@ public:
 
 private:
     Capabilities capabilities_;
+    DriverFacts facts_;
     std::map<std::pair<std::size_t, Target>, LiveTexture> slots_;
     std::uint64_t revision_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/capabilities.h"
+#include "app/render/driver_cache.h"
 #include "app/render/driver_facts.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
@@ -162,11 +163,13 @@ extern "C" [[gnu::visibility("default")]] void
 texshotDraw(const texplorer::screenshot::Drawing& drawing,
             texplorer::Result<texplorer::screenshot::Picture>& picture) {
     using namespace texplorer::screenshot;
+    texplorer::render::setUpDriverCache();
     picture = drawing.window ? drawWindow(drawing) : drawScene(drawing);
 }
 
 extern "C" [[gnu::visibility("default")]] void
 texshotStudio(const std::filesystem::path& shaders,
               texplorer::Result<std::unique_ptr<texplorer::screenshot::Studio>>& studio) {
+    texplorer::render::setUpDriverCache();
     studio = texplorer::screenshot::openOsmesaStudio(shaders);
 }

@@ -3,13 +3,13 @@
 #include "core/base/directory_listing.h"
 #include "core/base/file_io.h"
 #include "core/base/private_directory.h"
+#include "core/base/user_folder.h"
 #include "core/codec/dds.h"
 #include "core/s3tc/encode.h"
 
 #define XXH_INLINE_ALL // the header is all of it: no library to link
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
@@ -137,13 +137,6 @@ void makeRoom(const PrivateDirectory& directory, std::uintmax_t maxBytes, const 
     }
 }
 
-/// An absolute path, as the XDG Base Directory Specification wants it, or nothing.
-fs::path directoryIn(const char* variable) {
-    const char* value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody changes it
-    fs::path path = value == nullptr ? "" : value;
-    return path.is_absolute() ? path : fs::path();
-}
-
 } // namespace
 
 BlockCache::BlockCache(fs::path directory, std::uintmax_t maxBytes)
@@ -151,11 +144,8 @@ BlockCache::BlockCache(fs::path directory, std::uintmax_t maxBytes)
     , maxBytes_(maxBytes) {}
 
 BlockCache BlockCache::ofUser() {
-    if (const fs::path caches = directoryIn("XDG_CACHE_HOME"); !caches.empty())
-        return BlockCache(caches / "texplorer" / "blocks");
-    if (const fs::path home = directoryIn("HOME"); !home.empty())
-        return BlockCache(home / ".cache" / "texplorer" / "blocks");
-    return {};
+    const fs::path caches = userFolder("XDG_CACHE_HOME", ".cache");
+    return caches.empty() ? BlockCache() : BlockCache(caches / "texplorer" / "blocks");
 }
 
 fs::path BlockCache::fileFor(const MipChain& source, BlockFormat format, EncodeQuality quality) const {

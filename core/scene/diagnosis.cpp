@@ -1,5 +1,6 @@
 #include "core/scene/diagnosis.h"
 
+#include "core/scene/applied_texture.h"
 #include "core/scene/diagnosis_rules.h"
 #include "core/scene/params.h"
 
@@ -41,8 +42,9 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
 
 namespace {
 
-TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image) {
-    TargetFacts facts{target, planLevels(texture, image, target), {}, texture.internalFormat};
+TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
+                    const DriverFacts& driver) {
+    TargetFacts facts{target, planLevels(texture, image, target), {}, {}, texture.internalFormat};
     // Completeness asks for extents alone: these levels have no texels.
     reference::SampledTexture sampled;
     sampled.target = target;
@@ -54,12 +56,13 @@ TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& i
     if (facts.plan.blocks)
         facts.format = reference::baseFormat(*facts.plan.blocks);
     sampled.format = facts.format;
-    reference::setParameters(sampled, texture, facts.plan.lastLevel);
-    facts.completeness = reference::checkCompleteness(sampled);
+    AppliedTexture applied = appliedTexture(texture, std::move(sampled), facts.plan.lastLevel, driver);
+    facts.completeness = std::move(applied.completeness);
+    facts.heldBack = std::move(applied.heldBack);
     return facts;
 }
 
-std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images) {
+std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images, const DriverFacts& driver) {
     std::vector<TextureFacts> all(scene.textures.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Texture& texture = scene.textures[i];
@@ -75,10 +78,10 @@ std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images)
         const TextureImage& image = facts.image ? *facts.image : none;
         forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
             if (binds(unit) && unit.enabled == facts.shown && !facts.hasTarget(unit.target))
-                facts.targets.push_back(factsAs(unit.target, texture, image));
+                facts.targets.push_back(factsAs(unit.target, texture, image, driver));
         });
         if (facts.targets.empty())
-            facts.targets.push_back(factsAs(Target::Texture2D, texture, image));
+            facts.targets.push_back(factsAs(Target::Texture2D, texture, image, driver));
     }
     return all;
 }
@@ -88,7 +91,7 @@ std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images)
 
 std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, const DriverFacts& driver) {
     using namespace diagnosis;
-    const Case about{scene, driver, factsOf(scene, images)};
+    const Case about{scene, driver, factsOf(scene, images, driver)};
     std::vector<Finding> findings;
     Report report(findings);
     for (const std::span<const Rule> rules :

@@ -15,6 +15,7 @@ namespace texplorer {
 
 /// What of a driver decides whether a scene can be drawn as it says. As it stands here, nothing is lacking.
 struct DriverFacts {
+    std::string renderer{};      ///< GL_RENDERER, by which its flaws are known
     int textureUnits = maxUnits; ///< of the fixed functions
     int maxTextureSize = 1 << 30;
     int max3DTextureSize = 1 << 30;

@@ -17,6 +17,7 @@ struct TargetFacts {
     Target target = Target::Texture2D;
     LevelPlan plan;
     reference::Completeness completeness;
+    std::vector<std::string_view> heldBack; ///< what the driver is not given
     BaseFormat format = BaseFormat::Rgba; ///< that the environment sees
 };
 

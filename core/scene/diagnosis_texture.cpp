@@ -84,6 +84,17 @@ void anisotropyLimit(const Case& about, Report& report) {
     });
 }
 
+/// What this driver doesn't survive.
+void heldBack(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
+        for (const TargetFacts& each : facts.targets) {
+            for (const std::string_view sentence : each.heldBack)
+                report.add(path + "maxAnisotropy", std::string(sentence),
+                           Fix{"Set it to 1", {{path + "maxAnisotropy", "1"}}});
+        }
+    });
+}
+
 std::string extentsOf(const PlannedLevel& level) {
     std::string text = std::to_string(level.width) + " x " + std::to_string(level.height);
     return level.depth > 1 ? text + " x " + std::to_string(level.depth) : text;
@@ -153,6 +164,7 @@ constexpr std::array rules{
     Rule{"incomplete", Severity::Warning, incomplete},
     Rule{"lod-range", Severity::Warning, lodRange},
     Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},
+    Rule{"held-back", Severity::Warning, heldBack, true},
     Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
     Rule{"lost-border", Severity::Warning, lostBorder},
