@@ -1,0 +1,182 @@
+// What the driver survives: every kind of texture is drawn with both of OpenGL's renderers, in child
+// processes that are started again where one of them ended by a signal. A child is forked before anything
+// here has touched OpenGL. Every combination of a few settings; --all takes more of each.
+
+#include "app/offscreen/osmesa_context.h"
+#include "app/render/shader_renderer.h"
+#include "core/gl/sampling.h"
+#include "core/scene/image_source.h"
+#include "tests/support/flat_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <random>
+#include <span>
+#include <string>
+#include <string_view>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+using namespace texplorer;
+
+template<class E>
+constexpr std::span<const EnumRow> rows = EnumTable<E>::rows;
+
+struct Case {
+    std::string name;
+    Scene scene;
+};
+
+/// A surface with a gradient in each coordinate, that minifies on one side.
+Scene drawnScene(Target target, const Texture& texture, float bias) {
+    Scene scene = testing_support::texturedScene();
+    scene.textures[0] = texture;
+    Unit& unit = scene.passes[0].units[0];
+    unit.target = target;
+    unit.lodBias = bias;
+    scene.models[0].texCoords[0] = testing_support::quadCoords({-0.3F, -1, 0.1F, 1}, {9, 1.5F, 0.7F, 1.5F});
+    return scene;
+}
+
+std::string describe(Target target, const Texture& texture, float bias) {
+    return std::string(rowOf(target).name) + " " + std::string(rowOf(texture.mipmaps).name) + " " +
+           std::string(rowOf(texture.minFilter).name) + " " + std::string(rowOf(texture.magFilter).name) +
+           " " + std::string(rowOf(texture.wrapS).name) + " anisotropy " +
+           std::to_string(texture.maxAnisotropy) + " bias " + std::to_string(bias) + " levels " +
+           std::to_string(texture.baseLevel) + " to " + std::to_string(texture.maxLevel);
+}
+
+/// target x levels x filters x anisotropy x bias; the wrap modes take turns, as all of them would be too
+/// many.
+std::vector<Case> filterCases(bool all) {
+    const std::vector<float> anisotropies =
+        all ? std::vector<float>{1, 1.5F, 2, 4, 16} : std::vector<float>{4};
+    const std::vector<float> biases =
+        all ? std::vector<float>{0, -6.49F, -0.3F, 3.5F, 16} : std::vector<float>{0, -6.49F};
+    const auto rounds = all ? rows<Wrap>.size() : 1;
+    std::vector<Case> cases;
+    for (std::size_t round = 0; round < rounds; ++round)
+        for (const EnumRow& target : rows<Target>)
+            for (const MipPolicy mipmaps : {MipPolicy::None, MipPolicy::Generated})
+                for (const EnumRow& min : rows<MinFilter>)
+                    for (const EnumRow& mag : rows<MagFilter>)
+                        for (const float anisotropy : anisotropies)
+                            for (const float bias : biases) {
+                                Texture texture;
+                                texture.mipmaps = mipmaps;
+                                texture.minFilter = static_cast<MinFilter>(min.value);
+                                texture.magFilter = static_cast<MagFilter>(mag.value);
+                                const EnumRow& wrap = rows<Wrap>[(cases.size() + round) % rows<Wrap>.size()];
+                                texture.wrapS = texture.wrapT = texture.wrapR = static_cast<Wrap>(wrap.value);
+                                texture.maxAnisotropy = anisotropy;
+                                // Complete whatever the filter is, with one level alone.
+                                texture.maxLevel = mipmaps == MipPolicy::None ? 0 : 1000;
+                                const auto where = static_cast<Target>(target.value);
+                                cases.push_back(
+                                    {describe(where, texture, bias), drawnScene(where, texture, bias)});
+                            }
+    return cases;
+}
+
+/// Levels that are there and levels that aren't.
+std::vector<Case> levelCases(bool all) {
+    constexpr std::array levels{-1, 0, 1, 2, 5, 6, 7, 14, 15, 16, 200, 250, 322, 1000, 100000};
+    std::mt19937 dice(1);
+    const auto below = [&](std::size_t end) { return static_cast<std::size_t>(dice() % end); };
+    const auto any = [&]<class E>(E) { return static_cast<E>(rows<E>[below(rows<E>.size())].value); };
+    std::vector<Case> cases;
+    for (int i = 0; i < (all ? 3000 : 150); ++i) {
+        Texture texture;
+        texture.pattern = any(Pattern{});
+        texture.mipmaps = any(MipPolicy{});
+        texture.minFilter = any(MinFilter{});
+        texture.magFilter = any(MagFilter{});
+        texture.wrapS = any(Wrap{});
+        texture.baseLevel = levels[below(levels.size())];
+        texture.maxLevel = levels[below(levels.size())];
+        texture.minLod = static_cast<float>(below(2000)) - 1000;
+        texture.maxLod = static_cast<float>(below(2000)) - 1000;
+        texture.maxAnisotropy = below(2) == 0 ? 1 : 16;
+        const Target target = any(Target{});
+        const float bias = static_cast<float>(below(40)) - 20;
+        cases.push_back({describe(target, texture, bias), drawnScene(target, texture, bias)});
+    }
+    return cases;
+}
+
+/// Draws the cases from `first` on and writes the index of each before it does. In a child.
+[[noreturn]] void drawFrom(std::span<const Case> cases, std::size_t first, std::size_t last, int progress) {
+    constexpr render::Size size{48, 48};
+    const auto context = offscreen::OsmesaContext::create({1, 1});
+    const auto capabilities = context ? render::loadCapabilities() : fail(context.error());
+    if (!capabilities) {
+        std::fprintf(stderr, "%s\n", texplorer::describe(capabilities.error()).c_str());
+        _exit(1);
+    }
+    auto fixed = render::createRenderer(RendererKind::Fixed, *capabilities);
+    auto shader = render::createRenderer(RendererKind::Shader, *capabilities);
+    if (!fixed || !shader)
+        _exit(1);
+    const ImageSource images;
+    for (std::size_t i = first; i < last; ++i) {
+        for (render::SceneRenderer* renderer : {&*fixed, &*shader}) {
+            const auto mark = static_cast<unsigned>(2 * i + (renderer == &*shader ? 1 : 0));
+            if (write(progress, &mark, sizeof mark) != sizeof mark ||
+                !renderer->draw(cases[i].scene, images, 0, size) || !renderer->read())
+                _exit(1);
+        }
+    }
+    _exit(0);
+}
+
+/// How many cases a child didn't survive.
+int countDeaths(std::span<const Case> cases) {
+    constexpr std::size_t batch = 64; // a child that draws for ever would have filled its memory with shaders
+    int deaths = 0;
+    for (std::size_t first = 0; first < cases.size();) {
+        const std::size_t last = std::min(cases.size(), first + batch);
+        std::array<int, 2> ends{};
+        if (pipe(ends.data()) != 0)
+            return deaths + 1;
+        const pid_t child = fork();
+        if (child == 0) {
+            close(ends[0]);
+            drawFrom(cases, first, last, ends[1]);
+        }
+        close(ends[1]);
+        auto mark = static_cast<unsigned>(2 * first);
+        for (unsigned found = 0; read(ends[0], &found, sizeof found) == sizeof found;)
+            mark = found;
+        close(ends[0]);
+        int status = 0;
+        if (child < 0 || waitpid(child, &status, 0) != child)
+            return deaths + 1;
+        if (status == 0) {
+            first = last;
+            continue;
+        }
+        ++deaths;
+        std::fprintf(stderr, "%s %d: %s, %s\n", WIFSIGNALED(status) ? "signal" : "status",
+                     WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status),
+                     mark % 2 == 0 ? "fixed function" : "shaders", cases[mark / 2].name.c_str());
+        first = mark / 2 + 1;
+    }
+    return deaths;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const bool all = argc > 1 && std::string_view(argv[1]) == "--all";
+    int deaths = 0;
+    for (const std::vector<Case>& cases : {filterCases(all), levelCases(all)}) {
+        const int died = countDeaths(cases);
+        std::printf("%zu scenes with two renderers: %d not survived\n", cases.size(), died);
+        deaths += died;
+    }
+    return deaths == 0 ? 0 : 1;
+}
