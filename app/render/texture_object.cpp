@@ -166,6 +166,8 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
+    if (cursor.level == 0 && cursor.row == 0 && !levels.levels.empty()) // or Mesa makes room for all that fit
+        glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, levels.levels.back().number);
     while (left > 0 && cursor.level < levels.levels.size()) {
         const TextureLevel& level = levels.levels[cursor.level];
         if (!isAccepted(target, level.surface)) {

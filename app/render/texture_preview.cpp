@@ -4,6 +4,7 @@
 #include "core/image/cube_faces.h"
 #include "core/scene/texture_levels.h"
 
+#include <algorithm>
 #include <array>
 #include <new>
 
@@ -39,18 +40,43 @@ TextureImage unfolded(const TextureImage& image) {
     return picture;
 }
 
+/// Whether it has more texels than a panel could show: of those it gets a part.
+bool isLarge(const TextureImage& image) {
+    const Image* base = std::get_if<Image>(&image.surfaces.front());
+    return base && base->depth == 1 && std::max(base->width, base->height) > TexturePreview::mostTexels;
+}
+
+/// Every nth texel of a large image, as GL_NEAREST leaves them out where it is drawn small.
+TextureImage thinned(const TextureImage& image) {
+    const auto& base = std::get<Image>(image.surfaces.front());
+    const int step =
+        (std::max(base.width, base.height) + TexturePreview::mostTexels - 1) / TexturePreview::mostTexels;
+    Image part =
+        Image::uninitialised(base.format, (base.width + step - 1) / step, (base.height + step - 1) / step);
+    for (int y = 0; y < part.height; ++y) {
+        for (int x = 0; x < part.width; ++x)
+            std::ranges::copy(base.at(x * step, y * step), part.at(x, y).begin());
+    }
+    TextureImage picture = textureOf(std::move(part), image.format);
+    picture.topFirst = image.topFirst;
+    picture.fileTopFirst = image.fileTopFirst;
+    picture.alpha = image.alpha;
+    return picture;
+}
+
 } // namespace
 
 unsigned TexturePreview::show(const Texture& texture, const ImageSource& images, LevelsSource* levels) {
     std::shared_ptr<const TextureImage> image = images.find(texture);
     if (!image)
         return 0;
-    if (image->faces == cubeFaceCount) {
-        if (faces_ != image) {
-            faces_ = image;
-            unfolded_ = std::make_shared<const TextureImage>(unfolded(*image));
+    const bool isCube = image->faces == cubeFaceCount;
+    if (!image->surfaces.empty() && (isCube || isLarge(*image))) {
+        if (from_ != image) {
+            from_ = image;
+            shown_ = std::make_shared<const TextureImage>(isCube ? unfolded(*image) : thinned(*image));
         }
-        image = unfolded_;
+        image = shown_;
     }
     const LevelsRequest request{std::move(image), baseSettings(texture), Target::Texture2D};
     if (!live_.shows(request) || live_.isUploading()) {

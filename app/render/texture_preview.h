@@ -14,6 +14,9 @@ namespace texplorer::render {
 /// the context that is current, on its thread, and must be destroyed before that.
 class TexturePreview {
 public:
+    /// Along each axis: of a larger image as many are left out as are needed for this.
+    static constexpr int mostTexels = 4096;
+
     /// The name of a 2D texture that stays valid until the next call; 0 where the image isn't there or GL
     /// refused it. Uploads only what changed. Of a volume it shows the middle slice, of a file with six faces
     /// all of them as an unfolded cube.
@@ -26,8 +29,8 @@ public:
 
 private:
     LiveTexture live_;
-    std::shared_ptr<const TextureImage> faces_; ///< what unfolded_ was made of
-    std::shared_ptr<const TextureImage> unfolded_;
+    std::shared_ptr<const TextureImage> from_; ///< what shown_ was made of
+    std::shared_ptr<const TextureImage> shown_;
 };
 
 } // namespace texplorer::render

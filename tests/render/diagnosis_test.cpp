@@ -75,6 +75,19 @@ INSTANTIATE_TEST_SUITE_P(
                  x.mipmaps = MipPolicy::Missing;
                  x.baseLevel = 3;
              }},
+        // Without mipmaps section 3.8.8 reads the base level, wherever the maximal level is.
+        Case{"MaxBelowBaseWithoutMipmaps", true,
+             [](Texture& x) {
+                 x.mipmaps = MipPolicy::FromFile;
+                 x.baseLevel = 1;
+                 x.maxLevel = 0;
+             }},
+        Case{"BaseFarBeyond", false, [](Texture& x) { x.baseLevel = 322; }},
+        Case{"BaseBeyondTheFile", false,
+             [](Texture& x) {
+                 x.mipmaps = MipPolicy::FromFile;
+                 x.baseLevel = 2;
+             }},
         Case{"ShortFile", true,
              [](Texture& x) {
                  x.minFilter = MinFilter::LinearMipmapLinear;

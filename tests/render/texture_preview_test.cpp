@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 namespace texplorer::render {
 namespace {
@@ -96,6 +97,35 @@ TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_UNSIGNED_BYTE, shown.data());
     // Bottom row first: -y, then -x +z +x -z, then +y.
     EXPECT_EQ(shown, (std::array<unsigned char, 12>{0, 43, 0, 0, 41, 44, 40, 45, 0, 42, 0, 0}));
+}
+
+TEST(TexturePreview, LeavesTexelsOutOfALargeImage) {
+    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    ASSERT_TRUE(loadCapabilities().has_value());
+    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * TexturePreview::mostTexels + 1, 5);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x)
+            image.at(x, y)[0] = static_cast<std::byte>(x % 50 + 51 * y);
+    }
+    ImageSource images;
+    images.put("wide", std::move(image));
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.file = "wide";
+    TexturePreview preview;
+    const unsigned name = preview.show(texture, images);
+    ASSERT_NE(name, 0U);
+    EXPECT_EQ(preview.show(texture, images), name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    std::array<GLint, 2> size{};
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &size[0]);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &size[1]);
+    ASSERT_EQ(size, (std::array<GLint, 2>{2731, 2})); // every third: 8193 / 3 and 5 / 3, rounded up
+    std::vector<unsigned char> shown(std::size_t{2731} * 2);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_UNSIGNED_BYTE, shown.data());
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        ASSERT_EQ(shown[i], 3 * (i % 2731) % 50 + 153 * (i / 2731)) << i;
 }
 
 TEST(TexturePreview, ShowsNothingWhereTheImageIsNotLoaded) {

@@ -134,6 +134,13 @@ INSTANTIATE_TEST_SUITE_P(
                 s.driver.maxAnisotropy = 1;
                 s.texture().maxAnisotropy = 2;
             }},
+        Row{"AnisotropyThatTheDriverDoesNotSurvive", "held-back", Warning, "textures[0].maxAnisotropy",
+            "drawn without anisotropy",
+            [](Stage& s) {
+                s.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+                s.unit().target = Target::Texture1D;
+                s.texture().maxAnisotropy = 2;
+            }},
         Row{"NonPowerOfTwo", "non-power-of-two", Warning, "textures[0].npot", "6 x 4",
             [](Stage& s) {
                 s.driver.nonPowerOfTwo = false;
