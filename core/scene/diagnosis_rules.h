@@ -18,7 +18,7 @@ struct TargetFacts {
     LevelPlan plan;
     reference::Completeness completeness;
     std::vector<std::string_view> heldBack; ///< what the driver is not given
-    BaseFormat format = BaseFormat::Rgba; ///< that the environment sees
+    BaseFormat format = BaseFormat::Rgba;   ///< that the environment sees
 };
 
 /// What the rules ask about a texture again and again.
