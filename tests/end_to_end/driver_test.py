@@ -108,12 +108,13 @@ class Drivers(unittest.TestCase):
     def test_a_full_disk_below_the_cache_directory_is_no_signal(self):
         small = self.path / "small"
         small.mkdir()
-        for size in ("64k", "1300k", "1500k"):
-            with self.subTest(size=size):
+        for size, left in (("64k", 0), ("1300k", 8192), ("1500k", 1500 * 1024)):
+            with self.subTest(size=size, left=left):
                 mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(small)],
                                          capture_output=True)
                 if mounted.returncode == 0:
                     try:
+                        (small / "other").write_bytes(bytes(int(size[:-1]) * 1024 - left))
                         result = self.shot(XDG_CACHE_HOME=str(small))
                     finally:
                         subprocess.run(["umount", str(small)], check=True)
