@@ -1,11 +1,12 @@
 #include "app/render/driver_cache.h"
 
+#include "core/base/descriptor.h"
+#include "core/base/file_kind.h"
 #include "core/base/user_folder.h"
 
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <string>
 #include <string_view>
@@ -34,29 +35,8 @@ constexpr const char* mostBytes = "256M"; // Mesa's own bound is 1 GB
 
 using SignalHandler = void (*)(int);
 
-class Descriptor {
-public:
-    explicit Descriptor(int number)
-        : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0)
-            ::close(number_);
-    }
-    [[nodiscard]] int get() const { return number_; }
-    [[nodiscard]] bool valid() const { return number_ >= 0; }
-
-private:
-    int number_;
-};
-
 tl::unexpected<Error> refuse(const std::string& message, const fs::path& path) {
     return fail(ErrorCode::Unwritable, message, path.string());
-}
-
-std::string systemText(int error) {
-    return std::strerror(error); // NOLINT(concurrency-mt-unsafe): before any other thread
 }
 
 const char* valueOf(const char* variable) {
