@@ -10,7 +10,9 @@
 #include "core/scene/param_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <ctime>
 #include <limits>
 #include <optional>
 
@@ -55,6 +57,45 @@ std::string askMesaForPrecision() {
     // A picture is one tile: threads would only wait for each other. The other processors draw the reference.
     ::setenv("LP_NUM_THREADS", "0", 0);
     return std::string(variable) + "=" + std::getenv(variable);
+}
+
+/// As a shell reads it back.
+std::string quoted(const std::string& word) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
+        return word;
+    std::string text = "'";
+    for (const char each : word)
+        text += each == '\'' ? std::string("'\\''") : std::string(1, each);
+    return text + "'";
+}
+
+/// What makes the same report again, wherever it is typed.
+std::string commandOf(const Options& options, const conform::Selection& selection, const std::string& settings) {
+    const std::size_t equals = settings.find('=') + 1;
+    std::string command = settings.substr(0, equals) + quoted(settings.substr(equals)) + " texshot conform --seed " + std::to_string(selection.seed) +
+                          " --scenes " + std::to_string(selection.scenes);
+    for (const conform::Feature* feature : selection.features)
+        command += " --feature " + std::string(feature->name);
+    const auto add = [&command](const char* option, const std::string& value) {
+        if (!value.empty())
+            command += std::string(" ") + option + " " + quoted(value);
+    };
+    add("--renderer", options.renderer);
+    add("--against", options.against);
+    add("--shaders", options.shaders);
+    return command;
+}
+
+std::string now() {
+    const std::time_t time = std::time(nullptr);
+    std::tm parts{};
+    std::array<char, 32> text{};
+    if (gmtime_r(&time, &parts) == nullptr ||
+        std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", &parts) == 0)
+        return {};
+    return text.data();
 }
 
 Result<RendererKind> rendererOf(const std::string& name, const char* option) {
@@ -156,12 +197,13 @@ ExitCode conformTo(const Options& options) {
     sweep.driver.settings = settings;
     sweep.progress = [&work](float done) { work.report(done); };
     sweep.stop = work.stopToken();
-    const Result<conform::Report> report = conform::sweep(sweep, {&fixed, &shader});
+    Result<conform::Report> report = conform::sweep(sweep, {&fixed, &shader});
     work.finish();
     if (work.stopToken().stop_requested())
         return complainInterrupted();
     if (!report)
         return complain(report.error());
+    report->origin = {"texshot " TEXPLORER_VERSION, commandOf(options, *selection, settings), now()};
 
     if (!options.folder.empty()) {
         if (const Result<void> written = writeFolder(options.folder, *report); !written)

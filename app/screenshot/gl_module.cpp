@@ -11,6 +11,7 @@
 #include "app/stage/stage.h"
 #include "app/ui/panes.h"
 #include "app/ui/session.h"
+#include "core/conform/made_files.h"
 #include "core/scene/levels_worker.h"
 
 #include <GL/glew.h>
@@ -129,7 +130,7 @@ public:
                 return fail(made.error());
             found = renderers_.emplace(kind, std::move(*made)).first;
         }
-        Result<render::Frame> frame = found->second.draw(scene, images_, 0, size);
+        Result<render::Frame> frame = found->second.draw(scene, conform::madeImages(), 0, size);
         if (!frame)
             return fail(frame.error());
         Result<Image> image = found->second.read();
@@ -142,7 +143,6 @@ private:
     offscreen::OsmesaContext context_; // goes last
     render::Capabilities capabilities_;
     std::filesystem::path shaders_;
-    ImageSource images_;
     std::map<RendererKind, render::SceneRenderer> renderers_;
 };
 

@@ -19,7 +19,7 @@ constexpr std::array rows{
             rules::texelEdge, rules::lastBit},
     Feature{"environment", "modes x base formats", "3.8.13", 144, scenes::environment, rules::exact,
             rules::exact},
-    Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 128,
+    Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 112,
             scenes::combine, rules::exact, rules::exact},
     Feature{"units", "two to four units of any mode, format and texture", "3.8.13", 72, scenes::units,
             rules::exact, rules::exact},
@@ -41,19 +41,21 @@ constexpr std::array rows{
             rules::exact},
     Feature{"magnification", "one filter near, the other far: x wrap x shapes", "3.8.9", 24,
             scenes::magnification, rules::levelChoice, rules::exact},
-    Feature{"mipmap-nearest", "*_MIPMAP_NEAREST x magnification x wrap x shapes", "3.8.8", 96,
+    Feature{"mipmap-nearest", "*_MIPMAP_NEAREST x magnification x wrap x shapes", "3.8.8", 80,
             scenes::mipmapNearest, rules::levelChoice, rules::exact},
-    Feature{"trilinear", "*_MIPMAP_LINEAR x magnification x wrap x shapes", "3.8.8", 96, scenes::trilinear,
+    Feature{"trilinear", "*_MIPMAP_LINEAR x magnification x wrap x shapes", "3.8.8", 80, scenes::trilinear,
             rules::levelBlend, rules::exact},
-    Feature{"lod", "bias, limits of lambda, base and max level x *_MIPMAP_NEAREST", "3.8.8", 80,
+    Feature{"lod", "bias, limits of lambda, base and max level x *_MIPMAP_NEAREST", "3.8.8", 64,
             scenes::lodOfOneLevel, rules::levelChoice, rules::exact},
-    Feature{"lod-trilinear", "bias, limits of lambda, base and max level x *_MIPMAP_LINEAR", "3.8.8", 80,
+    Feature{"lod-trilinear", "bias, limits of lambda, base and max level x *_MIPMAP_LINEAR", "3.8.8", 64,
             scenes::lodOfTwoLevels, rules::levelBlend, rules::exact},
+    Feature{"levels", "base and max level, min and max LOD, sensible or not, levels that are missing x filters",
+            "3.8.10", 64, scenes::levelSettings, rules::levelBlend, rules::exact},
     Feature{"anisotropy", "2x to 16x, linear", "EXT_texture_filter_anisotropic", 32, scenes::anisotropy,
             rules::ellipse, rules::exact},
     Feature{"targets", "1D and 3D textures on every shape, linear", "3.8.1", 48, scenes::targets,
             rules::texelEdge, rules::lastBit},
-    Feature{"cube-map", "reflection and normal maps on shapes, nearest and linear", "3.8.6", 48,
+    Feature{"cube-map", "reflection and normal maps on shapes, wrap modes, nearest and linear", "3.8.6", 64,
             scenes::cubeMap, rules::texelEdge, rules::lastBit},
     Feature{"border", "images with a border x wrap x filters", "3.8.1", 32, scenes::border, rules::texelEdge,
             rules::exact},
@@ -79,7 +81,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 31 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 32 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

@@ -27,9 +27,9 @@ void forEachUnit(Scene& scene, auto each) {
 }
 
 /// Coordinates of all units moved by `texels`, after the texture matrix.
-Scene moved(Scene scene, glm::vec3 texels) {
+Scene moved(Scene scene, const ImageSource& images, glm::vec3 texels) {
     forEachUnit(scene, [&](Unit& unit, const Texture& texture) {
-        glm::vec3 size = baseSizeOf(texture, unit.target);
+        glm::vec3 size = baseSizeOf(texture, unit.target, images);
         if (unit.target == Target::CubeMap) // all three are components of a direction
             size = glm::vec3(size.x);
         if (unit.matrix.size() < maxMatrixSteps)
@@ -77,11 +77,11 @@ bool isAmong(const std::vector<PixelBytes>& ends, const PixelBytes& found, int b
 
 } // namespace
 
-std::vector<Scene> movedByTexelError(const Scene& scene) {
+std::vector<Scene> movedByTexelError(const Scene& scene, const ImageSource& images) {
     std::vector<Scene> scenes;
     for (const float s : {-texelError, texelError}) {
         for (const float t : {-texelError, texelError})
-            scenes.push_back(moved(scene, {s, t, s}));
+            scenes.push_back(moved(scene, images, {s, t, s}));
     }
     return scenes;
 }
@@ -96,7 +96,7 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
         return judgement;
 
     std::vector<Image> moved{ours};
-    for (const Scene& end : movedByTexelError(scene)) {
+    for (const Scene& end : movedByTexelError(scene, reference.images())) {
         Result<Painting> painted = reference.paint(end);
         if (!painted)
             return fail(painted.error());

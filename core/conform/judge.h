@@ -20,7 +20,7 @@ struct Judgement {
 [[nodiscard]] Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
                                       const Image& theirs, Explainer& reference);
 
-/// The scene with all coordinates moved by 1/128 of a texel, in four directions.
-[[nodiscard]] std::vector<Scene> movedByTexelError(const Scene& scene);
+/// The scene with all coordinates moved by 1/128 of a texel of these images, in four directions.
+[[nodiscard]] std::vector<Scene> movedByTexelError(const Scene& scene, const ImageSource& images);
 
 } // namespace texplorer::conform

@@ -57,8 +57,8 @@ float log2OfBits(float value) {
 
 } // namespace
 
-glm::vec3 baseSizeOf(const Texture& texture, Target target) {
-    const auto image = ImageSource().find(texture);
+glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& images) {
+    const auto image = images.find(texture);
     const LevelPlan plan = image ? planLevels(texture, *image, target) : LevelPlan{};
     for (const PlannedLevel& level : plan.levels) {
         if (level.number == texture.baseLevel)
@@ -99,10 +99,10 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
 }
 
 Result<std::vector<reference::PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
-                                                            const Scene& scene, int extent,
+                                                            const Scene& scene,
+                                                            const ImageSource& images, int extent,
                                                             reference::PixelPlace pixel,
                                                             const reference::DrawOptions& options) {
-    const ImageSource images;
     const Result<reference::Explanation> exact =
         renderer.probe(scene, images, 0, extent, extent, pixel, options);
     if (!exact)
@@ -118,7 +118,7 @@ Result<std::vector<reference::PixelBytes>> colorsOverLambda(reference::Reference
             for (const reference::UnitExplanation& unit : fragment.units) {
                 const Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
                 const LambdaRange range =
-                    lambdaRange(*exact, fragment, unit, baseSizeOf(texture, unit.target));
+                    lambdaRange(*exact, fragment, unit, baseSizeOf(texture, unit.target, images));
                 const auto pass = static_cast<std::size_t>(fragment.pass);
                 const auto index = static_cast<std::size_t>(unit.unit);
                 biased.passes[pass].units[index].lodBias =

@@ -26,10 +26,10 @@ struct LambdaRange {
 /// The colours of one pixel at both ends of that range and in its middle, as the reference draws them.
 /// Errors: those of the probe.
 [[nodiscard]] Result<std::vector<reference::PixelBytes>>
-colorsOverLambda(reference::ReferenceRenderer& renderer, const Scene& scene, int extent,
-                 reference::PixelPlace pixel, const reference::DrawOptions& options);
+colorsOverLambda(reference::ReferenceRenderer& renderer, const Scene& scene, const ImageSource& images,
+                 int extent, reference::PixelPlace pixel, const reference::DrawOptions& options);
 
-/// Texels of the base level along s, t and r; (1, 1, 1) for a texture from a file.
-[[nodiscard]] glm::vec3 baseSizeOf(const Texture& texture, Target target);
+/// Texels of the base level along s, t and r; (1, 1, 1) where there is none.
+[[nodiscard]] glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& images);
 
 } // namespace texplorer::conform

@@ -2,6 +2,7 @@
 
 #include "core/conform/feature.h"
 #include "core/conform/lambda_range.h"
+#include "core/conform/made_files.h"
 #include "core/reference/draw.h"
 
 namespace texplorer::conform {
@@ -10,7 +11,8 @@ namespace {
 
 class ReferencePainter : public Explainer {
 public:
-    ReferencePainter() {
+    explicit ReferencePainter(ImageSource images)
+        : images_(std::move(images)) {
         options_.threads = 1;
         options_.anisotropy = reference::AnisotropyMethod::Ellipse;
     }
@@ -22,8 +24,9 @@ public:
     }
     Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
                                                           reference::PixelPlace pixel) override {
-        return colorsOverLambda(renderer_, scene, extent, pixel, options_);
+        return colorsOverLambda(renderer_, scene, images_, extent, pixel, options_);
     }
+    const ImageSource& images() const override { return images_; }
 
 private:
     reference::ReferenceRenderer renderer_;
@@ -33,8 +36,12 @@ private:
 
 } // namespace
 
+std::unique_ptr<Explainer> referencePainterWith(const ImageSource& images) {
+    return std::make_unique<ReferencePainter>(images);
+}
+
 std::unique_ptr<Explainer> referencePainter() {
-    return std::make_unique<ReferencePainter>();
+    return referencePainterWith(madeImages());
 }
 
 } // namespace texplorer::conform

@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/reference/explanation.h"
+#include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 
 #include <memory>
@@ -34,8 +35,12 @@ public:
     /// The colours of a pixel over the error of lambda: see lambda_range.h.
     [[nodiscard]] virtual Result<std::vector<reference::PixelBytes>>
     overLambda(const Scene& scene, reference::PixelPlace pixel) = 0;
+    /// Those that scenes are drawn with.
+    [[nodiscard]] virtual const ImageSource& images() const = 0;
 };
 
+[[nodiscard]] std::unique_ptr<Explainer> referencePainterWith(const ImageSource& images);
+/// With the files that the scenes of the sweep name.
 [[nodiscard]] std::unique_ptr<Explainer> referencePainter();
 
 } // namespace texplorer::conform

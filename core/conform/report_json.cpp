@@ -1,4 +1,5 @@
 #include "core/conform/report.h"
+#include "core/conform/report_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,7 @@ Json asJson(const PairReport& pair, const Outcome& outcome) {
                          {"over", judgement.difference.over},
                          {"unexplained", judgement.unexplained},
                          {"max", judgement.difference.max},
-                         {"at", {judgement.difference.worst.x, judgement.difference.worst.y}}};
+                         {"at", placeOfWorst(judgement)}};
     }
     return json;
 }
@@ -67,8 +68,10 @@ std::string asJson(const Report& report) {
                          {"agrees", pair.agrees()},
                          {"features", std::move(outcomes)}});
     }
-    // The time is not in it: the same sweep on the same machine gives the same bytes.
-    const Json json{{"driver",
+    // No time is in it: the same sweep on the same machine gives the same bytes.
+    const Json json{{"program", report.origin.program},
+                    {"command", report.origin.command},
+                    {"driver",
                      {{"renderer", report.driver.name},
                       {"version", report.driver.version},
                       {"settings", report.driver.settings}}},

@@ -1,10 +1,11 @@
 #include "core/codec/png.h"
+#include "core/conform/made_files.h"
 #include "core/conform/report.h"
+#include "core/conform/report_words.h"
 #include "core/image/convert.h"
 #include "core/scene/json.h"
 
 #include <array>
-#include <cstdio>
 
 namespace texplorer::conform {
 
@@ -22,7 +23,7 @@ h1 { font-size: 1.6rem; margin-bottom: .2rem; }
 h2 { margin-top: 2.5rem; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; }
-th:first-child, td:first-child, th:last-child, td:last-child { text-align: left; }
+th:first-child, td:first-child, th:nth-last-child(-n+2), td:nth-last-child(-n+2) { text-align: left; }
 .agree { color: var(--good); }
 .differ { color: var(--bad); font-weight: 600; }
 article { border-top: 1px solid var(--line); padding: 1rem 0; }
@@ -66,12 +67,6 @@ std::string base64(ByteView bytes) {
     return text;
 }
 
-std::string percent(double share) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3f %%", share * 100);
-    return text.data();
-}
-
 std::string figure(ByteView png, std::string_view caption) {
     return "<figure><img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\"><figcaption>" +
            escaped(caption) + "</figcaption></figure>\n";
@@ -113,57 +108,74 @@ Result<Pictures> picturesOf(const Outcome& outcome) {
 std::string article(const PairReport& pair, const Outcome& outcome, const Pictures& pictures) {
     const std::string name = worstName(pair, outcome);
     const Judgement& judgement = outcome.worst->judgement;
+    const auto [x, y] = placeOfWorst(judgement);
+    const std::string at = std::to_string(x) + "," + std::to_string(y);
+    const std::string size = std::to_string(extent);
     std::string text = "<article id=\"" + name + "\"><h3>" + std::string(outcome.feature->name) +
                        "</h3>\n<p>" + escaped(outcome.feature->sweeps) + " (OpenGL 2.1, " +
                        escaped(outcome.feature->section) + ")</p>\n<p>Its worst scene, <a href=\"" + name +
                        ".json\">" + name + ".json</a>: " + std::to_string(judgement.difference.over) +
-                       " pixels over " + std::to_string(outcome.rule->bound) + ", " +
-                       std::to_string(judgement.unexplained) + " of them unexplained; the worst by " +
-                       std::to_string(judgement.difference.max) + " at " +
-                       std::to_string(judgement.difference.worst.x) + ", " +
-                       std::to_string(judgement.difference.worst.y) + " from the lower left.</p>\n";
-    text += "<div class=\"pictures\">" + figure(pictures.subject, rowOf(pair.pair.subject).label) +
+                       " pixels over " + std::to_string(outcome.rule->bound);
+    if (outcome.rule->latitude != Latitude::None)
+        text += ", " + std::to_string(judgement.unexplained) + " of them unexplained";
+    if (judgement.difference.max > 0)
+        text += "; the worst by " + std::to_string(judgement.difference.max) + " at " + at +
+                ", counted from the upper left: <code>texshot probe " + name + ".json --size " + size + "x" +
+                size + " --at " + at + "</code>";
+    text += ".</p>\n<div class=\"pictures\">" + figure(pictures.subject, rowOf(pair.pair.subject).label) +
             figure(pictures.against, rowOf(pair.pair.against).label) +
             figure(pictures.difference, "Difference") + "</div>\n" + legend({outcome.rule->bound, 255});
-    return text + "<p>Rule <b>" + std::string(outcome.rule->name) + "</b>: " + escaped(outcome.rule->reason) +
-           "</p></article>\n";
+    return text + "<p>Rule <b>" + std::string(outcome.rule->name) + "</b>, " + allowed(*outcome.rule) + ": " +
+           escaped(outcome.rule->reason) + "</p></article>\n";
+}
+
+std::string rowOfTable(const PairReport& pair, const Outcome& outcome) {
+    const Tally& all = outcome.all;
+    const std::string feature(outcome.feature->name);
+    const std::string verdict(conform::verdict(outcome));
+    std::string text = "<tr><td>";
+    text += outcome.worst ? "<a href=\"#" + worstName(pair, outcome) + "\">" + feature + "</a>" : feature;
+    for (const std::string& cell :
+         {std::to_string(all.scenes), std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
+          percent(all.shareOver()),
+          outcome.rule->latitude == Latitude::None ? "–" : percent(all.shareUnexplained()),
+          std::to_string(all.max), fixed(all.mean(), 3)})
+        text += "<td>" + cell;
+    return text + "<td class=\"" + verdict + "\">" + verdict + "<td>" + escaped(allowed(*outcome.rule)) +
+           "</tr>\n";
 }
 
 std::string table(const PairReport& pair) {
     std::string text =
         "<table><tr><th>feature<th>scenes<th>skipped<th>pixels<th>over the bound<th>unexplained"
-        "<th>worst<th>mean<th>verdict</tr>\n";
+        "<th>worst<th>mean<th>verdict<th>allowed</tr>\n";
     std::string notes;
     for (const Outcome& outcome : pair.outcomes) {
-        int skipped = 0;
+        text += rowOfTable(pair, outcome);
+        const std::string feature(outcome.feature->name);
         for (const auto& [skip, count] : outcome.skipped)
-            skipped += count;
-        for (const auto& [skip, count] : outcome.skipped)
-            notes += "<p>" + std::string(outcome.feature->name) + ": " + std::to_string(count) +
-                     " scenes skipped (" + std::string(skip->name) + "): " + escaped(skip->reason) +
-                     ".</p>\n";
+            notes += "<p>" + feature + ": " + std::to_string(count) +
+                     (count == 1 ? " scene skipped (" : " scenes skipped (") + std::string(skip->name) +
+                     "): " + escaped(skip->reason) + ".</p>\n";
         if (!outcome.problem.empty())
-            notes += "<p class=\"differ\">" + std::string(outcome.feature->name) + ": " +
-                     escaped(outcome.problem) + "</p>\n";
-        const Tally& all = outcome.all;
-        const std::string name = outcome.worst ? "<a href=\"#" + worstName(pair, outcome) + "\">" +
-                                                     std::string(outcome.feature->name) + "</a>"
-                                               : std::string(outcome.feature->name);
-        std::array<char, 32> mean{};
-        std::snprintf(mean.data(), mean.size(), "%.3f", all.mean());
-        text += "<tr><td>" + name;
-        for (const std::string& cell :
-             {std::to_string(all.scenes), std::to_string(skipped), std::to_string(all.pixels),
-              percent(all.shareOver()),
-              outcome.rule->latitude == Latitude::None ? "–" : percent(all.shareUnexplained()),
-              std::to_string(all.max), std::string(mean.data())})
-            text += "<td>" + cell;
-        text += all.scenes == 0    ? "<td>skipped"
-                : outcome.agrees() ? "<td class=\"agree\">agree"
-                                   : "<td class=\"differ\">differ";
-        text += "</tr>\n";
+            notes += "<p class=\"differ\">" + feature + ": " + escaped(outcome.problem) + "</p>\n";
     }
     return text + "</table>\n" + notes;
+}
+
+std::string introduction(const Report& report) {
+    const Origin& origin = report.origin;
+    std::string text = "<h1>Do the renderers agree?</h1>\n<p>" + whatWasDrawn(report) + "," +
+                       escaped(onWhat(report.driver)) + ": <b class=\"" +
+                       (report.agrees() ? "agree" : "differ") + "\">" + summary(report) + "</b>.</p>\n<p>";
+    if (!origin.program.empty())
+        text += "Made by " + escaped(origin.program) +
+                (origin.made.empty() ? "" : " on " + escaped(origin.made)) + " in " +
+                fixed(report.seconds, 1) + " s; again: <code>" + escaped(origin.command) + "</code>.</p>\n<p>";
+    return text +
+           "A pixel is over the bound when a component differs by more than its rule allows, and unexplained "
+           "when what the rule grants a driver's arithmetic does not explain it either. Differences are in "
+           "255ths. Open a scene with <code>texplorer FILE</code>.</p>\n";
 }
 
 Bytes bytesOf(std::string_view text) {
@@ -175,19 +187,7 @@ Bytes bytesOf(std::string_view text) {
 
 Result<std::vector<ReportFile>> asFolder(const Report& report) {
     std::vector<ReportFile> files;
-    std::string page(head);
-    page += "<h1>Do the renderers agree?</h1>\n<p>" + std::to_string(report.scenes) + " scenes of " +
-            std::to_string(extent) + " x " + std::to_string(extent) + " pixels, seed " +
-            std::to_string(report.selection.seed);
-    if (!report.driver.name.empty())
-        page += ", on " + escaped(report.driver.name) + ", " + escaped(report.driver.version) +
-                (report.driver.settings.empty() ? "" : ", with " + escaped(report.driver.settings));
-    page += std::string(": <b class=\"") + (report.agrees() ? "agree" : "differ") + "\">" + summary(report) +
-            "</b>";
-    page +=
-        ".</p>\n<p>A pixel is over the bound when a component differs by more than its rule allows, and "
-        "unexplained when what the rule grants a driver's arithmetic does not explain it either. Differences "
-        "are in 255ths. Open a scene with <code>texplorer FILE</code>.</p>\n";
+    std::string page = std::string(head) + introduction(report);
     for (const PairReport& pair : report.pairs) {
         page += "<h2>" + std::string(rowOf(pair.pair.subject).label) + " against " +
                 std::string(rowOf(pair.pair.against).label) + "</h2>\n" + table(pair);
@@ -207,6 +207,8 @@ Result<std::vector<ReportFile>> asFolder(const Report& report) {
             files.push_back({name + "-difference.png", std::move(pictures->difference)});
         }
     }
+    for (const MadeFile& file : madeFiles)
+        files.push_back({std::string(file.name), bytesOf(file)});
     files.push_back({"report.json", bytesOf(asJson(report))});
     files.push_back({"index.html", bytesOf(page + "</html>\n")});
     return files;

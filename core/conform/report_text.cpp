@@ -1,38 +1,11 @@
 #include "core/conform/report.h"
+#include "core/conform/report_words.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <set>
 
 namespace texplorer::conform {
 
 namespace {
-
-std::string fixed(double value, int decimals) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    return text.data();
-}
-
-std::string percent(double share) {
-    return share == 0 ? "0" : share < 0.00005 ? "<0.01 %" : fixed(share * 100, 2) + " %";
-}
-
-/// "0 over 1", "0.5 % over 2, 0.2 % unexplained"
-std::string allowed(const Rule& rule) {
-    const auto part = [](double share) {
-        std::string number = fixed((1 - share) * 100, 2);
-        number.erase(number.find_last_not_of('0') + 1);
-        if (number.back() == '.')
-            number.pop_back();
-        return share == 1 ? "0" : number + " %";
-    };
-    std::string text = part(rule.share) + " over " + std::to_string(rule.bound);
-    if (rule.latitude != Latitude::None)
-        text += ", " + part(rule.explained) + " unexplained";
-    return text;
-}
 
 using Cells = std::vector<std::string>;
 
@@ -63,13 +36,6 @@ std::string aligned(const std::vector<Cells>& lines) {
     return text;
 }
 
-int skippedOf(const Outcome& outcome) {
-    int sum = 0;
-    for (const auto& [skip, count] : outcome.skipped)
-        sum += count;
-    return sum;
-}
-
 std::string pairText(const PairReport& pair) {
     std::vector<Cells> lines{
         {"feature", "scenes", "skipped", "pixels", "over", "unexplained", "worst", "verdict", "allowed"}};
@@ -77,13 +43,11 @@ std::string pairText(const PairReport& pair) {
     for (const Outcome& outcome : pair.outcomes) {
         const Tally& all = outcome.all;
         const bool latitude = outcome.rule->latitude != Latitude::None;
+        const std::string_view verdict = conform::verdict(outcome);
         lines.push_back({std::string(outcome.feature->name), std::to_string(all.scenes),
                          std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
                          percent(all.shareOver()), latitude ? percent(all.shareUnexplained()) : "–",
-                         std::to_string(all.max),
-                         all.scenes == 0    ? "skipped"
-                         : outcome.agrees() ? "agree"
-                                            : "DIFFER",
+                         std::to_string(all.max), verdict == "differ" ? "DIFFER" : std::string(verdict),
                          allowed(*outcome.rule)});
         for (const auto& [skip, count] : outcome.skipped)
             skipped[skip] += count;
@@ -108,12 +72,11 @@ std::string asText(const Report& report) {
     std::string text;
     for (const PairReport& pair : report.pairs)
         text += pairText(pair) + "\n";
-    const std::string size = std::to_string(extent);
-    return text + std::to_string(report.scenes) + " scenes of " + size + " x " + size + " pixels, seed " +
-           std::to_string(report.selection.seed) + ", in " + fixed(report.seconds, 1) + " s" +
-           (report.driver.name.empty() ? "" : " on " + report.driver.name) +
-           (report.driver.settings.empty() ? "" : " with " + report.driver.settings) + ": " +
-           summary(report) + "\n";
+    text += whatWasDrawn(report) + ", in " + fixed(report.seconds, 1) + " s" + onWhat(report.driver) + ": " +
+            summary(report) + "\n";
+    if (!report.origin.command.empty())
+        text += report.origin.program + ", to draw them again: " + report.origin.command + "\n";
+    return text;
 }
 
 std::string summary(const Report& report) {

@@ -29,6 +29,7 @@ Scene mipmapNearest(int number, Dice& state, Dice& values);
 Scene trilinear(int number, Dice& state, Dice& values);
 Scene lodOfOneLevel(int number, Dice& state, Dice& values);
 Scene lodOfTwoLevels(int number, Dice& state, Dice& values);
+Scene levelSettings(int number, Dice& state, Dice& values);
 Scene anisotropy(int number, Dice& state, Dice& values);
 Scene targets(int number, Dice& state, Dice& values);
 Scene cubeMap(int number, Dice& state, Dice& values);

@@ -1,3 +1,4 @@
+#include "core/conform/made_files.h"
 #include "core/conform/scenes.h"
 #include "core/conform/surfaces.h"
 
@@ -74,6 +75,26 @@ Scene lodOfTwoLevels(int number, Dice& state, Dice& values) {
     return scene;
 }
 
+Scene levelSettings(int number, Dice& state, Dice& values) {
+    // With each of them there are values without sense: levels that aren't there, a last one before the first.
+    constexpr std::array levels{0, 1, 2, 3, 5, 6, 7, 8, 200, 1000};
+    constexpr std::array lods{-1000.0F, -1.0F, 0.0F, 0.5F, 1.0F, 2.25F, 6.0F, 1000.0F};
+    Scene scene = filtered(number, state.any<MagFilter>(), state.any<MinFilter>(), state, values);
+    Texture& texture = scene.textures[0];
+    texture.mipmaps = state.any<MipPolicy>();
+    if (texture.mipmaps == MipPolicy::FromFile) {
+        texture.source = SourceKind::File;
+        texture.file = state.of(madeFiles).name;
+    }
+    texture.baseLevel = state.chance(3) ? 0 : values.of(levels);
+    texture.maxLevel = state.chance(3) ? 1000 : values.of(levels);
+    texture.minLod = values.chance(2) ? -1000 : values.of(lods);
+    texture.maxLod = values.chance(2) ? 1000 : values.of(lods);
+    if (texture.minLod > texture.maxLod) // lambda is undefined then (equation 3.19)
+        std::swap(texture.minLod, texture.maxLod);
+    return scene;
+}
+
 Scene anisotropy(int number, Dice& state, Dice& values) {
     const MinFilter min = number % 2 == 0 ? MinFilter::LinearMipmapLinear : MinFilter::LinearMipmapNearest;
     number /= 2;
@@ -99,7 +120,7 @@ Scene targets(int number, Dice& /*state*/, Dice& values) {
     return scene;
 }
 
-Scene cubeMap(int number, Dice& /*state*/, Dice& values) {
+Scene cubeMap(int number, Dice& state, Dice& values) {
     const bool linear = number % 2 == 1;
     const TexGenMode mode = number / 2 % 2 == 0 ? TexGenMode::ReflectionMap : TexGenMode::NormalMap;
     number /= 4;
@@ -108,7 +129,11 @@ Scene cubeMap(int number, Dice& /*state*/, Dice& values) {
     texture.pattern = Pattern::CubeFaces;
     texture.magFilter = linear ? MagFilter::Linear : MagFilter::Nearest;
     texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
-    texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
+    // Half of them as they are used, so that GL_LINEAR is compared on llvmpipe, too (skip.cpp).
+    const bool usual = state.chance(2);
+    texture.wrapS = usual ? Wrap::ClampToEdge : state.any<Wrap>();
+    texture.wrapT = usual ? Wrap::ClampToEdge : state.any<Wrap>();
+    texture.borderColor = values.color();
     Unit& unit = scene.passes[0].units[0];
     unit.target = Target::CubeMap;
     for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR})

@@ -27,6 +27,10 @@ constexpr bool isCompressed(const Texture& texture) {
     return texture.compression == Compression::Cached || texture.compression == Compression::Driver;
 }
 
+bool isLinearAnywhere(const Texture& texture) {
+    return texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
+}
+
 constexpr std::array rows{
     Skip{
         "undefined-decal",
@@ -107,6 +111,16 @@ constexpr std::array rows{
          },
          "llvmpipe's ellipse looks texels up at their lower edge and not at their middle, so that a mirrored "
          "image is off by one texel"},
+    Skip{"cube-wrap",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                    anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                        return unit.target == Target::CubeMap && isLinearAnywhere(texture) &&
+                               (texture.wrapS != Wrap::ClampToEdge || texture.wrapT != Wrap::ClampToEdge);
+                    });
+         },
+         "llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; the "
+         "specification wraps on the face as on any picture (OpenGL 2.1, section 3.8.6)"},
     Skip{"too-few-units",
          [](const Scene& scene, const Pair&, const Driver& driver) {
              return std::ranges::any_of(scene.passes, [&](const Pass& pass) {

@@ -208,6 +208,25 @@ void drawAll(const SweepOptions& options, const Painters& painters, const std::v
     }
 }
 
+/// How many of so many scenes each feature has. One by one they go to the feature that has the fewest for its
+/// weight, one without any first (Adams' apportionment): so the sum is exact, and more scenes take none away.
+std::vector<int> sharesOf(const std::vector<const Feature*>& features, int scenes) {
+    std::vector<int> shares(features.size());
+    const auto isBehind = [&](std::size_t a, std::size_t b) {
+        return static_cast<long long>(shares[a]) * features[b]->scenes <
+               static_cast<long long>(shares[b]) * features[a]->scenes;
+    };
+    for (int i = 0; i < scenes; ++i) {
+        std::size_t next = 0;
+        for (std::size_t f = 1; f < features.size(); ++f) {
+            if (isBehind(f, next))
+                next = f;
+        }
+        ++shares[next];
+    }
+    return shares;
+}
+
 /// As many as are asked for and the system gives; at least one, or it throws.
 void startComparers(std::vector<std::jthread>& comparers, unsigned asked, const std::function<void()>& work) {
     const unsigned count = asked == 0 ? processorThreads() : asked;
@@ -267,14 +286,11 @@ std::vector<Case> casesOf(const Selection& selection) {
         for (const Feature& feature : features())
             chosen.push_back(&feature);
     }
-    long long sum = 0;
-    for (const Feature* feature : chosen)
-        sum += feature->scenes;
+    const std::vector<int> shares = sharesOf(chosen, selection.scenes);
     std::vector<Case> cases;
-    for (const Feature* feature : chosen) {
-        const long long share = (static_cast<long long>(feature->scenes) * selection.scenes + sum / 2) / sum;
-        for (int i = 0; i < std::max(1LL, share); ++i)
-            cases.push_back({feature, i, sceneOf(*feature, selection.seed, i)});
+    for (std::size_t f = 0; f < chosen.size(); ++f) {
+        for (int i = 0; i < shares[f]; ++i)
+            cases.push_back({chosen[f], i, sceneOf(*chosen[f], selection.seed, i)});
     }
     return cases;
 }
@@ -309,7 +325,7 @@ Result<Report> sweep(const SweepOptions& options, const Painters& painters) {
         return fail(std::move(*error));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     return Report{options.driver, options.selection, static_cast<int>(cases.size()), elapsed.count(),
-                  outcomes.take()};
+                  outcomes.take(), {}};
 }
 
 } // namespace texplorer::conform

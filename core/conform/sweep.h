@@ -22,10 +22,10 @@ struct Case {
 };
 
 /// Which scenes a sweep has. The same seed gives the same scenes on every machine; more scenes are the same
-/// ones and others.
+/// ones and others. Every feature has one before any has two.
 struct Selection {
     unsigned seed = 1;
-    int scenes = defaultScenes;           ///< in all; at least one of each feature
+    int scenes = defaultScenes;           ///< in all
     std::vector<const Feature*> features; ///< empty: all
 };
 
@@ -86,12 +86,20 @@ struct PairReport {
     [[nodiscard]] bool agrees() const;
 };
 
+/// Who made a report, for whoever reads it elsewhere.
+struct Origin {
+    std::string program; ///< "texshot 0.1.0"
+    std::string command; ///< that makes it again
+    std::string made;    ///< "2026-11-22 02:30 UTC"
+};
+
 struct Report {
     Driver driver;
     Selection selection;
     int scenes = 0;
     double seconds = 0;
     std::vector<PairReport> pairs;
+    Origin origin{}; ///< for the caller of sweep() to say
 
     [[nodiscard]] bool compared() const; ///< any scene at all: not all were skipped
     [[nodiscard]] bool agrees() const;   ///< false where nothing was compared

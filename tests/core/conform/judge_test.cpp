@@ -36,7 +36,7 @@ TEST_F(Judging, TakesUnitsWithoutATextureAsTheyAre) {
     scene.passes[0].units[1].enabled = true;
     for (const int texture : {-1, 1, 5}) {
         scene.passes[0].units[1].texture = texture;
-        EXPECT_EQ(movedByTexelError(scene).size(), 4U);
+        EXPECT_EQ(movedByTexelError(scene, ImageSource()).size(), 4U);
         EXPECT_EQ(judged(edge, scene, boardWithEdgesAt(-0.005F)).unexplained, 0U);
         EXPECT_EQ(skipOf(scene, {RendererKind::Reference, RendererKind::Fixed}, {"llvmpipe", "", "", {}}),
                   nullptr);

@@ -149,6 +149,7 @@ public:
                                                           reference::PixelPlace pixel) override {
         return reference_->overLambda(scene, pixel);
     }
+    const ImageSource& images() const override { return reference_->images(); }
 
 private:
     int good_;

@@ -1,0 +1,30 @@
+#pragma once
+
+// The files that scenes of the sweep name. They are made here, and written beside a report's scenes.
+
+#include "core/base/bytes.h"
+#include "core/scene/image_source.h"
+
+#include <array>
+#include <string_view>
+
+namespace texplorer::conform {
+
+struct MadeFile {
+    std::string_view name;
+    int levels; ///< of the seven that a picture of 64 x 64 can have
+};
+
+/// DDS files, with their levels or only the first ones.
+inline constexpr std::array madeFiles{
+    MadeFile{"level-1-of-7.dds", 1},
+    MadeFile{"levels-3-of-7.dds", 3},
+    MadeFile{"levels-7-of-7.dds", 7},
+};
+
+[[nodiscard]] Bytes bytesOf(const MadeFile& file);
+
+/// What comes of loading all of them.
+[[nodiscard]] const ImageSource& madeImages();
+
+} // namespace texplorer::conform

@@ -1,0 +1,37 @@
+#pragma once
+
+// What a report says in the same words wherever it says it.
+
+#include "core/conform/sweep.h"
+
+#include <array>
+#include <string>
+
+namespace texplorer::conform {
+
+/// A number with so many decimals.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// "0", "<0.01 %", "0.56 %"
+[[nodiscard]] std::string percent(double share);
+
+/// What a rule allows: "0 over 1", "0.5 % over 2, 0.2 % unexplained"
+[[nodiscard]] std::string allowed(const Rule& rule);
+
+/// "agree", "differ", or "skipped" where nothing was compared.
+[[nodiscard]] std::string_view verdict(const Outcome& outcome);
+
+/// How many scenes of a feature were skipped, for whatever reason.
+[[nodiscard]] int skippedOf(const Outcome& outcome);
+
+/// Where the worst pixel is, from the upper left as `texshot probe --at` counts.
+[[nodiscard]] std::array<int, 2> placeOfWorst(const Judgement& judgement);
+
+/// "2000 scenes of 64 x 64 pixels, seed 1"
+[[nodiscard]] std::string whatWasDrawn(const Report& report);
+
+/// " on llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, with GALLIVM_PERF=…"; empty
+/// without a driver.
+[[nodiscard]] std::string onWhat(const Driver& driver);
+
+} // namespace texplorer::conform
