@@ -4,12 +4,12 @@
 #include "core/base/file_io.h"
 #include "core/scene/json.h"
 #include "core/scene/params.h"
+#include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <set>
-#include <turbojpeg.h>
 
 namespace {
 
@@ -29,36 +29,8 @@ bool writeAll(const std::filesystem::path& folder, std::string_view prefix, cons
     return good;
 }
 
-/// JPEG has no writer of ours: what libjpeg-turbo makes of a small picture, with each subsampling, in grey,
-/// and progressive.
-std::vector<Bytes> jpegFiles() {
-    constexpr int extent = 20; // more than one block of 16 x 16
-    std::vector<unsigned char> pixels;
-    for (int i = 0; i < extent * extent * 3; ++i)
-        pixels.push_back(static_cast<unsigned char>(i * i % 251));
-    std::vector<Bytes> files;
-    tjhandle handle = tjInitCompress();
-    for (const auto& [subsampling, flags] : {std::pair{TJSAMP_444, 0},
-                                             {TJSAMP_422, 0},
-                                             {TJSAMP_420, 0},
-                                             {TJSAMP_440, 0},
-                                             {TJSAMP_GRAY, 0},
-                                             {TJSAMP_420, TJFLAG_PROGRESSIVE}}) {
-        unsigned char* file = nullptr;
-        unsigned long size = 0;
-        if (tjCompress2(handle, pixels.data(), extent, 0, extent, TJPF_RGB, &file, &size, subsampling, 60,
-                        flags) == 0) {
-            const auto* bytes = reinterpret_cast<const std::byte*>(file);
-            files.emplace_back(bytes, bytes + size);
-        }
-        tjFree(file);
-    }
-    tjDestroy(handle);
-    return files;
-}
-
 std::vector<Bytes> filesFor(const CodecRow& row) {
-    return row.name == "JPEG" ? jpegFiles() : test::sampleFiles(row);
+    return row.name == "JPEG" ? test::sampleJpegs() : test::sampleFiles(row);
 }
 
 /// Every enumerator and every parameter occurs in one of them.

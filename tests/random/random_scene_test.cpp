@@ -1,0 +1,136 @@
+#include "tests/random/random_scene.h"
+
+#include "core/scene/json.h"
+#include "core/scene/params.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace texplorer::random {
+namespace {
+
+const std::vector<std::string> files{"one.dds", "two.png"};
+
+TEST(RandomScene, IsTheSameForTheSameNumber) {
+    for (int number = 0; number < 20; ++number) {
+        EXPECT_EQ(randomScene(1, number, files).scene, randomScene(1, number, files).scene);
+        EXPECT_NE(randomScene(1, number, files).scene, randomScene(2, number, files).scene);
+        EXPECT_NE(randomScene(1, number, files).scene, randomScene(1, number + 1, files).scene);
+    }
+}
+
+TEST(RandomScene, CanBeKeptInAFile) {
+    for (int number = 0; number < 60; ++number) {
+        const Scene scene = randomScene(1, number, files).scene;
+        const Result<Scene> read = parseScene(writeScene(scene));
+        ASSERT_TRUE(read) << number << ": " << describe(read.error());
+        EXPECT_EQ(*read, scene) << number;
+    }
+}
+
+TEST(RandomScene, OfOrdinaryTemperStaysWithinAHundredSteps) {
+    int ordinary = 0;
+    for (int number = 0; number < 30; ++number) {
+        const auto [temper, scene] = randomScene(1, number, files);
+        if (temper != Temper::Ordinary)
+            continue;
+        ++ordinary;
+        EXPECT_LE(scene.view.fieldOfView, 40 + 25) << number;
+        EXPECT_LE(scene.textures.size(), 4U) << number;
+        for (const Model& model : scene.models)
+            EXPECT_LE(std::abs(model.position.x), 3) << number;
+    }
+    EXPECT_GT(ordinary, 3);
+}
+
+TEST(RandomScene, WithoutFilesHasPatternsAlone) {
+    for (int number = 0; number < 30; ++number) {
+        for (const Texture& texture : randomScene(1, number, {}).scene.textures) {
+            EXPECT_EQ(texture.source, SourceKind::Pattern);
+            EXPECT_EQ(texture.file, "");
+        }
+    }
+}
+
+/// What has occurred of every row and of every list.
+struct Seen {
+    std::map<const ParamRow*, std::set<float>> numbers;
+    std::map<const ParamRow*, std::set<std::uint32_t>> choices;
+    std::map<const ParamRow*, std::set<std::string>> texts;
+    std::map<const ChildRow*, std::set<std::size_t>> counts;
+
+    void walk(const StructTable& table, void* owner) {
+        for (const ParamRow& row : table.params)
+            std::visit([&](const auto& value) { take(row, value); }, row.read(owner));
+        for (const ChildRow& child : table.children) {
+            counts[&child].insert(child.size(owner));
+            for (std::size_t i = 0; i < child.size(owner); ++i)
+                walk(*child.table, child.at(owner, i));
+        }
+    }
+
+private:
+    void take(const ParamRow& row, bool value) { numbers[&row].insert(value ? 1.0F : 0.0F); }
+    void take(const ParamRow& row, int value) { numbers[&row].insert(static_cast<float>(value)); }
+    void take(const ParamRow& row, float value) { numbers[&row].insert(value); }
+    void take(const ParamRow& row, glm::vec3 value) { numbers[&row].insert({value.x, value.y, value.z}); }
+    void take(const ParamRow& row, glm::vec4 value) {
+        numbers[&row].insert({value.x, value.y, value.z, value.w});
+    }
+    void take(const ParamRow& row, EnumValue value) { choices[&row].insert(value.number); }
+    void take(const ParamRow& row, const std::string& value) { texts[&row].insert(value); }
+    void take(const ParamRow& row, const TexCoords& value) {
+        for (const glm::vec4& each : value)
+            take(row, each);
+    }
+};
+
+// What never occurs is never tested, and nobody would miss it.
+TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
+    Seen seen;
+    for (int number = 0; number < 400; ++number) {
+        Scene scene = randomScene(1, number, files).scene;
+        seen.walk(sceneTable(), &scene);
+    }
+    for (const auto& [row, numbers] : seen.numbers) {
+        if (row->kind == Kind::Bool) {
+            EXPECT_EQ(numbers, (std::set{0.0F, 1.0F})) << row->key;
+        } else if (row->kind == Kind::TexCoordList) {
+            EXPECT_EQ(*numbers.rbegin(), std::numeric_limits<float>::max()) << row->key;
+            EXPECT_EQ(*numbers.begin(), -3e38F) << row->key;
+        } else {
+            EXPECT_EQ(*numbers.begin(), row->range.min) << row->key;
+            EXPECT_EQ(*numbers.rbegin(), row->range.max) << row->key;
+        }
+        const bool takesDenormals = row->kind != Kind::Int && row->kind != Kind::Bool && row->range.min <= 0;
+        if (takesDenormals) {
+            EXPECT_TRUE(std::ranges::any_of(
+                numbers, [](float each) { return std::fpclassify(each) == FP_SUBNORMAL; }))
+                << row->key;
+        }
+    }
+    for (const auto& [row, choices] : seen.choices)
+        EXPECT_EQ(choices.size(), row->choices.size()) << row->key;
+    for (const auto& [row, texts] : seen.texts)
+        EXPECT_EQ(texts, std::set<std::string>(files.begin(), files.end())) << row->key;
+    for (const auto& [child, counts] : seen.counts) {
+        EXPECT_EQ(*counts.begin(), child->minCount) << child->key;
+        EXPECT_EQ(*counts.rbegin(), child->maxCount) << child->key;
+    }
+    // 27 rows of a texture, 12 of a model …: as many as the tables have, those of the four coordinates apart.
+    EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
+        std::size_t count = 0;
+        for (const StructTable* table :
+             {&viewTable(), &lightTable(), &materialTable(), &modelTable(), &textureTable(), &passTable(),
+              &unitTable(), &matrixStepTable(), &combineTable(), &texGenTable(0), &texGenTable(1),
+              &texGenTable(2), &texGenTable(3)})
+            count += table->params.size();
+        return count;
+    }());
+}
+
+} // namespace
+} // namespace texplorer::random

@@ -1,0 +1,236 @@
+#include "tests/random/trial.h"
+
+#include "app/offscreen/osmesa_context.h"
+#include "app/render/driver_facts.h"
+#include "app/render/scene_renderer.h"
+#include "app/render/shader_renderer.h"
+#include "core/conform/feature.h"
+#include "core/conform/judge.h"
+#include "core/reference/contributions.h"
+#include "core/reference/probe.h"
+#include "core/scene/json.h"
+#include "core/scene/renderer.h"
+#include "tests/random/random_skip.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <optional>
+
+namespace texplorer::random {
+
+namespace {
+
+using conform::extent;
+
+std::string nameOf(RendererKind kind) {
+    return std::string(rowOf(kind).name);
+}
+
+/// How a random scene is held: as conform holds a mixture of everything, but for one more 255th for each pass,
+/// whose rounding the next one reads.
+conform::Rule ruleFor(const Scene& scene, const conform::Pair& pair) {
+    conform::Rule rule =
+        pair.has(RendererKind::Reference) ? conform::rules::levelBlend : conform::rules::lastBit;
+    rule.bound += static_cast<int>(scene.passes.size()) - 1;
+    return rule;
+}
+
+bool isOneSentence(std::string_view text) {
+    return !text.empty() &&
+           std::ranges::none_of(text, [](char each) { return static_cast<unsigned char>(each) < 0x20; });
+}
+
+} // namespace
+
+struct Trial::State {
+    Precision precision;
+    std::filesystem::path files;
+    offscreen::OsmesaContext context;
+    render::Capabilities capabilities;
+    std::map<RendererKind, render::SceneRenderer> renderers{}; // goes before its context
+
+    struct Run;
+};
+
+/// One scene on its way through.
+struct Trial::State::Run {
+    State& state;
+    const RandomScene& random;
+    Journal& journal;
+    ImageSource images{state.files};
+    std::map<RendererKind, Image> pictures{};
+
+    const Scene& scene() const { return random.scene; }
+    void broken(const std::string& what) { journal.note("broken", what); }
+    void heed(const std::vector<std::string>& problems) {
+        for (const std::string& each : problems) {
+            if (!isOneSentence(each))
+                broken("a problem isn't one sentence: " + each);
+        }
+    }
+
+    void writeAndRead() {
+        journal.step("json");
+        const Result<Scene> read = parseScene(writeScene(scene()));
+        if (!read)
+            broken("can't be read as it was written: " + describe(read.error()));
+        else if (*read != scene())
+            broken("written and read it is another scene");
+    }
+
+    void load() {
+        journal.step("load");
+        if (const Result<void> loaded = images.load(scene()); !loaded)
+            heed({describe(loaded.error())});
+    }
+
+    void check() {
+        journal.step("check");
+        for (const DriverFacts& facts : {DriverFacts{}, render::driverFacts(state.capabilities)}) {
+            for (const Finding& each : diagnose(scene(), images, facts)) {
+                if (!isOneSentence(each.sentence))
+                    broken("a finding isn't one sentence: " + each.sentence);
+                Scene mended = scene();
+                if (!each.fix)
+                    continue;
+                if (const Result<void> applied = apply(*each.fix, mended); !applied)
+                    broken("can't be mended as " + std::string(each.rule) + " says: " + describe(applied.error()));
+            }
+        }
+    }
+
+    void draw(RendererKind kind) {
+        journal.step(nameOf(kind));
+        render::SceneRenderer& renderer = state.renderers.at(kind);
+        const Result<render::Frame> frame = renderer.draw(scene(), images, 0, {extent, extent});
+        Result<Image> image = frame ? renderer.read() : fail(frame.error());
+        if (!image)
+            return broken(nameOf(kind) + ": " + describe(image.error()));
+        heed(frame->problems);
+        pictures.emplace(kind, std::move(*image));
+    }
+
+    void drawReference() {
+        journal.step("reference");
+        Result<reference::Drawn> drawn = reference::drawReference(
+            scene(), images, 0, extent, extent, {.anisotropy = reference::AnisotropyMethod::Ellipse, .threads = 1});
+        if (!drawn)
+            return broken("reference: " + describe(drawn.error()));
+        heed(drawn->problems);
+        pictures.emplace(RendererKind::Reference, std::move(drawn->image));
+    }
+
+    /// What is explained must be what is drawn.
+    void probe() {
+        journal.step("probe");
+        const auto drawn = pictures.find(RendererKind::Reference);
+        for (const reference::PixelPlace place :
+             {reference::PixelPlace{0, 0}, {extent / 2, extent / 2}, {extent / 3, extent - 9}}) {
+            const Result<reference::Explanation> explained =
+                reference::probe(scene(), images, 0, extent, extent, place,
+                                 {.anisotropy = reference::AnisotropyMethod::Ellipse, .threads = 1});
+            if (!explained) {
+                broken("probe: " + describe(explained.error()));
+                continue;
+            }
+            const auto isByte = [](std::uint8_t found, std::byte expected) {
+                return found == std::to_integer<std::uint8_t>(expected);
+            };
+            if (drawn != pictures.end() &&
+                !std::ranges::equal(explained->bytes, drawn->second.at(place.x, place.y).first(4), isByte))
+                broken("probe: another colour than the reference's at " + std::to_string(place.x) + "," +
+                       std::to_string(extent - 1 - place.y));
+        }
+    }
+
+    void findTexel() {
+        journal.step("texel");
+        for (std::size_t p = 0; p < scene().passes.size(); ++p) {
+            for (std::size_t u = 0; u < maxUnits; ++u) {
+                const Unit& unit = scene().passes[p].units[u];
+                if (!unit.enabled)
+                    continue;
+                const int level = scene().textures[static_cast<std::size_t>(unit.texture)].baseLevel;
+                const Result<reference::Contributions> found = reference::contributions(
+                    scene(), images, 0, extent, extent,
+                    {static_cast<int>(p), static_cast<int>(u), {level, {0, 0, 0}}}, {.threads = 1});
+                if (!found && found.error().code != ErrorCode::OutOfRange &&
+                    found.error().code != ErrorCode::Unsupported)
+                    broken("texel: " + describe(found.error()));
+                return; // one is enough
+            }
+        }
+    }
+
+    void compare(const conform::Pair& pair, const conform::Driver& driver) {
+        if (!pictures.contains(pair.subject) || !pictures.contains(pair.against))
+            return; // has been said
+        const std::string name = nameOf(pair.subject) + "-" + nameOf(pair.against);
+        journal.step("compare " + name);
+        if (const Skipped skipped = skipOf(random, pair, driver); !skipped.name.empty())
+            return journal.note("skip", name + ": " + std::string(skipped.name));
+        const conform::Rule rule = ruleFor(scene(), pair);
+        const std::unique_ptr<conform::Explainer> reference = conform::referencePainterWith(images);
+        const Result<conform::Judgement> judgement = conform::judge(
+            rule, scene(), pictures.at(pair.subject), pictures.at(pair.against), *reference);
+        if (!judgement)
+            return broken("compare: " + describe(judgement.error()));
+        const double wrong = static_cast<double>(judgement->unexplained) /
+                             static_cast<double>(judgement->difference.pixels);
+        if (wrong <= 1 - rule.explainedScene)
+            return journal.note("agree", name);
+        journal.note("differ", name + ": " + std::to_string(judgement->unexplained) + " of " +
+                                   std::to_string(judgement->difference.pixels) +
+                                   " pixels by more than " + std::to_string(rule.bound) + ", at worst " +
+                                   std::to_string(judgement->difference.max));
+    }
+};
+
+Trial::Trial(std::unique_ptr<State> state)
+    : state_(std::move(state)) {}
+Trial::Trial(Trial&&) noexcept = default;
+Trial& Trial::operator=(Trial&&) noexcept = default;
+Trial::~Trial() = default;
+
+Result<Trial> Trial::open(Precision precision, const std::filesystem::path& files) {
+    if (precision == Precision::Exact) {
+        ::setenv("GALLIVM_PERF", "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling", 1);
+        ::setenv("LP_NUM_THREADS", "0", 1); // a picture is one tile
+    }
+    Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+    if (!context)
+        return fail(context.error());
+    const Result<render::Capabilities> capabilities = render::loadCapabilities();
+    if (!capabilities)
+        return fail(capabilities.error());
+    auto state = std::make_unique<State>(State{precision, files, std::move(*context), *capabilities});
+    for (const RendererKind kind : {RendererKind::Fixed, RendererKind::Shader}) {
+        Result<render::SceneRenderer> renderer = render::createRenderer(kind, *capabilities, {});
+        if (!renderer)
+            return fail(renderer.error());
+        state->renderers.emplace(kind, std::move(*renderer));
+    }
+    return Trial(std::move(state));
+}
+
+void Trial::run(const RandomScene& random, Journal& journal) {
+    State::Run run{*state_, random, journal};
+    run.writeAndRead();
+    run.load();
+    run.check();
+    run.draw(RendererKind::Fixed);
+    run.draw(RendererKind::Shader);
+    run.drawReference();
+    run.probe();
+    run.findTexel();
+    if (state_->precision == Precision::Usual)
+        return;
+    const conform::Driver driver{state_->capabilities.renderer, state_->capabilities.version, {},
+                                 render::driverFacts(state_->capabilities)};
+    for (const conform::Pair& pair : conform::defaultPairs)
+        run.compare(pair, driver);
+}
+
+} // namespace texplorer::random
