@@ -1,12 +1,15 @@
 #include "tests/random/random_scene.h"
 
 #include "core/conform/dice.h"
+#include "core/gl/combine_arguments.h"
+#include "core/reference/lod.h"
 #include "core/scene/params.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace texplorer::random {
 
@@ -46,6 +49,7 @@ private:
 
     bool isWild() {
         switch (temper_) {
+        case Temper::Comparable:
         case Temper::Ordinary:
             break;
         case Temper::Mixed:
@@ -147,15 +151,48 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     }
 }
 
+/// What drivers do otherwise than the specification, or may.
+void takeAwayWhatDiffers(Scene& scene) {
+    scene.view.perspectiveHint = HintMode::DontCare;
+    for (Texture& texture : scene.textures) {
+        texture.border = 0;
+        texture.maxAnisotropy = 1;
+        if (texture.compression == Compression::Driver)
+            texture.compression = Compression::FromFile;
+        if (reference::switchOverOf(texture.magFilter, texture.minFilter) > 0)
+            texture.magFilter = MagFilter::Nearest;
+    }
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units) {
+            if (!unit.enabled)
+                continue;
+            Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
+            Combine& c = unit.combine;
+            for (CombineSource* source : {&c.source0Rgb, &c.source1Rgb, &c.source2Rgb, &c.source0Alpha,
+                                          &c.source1Alpha, &c.source2Alpha}) {
+                const std::optional<std::size_t> asked = crossbarUnit(*source);
+                if (asked && !pass.units[*asked].enabled)
+                    *source = CombineSource::Texture;
+            }
+            if (unit.envMode == EnvMode::Decal)
+                texture.internalFormat = BaseFormat::Rgba;
+            if (unit.target == Target::CubeMap)
+                texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
+        }
+    }
+}
+
 } // namespace
 
 RandomScene randomScene(unsigned seed, int number, std::span<const std::string> files) {
-    constexpr std::array tempers{Temper::Ordinary, Temper::Mixed, Temper::Wild};
+    constexpr std::array tempers{Temper::Comparable, Temper::Ordinary, Temper::Mixed, Temper::Wild};
     Dice dice("random", seed, number);
     RandomScene made{dice.of(tempers), defaultScene()};
     Generator generator(made.temper, files, dice);
     generator.fill(sceneTable(), &made.scene);
     fit(made.scene, generator, dice, !files.empty());
+    if (made.temper == Temper::Comparable)
+        takeAwayWhatDiffers(made.scene);
     return made;
 }
 

@@ -9,29 +9,39 @@ namespace texplorer::random {
 
 namespace {
 
-bool anyUnit(const Scene& scene, auto condition) {
-    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        return std::ranges::any_of(pass.units, [&](const Unit& unit) {
-            return unit.enabled && condition(unit, scene.textures[static_cast<std::size_t>(unit.texture)]);
-        });
-    });
+bool anyTexture(const Scene& scene, auto condition) {
+    return std::ranges::any_of(scene.textures, condition);
+}
+
+bool isFound(const Comparison& comparison, std::string_view rule) {
+    return std::ranges::find(comparison.findings, rule, &Finding::rule) != comparison.findings.end();
 }
 
 constexpr std::array rows{
     RandomSkip{"wild-numbers",
-               [](const RandomScene& random, const conform::Pair& pair) {
-                   return random.temper != Temper::Ordinary && pair.has(RendererKind::Reference);
+               [](const Comparison& each) {
+                   return each.random.temper > Temper::Ordinary && each.pair.has(RendererKind::Reference);
                },
                "numbers at their limits leave a float's 24 bits no texel to tell"},
     RandomSkip{"anisotropy",
-               [](const RandomScene& random, const conform::Pair& pair) {
-                   return pair.has(RendererKind::Reference) &&
-                          anyUnit(random.scene, [](const Unit&, const Texture& texture) {
-                              return texture.maxAnisotropy > 1;
-                          });
+               [](const Comparison& each) {
+                   return each.pair.has(RendererKind::Reference) &&
+                          anyTexture(each.random.scene,
+                                     [](const Texture& texture) { return texture.maxAnisotropy > 1; });
                },
                "EXT_texture_filter_anisotropic leaves the method open: it has a rule and scenes of its own in "
                "the sweep"},
+    RandomSkip{"undefined-crossbar",
+               [](const Comparison& each) { return isFound(each, "undefined-crossbar"); },
+               "GL_COMBINE reads the texture of a unit that is off or incomplete, which is undefined (OpenGL "
+               "2.1, section 3.8.13)"},
+    RandomSkip{"lod-range", [](const Comparison& each) { return isFound(each, "lod-range"); },
+               "lambda is undefined where its lower limit is above the upper one (OpenGL 2.1, section 3.8.8)"},
+    RandomSkip{"zero-q",
+               [](const Comparison& each) {
+                   return isFound(each, "zero-q") || isFound(each, "zero-q-of-vertex");
+               },
+               "a coordinate divided by 0 is no place in an image"},
 };
 
 } // namespace
@@ -40,12 +50,21 @@ std::span<const RandomSkip> randomSkips() {
     return rows;
 }
 
-Skipped skipOf(const RandomScene& scene, const conform::Pair& pair, const conform::Driver& driver) {
-    if (const conform::Skip* skip = conform::skipOf(scene.scene, pair, driver))
+Skipped skipOf(const Comparison& comparison) {
+    const auto& [random, findings, pair, driver] = comparison;
+    if (const conform::Skip* skip = conform::skipOf(random.scene, pair, driver))
         return {skip->name, skip->reason};
-    const auto found =
-        std::ranges::find_if(rows, [&](const RandomSkip& row) { return row.applies(scene, pair); });
+    const auto found = std::ranges::find_if(rows, [&](const RandomSkip& row) { return row.applies(comparison); });
     return found == rows.end() ? Skipped{} : Skipped{found->name, found->reason};
+}
+
+std::string_view reasonOf(std::string_view name) {
+    for (const conform::Skip& row : conform::skips()) {
+        if (row.name == name)
+            return row.reason;
+    }
+    const auto found = std::ranges::find(rows, name, &RandomSkip::name);
+    return found == rows.end() ? std::string_view() : found->reason;
 }
 
 } // namespace texplorer::random

@@ -3,18 +3,27 @@
 // Which random scenes can't be held to a rule, by a row with its reason: what core/conform/skip.h says of any
 // scene, and what only chance puts together.
 
-#include "tests/random/random_scene.h"
-
 #include "core/conform/pair.h"
+#include "core/scene/diagnosis.h"
+#include "tests/random/random_scene.h"
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace texplorer::random {
 
+/// Two pictures of a scene that might be compared.
+struct Comparison {
+    const RandomScene& random;
+    const std::vector<Finding>& findings; ///< of the scene's diagnosis
+    conform::Pair pair;
+    const conform::Driver& driver;
+};
+
 struct RandomSkip {
     std::string_view name;
-    bool (*applies)(const RandomScene& scene, const conform::Pair& pair);
+    bool (*applies)(const Comparison& comparison);
     std::string_view reason;
 };
 
@@ -26,6 +35,9 @@ struct Skipped {
 };
 
 /// Why these two can't be compared by this scene; an empty name: they can.
-[[nodiscard]] Skipped skipOf(const RandomScene& scene, const conform::Pair& pair, const conform::Driver& driver);
+[[nodiscard]] Skipped skipOf(const Comparison& comparison);
+
+/// The reason that belongs to a skip's name.
+[[nodiscard]] std::string_view reasonOf(std::string_view name);
 
 } // namespace texplorer::random

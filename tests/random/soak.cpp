@@ -8,8 +8,6 @@
 #include "tests/random/random_skip.h"
 #include "tests/random/trial.h"
 
-#include "core/conform/skip.h"
-
 #include <algorithm>
 #include <set>
 #include <stdexcept>
@@ -29,15 +27,6 @@ void check(const Result<void>& written) {
 /// The scenes of a batch share a process, and with it what Mesa was asked for.
 Precision precisionOf(int number) {
     return number / batchSize % 2 == 0 ? Precision::Exact : Precision::Usual;
-}
-
-std::string reasonOf(std::string_view name) {
-    for (const conform::Skip& row : conform::skips()) {
-        if (row.name == name)
-            return std::string(row.reason);
-    }
-    const auto found = std::ranges::find(randomSkips(), name, &RandomSkip::name);
-    return found == randomSkips().end() ? std::string() : std::string(found->reason);
 }
 
 } // namespace
@@ -84,6 +73,8 @@ SoakReport soak(const SoakOptions& options) {
             ++report.agreed[note.text];
         else if (note.kind == "skip")
             ++report.skipped[note.text];
+        else if (note.kind == "blank")
+            ++report.blank;
         else
             tell(note.number, note.kind + ": " + note.text, note.number);
     }
@@ -98,7 +89,10 @@ std::string SoakReport::text() const {
     for (const auto& [pair, count] : agreed)
         all += pair + ": " + std::to_string(count) + " scenes agree\n";
     for (const auto& [name, count] : skipped)
-        all += "skipped: " + name + ", " + std::to_string(count) + " scenes: " + reasonOf(name.substr(name.find(": ") + 2)) + "\n";
+        all += "skipped: " + name + ", " + std::to_string(count) + (count == 1 ? " scene: " : " scenes: ") +
+               std::string(reasonOf(name.substr(name.find(": ") + 2))) + "\n";
+    if (blank > 0)
+        all += std::to_string(blank) + " pictures are of one colour\n";
     return all + std::to_string(scenes) + " random scenes: " + (failures.empty() ? "all well" : "not all well") + "\n";
 }
 

@@ -23,6 +23,7 @@ struct SoakReport {
     int scenes = 0;
     std::map<std::string, int> agreed;  ///< comparisons, by the pair
     std::map<std::string, int> skipped; ///< by the pair and the name of the skip
+    int blank = 0; ///< pictures of one colour, by which nothing is told
     std::string failures;               ///< what went wrong, scene by scene; empty: nothing
 
     [[nodiscard]] std::string text() const;

@@ -60,6 +60,7 @@ struct Trial::State::Run {
     const RandomScene& random;
     Journal& journal;
     ImageSource images{state.files};
+    std::vector<Finding> findings{}; ///< on this driver
     std::map<RendererKind, Image> pictures{};
 
     const Scene& scene() const { return random.scene; }
@@ -89,7 +90,8 @@ struct Trial::State::Run {
     void check() {
         journal.step("check");
         for (const DriverFacts& facts : {DriverFacts{}, render::driverFacts(state.capabilities)}) {
-            for (const Finding& each : diagnose(scene(), images, facts)) {
+            findings = diagnose(scene(), images, facts);
+            for (const Finding& each : findings) {
                 if (!isOneSentence(each.sentence))
                     broken("a finding isn't one sentence: " + each.sentence);
                 Scene mended = scene();
@@ -119,6 +121,9 @@ struct Trial::State::Run {
         if (!drawn)
             return broken("reference: " + describe(drawn.error()));
         heed(drawn->problems);
+        if (std::ranges::equal(std::span(drawn->image.pixels).subspan(4),
+                               std::span(drawn->image.pixels).first(drawn->image.pixels.size() - 4)))
+            journal.note("blank", "");
         pictures.emplace(RendererKind::Reference, std::move(drawn->image));
     }
 
@@ -169,7 +174,7 @@ struct Trial::State::Run {
             return; // has been said
         const std::string name = nameOf(pair.subject) + "-" + nameOf(pair.against);
         journal.step("compare " + name);
-        if (const Skipped skipped = skipOf(random, pair, driver); !skipped.name.empty())
+        if (const Skipped skipped = skipOf({random, findings, pair, driver}); !skipped.name.empty())
             return journal.note("skip", name + ": " + std::string(skipped.name));
         const conform::Rule rule = ruleFor(scene(), pair);
         const std::unique_ptr<conform::Explainer> reference = conform::referencePainterWith(images);
