@@ -151,12 +151,34 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     }
 }
 
+bool passesSomething(CompareFunc func) {
+    return func == CompareFunc::Less || func == CompareFunc::LessEqual || func == CompareFunc::NotEqual ||
+           func == CompareFunc::Always;
+}
+
+/// By a picture of one colour nothing is told: one model at least, and what the first pass draws of it.
+void letItBeSeen(Scene& scene) {
+    if (scene.models.empty())
+        scene.models.emplace_back();
+    scene.models.front().visible = true;
+    Pass& pass = scene.passes.front();
+    pass.alphaTest = false;
+    if (!passesSomething(pass.depthFunc)) // against a depth of 1
+        pass.depthTest = false;
+    if (pass.blendSrc == BlendFactor::Zero)
+        pass.blendSrc = BlendFactor::One;
+    if (!scene.textures.empty())
+        pass.units[0].enabled = true;
+}
+
 /// What drivers do otherwise than the specification, or may.
 void takeAwayWhatDiffers(Scene& scene) {
     scene.view.perspectiveHint = HintMode::DontCare;
     for (Texture& texture : scene.textures) {
         texture.border = 0;
         texture.maxAnisotropy = 1;
+        if (texture.mipmaps == MipPolicy::None || texture.mipmaps == MipPolicy::Missing)
+            texture.mipmaps = MipPolicy::Generated; // an incomplete texture isn't seen
         if (texture.compression == Compression::Driver)
             texture.compression = Compression::FromFile;
         if (reference::switchOverOf(texture.magFilter, texture.minFilter) > 0)
@@ -191,6 +213,8 @@ RandomScene randomScene(unsigned seed, int number, std::span<const std::string> 
     Generator generator(made.temper, files, dice);
     generator.fill(sceneTable(), &made.scene);
     fit(made.scene, generator, dice, !files.empty());
+    if (made.temper != Temper::Wild)
+        letItBeSeen(made.scene);
     if (made.temper == Temper::Comparable)
         takeAwayWhatDiffers(made.scene);
     return made;

@@ -29,6 +29,9 @@ struct RandomSkip {
 
 [[nodiscard]] std::span<const RandomSkip> randomSkips();
 
+/// The name of scenes that are not given to OpenGL: see isEndless.
+inline constexpr std::string_view endless = "endless-ellipse";
+
 struct Skipped {
     std::string_view name;
     std::string_view reason;
@@ -36,6 +39,10 @@ struct Skipped {
 
 /// Why these two can't be compared by this scene; an empty name: they can.
 [[nodiscard]] Skipped skipOf(const Comparison& comparison);
+
+/// Whether a scene is one that llvmpipe takes for ever to draw: it adds up all texels of an ellipse in its
+/// coarsest level, however many there are where coordinates run fast. Such a scene is not given to OpenGL.
+[[nodiscard]] bool isEndless(const RandomScene& random, const conform::Driver& driver);
 
 /// The reason that belongs to a skip's name.
 [[nodiscard]] std::string_view reasonOf(std::string_view name);

@@ -221,19 +221,23 @@ Result<Trial> Trial::open(Precision precision, const std::filesystem::path& file
 }
 
 void Trial::run(const RandomScene& random, Journal& journal) {
+    const conform::Driver driver{state_->capabilities.renderer, state_->capabilities.version, {},
+                                 render::driverFacts(state_->capabilities)};
     State::Run run{*state_, random, journal};
     run.writeAndRead();
     run.load();
     run.check();
-    run.draw(RendererKind::Fixed);
-    run.draw(RendererKind::Shader);
+    if (isEndless(random, driver)) {
+        journal.note("skip", "fixed and shader: " + std::string(endless));
+    } else {
+        run.draw(RendererKind::Fixed);
+        run.draw(RendererKind::Shader);
+    }
     run.drawReference();
     run.probe();
     run.findTexel();
     if (state_->precision == Precision::Usual)
         return;
-    const conform::Driver driver{state_->capabilities.renderer, state_->capabilities.version, {},
-                                 render::driverFacts(state_->capabilities)};
     for (const conform::Pair& pair : conform::defaultPairs)
         run.compare(pair, driver);
 }
