@@ -165,15 +165,16 @@ private:
 Ended runBatches(const Batches& batches, const std::function<Work(int)>& open) {
     Ended ended;
     std::deque<Numbers> waiting;
-    for (int first = batches.first; first < batches.first + batches.count; first += batches.size)
-        waiting.push_back({first, std::min(first + batches.size, batches.first + batches.count)});
+    const int end = batches.first + batches.count;
+    for (int first = batches.first; first < end; first = waiting.back().end)
+        waiting.push_back({first, std::min((first / batches.size + 1) * batches.size, end)});
     std::vector<std::unique_ptr<Child>> children;
 
     const auto bury = [&](Child& child) {
         const std::string cause = child.end();
         if (cause.empty())
             return;
-        const auto& [first, end, again] = child.numbers();
+        const auto& [first, last, again] = child.numbers();
         if (again) {
             std::ranges::find(ended.deaths, child.at(), &Death::number)->alone = true;
             return;
@@ -181,8 +182,8 @@ Ended runBatches(const Batches& batches, const std::function<Work(int)>& open) {
         ended.deaths.push_back({child.at(), child.step(), cause, child.at() == first, first});
         if (child.at() != first)
             waiting.push_front({child.at(), child.at() + 1, true});
-        if (child.at() + 1 < end)
-            waiting.push_front({child.at() + 1, end});
+        if (child.at() + 1 < last)
+            waiting.push_front({child.at() + 1, last});
     };
 
     while (!waiting.empty() || !children.empty()) {

@@ -69,7 +69,7 @@ TEST(Batches, ChargeADeathToItsNumberAndGoOn) {
 
 // Some die of what their process did before.
 TEST(Batches, SayWhetherANumberDiesAlone) {
-    const Ended ended = runBatches({.first = 10, .count = 6, .size = 6}, [](int) -> Work {
+    const Ended ended = runBatches({.first = 12, .count = 6, .size = 6}, [](int) -> Work {
         return [done = 0](int, Journal& journal) mutable {
             if (++done == 4)
                 std::raise(SIGSEGV);
@@ -77,10 +77,10 @@ TEST(Batches, SayWhetherANumberDiesAlone) {
         };
     });
     ASSERT_EQ(ended.deaths.size(), 1U);
-    EXPECT_EQ(ended.deaths[0].number, 13);
-    EXPECT_EQ(ended.deaths[0].first, 10);
+    EXPECT_EQ(ended.deaths[0].number, 15);
+    EXPECT_EQ(ended.deaths[0].first, 12);
     EXPECT_FALSE(ended.deaths[0].alone);
-    EXPECT_THAT(numbersOf(ended.notes, "well"), ElementsAre(10, 11, 12, 13, 14, 15));
+    EXPECT_THAT(numbersOf(ended.notes, "well"), ElementsAre(12, 13, 14, 15, 16, 17));
 }
 
 TEST(Batches, SayWhatKeepsAChildFromBeginning) {

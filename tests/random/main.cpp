@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     app.add_option("--jobs", options.jobs, "Processes at a time; 0: as many as the processor has.")->capture_default_str();
     app.add_option("--keep", options.keep, "The folder for the files that the scenes name and for the scenes that fail.")
         ->capture_default_str();
+    app.add_option("--shaders", options.shaders, "The folder of the shader renderer's files. Without it: those that it was built with.");
     CLI11_PARSE(app, argc, argv);
     try {
         const SoakReport report = soak(options);

@@ -29,7 +29,7 @@ struct RandomSkip {
 
 [[nodiscard]] std::span<const RandomSkip> randomSkips();
 
-/// The name of scenes that are not given to OpenGL: see isEndless.
+/// The name of what isEndless finds.
 inline constexpr std::string_view endless = "endless-ellipse";
 
 struct Skipped {
@@ -41,7 +41,8 @@ struct Skipped {
 [[nodiscard]] Skipped skipOf(const Comparison& comparison);
 
 /// Whether a scene is one that llvmpipe takes for ever to draw: it adds up all texels of an ellipse in its
-/// coarsest level, however many there are where coordinates run fast. Such a scene is not given to OpenGL.
+/// coarsest level, however many there are where coordinates run fast. OpenGL is given such a scene without
+/// anisotropy.
 [[nodiscard]] bool isEndless(const RandomScene& random, const conform::Driver& driver);
 
 /// The reason that belongs to a skip's name.

@@ -38,7 +38,6 @@ SoakReport soak(const SoakOptions& options) {
     for (const OddFile& file : files)
         check(writeFileAtomically(options.keep / file.name, file.bytes));
 
-    // Batches begin at multiples of their size, so that a scene is always tried in the same way.
     Batches batches;
     batches.first = options.first;
     batches.count = options.count;
@@ -46,7 +45,7 @@ SoakReport soak(const SoakOptions& options) {
     batches.jobs = options.jobs == 0 ? processorThreads() : options.jobs;
     batches.memoryLimit = memoryOfAChild;
     const Ended ended = runBatches(batches, [&](int first) -> Work {
-        Result<Trial> trial = Trial::open(precisionOf(first), options.keep);
+        Result<Trial> trial = Trial::open(precisionOf(first), options.keep, options.shaders);
         if (!trial)
             throw std::runtime_error(describe(trial.error()));
         return [&, trial = std::make_shared<Trial>(std::move(*trial))](int number, Journal& journal) {
@@ -61,7 +60,8 @@ SoakReport soak(const SoakOptions& options) {
         failed.insert(number);
         report.failures += "scene " + std::to_string(number) + ": " + what + "\n    " + options.command +
                            " --seed " + std::to_string(options.seed) + " --first " + std::to_string(first) +
-                           " --count " + std::to_string(number - first + 1) + "\n";
+                           " --count " + std::to_string(number - first + 1) +
+                           (options.shaders.empty() ? "" : " --shaders " + options.shaders.string()) + "\n";
     };
     for (const Death& death : ended.deaths)
         tell(death.number,

@@ -16,6 +16,7 @@ struct SoakOptions {
     int count = 2000;
     unsigned jobs = 0;          ///< 0: as many as the processor has
     std::filesystem::path keep; ///< where the scenes that failed are kept, with the files that they name
+    std::filesystem::path shaders; ///< of the shader renderer; empty: the built-in ones
     std::string command;        ///< of this program, for the command that repeats a failure
 };
 

@@ -59,6 +59,7 @@ struct Trial::State::Run {
     State& state;
     const RandomScene& random;
     Journal& journal;
+    Scene forOpenGl = random.scene; ///< without what its driver never gets through
     ImageSource images{state.files};
     std::vector<Finding> findings{}; ///< on this driver
     std::map<RendererKind, Image> pictures{};
@@ -106,7 +107,7 @@ struct Trial::State::Run {
     void draw(RendererKind kind) {
         journal.step(nameOf(kind));
         render::SceneRenderer& renderer = state.renderers.at(kind);
-        const Result<render::Frame> frame = renderer.draw(scene(), images, 0, {extent, extent});
+        const Result<render::Frame> frame = renderer.draw(forOpenGl, images, 0, {extent, extent});
         Result<Image> image = frame ? renderer.read() : fail(frame.error());
         if (!image)
             return broken(nameOf(kind) + ": " + describe(image.error()));
@@ -199,7 +200,8 @@ Trial::Trial(Trial&&) noexcept = default;
 Trial& Trial::operator=(Trial&&) noexcept = default;
 Trial::~Trial() = default;
 
-Result<Trial> Trial::open(Precision precision, const std::filesystem::path& files) {
+Result<Trial> Trial::open(Precision precision, const std::filesystem::path& files,
+                          const std::filesystem::path& shaders) {
     if (precision == Precision::Exact) {
         ::setenv("GALLIVM_PERF", "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling", 1);
         ::setenv("LP_NUM_THREADS", "0", 1); // a picture is one tile
@@ -212,7 +214,7 @@ Result<Trial> Trial::open(Precision precision, const std::filesystem::path& file
         return fail(capabilities.error());
     auto state = std::make_unique<State>(State{precision, files, std::move(*context), *capabilities});
     for (const RendererKind kind : {RendererKind::Fixed, RendererKind::Shader}) {
-        Result<render::SceneRenderer> renderer = render::createRenderer(kind, *capabilities, {});
+        Result<render::SceneRenderer> renderer = render::createRenderer(kind, *capabilities, {shaders, {}});
         if (!renderer)
             return fail(renderer.error());
         state->renderers.emplace(kind, std::move(*renderer));
@@ -228,11 +230,12 @@ void Trial::run(const RandomScene& random, Journal& journal) {
     run.load();
     run.check();
     if (isEndless(random, driver)) {
-        journal.note("skip", "fixed and shader: " + std::string(endless));
-    } else {
-        run.draw(RendererKind::Fixed);
-        run.draw(RendererKind::Shader);
+        journal.note("skip", "anisotropy of fixed and shader: " + std::string(endless));
+        for (Texture& texture : run.forOpenGl.textures)
+            texture.maxAnisotropy = 1;
     }
+    run.draw(RendererKind::Fixed);
+    run.draw(RendererKind::Shader);
     run.drawReference();
     run.probe();
     run.findTexel();

@@ -18,8 +18,10 @@ enum class Precision : std::uint8_t { Usual, Exact };
 /// A context without a display with both of OpenGL's renderers, and the reference. One a process.
 class Trial {
 public:
-    /// `files`: the folder that the scenes' textures are in. Errors: those of the context and the renderers.
-    [[nodiscard]] static Result<Trial> open(Precision precision, const std::filesystem::path& files);
+    /// `files`: the folder that the scenes' textures are in; `shaders`: of the shader renderer, empty: the
+    /// built-in ones. Errors: those of the context and the renderers.
+    [[nodiscard]] static Result<Trial> open(Precision precision, const std::filesystem::path& files,
+                                            const std::filesystem::path& shaders);
     Trial(Trial&&) noexcept;
     Trial& operator=(Trial&&) noexcept;
     ~Trial();

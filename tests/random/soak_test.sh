@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# soak_test.sh SOAK SHADERS: a renderer that is wrong is found, with its scene and a command that shows it again.
+set -euo pipefail
+soak=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+cp -r "$2" "$folder/shaders"
+grep -q 'color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);' "$folder/shaders/environment.glsl"
+sed -i 's/color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);/color.rgb = vec3(1.0, 0.0, 1.0);/' "$folder/shaders/environment.glsl"
+
+if "$soak" --count 25 --keep "$folder/kept" --shaders "$folder/shaders" >"$folder/said"; then
+    echo "shaders that are wrong were not found:"
+    cat "$folder/said"
+    exit 1
+fi
+grep -q '^25 random scenes: not all well$' "$folder/said"
+number=$(sed -n 's/^scene \([0-9]*\): differ: shader-fixed: .*/\1/p' "$folder/said" | head -n 1)
+test -s "$folder/kept/scene-$number.json"
+# The command that it prints finds it again; with the right shaders there is nothing to find.
+command=$(grep -A 1 "^scene $number: differ" "$folder/said" | sed -n '2s/^ *//p')
+if $command --keep "$folder/again" >"$folder/again.txt"; then
+    echo "not found again by: $command"
+    exit 1
+fi
+grep -q "^scene $number: differ: shader-fixed" "$folder/again.txt"
+"$soak" --first "$number" --count 1 --keep "$folder/again" >/dev/null
