@@ -137,8 +137,8 @@ std::string rowOfTable(const PairReport& pair, const Outcome& outcome) {
     text += outcome.worst ? "<a href=\"#" + worstName(pair, outcome) + "\">" + feature + "</a>" : feature;
     for (const std::string& cell :
          {std::to_string(all.scenes), std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
-          percent(all.shareOver()),
-          outcome.rule->latitude == Latitude::None ? "–" : percent(all.shareUnexplained()),
+          escaped(percent(all.shareOver())),
+          outcome.rule->latitude == Latitude::None ? "–" : escaped(percent(all.shareUnexplained())),
           std::to_string(all.max), fixed(all.mean(), 3)})
         text += "<td>" + cell;
     return text + "<td class=\"" + verdict + "\">" + verdict + "<td>" + escaped(allowed(*outcome.rule)) +

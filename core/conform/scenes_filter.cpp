@@ -6,6 +6,9 @@ namespace texplorer::conform::scenes {
 
 namespace {
 
+constexpr std::array mipmapFilters{MinFilter::NearestMipmapNearest, MinFilter::LinearMipmapNearest,
+                                   MinFilter::NearestMipmapLinear, MinFilter::LinearMipmapLinear};
+
 Scene filtered(int& number, MagFilter mag, MinFilter min, Dice& state, Dice& values) {
     Scene scene = surface(pick<Shape>(number), values);
     Texture& texture = scene.textures[0];
@@ -76,18 +79,22 @@ Scene lodOfTwoLevels(int number, Dice& state, Dice& values) {
 }
 
 Scene levelSettings(int number, Dice& state, Dice& values) {
-    // With each of them there are values without sense: levels that aren't there, a last one before the first.
-    constexpr std::array levels{0, 1, 2, 3, 5, 6, 7, 8, 200, 1000};
+    // Some without sense: levels that aren't there, a last one before the first.
+    constexpr std::array levels{0, 1, 2, 3, 5, 6, 7, 200, 1000};
     constexpr std::array lods{-1000.0F, -1.0F, 0.0F, 0.5F, 1.0F, 2.25F, 6.0F, 1000.0F};
-    Scene scene = filtered(number, state.any<MagFilter>(), state.any<MinFilter>(), state, values);
+    constexpr std::array policies{MipPolicy::FromFile, MipPolicy::Missing, MipPolicy::FromFile,
+                                  MipPolicy::Generated, MipPolicy::FromFile, MipPolicy::None};
+    const auto turn = static_cast<std::size_t>(number);
+    const MinFilter min = turn % 5 == 4 ? MinFilter::Linear : state.of(mipmapFilters);
+    Scene scene = filtered(number, state.any<MagFilter>(), min, state, values);
     Texture& texture = scene.textures[0];
-    texture.mipmaps = state.any<MipPolicy>();
+    texture.mipmaps = policies[turn % policies.size()];
     if (texture.mipmaps == MipPolicy::FromFile) {
         texture.source = SourceKind::File;
-        texture.file = state.of(madeFiles).name;
+        texture.file = madeFiles[turn / 2 % madeFiles.size()].name;
     }
-    texture.baseLevel = state.chance(3) ? 0 : values.of(levels);
-    texture.maxLevel = state.chance(3) ? 1000 : values.of(levels);
+    texture.baseLevel = values.chance(2) ? 0 : values.of(levels);
+    texture.maxLevel = values.chance(2) ? 1000 : values.of(levels);
     texture.minLod = values.chance(2) ? -1000 : values.of(lods);
     texture.maxLod = values.chance(2) ? 1000 : values.of(lods);
     if (texture.minLod > texture.maxLod) // lambda is undefined then (equation 3.19)
@@ -183,12 +190,10 @@ Scene compression(int number, Dice& /*state*/, Dice& values) {
 }
 
 Scene incomplete(int number, Dice& state, Dice& values) {
-    constexpr std::array filters{MinFilter::NearestMipmapNearest, MinFilter::LinearMipmapNearest,
-                                 MinFilter::NearestMipmapLinear, MinFilter::LinearMipmapLinear};
     Scene scene = texturedQuad(state.of(coloredSources), values);
     scene.textures[0].baseLevel = 0;
     scene.textures[0].mipmaps = number % 2 == 0 ? MipPolicy::None : MipPolicy::Missing;
-    scene.textures[0].minFilter = filters[static_cast<std::size_t>(number / 2) % filters.size()];
+    scene.textures[0].minFilter = mipmapFilters[static_cast<std::size_t>(number / 2) % mipmapFilters.size()];
     return scene;
 }
 

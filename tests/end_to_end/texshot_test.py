@@ -920,6 +920,15 @@ class Conform(Texshot):
         self.assertRegex(said, r"reference against fixed\nfeature +scenes")
         self.assertEqual(len([line for line in said.splitlines() if " agree " in line]), 4)
         self.assertIn("with GALLIVM_PERF=no_rho_approx", said)
+        self.assertIn("\n16 scenes of 64 x 64 pixels, seed 1, in ", said)
+
+    def test_the_command_that_a_report_gives_makes_it_again(self):
+        report = self.succeeds(*self.FEW, "--json", "--seed", "7", "--renderer", "shader")
+        command = json.loads(report)["command"]
+        self.assertRegex(command, r"\AGALLIVM_PERF=\S+ texshot conform --seed 7 --scenes 16 --feature wrap --feature environment --renderer shader\Z")
+        path = f"{Path(TEXSHOT).parent}:{os.environ['PATH']}"
+        again = subprocess.run(f"{command} --json", shell=True, stdout=subprocess.PIPE, env=os.environ | {"PATH": path})
+        self.assertEqual((again.returncode, again.stdout), (0, report))
 
     def test_one_pair_as_json(self):
         report = json.loads(self.succeeds(*self.FEW, "--json", "--renderer", "shader", "--against", "reference"))
@@ -939,6 +948,7 @@ class Conform(Texshot):
         self.assertEqual(json.loads((folder / "report.json").read_text())["scenes"], 16)
         page = (folder / "index.html").read_text()
         self.assertIn("wrap-reference-fixed.json", page)
+        self.assertRegex(page, r"Made by texshot [0-9.]+ on \d{4}-\d\d-\d\d \d\d:\d\d UTC in [0-9.]+ s; again: <code>GALLIVM_PERF=")
         for renderer in ("reference", "fixed"):
             kept = Image.open(folder / f"wrap-reference-fixed-{renderer}.png").convert("RGB")
             again = self.shot(folder / "wrap-reference-fixed.json", "--renderer", renderer, "--size", "64x64")

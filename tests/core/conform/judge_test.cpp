@@ -85,6 +85,41 @@ TEST_F(Judging, GrantsLambdaNoMore) {
     EXPECT_GT(judgement.unexplained, judgement.difference.over / 2);
 }
 
+// llvmpipe clamps them to the edge under GL_LINEAR; under GL_NEAREST, and clamped, they can be compared.
+TEST(Skipping, NamesACubeMapsOtherWraps) {
+    Dice dice("cube", 1, 1);
+    Scene scene = texturedQuad({Pattern::CubeFaces, 0, 64, 64}, dice);
+    scene.passes[0].units[0].target = Target::CubeMap;
+    Texture& texture = scene.textures[0];
+    const auto nameOf = [&](const Pair& pair, const char* driver) {
+        const Skip* skip = skipOf(scene, pair, {driver, "", "", {}});
+        return skip ? skip->name : std::string_view();
+    };
+    constexpr Pair withReference{RendererKind::Reference, RendererKind::Fixed};
+    for (const bool linear : {false, true}) {
+        for (const Wrap wrap : {Wrap::ClampToEdge, Wrap::Repeat, Wrap::ClampToBorder}) {
+            texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+            texture.wrapT = wrap;
+            texture.wrapS = Wrap::ClampToEdge;
+            const bool differs = linear && wrap != Wrap::ClampToEdge;
+            EXPECT_EQ(nameOf(withReference, "llvmpipe (LLVM 15)"), differs ? "cube-wrap" : "");
+            EXPECT_EQ(nameOf(withReference, "another"), "");
+            EXPECT_EQ(nameOf({RendererKind::Shader, RendererKind::Fixed}, "llvmpipe (LLVM 15)"), "");
+        }
+    }
+}
+
+// A texel of a file is as large as the file says.
+TEST_F(Judging, MovesByTheTexelsOfFiles) {
+    Scene scene = boardWithEdgesAt(0.005F);
+    scene.textures[0].source = SourceKind::File;
+    scene.textures[0].file = "16.bmp";
+    ImageSource images;
+    images.put("16.bmp", Image::uninitialised(PixelFormat::Rgba8, 16, 16));
+    const Scene moved = movedByTexelError(scene, images).front();
+    EXPECT_EQ(moved.passes[0].units[0].matrix[0].amount.x, -1.0F / 128 / 16);
+}
+
 TEST_F(Judging, RefusesPicturesOfTwoSizes) {
     const Scene scene = trilinearFloor();
     EXPECT_FALSE(judge(none, scene, draw(scene), Image::uninitialised(PixelFormat::Rgba8, 1, 1), *reference));

@@ -1,4 +1,6 @@
+#include "core/codec/dds.h"
 #include "core/codec/png.h"
+#include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/scene/json.h"
 
@@ -46,7 +48,7 @@ TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
     EXPECT_THAT(text, HasSubstr("DIFFER"));
     EXPECT_THAT(text, HasSubstr("agree"));
     EXPECT_THAT(text, HasSubstr("skipped: driver-compression, "));
-    EXPECT_THAT(text, HasSubstr("on llvmpipe <&> with A=b: not all agree\n"));
+    EXPECT_THAT(text, HasSubstr("on llvmpipe <&>, 4.5, with A=b: not all agree\n"));
     EXPECT_THAT(text, HasSubstr("  –  ")); // what no rule explains has no number
     std::istringstream lines(text);
     std::string line;
@@ -93,6 +95,33 @@ TEST(Report, SaysTheSameOfAllInEachForm) {
     }
 }
 
+// Row 0 of an image is the bottom one; probe counts from the top. A twentieth of a thousandth is not nothing.
+TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
+    Report report = reportOf({findFeature("trilinear")});
+    report.origin = {"texshot 9.9", "A=b texshot conform --seed 1", "2026-01-02 03:04 UTC"};
+    report.seconds = 12.34;
+    Outcome& outcome = report.pairs[0].outcomes[0];
+    outcome.all.pixels = 1000000;
+    outcome.all.over = 20;
+    outcome.worst->judgement.difference.worst = {3, 0};
+    outcome.worst->judgement.difference.max = 7;
+    const std::string page = pageOf(report);
+    for (const char* expected :
+         {"<td>&lt;0.01 %", "<th>allowed", "<td>4 % over 2, 0.05 % unexplained", "texshot 9.9",
+          "2026-01-02 03:04 UTC", "12.3 s", "<code>A=b texshot conform --seed 1</code>", "llvmpipe &lt;&amp;>, 4.5",
+          "by 7 at 3,63, counted from the upper left",
+          "<code>texshot probe trilinear-reference-fixed.json --size 64x64 --at 3,63</code>"})
+        EXPECT_THAT(page, HasSubstr(expected));
+    const std::string text = asText(report);
+    for (const char* expected : {"  <0.01 %", "in 12.3 s on llvmpipe <&>, 4.5, with A=b",
+                                 "texshot 9.9, to draw them again: A=b texshot conform --seed 1\n"})
+        EXPECT_THAT(text, HasSubstr(expected));
+    const auto json = nlohmann::json::parse(asJson(report));
+    EXPECT_EQ(json["program"], "texshot 9.9");
+    EXPECT_EQ(json["command"], "A=b texshot conform --seed 1");
+    EXPECT_EQ(json["pairs"][0]["features"][0]["worst"]["at"], (std::vector{3, 63}));
+}
+
 TEST(Report, IsJsonForPrograms) {
     const Report report = reportOf({findFeature("wrap"), findFeature("incomplete")});
     const auto json = nlohmann::json::parse(asJson(report));
@@ -123,6 +152,9 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
     ASSERT_TRUE(picture);
     EXPECT_EQ(toImage(picture->surface(0, 0)), referencePainter()->paint(*parsed)->image);
     EXPECT_TRUE(decodePng(file("wrap-reference-fixed-fixed.png"), {}));
+    // The files that scenes name are beside them.
+    for (const MadeFile& made : madeFiles)
+        EXPECT_TRUE(decodeDds(file(made.name)));
     EXPECT_TRUE(decodePng(file("wrap-reference-fixed-difference.png"), {}));
     EXPECT_FALSE(file("report.json").empty());
     const Bytes page = file("index.html");

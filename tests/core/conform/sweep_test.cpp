@@ -1,3 +1,4 @@
+#include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/conform/sweep.h"
 #include "core/scene/diagnosis.h"
@@ -197,6 +198,64 @@ TEST(Cases, AreTheSameForTheSameSeed) {
         EXPECT_TRUE(known.contains(text));
 }
 
+TEST(Cases, AreAsManyAsAreAskedFor) {
+    const auto countOf = [](const std::vector<Case>& cases, const Feature& feature) {
+        return std::ranges::count(cases, &feature, &Case::feature);
+    };
+    const auto all = static_cast<int>(features().size());
+    std::vector<Case> before;
+    for (const int scenes : {1, all - 1, all, all + 1, 100, 600, 777}) {
+        const std::vector<Case> cases = casesOf({1, scenes, {}});
+        EXPECT_EQ(cases.size(), static_cast<std::size_t>(scenes));
+        for (const Feature& feature : features()) {
+            EXPECT_GE(countOf(cases, feature), countOf(before, feature)) << feature.name << " of " << scenes;
+            EXPECT_TRUE(scenes < all || countOf(cases, feature) > 0) << feature.name << " of " << scenes;
+        }
+        before = cases;
+    }
+    const std::vector<Case> usual = casesOf({1, defaultScenes, {}});
+    for (const Feature& feature : features())
+        EXPECT_EQ(countOf(usual, feature), feature.scenes) << feature.name;
+    EXPECT_EQ(casesOf({1, 7, {findFeature("wrap"), findFeature("lod")}}).size(), 7U);
+}
+
+// What sense there is in a level setting is for the renderers to find out.
+TEST(Cases, HaveLevelSettingsWithAndWithoutSense) {
+    bool beyond = false;
+    bool backwards = false;
+    bool limited = false;
+    std::set<std::string> files;
+    for (const Case& item : casesOf({1, 64, {findFeature("levels")}})) {
+        const Texture& texture = item.scene.textures[0];
+        beyond = beyond || texture.baseLevel > 100;
+        backwards = backwards || texture.maxLevel < texture.baseLevel;
+        limited = limited || (texture.minLod > -100 && texture.maxLod < 100);
+        EXPECT_LE(texture.minLod, texture.maxLod); // else lambda is undefined
+        if (texture.source == SourceKind::File)
+            files.insert(texture.file);
+    }
+    EXPECT_TRUE(beyond && backwards && limited);
+    EXPECT_EQ(files.size(), madeFiles.size());
+    // The extents of a chain of 64 x 64: section 3.8.8, floor(n / 2^d).
+    for (const auto& [name, levels] : madeFiles) {
+        Texture texture;
+        texture.source = SourceKind::File;
+        texture.file = name;
+        const auto image = madeImages().find(texture);
+        ASSERT_TRUE(image) << name;
+        ASSERT_EQ(image->levels, levels) << name;
+        for (int level = 0; level < levels; ++level)
+            EXPECT_EQ(widthOf(image->surface(0, level)), 64 >> level) << name;
+    }
+}
+
+TEST(Cases, WrapCubeMapsInEachWay) {
+    std::set<Wrap> wraps;
+    for (const Case& item : casesOf({1, 64, {findFeature("cube-map")}}))
+        wraps.insert({item.scene.textures[0].wrapS, item.scene.textures[0].wrapT});
+    EXPECT_EQ(wraps.size(), EnumTable<Wrap>::rows.size());
+}
+
 // std::mt19937 is the same everywhere. Its first number from the FNV-1a hash of these, worked out in Python.
 TEST(Cases, AreTheSameOnEveryMachine) {
     Dice dice("environment", 1, 0);
@@ -216,7 +275,7 @@ TEST(Cases, AskForNothingThatIsMissing) {
     for (const Case& item : casesOf({1, 400, {}})) {
         if (item.feature->name == "incomplete")
             continue;
-        for (const texplorer::Finding& each : diagnose(item.scene, ImageSource()))
+        for (const texplorer::Finding& each : diagnose(item.scene, madeImages()))
             EXPECT_NE(each.severity, Severity::Error)
                 << item.feature->name << " " << item.number << ": " << each.path << ": " << each.sentence;
     }
@@ -280,6 +339,7 @@ struct Wrong {
     Mutant::Change change;
     Mutant::Blur blur = nullptr;
     int scenes = 40; ///< enough for each to be caught
+    const char* driver = "llvmpipe"; ///< whose peculiarities the rows of skips name
 };
 class WrongRenderer : public testing::TestWithParam<Wrong> {};
 
@@ -287,7 +347,9 @@ TEST_P(WrongRenderer, IsCaughtByItsFeature) {
     const Feature* feature = findFeature(GetParam().feature);
     ASSERT_NE(feature, nullptr);
     Mutant mutant(GetParam().change, GetParam().blur);
-    const Result<Report> report = sweep(optionsFor({feature}, GetParam().scenes), {nullptr, &mutant});
+    SweepOptions options = optionsFor({feature}, GetParam().scenes);
+    options.driver.name = GetParam().driver;
+    const Result<Report> report = sweep(options, {nullptr, &mutant});
     ASSERT_TRUE(report) << describe(report.error());
     const Outcome& outcome = report->pairs[0].outcomes[0];
     EXPECT_FALSE(outcome.agrees()) << outcome.all.over << " of " << outcome.all.pixels << " pixels over, "
@@ -398,6 +460,30 @@ const Wrong wrongs[] = {
     {"MaxLodIgnored", "lod-trilinear", [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxLod = 1000; }); }},
     {"BaseLevelIgnored", "lod", [](Scene& s) { eachTexture(s, [](Texture& t) { t.baseLevel = 0; }); }},
     {"MaxLevelIgnored", "lod", [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxLevel = 1000; }); }},
+    {"MissingLevelsMade", "levels",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.mipmaps == MipPolicy::Missing)
+                 t.mipmaps = MipPolicy::Generated;
+         });
+     }},
+    {"LastLevelBeforeTheFirstTaken", "levels",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxLevel = std::max(t.maxLevel, t.baseLevel); }); }},
+    {"LevelsOfFilesMade", "levels",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.mipmaps == MipPolicy::FromFile)
+                 t.mipmaps = MipPolicy::Generated;
+         });
+     }},
+    {"CubesClampedToTheEdge", "cube-map",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.wrapS == Wrap::ClampToBorder || t.wrapS == Wrap::Clamp)
+                 t.wrapS = Wrap::ClampToEdge;
+         });
+     },
+     nullptr, 64, "a driver that wraps them"},
     {"AnisotropyIgnored", "anisotropy",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxAnisotropy = 1; }); }},
     {"VolumesAsPictures", "targets",
