@@ -72,10 +72,12 @@ std::string quoted(const std::string& word) {
 }
 
 /// What makes the same report again, wherever it is typed.
-std::string commandOf(const Options& options, const conform::Selection& selection, const std::string& settings) {
+std::string commandOf(const Options& options, const conform::Selection& selection,
+                      const std::string& settings) {
     const std::size_t equals = settings.find('=') + 1;
-    std::string command = settings.substr(0, equals) + quoted(settings.substr(equals)) + " texshot conform --seed " + std::to_string(selection.seed) +
-                          " --scenes " + std::to_string(selection.scenes);
+    std::string command = settings.substr(0, equals) + quoted(settings.substr(equals)) +
+                          " texshot conform --seed " + std::to_string(selection.seed) + " --scenes " +
+                          std::to_string(selection.scenes);
     for (const conform::Feature* feature : selection.features)
         command += " --feature " + std::string(feature->name);
     const auto add = [&command](const char* option, const std::string& value) {

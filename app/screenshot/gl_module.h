@@ -56,7 +56,8 @@ public:
     virtual ~Studio() = default;
 
     [[nodiscard]] virtual conform::Driver driver() const = 0;
-    /// Fixed function or the shaders, at time 0. No file is read: textures are patterns and conform::madeFiles.
+    /// Fixed function or the shaders, at time 0. No file is read: textures are patterns and
+    /// conform::madeFiles.
     [[nodiscard]] virtual Result<conform::Painting> draw(RendererKind renderer, const Scene& scene,
                                                          render::Size size) = 0;
 };

@@ -99,9 +99,8 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
 }
 
 Result<std::vector<reference::PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
-                                                            const Scene& scene,
-                                                            const ImageSource& images, int extent,
-                                                            reference::PixelPlace pixel,
+                                                            const Scene& scene, const ImageSource& images,
+                                                            int extent, reference::PixelPlace pixel,
                                                             const reference::DrawOptions& options) {
     const Result<reference::Explanation> exact =
         renderer.probe(scene, images, 0, extent, extent, pixel, options);

@@ -40,12 +40,9 @@ Json asJson(const PairReport& pair, const Outcome& outcome) {
         json["problem"] = outcome.problem;
     if (outcome.worst) {
         const Judgement& judgement = outcome.worst->judgement;
-        json["worst"] = {{"files", worstName(pair, outcome)},
-                         {"scene", outcome.worst->number},
-                         {"over", judgement.difference.over},
-                         {"unexplained", judgement.unexplained},
-                         {"max", judgement.difference.max},
-                         {"at", placeOfWorst(judgement)}};
+        json["worst"] = {{"files", worstName(pair, outcome)}, {"scene", outcome.worst->number},
+                         {"over", judgement.difference.over}, {"unexplained", judgement.unexplained},
+                         {"max", judgement.difference.max},   {"at", placeOfWorst(judgement)}};
     }
     return json;
 }

@@ -171,7 +171,8 @@ std::string introduction(const Report& report) {
     if (!origin.program.empty())
         text += "Made by " + escaped(origin.program) +
                 (origin.made.empty() ? "" : " on " + escaped(origin.made)) + " in " +
-                fixed(report.seconds, 1) + " s; again: <code>" + escaped(origin.command) + "</code>.</p>\n<p>";
+                fixed(report.seconds, 1) + " s; again: <code>" + escaped(origin.command) +
+                "</code>.</p>\n<p>";
     return text +
            "A pixel is over the bound when a component differs by more than its rule allows, and unexplained "
            "when what the rule grants a driver's arithmetic does not explain it either. Differences are in "

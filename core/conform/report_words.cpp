@@ -29,9 +29,7 @@ std::string allowed(const Rule& rule) {
 }
 
 std::string_view verdict(const Outcome& outcome) {
-    return !outcome.agrees()             ? "differ"
-           : outcome.all.scenes == 0 ? "skipped"
-                                         : "agree";
+    return !outcome.agrees() ? "differ" : outcome.all.scenes == 0 ? "skipped" : "agree";
 }
 
 int skippedOf(const Outcome& outcome) {

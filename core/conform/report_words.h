@@ -30,8 +30,8 @@ namespace texplorer::conform {
 /// "2000 scenes of 64 x 64 pixels, seed 1"
 [[nodiscard]] std::string whatWasDrawn(const Report& report);
 
-/// " on llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, with GALLIVM_PERF=…"; empty
-/// without a driver.
+/// " on llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, with GALLIVM_PERF=…";
+/// empty without a driver.
 [[nodiscard]] std::string onWhat(const Driver& driver);
 
 } // namespace texplorer::conform

@@ -82,7 +82,7 @@ Scene levelSettings(int number, Dice& state, Dice& values) {
     // Some without sense: levels that aren't there, a last one before the first.
     constexpr std::array levels{0, 1, 2, 3, 5, 6, 7, 200, 1000};
     constexpr std::array lods{-1000.0F, -1.0F, 0.0F, 0.5F, 1.0F, 2.25F, 6.0F, 1000.0F};
-    constexpr std::array policies{MipPolicy::FromFile, MipPolicy::Missing, MipPolicy::FromFile,
+    constexpr std::array policies{MipPolicy::FromFile,  MipPolicy::Missing,  MipPolicy::FromFile,
                                   MipPolicy::Generated, MipPolicy::FromFile, MipPolicy::None};
     const auto turn = static_cast<std::size_t>(number);
     const MinFilter min = turn % 5 == 4 ? MinFilter::Linear : state.of(mipmapFilters);
@@ -141,6 +141,10 @@ Scene cubeMap(int number, Dice& state, Dice& values) {
     texture.wrapS = usual ? Wrap::ClampToEdge : state.any<Wrap>();
     texture.wrapT = usual ? Wrap::ClampToEdge : state.any<Wrap>();
     texture.borderColor = values.color();
+    if (!usual) { // large texels: what lies beyond the edge of a face is half of one
+        texture.mipmaps = MipPolicy::Generated;
+        texture.baseLevel = 5;
+    }
     Unit& unit = scene.passes[0].units[0];
     unit.target = Target::CubeMap;
     for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR})

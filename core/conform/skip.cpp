@@ -119,7 +119,8 @@ constexpr std::array rows{
                                (texture.wrapS != Wrap::ClampToEdge || texture.wrapT != Wrap::ClampToEdge);
                     });
          },
-         "llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; the "
+         "llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; "
+         "the "
          "specification wraps on the face as on any picture (OpenGL 2.1, section 3.8.6)"},
     Skip{"too-few-units",
          [](const Scene& scene, const Pair&, const Driver& driver) {

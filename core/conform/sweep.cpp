@@ -324,8 +324,8 @@ Result<Report> sweep(const SweepOptions& options, const Painters& painters) {
     if (auto error = outcomes.error())
         return fail(std::move(*error));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    return Report{options.driver, options.selection, static_cast<int>(cases.size()), elapsed.count(),
-                  outcomes.take(), {}};
+    return Report{options.driver,  options.selection, static_cast<int>(cases.size()),
+                  elapsed.count(), outcomes.take(),   {}};
 }
 
 } // namespace texplorer::conform

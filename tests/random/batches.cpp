@@ -28,7 +28,8 @@ struct Numbers {
 
 std::string oneLine(std::string_view text) {
     std::string line(text);
-    std::ranges::replace_if(line, [](char each) { return each == '\n' || each == '\t'; }, ' ');
+    std::ranges::replace_if(
+        line, [](char each) { return each == '\n' || each == '\t'; }, ' ');
     return line;
 }
 

@@ -53,15 +53,15 @@ struct Batches {
 };
 
 struct Ended {
-    int done = 0;             ///< numbers that came to their end
-    std::vector<Note> notes;  ///< in the order of their numbers
+    int done = 0;            ///< numbers that came to their end
+    std::vector<Note> notes; ///< in the order of their numbers
     std::vector<Death> deaths;
 };
 
 using Work = std::function<void(int number, Journal& journal)>;
 
-/// `open` is called once in each child, for the first of its numbers, and what it returns for each of them. An
-/// exception is a note of kind "broken". The caller must have one thread only: it is copied.
+/// `open` is called once in each child, for the first of its numbers, and what it returns for each of them.
+/// An exception is a note of kind "broken". The caller must have one thread only: it is copied.
 [[nodiscard]] Ended runBatches(const Batches& batches, const std::function<Work(int first)>& open);
 
 } // namespace texplorer::random

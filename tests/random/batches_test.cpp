@@ -26,7 +26,8 @@ std::vector<int> numbersOf(const std::vector<Note>& notes, std::string_view kind
 TEST(Batches, DoEveryNumberOnce) {
     for (const unsigned jobs : {1U, 3U}) {
         const Ended ended = runBatches({.first = 7, .count = 10, .size = 4, .jobs = jobs}, [](int) -> Work {
-            return [](int number, Journal& journal) { journal.note("square", std::to_string(number * number)); };
+            return
+                [](int number, Journal& journal) { journal.note("square", std::to_string(number * number)); };
         });
         EXPECT_EQ(ended.done, 10);
         EXPECT_THAT(ended.deaths, IsEmpty());
@@ -84,7 +85,8 @@ TEST(Batches, SayWhetherANumberDiesAlone) {
 }
 
 TEST(Batches, SayWhatKeepsAChildFromBeginning) {
-    const Ended ended = runBatches({.count = 2}, [](int) -> Work { throw std::runtime_error("no\ncontext"); });
+    const Ended ended =
+        runBatches({.count = 2}, [](int) -> Work { throw std::runtime_error("no\ncontext"); });
     ASSERT_EQ(ended.deaths.size(), 2U);
     EXPECT_EQ(ended.deaths[0].step, "opening: no context");
     EXPECT_EQ(ended.done, 0);

@@ -23,8 +23,8 @@ Image noise(int width, int height, int depth = 1) {
 /// missing.
 std::vector<TextureImage> oddTextures() {
     std::vector<TextureImage> textures;
-    for (const auto& [width, height] : {std::pair{300, 1}, {1, 300}, {96, 16}, {16, 96}, {64, 48}, {48, 64},
-                                        {127, 129}, {256, 256}})
+    for (const auto& [width, height] :
+         {std::pair{300, 1}, {1, 300}, {96, 16}, {16, 96}, {64, 48}, {48, 64}, {127, 129}, {256, 256}})
         textures.push_back(textureOf(noise(width, height), {}));
     for (const int faces : {1, 6}) {
         TextureImage few;

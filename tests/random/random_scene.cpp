@@ -37,15 +37,27 @@ public:
     }
 
     /// One coordinate of a vertex: rows don't limit it, so that it goes as far as a float.
-    float coordinate() {
-        return isWild() ? dice_.of(unlimited) : dice_.number(-2, 3);
-    }
+    float coordinate() { return isWild() ? dice_.of(unlimited) : dice_.number(-2, 3); }
 
 private:
     static constexpr float denormal = std::numeric_limits<float>::denorm_min();
-    static constexpr std::array unlimited{0.0F,   -0.0F,   denormal, -denormal,        1e-40F, 1e-20F, 0.5F, 1.0F,
-                                          1e6F,   -1e6F,   16777216.5F, 3e17F,         1e20F,  -1e20F, 3e38F,
-                                          -3e38F, std::numeric_limits<float>::max()};
+    static constexpr std::array unlimited{0.0F,
+                                          -0.0F,
+                                          denormal,
+                                          -denormal,
+                                          1e-40F,
+                                          1e-20F,
+                                          0.5F,
+                                          1.0F,
+                                          1e6F,
+                                          -1e6F,
+                                          16777216.5F,
+                                          3e17F,
+                                          1e20F,
+                                          -1e20F,
+                                          3e38F,
+                                          -3e38F,
+                                          std::numeric_limits<float>::max()};
 
     bool isWild() {
         switch (temper_) {
@@ -84,7 +96,8 @@ private:
         case Kind::Bool:
             return dice_.chance(2);
         case Kind::Int:
-            return static_cast<int>(std::lround(numberOf(row.range, static_cast<float>(std::get<int>(start)))));
+            return static_cast<int>(
+                std::lround(numberOf(row.range, static_cast<float>(std::get<int>(start)))));
         case Kind::Float:
             return numberOf(row.range, std::get<float>(start));
         case Kind::Vec3:
@@ -114,7 +127,8 @@ private:
             return child.minCount;
         const auto most = static_cast<int>(child.maxCount - child.minCount);
         const std::array wild{0, most, dice_.below(most + 1)};
-        return child.minCount + static_cast<std::size_t>(isWild() ? dice_.of(wild) : dice_.below(std::min(4, most + 1)));
+        return child.minCount +
+               static_cast<std::size_t>(isWild() ? dice_.of(wild) : dice_.below(std::min(4, most + 1)));
     }
 
     Temper temper_;

@@ -13,9 +13,9 @@ namespace texplorer::random {
 /// How far a scene's numbers go.
 enum class Temper : std::uint8_t {
     Comparable, ///< ordinary, and without what the rows of core/conform/skip.h and random_skip.h name
-    Ordinary, ///< about a hundred steps of their row away from where they start
-    Mixed,    ///< one of eight as in a wild scene
-    Wild,     ///< one of two: a limit of its row or next to it, 0, -0, a denormal, anything between the limits
+    Ordinary,   ///< about a hundred steps of their row away from where they start
+    Mixed,      ///< one of eight as in a wild scene
+    Wild, ///< one of two: a limit of its row or next to it, 0, -0, a denormal, anything between the limits
 };
 
 struct RandomScene {

@@ -1,7 +1,6 @@
-#include "tests/random/random_scene.h"
-
 #include "core/scene/json.h"
 #include "core/scene/params.h"
+#include "tests/random/random_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -107,9 +106,9 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
         }
         const bool takesDenormals = row->kind != Kind::Int && row->kind != Kind::Bool && row->range.min <= 0;
         if (takesDenormals) {
-            EXPECT_TRUE(std::ranges::any_of(
-                numbers, [](float each) { return std::fpclassify(each) == FP_SUBNORMAL; }))
-                << row->key;
+            EXPECT_TRUE(std::ranges::any_of(numbers, [](float each) {
+                return std::fpclassify(each) == FP_SUBNORMAL;
+            })) << row->key;
         }
     }
     for (const auto& [row, choices] : seen.choices)

@@ -23,25 +23,26 @@ constexpr std::array rows{
                    return each.random.temper > Temper::Ordinary && each.pair.has(RendererKind::Reference);
                },
                "numbers at their limits leave a float's 24 bits no texel to tell"},
-    RandomSkip{"anisotropy",
-               [](const Comparison& each) {
-                   return each.pair.has(RendererKind::Reference) &&
-                          anyTexture(each.random.scene,
-                                     [](const Texture& texture) { return texture.maxAnisotropy > 1; });
-               },
-               "EXT_texture_filter_anisotropic leaves the method open: it has a rule and scenes of its own in "
-               "the sweep"},
+    RandomSkip{
+        "anisotropy",
+        [](const Comparison& each) {
+            return each.pair.has(RendererKind::Reference) &&
+                   anyTexture(each.random.scene,
+                              [](const Texture& texture) { return texture.maxAnisotropy > 1; });
+        },
+        "EXT_texture_filter_anisotropic leaves the method open: it has a rule and scenes of its own in "
+        "the sweep"},
     RandomSkip{"undefined-crossbar",
                [](const Comparison& each) { return isFound(each, "undefined-crossbar"); },
                "GL_COMBINE reads the texture of a unit that is off or incomplete, which is undefined (OpenGL "
                "2.1, section 3.8.13)"},
-    RandomSkip{"lod-range", [](const Comparison& each) { return isFound(each, "lod-range"); },
-               "lambda is undefined where its lower limit is above the upper one (OpenGL 2.1, section 3.8.8)"},
-    RandomSkip{"zero-q",
-               [](const Comparison& each) {
-                   return isFound(each, "zero-q") || isFound(each, "zero-q-of-vertex");
-               },
-               "a coordinate divided by 0 is no place in an image"},
+    RandomSkip{
+        "lod-range", [](const Comparison& each) { return isFound(each, "lod-range"); },
+        "lambda is undefined where its lower limit is above the upper one (OpenGL 2.1, section 3.8.8)"},
+    RandomSkip{
+        "zero-q",
+        [](const Comparison& each) { return isFound(each, "zero-q") || isFound(each, "zero-q-of-vertex"); },
+        "a coordinate divided by 0 is no place in an image"},
 };
 
 } // namespace
@@ -54,7 +55,8 @@ Skipped skipOf(const Comparison& comparison) {
     const auto& [random, findings, pair, driver] = comparison;
     if (const conform::Skip* skip = conform::skipOf(random.scene, pair, driver))
         return {skip->name, skip->reason};
-    const auto found = std::ranges::find_if(rows, [&](const RandomSkip& row) { return row.applies(comparison); });
+    const auto found =
+        std::ranges::find_if(rows, [&](const RandomSkip& row) { return row.applies(comparison); });
     return found == rows.end() ? Skipped{} : Skipped{found->name, found->reason};
 }
 
@@ -63,7 +65,8 @@ bool isEndless(const RandomScene& random, const conform::Driver& driver) {
         return false;
     return std::ranges::any_of(random.scene.passes, [&](const Pass& pass) {
         return std::ranges::any_of(pass.units, [&](const Unit& unit) {
-            const bool runsFast = random.temper > Temper::Ordinary || !unit.matrix.empty() || unit.texGenQ.enabled;
+            const bool runsFast =
+                random.temper > Temper::Ordinary || !unit.matrix.empty() || unit.texGenQ.enabled;
             return unit.enabled && runsFast &&
                    random.scene.textures[static_cast<std::size_t>(unit.texture)].maxAnisotropy > 1;
         });
@@ -76,7 +79,8 @@ std::string_view reasonOf(std::string_view name) {
             return row.reason;
     }
     if (name == endless)
-        return "llvmpipe's anisotropic filter adds up all texels of an ellipse in the coarsest level, which takes "
+        return "llvmpipe's anisotropic filter adds up all texels of an ellipse in the coarsest level, which "
+               "takes "
                "for ever where coordinates run fast";
     const auto found = std::ranges::find(rows, name, &RandomSkip::name);
     return found == rows.end() ? std::string_view() : found->reason;

@@ -93,7 +93,8 @@ std::string SoakReport::text() const {
                std::string(reasonOf(name.substr(name.find(": ") + 2))) + "\n";
     if (blank > 0)
         all += std::to_string(blank) + " pictures are of one colour\n";
-    return all + std::to_string(scenes) + " random scenes: " + (failures.empty() ? "all well" : "not all well") + "\n";
+    return all + std::to_string(scenes) +
+           " random scenes: " + (failures.empty() ? "all well" : "not all well") + "\n";
 }
 
 } // namespace texplorer::random

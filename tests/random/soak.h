@@ -14,17 +14,17 @@ struct SoakOptions {
     unsigned seed = 1;
     int first = 0;
     int count = 2000;
-    unsigned jobs = 0;          ///< 0: as many as the processor has
-    std::filesystem::path keep; ///< where the scenes that failed are kept, with the files that they name
+    unsigned jobs = 0;             ///< 0: as many as the processor has
+    std::filesystem::path keep;    ///< where the scenes that failed are kept, with the files that they name
     std::filesystem::path shaders; ///< of the shader renderer; empty: the built-in ones
-    std::string command;        ///< of this program, for the command that repeats a failure
+    std::string command;           ///< of this program, for the command that repeats a failure
 };
 
 struct SoakReport {
     int scenes = 0;
     std::map<std::string, int> agreed;  ///< comparisons, by the pair
     std::map<std::string, int> skipped; ///< by the pair and the name of the skip
-    int blank = 0; ///< pictures of one colour, by which nothing is told
+    int blank = 0;                      ///< pictures of one colour, by which nothing is told
     std::string failures;               ///< what went wrong, scene by scene; empty: nothing
 
     [[nodiscard]] std::string text() const;

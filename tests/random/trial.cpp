@@ -28,11 +28,15 @@ std::string nameOf(RendererKind kind) {
     return std::string(rowOf(kind).name);
 }
 
-/// How a random scene is held: as conform holds a mixture of everything, but for one more 255th for each pass,
-/// whose rounding the next one reads.
+/// How a random scene is held: as conform holds a mixture of everything, but for two things. Each pass more
+/// is one more 255th, for its rounding is read by the next. And 3 % of a picture may stay unexplained: the
+/// judge grants all units the same error of lambda at a time, while theirs differ.
 conform::Rule ruleFor(const Scene& scene, const conform::Pair& pair) {
-    conform::Rule rule =
-        pair.has(RendererKind::Reference) ? conform::rules::levelBlend : conform::rules::lastBit;
+    conform::Rule rule = conform::rules::lastBit;
+    if (pair.has(RendererKind::Reference)) {
+        rule = conform::rules::levelBlend;
+        rule.explainedScene = 0.97;
+    }
     rule.bound += static_cast<int>(scene.passes.size()) - 1;
     return rule;
 }
@@ -99,7 +103,8 @@ struct Trial::State::Run {
                 if (!each.fix)
                     continue;
                 if (const Result<void> applied = apply(*each.fix, mended); !applied)
-                    broken("can't be mended as " + std::string(each.rule) + " says: " + describe(applied.error()));
+                    broken("can't be mended as " + std::string(each.rule) +
+                           " says: " + describe(applied.error()));
             }
         }
     }
@@ -117,8 +122,9 @@ struct Trial::State::Run {
 
     void drawReference() {
         journal.step("reference");
-        Result<reference::Drawn> drawn = reference::drawReference(
-            scene(), images, 0, extent, extent, {.anisotropy = reference::AnisotropyMethod::Ellipse, .threads = 1});
+        Result<reference::Drawn> drawn =
+            reference::drawReference(scene(), images, 0, extent, extent,
+                                     {.anisotropy = reference::AnisotropyMethod::Ellipse, .threads = 1});
         if (!drawn)
             return broken("reference: " + describe(drawn.error()));
         heed(drawn->problems);
@@ -179,17 +185,17 @@ struct Trial::State::Run {
             return journal.note("skip", name + ": " + std::string(skipped.name));
         const conform::Rule rule = ruleFor(scene(), pair);
         const std::unique_ptr<conform::Explainer> reference = conform::referencePainterWith(images);
-        const Result<conform::Judgement> judgement = conform::judge(
-            rule, scene(), pictures.at(pair.subject), pictures.at(pair.against), *reference);
+        const Result<conform::Judgement> judgement =
+            conform::judge(rule, scene(), pictures.at(pair.subject), pictures.at(pair.against), *reference);
         if (!judgement)
             return broken("compare: " + describe(judgement.error()));
-        const double wrong = static_cast<double>(judgement->unexplained) /
-                             static_cast<double>(judgement->difference.pixels);
+        const double wrong =
+            static_cast<double>(judgement->unexplained) / static_cast<double>(judgement->difference.pixels);
         if (wrong <= 1 - rule.explainedScene)
             return journal.note("agree", name);
         journal.note("differ", name + ": " + std::to_string(judgement->unexplained) + " of " +
-                                   std::to_string(judgement->difference.pixels) +
-                                   " pixels by more than " + std::to_string(rule.bound) + ", at worst " +
+                                   std::to_string(judgement->difference.pixels) + " pixels by more than " +
+                                   std::to_string(rule.bound) + ", at worst " +
                                    std::to_string(judgement->difference.max));
     }
 };
@@ -223,7 +229,9 @@ Result<Trial> Trial::open(Precision precision, const std::filesystem::path& file
 }
 
 void Trial::run(const RandomScene& random, Journal& journal) {
-    const conform::Driver driver{state_->capabilities.renderer, state_->capabilities.version, {},
+    const conform::Driver driver{state_->capabilities.renderer,
+                                 state_->capabilities.version,
+                                 {},
                                  render::driverFacts(state_->capabilities)};
     State::Run run{*state_, random, journal};
     run.writeAndRead();

@@ -26,10 +26,11 @@ public:
     Trial& operator=(Trial&&) noexcept;
     ~Trial();
 
-    /// Writes and reads the scene, loads its files, diagnoses it, draws it with all three, probes it, looks for
-    /// a texel's pixels, and holds the pictures against each other. Into the journal go each of these as a
-    /// step, what must not be as notes of kind "broken", and for each pair of renderers one of kind "agree",
-    /// "differ" or "skip" (with the name of the skip), and "blank" where the picture is of one colour.
+    /// Writes and reads the scene, loads its files, diagnoses it, draws it with all three, probes it, looks
+    /// for a texel's pixels, and holds the pictures against each other. Into the journal go each of these as
+    /// a step, what must not be as notes of kind "broken", and for each pair of renderers one of kind
+    /// "agree", "differ" or "skip" (with the name of the skip), and "blank" where the picture is of one
+    /// colour.
     void run(const RandomScene& random, Journal& journal);
 
 private:

@@ -338,7 +338,7 @@ struct Wrong {
     const char* feature;
     Mutant::Change change;
     Mutant::Blur blur = nullptr;
-    int scenes = 40; ///< enough for each to be caught
+    int scenes = 40;                 ///< enough for each to be caught
     const char* driver = "llvmpipe"; ///< whose peculiarities the rows of skips name
 };
 class WrongRenderer : public testing::TestWithParam<Wrong> {};
