@@ -69,12 +69,12 @@ std::string asText(const std::vector<Finding>& findings) {
     for (const Finding& each : findings) {
         text += std::string(rowOf(each.severity).name) + ": " + each.path + ": " +
                 (each.severity >= Severity::Hint ? "no effect: " : "") + each.sentence + "\n";
-        if (!each.fix)
-            continue;
-        text += "    " + each.fix->label + ":";
-        for (const Assignment& set : each.fix->assignments)
-            text += " --set " + set.path + "=" + set.value;
-        text += "\n";
+        for (const Fix& fix : each.fixes) {
+            text += "    " + fix.label + ":";
+            for (const Assignment& set : fix.assignments)
+                text += " --set " + set.path + "=" + set.value;
+            text += "\n";
+        }
     }
     return text;
 }
@@ -87,11 +87,11 @@ std::string asJson(const std::vector<Finding>& findings, const std::string& erro
                                      {"rule", each.rule},
                                      {"path", each.path},
                                      {"sentence", each.sentence}};
-        if (each.fix) {
+        for (const Fix& fix : each.fixes) {
             nlohmann::ordered_json set = nlohmann::ordered_json::object();
-            for (const Assignment& one : each.fix->assignments)
+            for (const Assignment& one : fix.assignments)
                 set[one.path] = one.value;
-            entry["fix"] = {{"label", each.fix->label}, {"set", std::move(set)}};
+            entry["fixes"].push_back({{"label", fix.label}, {"set", std::move(set)}});
         }
         list.push_back(std::move(entry));
     }
@@ -137,11 +137,11 @@ void addCheck(CLI::App& app, Action& action) {
     addSceneArgument(*command, options->scene);
     command->add_flag("--json", options->json, "As JSON, for programs.");
     command->footer(
-        "A line for each finding on standard output, errors first, and below it what mends it. "
-        "Settings without\n"
-        "effect are named where they differ from what OpenGL and Texplorer start with. The driver "
-        "is not asked:\n"
-        "\"texshot shot\" says what it lacks.\n"
+        "A line for each finding on standard output, errors first, and below it each way to mend it. "
+        "Settings\n"
+        "without effect are named where they differ from what OpenGL and Texplorer start with. The driver "
+        "is not\n"
+        "asked: \"texshot shot\" says what it lacks.\n"
         "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be "
         "read, 2 a wrong call.");
     command->callback([&action, options] { action = [options] { return check(*options); }; });

@@ -72,6 +72,13 @@ void reveal(Session& session, const std::string& path) {
     session.shownParam = path;
 }
 
+std::string assignmentsOf(const Fix& fix) {
+    std::string lines;
+    for (const Assignment& each : fix.assignments)
+        lines += (lines.empty() ? "" : "\n") + each.path + " = " + each.value;
+    return lines;
+}
+
 void applyFix(Session& session, const Fix& fix) {
     sealEdit(session);
     const Result<void> applied = apply(fix, session.scene);

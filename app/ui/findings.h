@@ -21,6 +21,9 @@ void diagnoseSession(Session& session, const DriverFacts& driver);
 /// Selects what a parameter is part of, opens its section and scrolls to it with the next frame.
 void reveal(Session& session, const std::string& path);
 
+/// What it sets, a line each.
+[[nodiscard]] std::string assignmentsOf(const Fix& fix);
+
 /// One step of undo.
 void applyFix(Session& session, const Fix& fix);
 

@@ -3,6 +3,7 @@
 #include "app/ui/findings.h"
 #include "app/ui/fitted_text.h"
 #include "app/ui/param_tips.h"
+#include "app/ui/problem_sign.h"
 #include "app/ui/theme.h"
 
 #include <imgui_stdlib.h>
@@ -212,6 +213,16 @@ void noteItem(Session& session, std::string_view name) {
     session.probe->items[std::string(name)] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
 }
 
+bool squareButton(Session& session, const char* label, std::string_view name, std::string_view help,
+                  bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, {ImGui::GetFrameHeight(), 0});
+    noteItem(session, name);
+    ImGui::EndDisabled();
+    helpTip(help);
+    return pressed && enabled;
+}
+
 void caption(std::string_view words) {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.15F});
     dimText(words);
@@ -345,9 +356,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     line.reset = line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (line.problem) {
         ImGui::SameLine(0, em * 0.35F);
-        warningSign();
-        noteItem(session, line.path + "#problem");
-        helpTip(sentenceOf(*line.problem));
+        problemSign(session, line.path, *line.problem);
     }
     float controlWidth = full - resetWidth;
     if (!ownLine) {

@@ -43,6 +43,10 @@ void paramRows(Session& session, const Owner& owner, const StructTable& table);
 /// none).
 bool dragNumber(const char* id, float& value, const Range& range, int component);
 
+/// A button as wide as it is high; `name` is what tests call it.
+bool squareButton(Session& session, const char* label, std::string_view name, std::string_view help,
+                  bool enabled);
+
 /// Ends a step of undo when the last widget is let go.
 void sealAfterItem(Session& session);
 

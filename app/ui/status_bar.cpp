@@ -62,17 +62,19 @@ void drawNotice(Session& session) {
         session.notice = {};
 }
 
-/// The first error or warning of the diagnosis: a click leads to its control, another mends it.
+/// The first error or warning of the diagnosis: a click leads to its control, others mend it. Ways for which
+/// a small window has no room are offered at the control.
 void drawFinding(Session& session, const Finding& finding, std::size_t count) {
-    if (finding.fix) {
-        if (ImGui::SmallButton(finding.fix->label.c_str())) {
-            applyFix(session, *finding.fix); // the findings are made anew with the next frame
-        }
-        noteItem(session, "apply fix");
-        std::string sets;
-        for (const Assignment& each : finding.fix->assignments)
-            sets += (sets.empty() ? "" : "\n") + each.path + " = " + each.value;
-        helpTip(sets);
+    const float forSentence = ImGui::GetFontSize() * 12;
+    for (const Fix& fix : finding.fixes) {
+        const float width =
+            ImGui::CalcTextSize(fix.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + forSentence;
+        if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
+            break;
+        if (ImGui::SmallButton(fix.label.c_str()))
+            applyFix(session, fix); // the findings are made anew with the next frame
+        noteItem(session, "fix:" + fix.label);
+        helpTip(assignmentsOf(fix));
         ImGui::SameLine();
     }
     const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();

@@ -1,4 +1,5 @@
 #include "app/ui/panels.h"
+#include "app/ui/param_tips.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/tex_coord_edits.h"
 #include "app/ui/theme.h"
@@ -139,12 +140,19 @@ void drawVerticesTab(Session& session) {
     noteItem(session, "show r, q");
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
     editButtons(session);
+    const Finding* idle = idleReasonOf(session.findings, coordsPath(session));
+    if (idle) {
+        dimText("No effect now: " + idle->sentence + ".");
+        noteItem(session, "coordinates#inert");
+    }
 
     const Mesh& mesh = selectedMesh(session);
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
     const int components = session.showRq || std::ranges::any_of(coords, usesRq) ? 4 : 2;
     ImGui::BeginChild("vertices");
+    if (idle)
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.6F);
     ImGui::Dummy({0, 0});
     header(components);
     const bool reveal = session.selection.vertex != session.revealedVertex;
@@ -174,6 +182,8 @@ void drawVerticesTab(Session& session) {
         ImGui::PopID();
     }
     session.revealedVertex = session.selection.vertex;
+    if (idle)
+        ImGui::PopStyleVar();
     ImGui::EndChild();
 }
 

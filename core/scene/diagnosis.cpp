@@ -40,8 +40,6 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
     return at("passes", pass) + "." + at("units", unit) + ".";
 }
 
-namespace {
-
 TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
                     const DriverFacts& driver) {
     TargetFacts facts{target, planLevels(texture, image, target), {}, {}, texture.internalFormat};
@@ -61,6 +59,8 @@ TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& i
     facts.heldBack = std::move(applied.heldBack);
     return facts;
 }
+
+namespace {
 
 std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images, const DriverFacts& driver) {
     std::vector<TextureFacts> all(scene.textures.size());
@@ -95,7 +95,7 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     std::vector<Finding> findings;
     Report report(findings);
     for (const std::span<const Rule> rules :
-         {textureRules(), unitRules(), combineRules(), passRules(), textureEffectRules()}) {
+         {textureRules(), unitRules(), combineRules(), passRules(), lightRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.drawnOtherwise);
             rule.find(about, report);
@@ -129,8 +129,10 @@ const Finding* problemOf(const std::vector<Finding>& findings, std::string_view 
 
 const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path) {
     const auto isMending = [&](const Finding& each) { // what would give the rest an effect has one itself
-        return each.fix && std::ranges::any_of(each.fix->assignments,
-                                               [&](const Assignment& set) { return set.path == path; });
+        return std::ranges::any_of(each.fixes, [&](const Fix& fix) {
+            return std::ranges::any_of(fix.assignments,
+                                       [&](const Assignment& set) { return set.path == path; });
+        });
     };
     const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
         return each.severity >= Severity::Hint && isPartOf(path, each.path) && !isMending(each);

@@ -6,7 +6,6 @@
 #include "core/scene/image_source.h"
 #include "core/scene/scene.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,8 +63,8 @@ struct Finding {
     Severity severity = Severity::Warning;
     /// The parameter, "textures[0].minFilter"; or a struct, "passes[0].units[1].combine": all below it.
     std::string path;
-    std::string sentence; ///< without a capital and a full stop, as an error's message
-    std::optional<Fix> fix;
+    std::string sentence;   ///< without a capital and a full stop, as an error's message
+    std::vector<Fix> fixes; ///< each of them mends it; the one that is most often meant comes first
     /// Whether a renderer, too, reports this when it draws.
     bool drawnOtherwise = false;
 };

@@ -123,12 +123,12 @@ void notShown(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         if (about.textures[i].shown)
             continue;
-        std::optional<Fix> fix;
+        std::vector<Fix> fixes;
         forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
-            if (!fix && !unit.enabled && unit.texture == static_cast<int>(i))
-                fix = Fix{"Switch the unit on", {{path + "enabled", "true"}}};
+            if (fixes.empty() && !unit.enabled && unit.texture == static_cast<int>(i))
+                fixes = {{"Switch the unit on", {{path + "enabled", "true"}}}};
         });
-        report.add(at("textures", i), "no unit that is on shows this texture", std::move(fix));
+        report.add(at("textures", i), "no unit that is on shows this texture", std::move(fixes));
     }
 }
 

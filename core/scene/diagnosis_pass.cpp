@@ -1,4 +1,4 @@
-// Passes, light, material and models.
+// Passes and models.
 
 #include "core/scene/diagnosis_rules.h"
 
@@ -97,34 +97,6 @@ void noFragmentTest(const Case& about, Report& report) {
     });
 }
 
-bool isBlack(const glm::vec4& color) {
-    return color.r == 0 && color.g == 0 && color.b == 0;
-}
-
-void noLight(const Case& about, Report& report) {
-    const Scene& scene = about.scene;
-    if (std::ranges::none_of(scene.passes, &Pass::lighting)) {
-        const char* reason = "no pass has lighting";
-        report.add("light", reason);
-        report.add("material.specular", reason);
-        report.add("material.shininess", reason);
-        report.add("material.shadeModel", "without lighting all vertices have the same colour");
-        return;
-    }
-    const bool dull = isBlack(scene.material.specular);
-    const bool unlit = isBlack(scene.light.specular);
-    const char* black =
-        dull ? "the material's specular colour is black" : "the light's specular colour is black";
-    if (dull)
-        report.add("light.specular", black);
-    if (unlit && !dull)
-        report.add("material.specular", black);
-    if (dull || unlit) {
-        for (const char* path : {"material.shininess", "light.colorControl", "light.localViewer"})
-            report.add(path, black);
-    }
-}
-
 /// Coordinates that reach the texture: those of units that are on.
 void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
@@ -166,6 +138,30 @@ void zeroQ(const Case& about, Report& report) {
     badCoordinates(about, report, false);
 }
 
+void hiddenModel(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const std::string path = at("models", m);
+        if (!about.scene.models[m].visible)
+            report.add(path, "the model is hidden", Fix{"Show it", {{path + ".visible", "true"}}});
+    }
+}
+
+void unreadCoordinates(const Case& about, Report& report) {
+    const std::vector<Pass>& passes = about.scene.passes;
+    for (std::size_t u = 0; u < maxUnits; ++u) {
+        const bool off =
+            std::ranges::none_of(passes, [&](const Pass& pass) { return pass.units[u].enabled; });
+        const bool generated = std::ranges::all_of(passes, [&](const Pass& pass) {
+            const Unit& unit = pass.units[u];
+            return !unit.enabled || (unit.texGenS.enabled && unit.texGenT.enabled && unit.texGenR.enabled &&
+                                     unit.texGenQ.enabled);
+        });
+        for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
+            report.add(at("models", m) + ".texCoords" + std::to_string(u),
+                       "unit " + std::to_string(u) + (off ? " is off" : " generates all of its coordinates"));
+    }
+}
+
 void otherShape(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Shape shape = about.scene.models[m].shape;
@@ -199,7 +195,8 @@ constexpr std::array rules{
     Rule{"ignored-hint", Severity::Warning, ignoredHint},
     Rule{"no-perspective", Severity::Hint, nothingToCorrect},
     Rule{"fragment-test", Severity::Hint, noFragmentTest},
-    Rule{"light", Severity::Hint, noLight},
+    Rule{"hidden-model", Severity::Hint, hiddenModel},
+    Rule{"unread-coordinates", Severity::Hint, unreadCoordinates},
     Rule{"other-shape", Severity::Unused, otherShape},
 };
 

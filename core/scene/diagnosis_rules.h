@@ -7,8 +7,11 @@
 #include "core/scene/diagnosis.h"
 #include "core/scene/level_plan.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace texplorer::diagnosis {
 
@@ -32,6 +35,10 @@ struct TextureFacts {
     [[nodiscard]] const TargetFacts* as(Target target) const;
 };
 
+/// What `texture` is as one target takes it. Whether it is complete is no driver's concern.
+[[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
+                                  const DriverFacts& driver = {});
+
 struct Case {
     const Scene& scene;
     const DriverFacts& driver;
@@ -54,9 +61,12 @@ public:
         severity_ = severity;
         drawnOtherwise_ = drawnOtherwise;
     }
-    void add(std::string path, std::string sentence, std::optional<Fix> fix = {}) {
+    void add(std::string path, std::string sentence, std::vector<Fix> fixes = {}) {
         findings_.push_back(
-            {rule_, severity_, std::move(path), std::move(sentence), std::move(fix), drawnOtherwise_});
+            {rule_, severity_, std::move(path), std::move(sentence), std::move(fixes), drawnOtherwise_});
+    }
+    void add(std::string path, std::string sentence, Fix fix) {
+        add(std::move(path), std::move(sentence), std::vector{std::move(fix)});
     }
 
 private:
@@ -77,7 +87,8 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< which of their settings do nothing
 [[nodiscard]] std::span<const Rule> unitRules();
 [[nodiscard]] std::span<const Rule> combineRules();
-[[nodiscard]] std::span<const Rule> passRules(); ///< light, material and models, too
+[[nodiscard]] std::span<const Rule> passRules();  ///< models, too
+[[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
 
 /// "textures[3]"
 [[nodiscard]] std::string at(std::string_view list, std::size_t index);

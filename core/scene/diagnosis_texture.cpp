@@ -1,10 +1,12 @@
 // What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
 
 #include "core/image/power_of_two.h"
+#include "core/reference/lod.h"
 #include "core/scene/diagnosis_rules.h"
 #include "core/scene/param_text.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -24,6 +26,77 @@ void missingFile(const Case& about, Report& report) {
     });
 }
 
+/// What a texture could be instead, and how one says so.
+struct Cure {
+    Fix fix;
+    Texture texture;
+};
+
+/// The settings that section 3.8.10 makes completeness depend on, each set so that the levels that are there
+/// may do: make the others, read no more than these, read none but the base level.
+std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::string& path) {
+    std::vector<Cure> cures;
+    const auto add = [&](std::string label, const char* key, std::string value, auto set) {
+        Texture cured = texture;
+        set(cured);
+        cures.push_back({{std::move(label), {{path + key, std::move(value)}}}, std::move(cured)});
+    };
+    const auto begin = [&](int level) {
+        add("Begin at level " + std::to_string(level), "baseLevel", std::to_string(level),
+            [&](Texture& cured) { cured.baseLevel = level; });
+    };
+    if (texture.baseLevel <= lastLevel && texture.baseLevel > texture.maxLevel)
+        begin(texture.maxLevel);
+    if (texture.baseLevel > 0)
+        begin(0);
+    if (texture.mipmaps != MipPolicy::Generated)
+        add("Generate mipmaps", "mipmaps", nameOf(MipPolicy::Generated),
+            [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
+    for (int level = lastLevel; level >= texture.baseLevel; --level)
+        add("End at level " + std::to_string(level), "maxLevel", std::to_string(level),
+            [&](Texture& cured) { cured.maxLevel = level; });
+    if (reference::wantsMipmaps(texture.minFilter)) {
+        const MinFilter filter =
+            reference::isLinear(texture.minFilter) ? MinFilter::Linear : MinFilter::Nearest;
+        add("Set " + nameOf(filter), "minFilter", nameOf(filter),
+            [&](Texture& cured) { cured.minFilter = filter; });
+    }
+    return cures;
+}
+
+/// Those of them that make the texture complete for all of its targets, one for each setting.
+std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, const std::string& path) {
+    const auto completes = [&](const Texture& cured) {
+        return std::ranges::all_of(facts.targets, [&](const TargetFacts& each) {
+            return factsAs(each.target, cured, *facts.image).completeness.complete();
+        });
+    };
+    int lastLevel = 0;
+    for (const TargetFacts& each : facts.targets) {
+        if (!each.plan.levels.empty())
+            lastLevel = std::max(lastLevel, each.plan.levels.back().number);
+    }
+    std::vector<Fix> fixes;
+    for (Cure& cure : curesOf(texture, lastLevel, path)) {
+        const bool settled = std::ranges::any_of(fixes, [&](const Fix& fix) {
+            return fix.assignments.front().path == cure.fix.assignments.front().path;
+        });
+        if (!settled && completes(cure.texture))
+            fixes.push_back(std::move(cure.fix));
+    }
+    if (!fixes.empty() || texture.baseLevel == 0)
+        return fixes;
+    Texture whole = texture; // one setting alone does not do
+    whole.baseLevel = 0;
+    fixes = fixesOf(whole, facts, path);
+    for (Fix& fix : fixes) {
+        fix.label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(fix.label.front())));
+        fix.label = "Begin at level 0 and " + fix.label;
+        fix.assignments.push_back({path + "baseLevel", "0"});
+    }
+    return fixes;
+}
+
 /// OpenGL 2.1, section 3.8.10.
 void incomplete(const Case& about, Report& report) {
     using Rule = reference::CompletenessRule;
@@ -35,24 +108,13 @@ void incomplete(const Case& about, Report& report) {
         if (broken == facts.targets.end())
             return;
         const std::string sentence = broken->completeness.reason + "; drawn as if the unit were off";
-        switch (broken->completeness.rule) {
-        case Rule::BaseLevelMissing:
-            return report.add(path + "baseLevel", sentence,
-                              Fix{"Begin at level 0", {{path + "baseLevel", "0"}}});
-        case Rule::BaseAboveMaxLevel: {
-            // A file that holds few levels sets a limit of its own.
-            const int last = std::min(texture.maxLevel, broken->plan.lastLevel);
-            const std::string level = std::to_string(std::min(texture.baseLevel, last));
-            return report.add(path + "baseLevel", sentence,
-                              Fix{"Begin at level " + level, {{path + "baseLevel", level}}});
-        }
-        case Rule::CubeFaces:
-            return report.add(path + (texture.source == SourceKind::File ? "file" : "pattern"), sentence);
-        default:
-            const bool none = texture.mipmaps == MipPolicy::None;
-            return report.add(path + (none ? "minFilter" : "mipmaps"), sentence,
-                              Fix{"Generate mipmaps", {{path + "mipmaps", nameOf(MipPolicy::Generated)}}});
-        }
+        const char* key = texture.mipmaps == MipPolicy::None ? "minFilter" : "mipmaps";
+        if (broken->completeness.rule == Rule::BaseLevelMissing ||
+            broken->completeness.rule == Rule::BaseAboveMaxLevel)
+            key = "baseLevel";
+        else if (broken->completeness.rule == Rule::CubeFaces)
+            key = texture.source == SourceKind::File ? "file" : "pattern";
+        report.add(path + key, sentence, fixesOf(texture, facts, path));
     });
 }
 
@@ -108,13 +170,13 @@ void nonPowerOfTwo(const Case& about, Report& report) {
         if (plan.levels.empty() ||
             arePowersOfTwo(plan.levels.front().width, plan.levels.front().height, plan.levels.front().depth))
             return;
-        std::optional<Fix> fix;
+        std::vector<Fix> fixes;
         if (texture.mipmaps != MipPolicy::FromFile)
-            fix = Fix{"Scale it", {{path + "npot", nameOf(NpotPolicy::PowerOfTwo)}}};
+            fixes = {{"Scale it", {{path + "npot", nameOf(NpotPolicy::PowerOfTwo)}}}};
         report.add(path + "npot",
                    extentsOf(plan.levels.front()) +
                        " texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
-                   std::move(fix));
+                   std::move(fixes));
     });
 }
 

@@ -3,7 +3,7 @@
 
 #include "core/gl/combine_arguments.h"
 #include "core/reference/lod.h"
-#include "core/scene/diagnosis_rules.h"
+#include "core/scene/color_flow.h"
 #include "core/scene/param_text.h"
 
 #include <algorithm>
@@ -164,10 +164,10 @@ void unitOff(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (unit.enabled)
             return;
-        std::optional<Fix> fix;
+        std::vector<Fix> fixes;
         if (about.textureOf(unit))
-            fix = Fix{"Switch the unit on", {{path + "enabled", "true"}}};
-        report.add(path.substr(0, path.size() - 1), "the unit is off", std::move(fix));
+            fixes = {{"Switch the unit on", {{path + "enabled", "true"}}}};
+        report.add(path.substr(0, path.size() - 1), "the unit is off", std::move(fixes));
     });
 }
 
@@ -228,44 +228,58 @@ void noGeneration(const Case& about, Report& report) {
     });
 }
 
-/// Whether a unit lets neither colour nor alpha of the units before it through. With an argument that is
-/// undefined it may, as if it were off.
-bool replacesAll(const Case& about, const Pass& pass, const Unit& unit) {
-    const BaseFormat format = about.textureOf(unit)->as(unit.target)->format;
-    if (unit.envMode == EnvMode::Replace)
-        return format == BaseFormat::Rgba || format == BaseFormat::LuminanceAlpha ||
-               format == BaseFormat::Intensity;
-    if (unit.envMode != EnvMode::Combine)
-        return false;
-    return std::ranges::none_of(argumentsOf(unit.combine), [&](const Argument& each) {
-        const std::optional<std::size_t> asked = crossbarUnit(each.source);
-        return each.read &&
-               (each.source == CombineSource::Previous || (asked && !about.works(pass.units[*asked])));
+/// The later unit that ends what leaves this one, or nothing where some of it reaches the fragment.
+std::optional<std::size_t> overrulerOf(const Case& about, const Pass& pass, std::size_t unit) {
+    const auto limit = static_cast<std::size_t>(std::max(0, about.driver.textureUnits));
+    ColorFlow flow = wholeColor;
+    for (std::size_t later = unit + 1; later < std::min<std::size_t>(maxUnits, limit); ++later) {
+        if (!about.works(pass.units[later]))
+            continue;
+        flow = flowThrough(about, pass, pass.units[later], flow, {});
+        if (!flow.all().any())
+            return later;
+    }
+    return std::nullopt;
+}
+
+/// Whether a crossbar takes this unit's texture.
+bool isAsked(const Case& about, const Pass& pass, std::size_t asked) {
+    return std::ranges::any_of(pass.units, [&](const Unit& unit) {
+        return about.works(unit) && unit.envMode == EnvMode::Combine &&
+               std::ranges::any_of(argumentsOf(unit.combine), [&](const Argument& each) {
+                   return each.read && crossbarUnit(each.source) == asked;
+               });
     });
 }
 
 void overruledUnit(const Case& about, Report& report) {
-    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
-        const auto& units = about.scene.passes[p].units;
-        for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (!about.works(units[u]))
-                continue;
-            std::size_t last = u; // the last later unit that lets nothing through
-            bool asked = false;   // by a crossbar
-            for (std::size_t v = u + 1; v < maxUnits; ++v) {
-                if (!about.works(units[v]))
-                    continue;
-                if (replacesAll(about, about.scene.passes[p], units[v]))
-                    last = v;
-                asked |= units[v].envMode == EnvMode::Combine &&
-                         std::ranges::any_of(argumentsOf(units[v].combine), [&](const Argument& each) {
-                             return each.read && crossbarUnit(each.source) == u;
-                         });
-            }
-            if (last != u && !asked)
-                report.add(unitPath(p, u) + "enabled",
-                           "unit " + std::to_string(last) + " lets nothing of the units before it through");
-        }
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
+        const Pass& pass = about.scene.passes[p];
+        const auto index = static_cast<std::size_t>(&unit - pass.units.data());
+        const auto later = about.works(unit) ? overrulerOf(about, pass, index) : std::nullopt;
+        if (!later)
+            return;
+        const std::string reason =
+            "unit " + std::to_string(*later) + " lets nothing of the units before it through";
+        if (!isAsked(about, pass, index))
+            return report.add(path.substr(0, path.size() - 1), reason);
+        for (const char* key : {"envMode", "envColor", "combine"}) // its texture is read elsewhere
+            report.add(path + key, reason);
+    });
+}
+
+void overruledTexture(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        bool reaches = !about.textures[i].shown;
+        forEachUnit(about.scene, [&](const Unit& unit, const std::string&, std::size_t p) {
+            if (!unit.enabled || unit.texture != static_cast<int>(i))
+                return;
+            const Pass& pass = about.scene.passes[p];
+            const auto index = static_cast<std::size_t>(&unit - pass.units.data());
+            reaches |= !about.works(unit) || isAsked(about, pass, index) || !overrulerOf(about, pass, index);
+        });
+        if (!reaches)
+            report.add(at("textures", i), "later units let nothing through of those that show it");
     }
 }
 
@@ -294,6 +308,7 @@ constexpr std::array rules{
     Rule{"lod-bias", Severity::Hint, noLodBias},
     Rule{"generation", Severity::Hint, noGeneration},
     Rule{"overruled-unit", Severity::Hint, overruledUnit},
+    Rule{"overruled-texture", Severity::Hint, overruledTexture},
     Rule{"other-matrix-operation", Severity::Unused, otherOperation},
 };
 

@@ -838,11 +838,16 @@ class Check(Texshot):
         self.assertEqual((result.returncode, result.stderr), (1, b""))
         said = result.stdout.decode()
         self.assertIn("warning: textures[0].minFilter: the texture is incomplete", said)
-        fix = said.split("--set ")[1].strip()
-        self.assertEqual(texshot("check", "--set", self.INCOMPLETE, "--set", fix).returncode, 0)
+        fixes = [line.split("--set ")[1].strip() for line in said.splitlines() if "--set " in line]
+        self.assertEqual(fixes, ["textures[0].mipmaps=generated", "textures[0].maxLevel=0",
+                                 "textures[0].minFilter=GL_LINEAR"])
+        for fix in fixes:
+            self.assertEqual(texshot("check", "--set", self.INCOMPLETE, "--set", fix).returncode, 0, fix)
         listed = json.loads(texshot("check", "--json", "--set", self.INCOMPLETE).stdout)["findings"]
         self.assertEqual([each["path"] for each in listed], ["textures[0].minFilter"])
-        self.assertEqual(listed[0]["fix"]["set"], {"textures[0].mipmaps": "generated"})
+        self.assertEqual([fix["set"] for fix in listed[0]["fixes"]],
+                         [{"textures[0].mipmaps": "generated"}, {"textures[0].maxLevel": "0"},
+                          {"textures[0].minFilter": "GL_LINEAR"}])
 
     def test_a_setting_without_effect_is_named_and_no_failure(self):
         said = self.succeeds("check", "--set", "textures[0].wrapR=GL_CLAMP").decode()

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 namespace texplorer {
@@ -133,7 +135,7 @@ class EffectOnTheDriver : public RenderTest {};
 
 /// Scenes that differ in what decides whether settings matter.
 std::vector<Scene> variants() {
-    std::vector<Scene> scenes(11, defaultScene());
+    std::vector<Scene> scenes(17, defaultScene());
     for (Scene& scene : scenes) {
         scene.view.background = {0.2F, 0.1F, 0.3F, 1};
         scene.textures[0].pattern = Pattern::UvTemplate;
@@ -169,6 +171,20 @@ std::vector<Scene> variants() {
     }
     scenes[9].textures[0].border = 1;
     scenes[10].passes[0].units[0].enabled = false;
+    for (std::size_t each = 11; each <= 14; ++each)
+        scenes[each].passes[0].units[0].envMode = EnvMode::Replace;
+    scenes[12].light.colorControl = ColorControl::SeparateSpecular;
+    scenes[13].light.colorControl = ColorControl::SeparateSpecular;
+    scenes[13].light.specular = {0, 0, 0, 1};
+    scenes[14].textures[0].internalFormat = BaseFormat::Luminance;
+    scenes[14].passes[0].lighting = false;
+    scenes[15].models[0].visible = false;
+    scenes[15].models[0].shape = Shape::Sphere;
+    scenes[16].passes[0].units[1] = scenes[16].passes[0].units[0];
+    scenes[16].passes[0].units[1].texture = 1;
+    scenes[16].passes[0].units[1].envMode = EnvMode::Replace;
+    scenes[16].textures.push_back(scenes[16].textures[0]);
+    scenes[16].textures[1].pattern = Pattern::Brick;
     return scenes;
 }
 
@@ -188,7 +204,11 @@ TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
             if (!tried.insert(std::string(row.key) + ": " + idle->sentence).second)
                 return; // a scene before this one has shown it
             Scene changed = scene;
-            const Result<void> set = setParam(changed, path, formatValue(row, otherThan(row, value)));
+            const Value other =
+                row.key == "texture" // one that there is
+                    ? Value(static_cast<int>(scene.textures.size()) - 1 - std::get<int>(value))
+                    : otherThan(row, value);
+            const Result<void> set = setParam(changed, path, formatValue(row, other));
             ASSERT_TRUE(set) << path;
             EXPECT_EQ(picture(changed, 96).pixels, before.pixels)
                 << "variant " << number << ", " << path << ": " << idle->sentence;
@@ -196,6 +216,77 @@ TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
         ++number;
     }
     EXPECT_GT(tried.size(), 40U);
+}
+
+/// Every entry of tables 3.21 and 3.22, and combiners: what the diagnosis calls dead changes no pixel, and
+/// what it doesn't does. Undefined entries may do either.
+class PrimaryColorOnTheDriver : public RenderTest {};
+
+TEST_F(PrimaryColorOnTheDriver, HasAnEffectWhereTheDiagnosisSaysSo) {
+    images.put("image", plainImage(1, 1, {153, 51, 204, 102}));
+    struct Mode {
+        const char* name;
+        void (*edit)(Unit& unit);
+    };
+    const std::array modes{
+        Mode{"REPLACE", [](Unit& u) { u.envMode = EnvMode::Replace; }},
+        Mode{"MODULATE", [](Unit& u) { u.envMode = EnvMode::Modulate; }},
+        Mode{"DECAL", [](Unit& u) { u.envMode = EnvMode::Decal; }},
+        Mode{"BLEND", [](Unit& u) { u.envMode = EnvMode::Blend; }},
+        Mode{"ADD", [](Unit& u) { u.envMode = EnvMode::Add; }},
+        Mode{"COMBINE, the texture alone",
+             [](Unit& u) {
+                 u.envMode = EnvMode::Combine;
+                 u.combine.rgb = CombineRgb::Replace;
+                 u.combine.alpha = CombineAlpha::Replace;
+             }},
+        Mode{"COMBINE, alpha of what was before",
+             [](Unit& u) {
+                 u.envMode = EnvMode::Combine;
+                 u.combine.rgb = CombineRgb::Replace;
+                 u.combine.alpha = CombineAlpha::Replace;
+                 u.combine.source0Alpha = CombineSource::Previous;
+             }},
+        Mode{"COMBINE, DOT3_RGBA, which overrules alpha",
+             [](Unit& u) {
+                 u.envMode = EnvMode::Combine;
+                 u.combine.rgb = CombineRgb::Dot3Rgba;
+                 u.combine.source1Rgb = CombineSource::Constant;
+                 u.combine.alpha = CombineAlpha::Modulate;
+             }},
+        Mode{"COMBINE, the alpha of the primary colour as a colour",
+             [](Unit& u) {
+                 u.envMode = EnvMode::Combine;
+                 u.combine.rgb = CombineRgb::Replace;
+                 u.combine.source0Rgb = CombineSource::PrimaryColor;
+                 u.combine.operand0Rgb = OperandRgb::SrcAlpha;
+                 u.combine.alpha = CombineAlpha::Replace;
+             }},
+    };
+    int dead = 0;
+    for (const Mode& mode : modes) {
+        for (const EnumRow& format : EnumTable<BaseFormat>::rows) {
+            SCOPED_TRACE(mode.name + (" of " + std::string(format.name)));
+            Scene scene = texturedScene();
+            mode.edit(scene.passes[0].units[0]);
+            scene.passes[0].units[0].envColor = {0.4F, 0.8F, 0.2F, 0.6F};
+            scene.textures[0].internalFormat = static_cast<BaseFormat>(format.value);
+            scene.material.color = untextured;
+            const auto findings = diagnose(scene, images);
+            const bool idle = idleReasonOf(findings, "material.color") != nullptr;
+            const bool isUndefined =
+                std::ranges::find(findings, "undefined-decal", &Finding::rule) != findings.end();
+            const Image before = picture(scene);
+            scene.material.color = {0.9F, 0.7F, 0.1F, 0.3F};
+            const bool changes = picture(scene).pixels != before.pixels;
+            if (isUndefined)
+                EXPECT_FALSE(idle);
+            else
+                EXPECT_EQ(changes, !idle);
+            dead += idle ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(dead, 3 + 6 + 6) << "REPLACE of LUMINANCE_ALPHA, INTENSITY and RGBA; two of the combiners";
 }
 
 } // namespace

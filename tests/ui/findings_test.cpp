@@ -17,12 +17,43 @@ TEST_F(Findings, AWarningIsShownAndMendedByOneClick) {
     choose("textures[0].mipmaps", "none");
     EXPECT_TRUE(has("textures[0].minFilter#problem"));
     EXPECT_FALSE(has("textures[0].wrapS#problem"));
-    click("apply fix");
+    click("fix:Generate mipmaps");
     EXPECT_EQ(texture().mipmaps, MipPolicy::Generated);
     EXPECT_FALSE(has("finding"));
     EXPECT_FALSE(has("textures[0].minFilter#problem"));
     key('Z', {ctrl});
     EXPECT_EQ(texture().mipmaps, MipPolicy::None);
+    EXPECT_TRUE(has("finding"));
+}
+
+TEST_F(Findings, EachWayToMendItIsOneClick) {
+    choose("textures[0].mipmaps", "none");
+    click("fix:End at level 0");
+    EXPECT_EQ(texture().maxLevel, 0);
+    EXPECT_FALSE(has("finding"));
+    key('Z', {ctrl});
+    click("fix:Set GL_LINEAR");
+    EXPECT_EQ(texture().minFilter, MinFilter::Linear);
+    EXPECT_FALSE(has("finding"));
+    EXPECT_EQ(texture().maxLevel, 1000);
+}
+
+TEST_F(Findings, TheSignBesideTheControlMendsToo) {
+    choose("textures[0].mipmaps", "none");
+    scrollTo("textures[0].minFilter");
+    click("textures[0].minFilter#problem");
+    click("textures[0].minFilter#fix:End at level 0");
+    EXPECT_EQ(texture().maxLevel, 0);
+    EXPECT_FALSE(has("textures[0].minFilter#problem"));
+    EXPECT_FALSE(has("textures[0].minFilter#fix:End at level 0")) << "the list is shut again";
+}
+
+TEST_F(Findings, ASmallWindowOffersTheFirstWayAndTheOthersAtTheControl) {
+    start(defaultScene(), 640, 400);
+    texture().mipmaps = MipPolicy::None;
+    frames(3);
+    EXPECT_TRUE(has("fix:Generate mipmaps"));
+    EXPECT_FALSE(has("fix:Set GL_LINEAR"));
     EXPECT_TRUE(has("finding"));
 }
 
@@ -51,7 +82,7 @@ TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
     EXPECT_LT(control.x, static_cast<float>(layout.parameters.right()));
     EXPECT_TRUE(has("passes[0].units[2].matrix[0].amount#problem"));
     EXPECT_EQ(session->shownParam, "passes[0].units[2].matrix[0].amount");
-    click("apply fix");
+    click("fix:Scale by 1");
     EXPECT_EQ(third.matrix[0].amount, glm::vec3(1));
 }
 
@@ -72,6 +103,43 @@ TEST_F(Findings, WhatHasNoEffectIsDimEverywhere) {
     choose("textures[0].minFilter", "GL_NEAREST");
     EXPECT_TRUE(has("textures[0].maxLevel#inert"));
     EXPECT_FALSE(has("finding")) << "a hint is no warning";
+}
+
+TEST_F(Findings, LightAndMaterialAreDimUnderATextureThatReplacesThem) {
+    open("Light");
+    open("Material");
+    const std::initializer_list<const char*> hidden{"material.color", "material.specular",
+                                                    "material.shininess", "light.diffuse"};
+    for (const char* path : hidden)
+        EXPECT_FALSE(has(path + std::string("#inert"))) << path;
+    unit().envMode = EnvMode::Replace;
+    frames(2);
+    for (const char* path : hidden) {
+        scrollTo(path);
+        EXPECT_TRUE(has(path + std::string("#inert"))) << path;
+    }
+    EXPECT_FALSE(has("light.colorControl#inert")) << "it brings the highlight back";
+}
+
+TEST_F(Findings, CoordinatesThatNoUnitReadsAreDim) {
+    EXPECT_FALSE(has("coordinates#inert"));
+    click("unit:2");
+    EXPECT_TRUE(has("coordinates#inert"));
+    scene().passes[0].units[2].enabled = true;
+    frames(2);
+    EXPECT_FALSE(has("coordinates#inert"));
+    scene().models[0].visible = false;
+    frames(2);
+    EXPECT_TRUE(has("coordinates#inert"));
+}
+
+TEST_F(Findings, AHiddenModelIsDimButForItsSwitch) {
+    open("Model");
+    scene().models[0].visible = false;
+    frames(2);
+    scrollTo("models[0].size");
+    EXPECT_TRUE(has("models[0].size#inert"));
+    EXPECT_FALSE(has("models[0].visible#inert"));
 }
 
 } // namespace

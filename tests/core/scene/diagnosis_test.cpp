@@ -54,7 +54,7 @@ struct Row {
     const char* path;
     const char* words; ///< part of the sentence
     void (*spoil)(Stage& s);
-    void (*mend)(Stage& s) = nullptr; ///< nullptr: the finding's fix does
+    void (*mend)(Stage& s) = nullptr; ///< nullptr: the finding's fixes do
 };
 
 void PrintTo(const Row& row, std::ostream* out) {
@@ -72,14 +72,19 @@ TEST_P(Diagnosis, FindsItAndNoLongerOnceItIsMended) {
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->severity, row.severity);
     EXPECT_THAT(found->sentence, testing::HasSubstr(row.words));
-    ASSERT_TRUE(row.mend || found->fix);
+    ASSERT_TRUE(row.mend || !found->fixes.empty());
     if (row.mend) {
         row.mend(stage);
-    } else {
-        const Result<void> applied = apply(*found->fix, stage.scene);
-        ASSERT_TRUE(applied) << describe(applied.error());
+        EXPECT_EQ(find(stage.findings(), row.rule, row.path), nullptr);
     }
-    EXPECT_EQ(find(stage.findings(), row.rule, row.path), nullptr);
+    for (const Fix& fix : found->fixes) {
+        Stage mended = stage;
+        if (row.mend)
+            row.spoil(mended);
+        const Result<void> applied = apply(fix, mended.scene);
+        ASSERT_TRUE(applied) << describe(applied.error());
+        EXPECT_EQ(find(mended.findings(), row.rule, row.path), nullptr) << fix.label;
+    }
 }
 
 using enum Severity;
@@ -364,13 +369,13 @@ INSTANTIATE_TEST_SUITE_P(
             }},
         Row{"ItsTextureNotShown", "texture-not-shown", Hint, "textures[0]", "no unit that is on",
             [](Stage& s) { s.unit().enabled = false; }},
-        Row{"OverruledByReplace", "overruled-unit", Hint, "passes[0].units[0].enabled", "unit 1",
+        Row{"OverruledByReplace", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
             [](Stage& s) {
                 s.unit(1).enabled = true;
                 s.unit(1).envMode = EnvMode::Replace;
             },
             [](Stage& s) { s.texture().internalFormat = BaseFormat::Rgb; }},
-        Row{"OverruledUnlessAsked", "overruled-unit", Hint, "passes[0].units[0].enabled", "unit 1",
+        Row{"OverruledUnlessAsked", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
             [](Stage& s) {
                 s.unit(1).enabled = true;
                 s.unit(1).envMode = EnvMode::Combine;
@@ -378,7 +383,42 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit(1).combine.source1Alpha = CombineSource::Texture;
             },
             [](Stage& s) { s.unit(1).combine.source0Rgb = CombineSource::Texture0; }},
-        Row{"OverruledUnlessItIsUndefined", "overruled-unit", Hint, "passes[0].units[0].enabled", "unit 2",
+        Row{"OverruledByTwoTogether", "overruled-unit", Hint, "passes[0].units[0]", "unit 2",
+            [](Stage& s) {
+                s.unit(1).enabled = s.unit(2).enabled = true;
+                for (std::size_t u = 1; u <= 2; ++u) {
+                    s.unit(u).envMode = EnvMode::Combine;
+                    s.unit(u).combine.rgb = CombineRgb::Replace;
+                    s.unit(u).combine.alpha = CombineAlpha::Replace;
+                }
+                s.unit(1).combine.source0Alpha = CombineSource::Previous; // its colour is the texture's
+                s.unit(2).combine.source0Rgb = CombineSource::Previous;   // its alpha is the texture's
+            },
+            [](Stage& s) { s.unit(2).combine.source0Alpha = CombineSource::Previous; }},
+        Row{"OverruledButAskedForItsTexture", "overruled-unit", Hint, "passes[0].units[0].envMode", "unit 1",
+            [](Stage& s) {
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Combine;
+                s.unit(1).combine.rgb = CombineRgb::Replace;
+                s.unit(1).combine.alpha = CombineAlpha::Replace;
+                s.unit(1).combine.source0Rgb = CombineSource::Texture0;
+            },
+            [](Stage& s) { s.unit(1).combine.source0Alpha = CombineSource::Previous; }},
+        Row{"OverruledUnlessTheDriverLacksTheUnit", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
+            [](Stage& s) {
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Replace;
+            },
+            [](Stage& s) { s.driver.textureUnits = 1; }},
+        Row{"TextureOfAnOverruledUnit", "overruled-texture", Hint, "textures[0]", "let nothing through",
+            [](Stage& s) {
+                s.scene.textures.push_back(s.texture());
+                s.unit(1).enabled = true;
+                s.unit(1).texture = 1;
+                s.unit(1).envMode = EnvMode::Replace;
+            },
+            [](Stage& s) { s.unit(1).texture = 0; }},
+        Row{"OverruledUnlessItIsUndefined", "overruled-unit", Hint, "passes[0].units[0]", "unit 2",
             [](Stage& s) {
                 s.unit(1).enabled = s.unit(2).enabled = true;
                 s.unit(2).envMode = EnvMode::Combine;
@@ -471,6 +511,52 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.scene.material.specular = {1, 1, 1, 1};
             }},
+        Row{"ColorUnderReplace", "color", Hint, "material.color", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.texture().internalFormat = BaseFormat::Luminance; }}, // its alpha stays
+        Row{"ColorUnderReplaceOfOnePass", "color", Hint, "material.color", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) {
+                s.scene.passes.push_back(s.pass());
+                s.scene.passes[1].units[0].enabled = false;
+            }},
+        Row{"LightingUnderReplace", "lighting", Hint, "passes[0].lighting", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},
+        Row{"LightingUnderReplaceOfLuminance", "lighting", Hint, "passes[0].lighting", "primary colour",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Replace;
+                s.texture().internalFormat = BaseFormat::Luminance;
+            },
+            [](Stage& s) { s.texture().internalFormat = BaseFormat::Alpha; }},
+        Row{"SpecularUnderReplace", "light", Hint, "material.specular", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},
+        Row{"ShininessUnderReplace", "light", Hint, "material.shininess", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.unit().envMode = EnvMode::Decal; }},
+        Row{"DiffuseUnderReplaceAndSeparate", "light", Hint, "light.diffuse", "nothing of the primary colour",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Replace;
+                s.scene.light.colorControl = ColorControl::SeparateSpecular;
+            },
+            [](Stage& s) { s.unit().enabled = false; }},
+        Row{"HiddenModel", "hidden-model", Hint, "models[1]", "hidden",
+            [](Stage& s) { s.scene.models[1].visible = false; }},
+        Row{"CoordinatesOfAUnitThatIsOff", "unread-coordinates", Hint, "models[0].texCoords2",
+            "unit 2 is off",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[2].assign(24, {1, 1, 0, 1});
+            },
+            [](Stage& s) { s.unit(2).enabled = true; }},
+        Row{"CoordinatesOfAUnitThatMakesItsOwn", "unread-coordinates", Hint, "models[0].texCoords0",
+            "generates all",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0].assign(24, {1, 1, 0, 1});
+                for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR, &Unit::texGenQ})
+                    (s.unit().*each).enabled = true;
+            },
+            [](Stage& s) { s.unit().texGenQ.enabled = false; }},
         Row{"SlicesOfACube", "other-shape", Unused, "models[0].slices", "cube", [](Stage&) {},
             [](Stage& s) { s.scene.models[0].shape = Shape::Sphere; }}),
     [](const auto& test) { return std::string(test.param.name); });
@@ -520,15 +606,76 @@ TEST(DiagnosisOfAll, TheSwitchOfAUnitThatIsOffHasAnEffect) {
     EXPECT_EQ(idleReasonOf(findings, "passes[0].units[0].enabled"), nullptr);
 }
 
+TEST(DiagnosisOfAll, TheColorControlStillBringsTheHighlightBack) {
+    Stage stage;
+    stage.unit().envMode = EnvMode::Replace;
+    EXPECT_EQ(idleReasonOf(stage.findings(), "light.colorControl"), nullptr);
+    stage.scene.light.colorControl = ColorControl::SeparateSpecular;
+    for (const char* path : {"light.position", "light.specular", "material.shininess", "passes[0].lighting"})
+        EXPECT_EQ(idleReasonOf(stage.findings(), path), nullptr) << path;
+}
+
+TEST(DiagnosisOfAll, TheSwitchOfAHiddenModelHasAnEffect) {
+    Stage stage;
+    stage.scene.models[1].visible = false;
+    EXPECT_NE(idleReasonOf(stage.findings(), "models[1].size"), nullptr);
+    EXPECT_EQ(idleReasonOf(stage.findings(), "models[1].visible"), nullptr);
+    EXPECT_EQ(idleReasonOf(stage.findings(), "models[0].size"), nullptr);
+}
+
 TEST(DiagnosisOfAll, ALaterPassIsMendedWithoutHidingIt) {
     Stage stage;
     stage.scene.passes.push_back({});
     const std::vector<Finding> before = stage.findings();
     const Finding* found = find(before, "no-depth-test", "passes[1].depthTest");
     ASSERT_NE(found, nullptr);
-    ASSERT_TRUE(apply(*found->fix, stage.scene));
+    ASSERT_TRUE(apply(found->fixes.front(), stage.scene));
     for (const Finding& each : stage.findings())
         EXPECT_GE(each.severity, Hint) << each.path << ": " << each.sentence;
+}
+
+std::vector<std::string> labelsOf(const std::vector<Fix>& fixes) {
+    std::vector<std::string> labels;
+    for (const Fix& each : fixes)
+        labels.push_back(each.label);
+    return labels;
+}
+
+TEST(DiagnosisOfIncompleteTextures, OffersEachSettingThatCompletes) {
+    using testing::ElementsAre;
+    const auto fixes = [](void (*spoil)(Stage&)) {
+        Stage stage;
+        spoil(stage);
+        for (const Finding& each : stage.findings()) {
+            if (each.rule == "incomplete")
+                return labelsOf(each.fixes);
+        }
+        return std::vector<std::string>{};
+    };
+    EXPECT_THAT(fixes([](Stage& s) { s.texture().mipmaps = MipPolicy::None; }),
+                ElementsAre("Generate mipmaps", "End at level 0", "Set GL_LINEAR"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.texture().mipmaps = MipPolicy::Missing; // level 3 isn't there
+                    s.texture().minFilter = MinFilter::NearestMipmapLinear;
+                }),
+                ElementsAre("Generate mipmaps", "End at level 2", "Set GL_NEAREST"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.texture().baseLevel = 3;
+                    s.texture().maxLevel = 2;
+                }),
+                ElementsAre("Begin at level 2", "End at level 6", "Set GL_LINEAR"));
+    EXPECT_THAT(fixes([](Stage& s) { s.texture().baseLevel = 50; }), ElementsAre("Begin at level 0"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.texture().baseLevel = 50;
+                    s.texture().mipmaps = MipPolicy::None;
+                }),
+                ElementsAre("Begin at level 0 and generate mipmaps", "Begin at level 0 and end at level 0",
+                            "Begin at level 0 and set GL_LINEAR"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.showFile(8, 4);
+                    s.unit().target = Target::CubeMap;
+                }),
+                testing::IsEmpty());
 }
 
 TEST(DiagnosisOfAll, AFixThatNoLongerFitsChangesNothing) {
