@@ -13,6 +13,12 @@ void drawRendererChoice(Session& session, float available);
 void drawPlaybackControls(Session& session);
 [[nodiscard]] float leastPlaybackWidth(); ///< they are left out of a bar with less room
 void drawParametersPanel(Session& session, const Layout& layout);
+void textureSection(Session& session); ///< the texture that is bound to the selected unit
+/// That the selected unit shares its texture, with a way to give it its own; nothing where it doesn't. `id`
+/// tells two such notes apart.
+void sharingNote(Session& session, const char* id);
+/// "unit 0, unit 2 of pass 1": units that are on and show the texture of a unit of the selected pass.
+[[nodiscard]] std::string sharersText(const Session& session, int unit);
 void combineSection(Session& session);     ///< of the selected unit, whose mode is GL_COMBINE
 void coordinatesSection(Session& session); ///< generated ones, of the selected unit
 void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout);
@@ -29,6 +35,7 @@ void drawMemoryTab(Session& session, const Pictures& pictures);
 void drawStatusBar(Session& session, const Pictures& pictures, const render::Capabilities& capabilities,
                    const Layout& layout);
 void drawDialogs(Session& session, const Pictures& pictures);
+void drawRestore(Session& session, const Pictures& pictures); ///< a dialog; there must be an offer
 void handleShortcuts(Session& session, const Layout& layout);
 
 /// A window that fills a rectangle and can't be moved. To be closed with ImGui::End().

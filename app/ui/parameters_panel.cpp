@@ -14,14 +14,6 @@ std::string indexed(std::string_view list, int index) {
     return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
-std::string textureName(const Session& session, int index) {
-    const Texture& texture = session.scene.textures[static_cast<std::size_t>(index)];
-    const std::string what = texture.source == SourceKind::Pattern
-                                 ? std::string(rowOf(texture.pattern).label)
-                                 : std::filesystem::path(texture.file).filename().string();
-    return std::to_string(index) + "  " + what;
-}
-
 /// The section in which a parameter is edited.
 Section sectionOf(std::string_view path) {
     constexpr std::array<std::pair<std::string_view, Section>, 10> parts{{{"textures[", Section::Texture},
@@ -75,108 +67,6 @@ bool section(Session& session, Section which, const std::vector<Mark>& marks = {
     return shown;
 }
 
-bool smallButton(Session& session, const char* label, std::string_view name, std::string_view help,
-                 bool enabled) {
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label, {ImGui::GetFrameHeight(), 0});
-    noteItem(session, name);
-    ImGui::EndDisabled();
-    helpTip(help);
-    return pressed && enabled;
-}
-
-void addTexture(Session& session) {
-    Texture texture;
-    texture.pattern = Pattern::UvTemplate;
-    texture.mipmaps = MipPolicy::Generated;
-    session.scene.textures.push_back(texture);
-    selectedUnit(session).texture = static_cast<int>(session.scene.textures.size()) - 1;
-    sealEdit(session);
-    recordEdit(session, "Add texture");
-}
-
-/// Units that were bound to later textures go on showing the same ones.
-void removeTexture(Session& session, int index) {
-    Scene& scene = session.scene;
-    scene.textures.erase(scene.textures.begin() + index);
-    for (Pass& pass : scene.passes) {
-        for (Unit& unit : pass.units) {
-            if (unit.texture > index || (unit.texture == index && index > 0))
-                --unit.texture;
-            unit.enabled = unit.enabled && !scene.textures.empty(); // there is nothing left to enable
-        }
-    }
-    sealEdit(session);
-    recordEdit(session, "Remove texture");
-}
-
-/// Which texture is bound: choosing one here is glBindTexture, it is then both used by the unit and edited
-/// below.
-void textureChoice(Session& session) {
-    Unit& unit = selectedUnit(session);
-    const ParamRow* row = findParam(unitTable(), "texture");
-    const bool bound = boundTexture(session) != nullptr;
-    const std::string current = bound ? textureName(session, unit.texture) : "none";
-    const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button);
-    if (ImGui::BeginCombo("##bound", current.c_str())) {
-        for (int i = 0; i < static_cast<int>(session.scene.textures.size()); ++i) {
-            const std::string name = textureName(session, i);
-            if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
-                unit.texture = i;
-                sealEdit(session);
-                recordEdit(session, row ? row->label : "Texture", selectedUnitPath(session) + ".texture");
-                sealEdit(session);
-            }
-            noteItem(session, "bind:" + std::to_string(i));
-        }
-        ImGui::EndCombo();
-    }
-    noteItem(session, "texture choice");
-    if (row)
-        helpTip(formatCall(*row, Value(unit.texture)) + "\n" + std::string(row->help));
-    const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
-    ImGui::SameLine(0, gap);
-    if (smallButton(session, "+", "add texture", "Add a texture and bind it to this unit",
-                    session.scene.textures.size() < maxTextures))
-        addTexture(session);
-    ImGui::SameLine(0, gap);
-    if (smallButton(session, "−", "remove texture", "Remove this texture", bound))
-        removeTexture(session, unit.texture);
-}
-
-bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, const Value& value) {
-    if (row.key == "source" &&
-        std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File) &&
-        texture.file.empty()) {
-        askOpenImage(session); // there is no file yet: ask for one
-        return false;
-    }
-    if (row.key != "file")
-        return true;
-    const std::string& file = std::get<std::string>(value);
-    if (file.empty() || session.images.holds(file))
-        return !file.empty();
-    // It is written when the file has turned out to be an image, which may take a while.
-    report(session, setFile(session, selectedUnit(session).texture, file), session.images.directory() / file);
-    return false;
-}
-
-void textureSection(Session& session) {
-    textureChoice(session);
-    Texture* texture = boundTexture(session);
-    if (!texture) {
-        ImGui::TextWrapped("No texture is bound to this unit. Add one with +.");
-        return;
-    }
-    static const Texture initial;
-    const Owner owner{texture, &initial, indexed("textures", selectedUnit(session).texture),
-                      [&](const ParamRow& row, const Value& value) {
-                          return acceptsTexture(session, *texture, row, value);
-                      }};
-    paramRows(session, owner, textureTable());
-}
-
 /// Buttons 0 to 3; a dot marks the units that are on.
 void unitChoice(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -204,7 +94,9 @@ void unitChoice(Session& session) {
             ImGui::GetWindowDrawList()->AddCircleFilled({corner.x - 2.2F * radius, corner.y + 2.2F * radius},
                                                         radius, color::t);
         }
-        helpTip(on ? "This unit is on." : "This unit is off.");
+        const std::string sharers = sharersText(session, i);
+        helpTip(std::string(on ? "This unit is on." : "This unit is off.") +
+                (sharers.empty() ? "" : "\nIt shares its texture with " + sharers + "."));
     }
 }
 
@@ -226,6 +118,8 @@ void unitSection(Session& session) {
             caption(row.group);
         group = row.group;
         paramWidget(session, owner, row);
+        if (row.key == "enabled")
+            sharingNote(session, "of the unit");
     }
 }
 
@@ -250,13 +144,13 @@ void matrixSection(Session& session) {
         ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
         const float button = ImGui::GetFrameHeight();
         ImGui::SameLine(ImGui::GetContentRegionMax().x - 3 * button - 2 * gap);
-        if (smallButton(session, "↑", path + "#up", "Multiply this step earlier", i > 0))
+        if (squareButton(session, "↑", path + "#up", "Multiply this step earlier", i > 0))
             moveStep(session, steps, i, i - 1);
         ImGui::SameLine(0, gap);
-        if (smallButton(session, "↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
+        if (squareButton(session, "↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
             moveStep(session, steps, i, i + 1);
         ImGui::SameLine(0, gap);
-        if (smallButton(session, "✕", path + "#remove", "Remove this step", true)) {
+        if (squareButton(session, "✕", path + "#remove", "Remove this step", true)) {
             steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
             sealEdit(session);
             recordEdit(session, "Remove matrix step");

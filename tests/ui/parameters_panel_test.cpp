@@ -1,5 +1,6 @@
 #include "app/ui/findings.h"
 #include "app/ui/keys.h"
+#include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "core/scene/params.h"
 #include "tests/ui/workbench.h"
@@ -364,6 +365,43 @@ TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
     EXPECT_TRUE(inert("mipFilter"));
     choose("textures[0].wrapR", "GL_CLAMP"); // it can be edited all the same
     EXPECT_EQ(texture().wrapR, Wrap::Clamp);
+}
+
+TEST_F(ParametersPanel, AUnitSaysThatItSharesATextureAndCanHaveItsOwn) {
+    EXPECT_FALSE(has("shares texture")) << "unit 0 is alone";
+    click("unit:1");
+    scrollTo("shares texture");
+    EXPECT_TRUE(has("shares texture")) << "it would, which is said before it is switched on";
+    scrollTo("passes[0].units[1].enabled");
+    click("passes[0].units[1].enabled");
+    EXPECT_TRUE(has("shares texture"));
+    const Texture shared = texture();
+    scrollTo("own texture");
+    click("own texture");
+    ASSERT_EQ(scene().textures.size(), 2U);
+    EXPECT_EQ(scene().textures[1], shared) << "nothing changes in the picture";
+    EXPECT_EQ(scene().passes[0].units[1].texture, 1);
+    EXPECT_EQ(unit().texture, 0);
+    EXPECT_FALSE(has("shares texture"));
+    choose("textures[1].wrapS", "GL_CLAMP");
+    EXPECT_EQ(texture(), shared);
+    key('Z', {ctrl});
+    key('Z', {ctrl});
+    EXPECT_EQ(scene().textures.size(), 1U);
+    EXPECT_TRUE(scene().passes[0].units[1].enabled) << "a step of its own";
+}
+
+TEST_F(ParametersPanel, SharingIsSaidOfOtherPassesToo) {
+    scene().passes.push_back(scene().passes[0]);
+    scene().passes[1].units[2].enabled = true;
+    frames(2);
+    EXPECT_EQ(sharersText(*session, 0), "unit 0 of pass 1, unit 2 of pass 1");
+    EXPECT_TRUE(has("shares texture"));
+    scene().textures.resize(maxTextures);
+    frames(2);
+    scrollTo("own texture");
+    click("own texture");
+    EXPECT_EQ(scene().textures.size(), maxTextures) << "there is no room for one";
 }
 
 TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
