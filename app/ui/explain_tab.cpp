@@ -190,11 +190,13 @@ glm::vec4 colorOf(const PixelBytes& bytes) {
     return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
 }
 
-std::string differenceText(const PixelBytes& from, const PixelBytes& to) {
+reference::StepCell differenceFrom(const PixelBytes& expected, const PixelBytes& found) {
     int most = 0;
-    for (std::size_t i = 0; i < from.size(); ++i)
-        most = std::max(most, std::abs(int{from[i]} - int{to[i]}));
-    return most == 0 ? "the same" : "differs by " + std::to_string(most);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        most = std::max(most, std::abs(int{expected[i]} - int{found[i]}));
+    if (most == 0)
+        return {"the same", Ink::Dim};
+    return {"off by " + std::to_string(most), Ink::Bad};
 }
 
 void drawHead(Session& session, const Pictures& pictures, const reference::Explanation& explanation) {
@@ -209,23 +211,17 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton("Clear")) {
         session.explaining.pixel.reset();
-        session.explaining.texel.reset();
+        clearTexel(session);
     }
     noteItem(session, "explain:clear");
-    if (!ImGui::BeginTable("renderers", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings))
-        return;
-    const auto line = [&](std::string_view name, const PixelBytes& bytes, const std::string& remark) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        swatch(colorOf(bytes));
-        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-        text(std::string(name));
-        ImGui::TableNextColumn();
-        text(reference::bytesText(bytes));
-        ImGui::TableNextColumn();
-        text(remark, remark.starts_with("differs") ? color::problem : color::dim);
+    std::vector<StepRow> rows;
+    const auto add = [&](RendererKind renderer, const PixelBytes& bytes, reference::StepCell remark) {
+        StepRow& row = rows.emplace_back();
+        row.label = rowOf(renderer).label;
+        row.swatch = colorOf(bytes);
+        row.cells = {{reference::bytesText(bytes), Ink::Plain}, std::move(remark)};
     };
-    line(rowOf(RendererKind::Reference).label, explanation.bytes, "");
+    add(RendererKind::Reference, explanation.bytes, {});
     const bool comparable = explainsThePicture(session);
     for (const RenderedView& view : pictures.views) {
         if (!view.image || !view.whole || view.image->width != explanation.width ||
@@ -235,33 +231,41 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
         for (std::size_t i = 0; i < bytes.size(); ++i)
             bytes[i] = std::to_integer<std::uint8_t>(view.image->at(x, y)[i]);
         // While the scene moves the pictures are ahead of the answer: they have nothing in common.
-        const std::string label(rowOf(view.renderer).label);
-        line(label, bytes, comparable ? differenceText(explanation.bytes, bytes) : "");
+        add(view.renderer, bytes,
+            comparable ? differenceFrom(explanation.bytes, bytes) : reference::StepCell{});
         if (comparable)
-            noteItem(session, "explain:compared " + label);
+            noteItem(session, "explain:compared " + rows.back().label);
     }
-    ImGui::EndTable();
+    drawRows(rows);
 }
 
 void drawTexelLine(Session& session) {
     const Explaining& asked = session.explaining;
-    if (!asked.texel || !asked.answer || !asked.answer->contributions || !asked.answer->request.texel)
+    if (!asked.texel)
         return;
-    const auto& found = *asked.answer->contributions;
-    const auto& [level, index] = asked.answer->request.texel->texel; // perhaps an earlier one's
-    const std::string name = "Texel " + std::to_string(index.x) + ", " + std::to_string(index.y) +
-                             " of level " + std::to_string(level);
-    std::string words = name + ": " + (found ? std::string() : describe(found.error()));
-    if (found) {
+    const auto& [level, index] = asked.texel->texel;
+    std::string words = "Texel " + std::to_string(index.x) + ", " + std::to_string(index.y) + " of level " +
+                        std::to_string(level) + ": ";
+    const bool answered =
+        asked.answer && asked.answer->contributions && asked.answer->request.texel == asked.texel;
+    if (!answered) {
+        words += "looking for its pixels…";
+    } else if (const auto& found = *asked.answer->contributions; !found) {
+        words += describe(found.error());
+    } else {
         const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
         words += count == 0   ? "no visible pixel reads it"
                  : count == 1 ? "one pixel reads it"
                               : std::to_string(count) + " pixels read it";
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
-    ImGui::TextWrapped("%s", words.c_str());
-    ImGui::PopStyleColor();
+    const bool cleared = ImGui::SmallButton("✕##texel");
+    noteItem(session, "explain:clear texel");
+    helpTip("Lets go of this texel (Escape)");
+    ImGui::SameLine();
+    hangingText(words, color::chosen);
     noteItem(session, "explain:texel");
+    if (cleared)
+        clearTexel(session);
 }
 
 } // namespace

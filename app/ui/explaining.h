@@ -11,6 +11,7 @@ namespace texplorer::ui {
 struct Explaining {
     std::optional<reference::PixelPlace> pixel{};
     std::optional<reference::TexelQuestion> texel{};
+    std::shared_ptr<const TextureImage> texelOf{}; ///< the image that it was picked in: it goes with it
     std::shared_ptr<const reference::ProbeWorker::Answer> answer{}; ///< the newest; may be an earlier one's
     std::shared_ptr<const Image> light{}; ///< of the answer: the texel's weight in each pixel, to lay over it
     std::shared_ptr<const reference::ProbeWorker::Answer> lightOf{};

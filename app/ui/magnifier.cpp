@@ -130,13 +130,19 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
     const float em = ImGui::GetFontSize();
     const float pad = em * 0.5F;
     const float cell = std::max(2.0F, std::round(em * 0.7F));
-    const ImVec2 size(std::max(cell * across, ImGui::CalcTextSize("255 255 255 · 255").x + em),
-                      cell * across + 2.6F * em);
+    float widest = std::max(cell * across, ImGui::CalcTextSize("255 255 255 · 255").x + em * 1.1F);
+    for (const Lens& lens : lenses)
+        widest = std::max(widest, ImGui::CalcTextSize(lens.name.c_str()).x);
+    const ImVec2 size(widest, cell * across + 2.6F * em);
+    const std::string where = "Pixel " + std::to_string(pixel->x) + "," +
+                              std::to_string(picture.height - 1 - pixel->y) +
+                              " from the upper left"; // as texshot probe --at counts
     const Rect& window = layout.window;
     const int most = std::max(1, static_cast<int>((static_cast<float>(window.width) - pad) / (size.x + pad)));
     const int columns = std::min(most, static_cast<int>(lenses.size()));
     const int rows = (static_cast<int>(lenses.size()) + columns - 1) / columns;
-    const ImVec2 whole(static_cast<float>(columns) * (size.x + pad) + pad,
+    const ImVec2 whole(std::max(static_cast<float>(columns) * (size.x + pad) + pad,
+                                ImGui::CalcTextSize(where.c_str()).x + 2 * pad),
                        static_cast<float>(rows) * (size.y + pad) + pad + em * 1.2F);
     // Beside the mouse, and inside of the window.
     const float away = em * 1.4F;
@@ -153,10 +159,10 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
     draw.AddRect(low, {low.x + whole.x, low.y + whole.y}, ImGui::GetColorU32(ImGuiCol_Border), pad);
     if (session.probe)
         session.probe->items["magnifier"] = {low.x, low.y, low.x + whole.x, low.y + whole.y, true};
-    const std::string where = "Pixel " + std::to_string(pixel->x) + "," +
-                              std::to_string(picture.height - 1 - pixel->y) +
-                              " from the upper left"; // as texshot probe --at counts
     draw.AddText({low.x + pad, low.y + pad * 0.7F}, color::dim, where.c_str());
+    if (session.probe)
+        session.probe->items["magnifier:where"] = {
+            low.x + pad, low.y, low.x + pad + ImGui::CalcTextSize(where.c_str()).x, low.y + em * 1.2F, true};
     for (std::size_t i = 0; i < lenses.size(); ++i) {
         const Lens& lens = lenses[i];
         const auto column = static_cast<float>(static_cast<int>(i) % columns);

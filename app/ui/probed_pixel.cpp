@@ -31,10 +31,24 @@ reference::DrawRequest pictureNow(const Session& session, int width, int height)
     return {session.scene, session.images, session.playback.time, width, height, session.views.anisotropy};
 }
 
+/// The image in which the unit that is asked about would look up the texel now.
+std::shared_ptr<const TextureImage> imageAsked(const Session& session) {
+    const Scene& scene = session.scene;
+    const reference::TexelQuestion& asked = *session.explaining.texel;
+    const auto pass = static_cast<std::size_t>(asked.pass);
+    if (pass >= scene.passes.size())
+        return nullptr;
+    const int index = scene.passes[pass].units[static_cast<std::size_t>(asked.unit)].texture;
+    const bool exists = index >= 0 && static_cast<std::size_t>(index) < scene.textures.size();
+    return exists ? session.images.find(scene.textures[static_cast<std::size_t>(index)]) : nullptr;
+}
+
 } // namespace
 
 void askAboutPicture(Session& session, const Pictures& pictures) {
     Explaining& asked = session.explaining;
+    if (asked.texel && asked.texelOf != imageAsked(session))
+        clearTexel(session);
     if (pictures.views.empty())
         return;
     const auto [width, height] = pictures.views.front().frame.size;
@@ -91,9 +105,14 @@ void chooseTexel(Session& session, const reference::TexelPlace& texel) {
     const reference::TexelQuestion question{session.selection.pass, session.selection.unit, texel};
     std::optional<reference::TexelQuestion>& chosen = session.explaining.texel;
     if (chosen == question)
-        chosen.reset();
-    else
-        chosen = question;
+        return clearTexel(session);
+    chosen = question;
+    session.explaining.texelOf = imageAsked(session);
+}
+
+void clearTexel(Session& session) {
+    session.explaining.texel.reset();
+    session.explaining.texelOf.reset();
 }
 
 void probeWithMouse(Session& session, const Panes& panes, bool hovered, bool clicked) {

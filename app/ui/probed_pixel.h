@@ -27,5 +27,6 @@ void drawProbedPixel(Session& session, const Pictures& pictures, const Panes& pa
 
 /// Asks for a texel of the selected unit; asks no longer where it was the one.
 void chooseTexel(Session& session, const reference::TexelPlace& texel);
+void clearTexel(Session& session);
 
 } // namespace texplorer::ui

@@ -1,6 +1,7 @@
 #include "app/ui/camera.h"
 #include "app/ui/keys.h"
 #include "app/ui/panels.h"
+#include "app/ui/probed_pixel.h"
 
 #include <algorithm>
 
@@ -69,6 +70,12 @@ void handleShortcuts(Session& session, const Layout& layout) {
         session.views.magnifies = !session.views.magnifies;
     if (pressed('0'))
         session.views.zoom = {};
+    if (pressed(key::escape)) { // one after the other
+        if (session.explaining.texel)
+            clearTexel(session);
+        else
+            session.explaining.pixel.reset();
+    }
     if (pressed('F'))
         frameAll(session, layout);
     if (pressed(key::home))

@@ -1,5 +1,6 @@
 #include "app/ui/texel_marks.h"
 
+#include "app/ui/fitted_text.h"
 #include "app/ui/inset_placement.h"
 #include "app/ui/probed_pixel.h"
 #include "app/ui/theme.h"
@@ -24,9 +25,10 @@ ImU32 inkOf(glm::vec4 color) {
 /// A small picture of a piece of a level, at an edge of the canvas.
 struct Inset {
     const LevelPatch* patch;
-    ImVec2 low;  ///< upper left, of the texels
-    float cell;  ///< the extent of a texel
-    float share; ///< of the level
+    ImVec2 low; ///< upper left, of the texels
+    float cell; ///< the extent of a texel
+    std::string title;
+    float width; ///< of the frame, which the title may make wider than the texels
 
     [[nodiscard]] ImVec2 size() const {
         return {cell * static_cast<float>(patch->size.x), cell * static_cast<float>(patch->size.y)};
@@ -139,6 +141,22 @@ std::vector<Kept> keptInSight(const reference::UnitExplanation& unit, const Canv
     return kept;
 }
 
+/// The longest of several titles that has room; each says less than the one before.
+std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
+    const float share = shareOf(unit, patch.level);
+    const std::string face =
+        unit.sample.cube ? std::string(rowOf(cubeFaceAt(patch.layer)).label) + " · " : std::string();
+    const std::string level = std::to_string(patch.level);
+    const std::string part = share < 1
+                                 ? std::to_string(std::lround(share * 100)) + " %"
+                                 : std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y);
+    for (const std::string& title : {face + "level " + level + " · " + part, face + "level " + level}) {
+        if (ImGui::CalcTextSize(title.c_str()).x <= room)
+            return title;
+    }
+    return fitted(face + level, room);
+}
+
 std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
     std::vector<Inset> insets;
     if (!unit)
@@ -154,9 +172,14 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     for (const LevelPatch& each : unit->patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
-        insets.push_back({&each, {}, side / static_cast<float>(each.size.x), shareOf(*unit, each.level)});
+        const std::string title = titleOf(*unit, each, (width - em * 2) / 2);
+        insets.push_back({&each,
+                          {},
+                          side / static_cast<float>(each.size.x),
+                          title,
+                          std::max(side, ImGui::CalcTextSize(title.c_str()).x)});
         sizes.push_back(
-            {insets.back().size().x + 2 * frame.x, insets.back().size().y + titleHeight() + frame.y});
+            {insets.back().width + 2 * frame.x, insets.back().size().y + titleHeight() + frame.y});
     }
     if (insets.empty())
         return insets;
@@ -194,17 +217,15 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
     const LevelPatch& patch = *inset.patch;
     const float em = ImGui::GetFontSize();
     const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
-    const std::string title =
-        (unit.sample.cube ? std::string(rowOf(cubeFaceAt(patch.layer)).label) + " · " : std::string()) +
-        "level " + std::to_string(patch.level) + " · " +
-        (inset.share < 1 ? std::to_string(std::lround(inset.share * 100)) + " %"
-                         : std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y));
     const float pad = em * 0.2F;
-    draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()}, {end.x + pad, end.y + pad},
-                       IM_COL32(12, 14, 18, 245), em * 0.2F);
-    draw.PushClipRect({inset.low.x, inset.low.y - titleHeight()}, end, true);
-    draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, title.c_str());
-    draw.PopClipRect();
+    draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()},
+                       {inset.low.x + inset.width + pad, end.y + pad}, IM_COL32(12, 14, 18, 245), em * 0.2F);
+    draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.title.c_str());
+    if (session.probe) {
+        const ImVec2 room = ImGui::CalcTextSize(inset.title.c_str());
+        session.probe->items["patch title:" + inset.title] = {inset.low.x, inset.low.y - titleHeight(),
+                                                              inset.low.x + room.x, inset.low.y, true};
+    }
     draw.PushClipRect(inset.low, end, true);
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x) {

@@ -1,3 +1,4 @@
+#include "app/ui/keys.h"
 #include "app/ui/panes.h"
 #include "app/ui/probed_pixel.h"
 #include "core/reference/probe.h"
@@ -236,6 +237,97 @@ TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     ASSERT_TRUE(session->explaining.texel);
     EXPECT_EQ(session->explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
     (void)picture();
+}
+
+TEST_F(ExplainTab, EscapeLetsGoOfTheTexelAndThenOfThePixel) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    ASSERT_TRUE(session->explaining.texel);
+    key(key::escape);
+    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_TRUE(session->explaining.pixel);
+    key(key::escape);
+    EXPECT_FALSE(session->explaining.pixel);
+}
+
+TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    click("explain:clear texel");
+    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_TRUE(session->explaining.pixel);
+    EXPECT_FALSE(has("explain:clear texel"));
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    session->explaining.pixel.reset();
+    frames(2);
+    click("explain:clear texel");
+    EXPECT_FALSE(session->explaining.texel);
+}
+
+TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
+    open();
+    const auto pick = [&] {
+        session->explaining.pixel.reset();
+        session->explaining.texel.reset();
+        clickAt(onTheCube());
+        clickAt(inPatch(probedUnit(*session)->patches.front().level));
+        ASSERT_TRUE(session->explaining.texel);
+    };
+    pick();
+    texture().wrapS = Wrap::Clamp; // the same image, looked up otherwise
+    frames(2);
+    EXPECT_TRUE(session->explaining.texel);
+    texture().pattern = Pattern::Brick;
+    frames(2);
+    EXPECT_FALSE(session->explaining.texel);
+    pick();
+    scene().textures.push_back({.pattern = Pattern::UvTemplate});
+    unit().texture = 1;
+    frames(2);
+    EXPECT_FALSE(session->explaining.texel);
+    texture().pattern = Pattern::Brick;
+    unit().texture = 0;
+    frames(2);
+    pick();
+    unit().enabled = false;
+    scene().textures.clear();
+    frames(2);
+    EXPECT_FALSE(session->explaining.texel);
+}
+
+TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
+    for (const int width : {1280, 1024, 640}) {
+        SCOPED_TRACE(width);
+        start(defaultScene(), width, 700);
+        open();
+        for (const Target target : {Target::Texture2D, Target::CubeMap}) {
+            texture().pattern = target == Target::CubeMap ? Pattern::CubeFaces : Pattern::Checker;
+            unit().target = target;
+            frames(2);
+            session->explaining.pixel.reset();
+            for (int step = 1; step < 20 && !probedUnit(*session); ++step) // until it hits a model
+                clickAt(
+                    {static_cast<float>(layout.picture.x + layout.picture.width * step / 20), onTheCube().y});
+            ASSERT_NE(probedUnit(*session), nullptr);
+            int titles = 0;
+            std::vector<Probe::Item> seen;
+            for (const auto& [name, item] : session->probe->items) {
+                if (!name.starts_with("patch title:"))
+                    continue;
+                ++titles;
+                EXPECT_LE(item.right, static_cast<float>(layout.texture.right())) << name;
+                EXPECT_GE(item.left, static_cast<float>(layout.texture.x)) << name;
+                for (const Probe::Item& other : seen)
+                    EXPECT_FALSE(item.left < other.right && other.left < item.right &&
+                                 item.top < other.bottom && other.top < item.bottom)
+                        << name;
+                seen.push_back(item);
+            }
+            EXPECT_GT(titles, 0);
+        }
+    }
 }
 
 TEST_F(ExplainTab, ClearForgetsIt) {

@@ -55,6 +55,16 @@ TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
     }
 }
 
+TEST_F(Magnifier, ItsHeadingFits) {
+    start(defaultScene(), 2400, 1200);
+    session->views.magnifies = true;
+    moveTo(inside(0.9F, 0.9F)); // where numbers are long
+    const Probe::Item& frame = session->probe->items.at("magnifier");
+    const Probe::Item& where = session->probe->items.at("magnifier:where");
+    EXPECT_GT(where.left, frame.left);
+    EXPECT_LT(where.right, frame.right);
+}
+
 TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
     session->views.magnifies = true;
     showComparison(session->views, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
