@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <deque>
 #include <utility>
@@ -18,6 +19,7 @@ namespace texplorer::explorer {
 namespace {
 
 std::string lastGlfwError;
+std::atomic<bool> woken = false; // by any thread, for the one window
 
 void rememberError(int /*code*/, const char* description) {
     lastGlfwError = description;
@@ -163,7 +165,9 @@ GLFWwindow* Window::handle() const {
 }
 
 Window::Events Window::takeEvents() {
-    return std::exchange(state_->inbox.events, {});
+    Events events = std::exchange(state_->inbox.events, {});
+    events.any |= woken.exchange(false);
+    return events;
 }
 
 bool Window::feedKeys() {
@@ -197,6 +201,7 @@ void Window::wait(double seconds) {
 }
 
 void Window::wake() {
+    woken = true; // who wakes it has news: Dear ImGui needs some frames for that, too
     glfwPostEmptyEvent();
 }
 

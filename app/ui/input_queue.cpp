@@ -33,6 +33,9 @@ std::size_t eventsForOneFrame(const std::deque<KeyEvent>& waiting, bool typing) 
             anyCharacter = true;
             continue;
         }
+        if (event.kind == KeyEvent::Kind::Repeat)
+            continue; // Dear ImGui repeats by itself; a frame for each, and a slow window lags behind the
+                      // hand
         if (typing && !modified && event.code < key::escape)
             continue;
         const bool twice = std::ranges::find(changed, event.code) != changed.end();

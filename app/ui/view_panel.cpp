@@ -10,6 +10,7 @@
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -230,7 +231,8 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
 
     ImGui::SetCursorScreenPos({static_cast<float>(layout.canvas.x), static_cast<float>(layout.canvas.y)});
     ImGui::InvisibleButton(
-        "picture", {static_cast<float>(layout.canvas.width), static_cast<float>(layout.canvas.height)},
+        "picture",
+        {static_cast<float>(std::max(1, layout.canvas.width)), static_cast<float>(layout.canvas.height)},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
             ImGuiButtonFlags_MouseButtonMiddle);
     noteItem(session, "view");

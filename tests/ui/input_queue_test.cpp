@@ -16,6 +16,9 @@ KeyEvent down(int code) {
 KeyEvent up(int code) {
     return {KeyEvent::Kind::Release, code};
 }
+KeyEvent again(int code) {
+    return {KeyEvent::Kind::Repeat, code};
+}
 KeyEvent letter(int code) {
     return {KeyEvent::Kind::Character, code};
 }
@@ -42,6 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"AShortcut", {down(control), down('S'), up('S'), up(control)}, 2},
                     Case{"ItsEnd", {up('S'), up(control)}, 1},
                     Case{"AKeyBeforeAModifierIsNoShortcut", {down('S'), down(control)}, 1},
+                    Case{"AKeyHeldForLong", {down('E'), again('E'), again('E'), again('E'), again('E')}, 5},
+                    Case{"AKeyLetGoAfterLong", {again('E'), again('E'), up('E')}, 3},
                     Case{"TypedText", {down('A'), letter('a'), down('B'), letter('b')}, 4},
                     Case{"TheSameLetterTwice", {down('A'), letter('a'), up('A'), down('A'), letter('a')}, 2},
                     Case{"TypingTheSameLetterTwice",
