@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace texplorer::explorer {
 namespace {
@@ -14,6 +15,43 @@ namespace {
 constexpr int settlingFrames = 3;    // Dear ImGui needs these after an input until everything has its place
 constexpr double caretSeconds = 0.4; // how often a blinking text cursor is drawn
 constexpr double longestStep = 0.1;  // seconds of animation in one frame, after the window was hidden or busy
+
+Autosave* keptAtExit = nullptr;
+
+/// While one of these lives, exit() writes what is not saved: Xlib calls it when the display goes away, which
+/// is how many sessions end.
+class KeptAtExit {
+public:
+    explicit KeptAtExit(Autosave& autosave) {
+        static const int registered = std::atexit([] {
+            if (keptAtExit)
+                (void)keptAtExit->flush();
+        });
+        (void)registered;
+        keptAtExit = &autosave;
+    }
+    KeptAtExit(const KeptAtExit&) = delete;
+    KeptAtExit& operator=(const KeptAtExit&) = delete;
+    ~KeptAtExit() { keptAtExit = nullptr; }
+};
+
+/// While one of these lives, a signal writes what is not saved, and wakes the window so that it ends.
+class KeptOnSignal {
+public:
+    KeptOnSignal(Signals& signals, Autosave& autosave)
+        : signals_(signals) {
+        signals_.onRequest([&autosave] {
+            (void)autosave.flush();
+            Window::wake();
+        });
+    }
+    KeptOnSignal(const KeptOnSignal&) = delete;
+    KeptOnSignal& operator=(const KeptOnSignal&) = delete;
+    ~KeptOnSignal() { signals_.onRequest({}); }
+
+private:
+    Signals& signals_;
+};
 
 /// Sleeps until it is time for the next frame.
 void pace(Window& window, bool moving, bool settling, double lastFrame) {
@@ -32,24 +70,32 @@ void pace(Window& window, bool moving, bool settling, double lastFrame) {
 
 } // namespace
 
-Result<void> runLoop(Window& window, ui::Session& session, const std::vector<std::filesystem::path>& files,
-                     const std::filesystem::path& shaders) {
+Result<void> runLoop(Window& window, ui::Session& session, Signals& signals,
+                     const std::vector<std::filesystem::path>& files, const std::filesystem::path& shaders) {
     Result<stage::Stage> stage = stage::Stage::create(window.contentScale(), {shaders, Window::wake});
     if (!stage)
         return fail(stage.error());
     const Input input(window.handle());
     ui::Background background(Window::wake, BlockCache::ofUser());
     session.background = &background;
+    ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
+    session.unsaved = &unsaved;
+    const KeptAtExit keptAtExit(unsaved.autosave);
+    const KeptOnSignal keptOnSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
 
     int settling = settlingFrames;
     double last = window.now();
     for (;;) {
         const Window::Events events = window.takeEvents();
+        if (signals.received() != 0) {
+            (void)unsaved.autosave.flush(); // with what the last frame changed
+            return {};
+        }
         if (events.any)
             settling = settlingFrames;
-        for (const std::filesystem::path& path : events.dropped)
-            ui::requestOpen(session, path);
+        if (!events.dropped.empty())
+            ui::requestOpen(session, events.dropped);
         if (events.close)
             ui::requestQuit(session);
         if (window.isHidden() && !events.close) {
@@ -73,8 +119,11 @@ Result<void> runLoop(Window& window, ui::Session& session, const std::vector<std
             stage->draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
         window.setTitle(requests.title);
         window.swap();
-        if (requests.quit)
+        if (requests.quit) {
+            unsaved.autosave.forget(); // the user has decided
+            (void)unsaved.autosave.flush();
             return {};
+        }
         if (requests.fading || requests.unfinished)
             settling = settlingFrames;
 

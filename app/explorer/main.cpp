@@ -24,19 +24,32 @@ int complain(const std::string& sentence) {
     return failure;
 }
 
-int run(const std::vector<std::string>& files, const std::string& shaders) {
-    const std::vector<std::filesystem::path> paths(files.begin(), files.end());
-    if (const Result<void> known = ui::checkArguments(paths); !known)
-        return complain(describe(known.error()));
+int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& paths,
+         const std::string& shaders) {
     ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
     Result<explorer::Window> window = explorer::Window::open(startSize, ui::windowTitle(session));
     if (!window)
         return complain(
             describe(window.error()) +
             ". Without a display, texshot draws the same window: texshot shot --ui -o window.png");
-    if (const Result<void> ended = explorer::runLoop(*window, session, paths, shaders); !ended)
+    const Result<void> ended = explorer::runLoop(*window, session, signals, paths, shaders);
+    if (!ended)
         return complain(describe(ended.error()));
     return 0;
+}
+
+int run(const std::vector<std::string>& files, const std::string& shaders) {
+    const std::vector<std::filesystem::path> paths(files.begin(), files.end());
+    const std::vector<Error> refused = ui::checkArguments(paths);
+    for (const Error& each : refused)
+        complain(describe(each));
+    if (!paths.empty() && refused.size() == paths.size())
+        return failure;
+    explorer::Signals signals; // before any other thread
+    const int status = show(signals, paths, shaders);
+    if (signals.received() != 0)
+        explorer::endBy(signals.received());
+    return status;
 }
 
 } // namespace
@@ -51,6 +64,12 @@ int main(int argc, char** argv) {
                    "Scene files (JSON) and images. Images become textures of the scene, the first one is "
                    "shown.")
         ->type_name("");
+    app.footer(
+        "Of several files those that can't be opened are listed, and the others are opened.\n"
+        "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
+        "offered\nat the next start.\n"
+        "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
+        "usual,\nwith the unsaved work kept.");
     std::string shaders;
     app.add_option(
            "--shaders", shaders,

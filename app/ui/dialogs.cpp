@@ -1,5 +1,6 @@
 #include "app/ui/document.h"
 #include "app/ui/keys.h"
+#include "app/ui/modal.h"
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
@@ -37,6 +38,7 @@ constexpr std::array keyLines{
     Line{"1, 2, 3, 4", "draw by fixed function, by shaders, by the reference; compare"},
     Line{"M", "magnifier: the pixels under the mouse and their colours"},
     Line{"0", "no longer enlarge the pixels"},
+    Line{"Escape", "let go of the picked texel, then of the explained pixel"},
     Line{"F", "frame all models"},
     Line{"Home", "reset the camera"},
     Line{"Ctrl+Q", "quit"},
@@ -68,9 +70,12 @@ void finishPending(Session& session) {
     case Pending::OpenScene:
         browse(session, Dialog::OpenScene, "Open a scene", {".json"}, false);
         break;
-    case Pending::OpenFile:
-        report(session, openFile(session, session.pendingFile), session.pendingFile);
+    case Pending::OpenFiles: {
+        const std::vector<std::filesystem::path> files = std::move(session.pendingFiles);
+        session.pendingFiles.clear();
+        report(session, openFiles(session, files), files.front());
         break;
+    }
     case Pending::ShowScene:
         if (const std::shared_ptr<Load> ready = std::exchange(session.readyScene, nullptr)) {
             ready->before = session.scene; // the user has answered
@@ -89,19 +94,6 @@ void askAboutChanges(Session& session, Pending next) {
         session.dialog = Dialog::Discard;
     else
         finishPending(session);
-}
-
-/// A modal in the middle of the window, as large as its content. To be closed with ImGui::EndPopup() where
-/// true.
-bool beginModal(const char* title) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    if (!ImGui::IsPopupOpen(title))
-        ImGui::OpenPopup(title);
-    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x * 0.96F, display.y * 0.94F});
-    return ImGui::BeginPopupModal(title, nullptr,
-                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings);
 }
 
 void drawDiscard(Session& session) {
@@ -131,6 +123,48 @@ void drawDiscard(Session& session) {
         finishPending(session);
     else if (keep)
         save(session);
+}
+
+/// A line for each file, with its reason: there may be hundreds.
+void drawRefused(Session& session) {
+    if (!beginModal("Files that could not be opened"))
+        return;
+    const float em = ImGui::GetFontSize();
+    const std::size_t count = session.refused.size();
+    ImGui::TextUnformatted(count == 1 ? "One file could not be opened, the others were."
+                                      : (std::to_string(count) + " files could not be opened.").c_str());
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = std::min(em * 46, display.x * 0.9F);
+    const float height = std::min(display.y * 0.6F, em * 2.9F * static_cast<float>(count) + em);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
+    ImGui::BeginChild("refused", {width, height}, true);
+    for (const Error& each : session.refused) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(describe(each).c_str());
+        ImGui::PopTextWrapPos();
+        noteItem(session, "refused:" + each.where);
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    const bool read = ImGui::Button("Close", {em * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
+                      ImGui::IsKeyPressed(key::enter, false);
+    noteItem(session, "refused:close");
+    if (read) {
+        session.refused.clear();
+        session.dialog = Dialog::None;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+/// What is to be said or asked without the user's having asked for it comes when nothing else is open.
+void openWaitingDialog(Session& session) {
+    if (session.dialog != Dialog::None || session.pending != Pending::None)
+        return;
+    if (!session.refused.empty())
+        session.dialog = Dialog::Refused;
+    else if (session.unsaved && !session.unsaved->recovery.offers().empty() && session.loads.empty())
+        session.dialog = Dialog::Restore;
 }
 
 void lines(const char* id, std::span<const Line> rows) {
@@ -246,17 +280,23 @@ void requestQuit(Session& session) {
     askAboutChanges(session, Pending::Quit);
 }
 
-void requestOpen(Session& session, const std::filesystem::path& path) {
-    const Result<bool> scene = holdsScene(path);
-    if (!scene)
-        return say(session, scene.error());
-    session.pendingFile = path;
-    if (!*scene)
-        return report(session, importImage(session, path), path);
-    askAboutChanges(session, Pending::OpenFile);
+void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
+    if (files.size() == 1) {
+        if (const Result<bool> scene = holdsScene(files.front()); !scene)
+            return say(session, scene.error());
+    }
+    const bool replaces = std::ranges::any_of(
+        files, [](const std::filesystem::path& file) { return holdsScene(file).value_or(false); });
+    if (files.empty())
+        return;
+    if (!replaces)
+        return report(session, openFiles(session, files), files.front());
+    session.pendingFiles = std::move(files);
+    askAboutChanges(session, Pending::OpenFiles);
 }
 
 void drawDialogs(Session& session, const Pictures& pictures) {
+    openWaitingDialog(session);
     switch (session.dialog) {
     case Dialog::None:
         break;
@@ -270,6 +310,12 @@ void drawDialogs(Session& session, const Pictures& pictures) {
         break;
     case Dialog::Help:
         drawHelp(session);
+        break;
+    case Dialog::Restore:
+        drawRestore(session, pictures);
+        break;
+    case Dialog::Refused:
+        drawRefused(session);
         break;
     }
 }

@@ -59,6 +59,8 @@ void replaceDocument(Session& session, Scene scene, ImageSource images, fs::path
     Probe* probe = session.probe;
     FileBrowser browser = session.browser;
     Background* background = session.background;
+    UnsavedWork* unsaved = session.unsaved;
+    std::vector<Error> refused = std::move(session.refused);
     cancelLoads(session);
     session = makeSession(std::move(scene), std::move(images), std::move(file));
     session.columns = columns;
@@ -67,6 +69,25 @@ void replaceDocument(Session& session, Scene scene, ImageSource images, fs::path
     session.probe = probe;
     session.browser = std::move(browser);
     session.background = background;
+    session.unsaved = unsaved;
+    session.refused = std::move(refused);
+}
+
+/// As the file has it, where it can be read: what undo and the mark of unsaved changes go by.
+Scene savedScene(const fs::path& file) {
+    if (file.empty())
+        return defaultScene();
+    return readScene(file).value_or(Scene{});
+}
+
+/// Unsaved work takes the place of the document, with its draft as this window's own.
+void replaceByUnsaved(Session& session, Load load) {
+    const UnsavedScene draft{load.path, load.images.directory(), load.scene};
+    replaceDocument(session, std::move(load.scene), std::move(load.images), load.path);
+    session.saved = savedScene(session.file);
+    session.needsFit = false; // the camera is part of the work
+    if (session.unsaved)
+        session.unsaved->autosave.adopt(session.unsaved->recovery.takeRestored(), draft);
 }
 
 } // namespace
@@ -103,12 +124,25 @@ Result<void> openScene(Session& session, const fs::path& path) {
 
 void showLoadedScene(Session& session, Load load) {
     const bool changedMeanwhile = session.scene != load.before && isDirty(session);
+    if (!changedMeanwhile && load.restores)
+        return replaceByUnsaved(session, std::move(load));
     if (!changedMeanwhile)
         return replaceDocument(session, std::move(load.scene), std::move(load.images), load.path);
     load.before = session.scene; // the next answer is about this one
     session.readyScene = std::make_shared<Load>(std::move(load));
     session.pending = Pending::ShowScene;
     session.dialog = Dialog::Discard;
+}
+
+void restoreUnsaved(Session& session, UnsavedScene draft) {
+    // What it was restored from isn't lost with an image: the load goes on without.
+    (void)start(session, {.kind = Load::Kind::Scene,
+                          .path = std::move(draft.file),
+                          .goesOn = true,
+                          .restores = true,
+                          .scene = std::move(draft.scene),
+                          .before = session.scene,
+                          .images = ImageSource(std::move(draft.folder))});
 }
 
 Result<void> saveScene(Session& session, const fs::path& path) {
@@ -172,65 +206,124 @@ Result<void> openFile(Session& session, const fs::path& path) {
     return *scene ? openScene(session, path) : importImage(session, path);
 }
 
-Result<void> checkArguments(const std::vector<fs::path>& files) {
-    for (const fs::path& file : files) {
-        const Result<bool> scene = holdsScene(file);
-        if (!scene)
-            return fail(scene.error());
-        if (*scene) {
-            if (const Result<Scene> parsed = readScene(file); !parsed)
-                return fail(parsed.error());
-            continue;
-        }
-        const Result<Bytes> start = readFileStart(file, recognisedBytes);
-        if (!start)
-            return fail(start.error());
-        if (recogniseImage(*start))
-            continue;
-        const Result<TextureImage> refused = decodeTexture(*start);
-        if (!refused)
-            return fail(refused.error().code, refused.error().message, file.string());
+namespace {
+
+/// What a file is, or why it is nothing that can be opened.
+Result<bool> checkFile(const fs::path& file) {
+    const Result<bool> scene = holdsScene(file);
+    if (!scene)
+        return fail(scene.error());
+    if (*scene) {
+        if (const Result<Scene> parsed = readScene(file); !parsed)
+            return fail(parsed.error());
+        return true;
     }
-    return {};
+    const Result<Bytes> start = readFileStart(file, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return false;
+    const Result<TextureImage> refused = decodeTexture(*start);
+    if (!refused)
+        return fail(refused.error().code, refused.error().message, file.string());
+    return false;
 }
 
-Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
-    Load load{.kind = Load::Kind::Scene, .scene = session.scene, .before = session.scene};
-    load.images = ImageSource(session.images.directory());
+/// Several files as one load: what is no file or a second scene is refused already.
+Load sorted(const Session& session, const std::vector<fs::path>& files) {
+    Load load{.kind = Load::Kind::Add, .pass = session.selection.pass, .unit = session.selection.unit};
     std::vector<fs::path> images;
     for (const fs::path& file : files) {
-        const Result<bool> scene = holdsScene(file);
-        if (!scene)
-            return fail(scene.error());
-        if (!*scene) {
+        const Result<bool> isScene = checkFile(file);
+        if (!isScene) {
+            load.refused.push_back(isScene.error());
+        } else if (!*isScene) {
             images.push_back(file);
-            continue;
+        } else if (load.kind == Load::Kind::Scene) {
+            load.refused.push_back(
+                {ErrorCode::OutOfRange,
+                 "one scene is shown at a time, and " + load.path.filename().string() + " is opened",
+                 file.string()});
+        } else if (Result<Scene> scene = readScene(file)) {
+            load.kind = Load::Kind::Scene;
+            load.path = absolutePath(file);
+            load.scene = std::move(*scene);
+            load.images = ImageSource(load.path.parent_path());
+            load.pass = load.unit = 0;
+        } else {
+            load.refused.push_back(scene.error());
         }
-        Result<Scene> parsed = readScene(file);
-        if (!parsed)
-            return fail(parsed.error());
-        load.scene = std::move(*parsed);
-        load.path = absolutePath(file);
-        load.images = ImageSource(load.path.parent_path());
     }
-    Scene& scene = load.scene;
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        std::string name = nameIn(load.images, images[i]);
-        if (i == 0) {
-            bindFile(scene, 0, 0, std::move(name));
+    const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.images;
+    for (const fs::path& image : images)
+        load.added.push_back(nameIn(target, image));
+    load.goesOn = files.size() > 1;
+    load.before = session.scene;
+    return load;
+}
+
+bool opensNothing(const Load& load) {
+    return load.kind == Load::Kind::Add && load.added.empty();
+}
+
+} // namespace
+
+void addImages(Scene& scene, const ImageSource& images, Load& load) {
+    bool first = true;
+    for (const std::string& name : load.added) {
+        if (!images.holds(name))
+            continue; // it was refused
+        if (first) {
+            bindFile(scene, load.pass, load.unit, name);
+            first = false;
             continue;
         }
-        if (scene.textures.size() >= maxTextures)
-            return fail(ErrorCode::TooLarge,
-                        "a scene has at most " + std::to_string(maxTextures) + " textures",
-                        images[i].string());
+        if (scene.textures.size() >= maxTextures) {
+            load.refused.push_back({ErrorCode::TooLarge,
+                                    "a scene has at most " + std::to_string(maxTextures) + " textures",
+                                    (images.directory() / name).string()});
+            continue;
+        }
         Texture texture;
         texture.source = SourceKind::File;
         texture.mipmaps = MipPolicy::Generated;
-        texture.file = std::move(name);
+        texture.file = name;
         scene.textures.push_back(std::move(texture));
     }
-    return files.empty() ? Result<void>{} : start(session, std::move(load));
+}
+
+std::vector<Error> checkArguments(const std::vector<fs::path>& files) {
+    std::vector<Error> refused;
+    for (const fs::path& file : files) {
+        if (const Result<bool> known = checkFile(file); !known)
+            refused.push_back(known.error());
+    }
+    return refused;
+}
+
+Result<void> openFiles(Session& session, const std::vector<fs::path>& files) {
+    if (files.size() == 1)
+        return openFile(session, files.front());
+    Load load = sorted(session, files);
+    if (opensNothing(load)) {
+        session.refused.insert(session.refused.end(), load.refused.begin(), load.refused.end());
+        return {};
+    }
+    return start(session, std::move(load));
+}
+
+Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
+    if (files.empty())
+        return {};
+    Load load = sorted(session, files);
+    if (opensNothing(load))
+        return fail(load.refused.front());
+    if (load.kind == Load::Kind::Add) { // to begin with them is no edit
+        load.kind = Load::Kind::Scene;
+        load.scene = session.scene;
+        load.images = ImageSource(session.images.directory());
+    }
+    return start(session, std::move(load));
 }
 
 void say(Session& session, const Error& error, const fs::path& file) {

@@ -22,6 +22,13 @@ void newScene(Session& session);
 /// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
 [[nodiscard]] Result<void> importImage(Session& session, const std::filesystem::path& path);
 
+/// Puts the images that a load has added into a scene, as far as they are in `images`: the first for the
+/// load's unit, a texture for each of the others. Those for which there is no room are refused.
+void addImages(Scene& scene, const ImageSource& images, Load& load);
+
+/// Shows unsaved work of a window that has died, once its images are there or can't be read.
+void restoreUnsaved(Session& session, UnsavedScene draft);
+
 /// A unit shows a file, with the texture that is bound to it, or with a new one; the unit is switched on.
 void bindFile(Scene& scene, int pass, int unit, std::string file);
 
@@ -35,12 +42,17 @@ void showLoadedScene(Session& session, Load load);
 /// A scene or an image, by its content.
 [[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
 
-/// Whether what the command line names is there and is something that can be opened, by the beginning of each
-/// file: what can be said before there is a window.
-[[nodiscard]] Result<void> checkArguments(const std::vector<std::filesystem::path>& files);
+/// Several files: at most one scene, and images; the first one is shown, the others wait as textures. What
+/// can't be opened is listed in Session::refused, and the rest is opened. The error is that of a file that is
+/// the only one.
+[[nodiscard]] Result<void> openFiles(Session& session, const std::vector<std::filesystem::path>& files);
 
-/// What the command line names: at most one scene, and images; the first one is shown, the others wait as
-/// textures. The session begins with them: there is nothing to undo or to save.
+/// What of the command line is not there or is nothing that can be opened, by the beginning of each file:
+/// what can be said before there is a window. An error for each.
+[[nodiscard]] std::vector<Error> checkArguments(const std::vector<std::filesystem::path>& files);
+
+/// What the command line names, as openFiles. The session begins with it: there is nothing to undo or to
+/// save. The error is that of the first file where none can be opened.
 [[nodiscard]] Result<void> openArguments(Session& session, const std::vector<std::filesystem::path>& files);
 
 /// Whether a file is to be read as a scene, by its first bytes and its name; else as an image.

@@ -16,9 +16,11 @@ using Wanted = ImageLoader::Wanted;
 std::set<std::string> missingFiles(const Session& session, const Load& load) {
     if (load.kind == Load::Kind::Reload)
         return {load.file};
-    if (load.kind != Load::Kind::Scene)
+    if (load.kind == Load::Kind::Import || load.kind == Load::Kind::SetFile)
         return session.images.holds(load.file) ? std::set<std::string>{} : std::set{load.file};
-    std::set<std::string> files;
+    std::set<std::string> files(load.added.begin(), load.added.end());
+    if (load.kind == Load::Kind::Add)
+        std::erase_if(files, [&](const std::string& file) { return session.images.holds(file); });
     for (const Texture& texture : load.scene.textures) {
         if (texture.source == SourceKind::File)
             files.insert(texture.file);
@@ -43,6 +45,20 @@ void finishImport(Session& session, const Load& load) {
     sealEdit(session);
 }
 
+/// One step of undo for all of them.
+void finishAdd(Session& session, Load& load) {
+    addImages(session.scene, session.images, load);
+    sealEdit(session);
+    recordEdit(session, "Open " + std::to_string(load.added.size()) + " images");
+    sealEdit(session);
+}
+
+/// The user is told with the next frame that has room for it.
+void tellRefused(Session& session, std::vector<Error>& refused) {
+    session.refused.insert(session.refused.end(), refused.begin(), refused.end());
+    refused.clear();
+}
+
 void finishSetFile(Session& session, const Load& load) {
     const auto index = static_cast<std::size_t>(load.texture);
     if (index >= session.scene.textures.size())
@@ -65,6 +81,11 @@ bool finish(Session& session, Load& load) {
         putAll(session.images, load);
         finishImport(session, load);
         return true;
+    case Load::Kind::Add:
+        putAll(session.images, load);
+        finishAdd(session, load);
+        tellRefused(session, load.refused);
+        return true;
     case Load::Kind::SetFile:
         putAll(session.images, load);
         finishSetFile(session, load);
@@ -77,6 +98,8 @@ bool finish(Session& session, Load& load) {
         if (session.dialog != Dialog::None)
             return false;
         putAll(load.images, load);
+        addImages(load.scene, load.images, load);
+        tellRefused(session, load.refused);
         showLoadedScene(session, std::move(load));
         return true;
     }
@@ -123,6 +146,8 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
     load->waits.erase(loaded.ticket);
     if (loaded.content) {
         load->arrived[file] = std::get<TextureImage>(std::move(*loaded.content));
+    } else if (load->goesOn) {
+        load->refused.push_back(loaded.content.error());
     } else {
         const Load failed = std::move(*load);
         session.loads.erase(load);
@@ -136,7 +161,7 @@ void reloadChanged(Session& session) {
     for (const std::string& file : session.images.files())
         files.insert(file);
     for (const Load& load : session.loads) { // what is being read may have changed after it was read
-        if (load.kind != Load::Kind::Scene)
+        if (!load.file.empty())
             files.insert(load.file);
     }
     for (const fs::path& changed : session.background->watch.changed()) {
@@ -154,7 +179,7 @@ void watchFiles(Session& session) {
     for (const std::string& file : session.images.files())
         paths.push_back(session.images.directory() / file);
     for (const Load& load : session.loads) {
-        if (load.kind != Load::Kind::Scene)
+        if (!load.file.empty())
             paths.push_back(session.images.directory() / load.file);
     }
     if (!session.fileView.shown.empty())
@@ -166,9 +191,12 @@ Result<void> startNow(Session& session, Load& load) {
     const fs::path folder = folderOf(session, load);
     for (const std::string& file : missingFiles(session, load)) {
         Result<ImageLoader::Content> content = loadNow(folder / file, Wanted::Texture);
-        if (!content)
+        if (content)
+            load.arrived[file] = std::get<TextureImage>(std::move(*content));
+        else if (load.goesOn)
+            load.refused.push_back(content.error());
+        else
             return fail(content.error());
-        load.arrived[file] = std::get<TextureImage>(std::move(*content));
     }
     (void)finish(session, load);
     return {};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -17,8 +18,9 @@ struct Session;
 struct Load {
     enum class Kind {
         Import,  ///< an image for the texture that is bound to a unit
+        Add,     ///< several images: one for a unit, and textures of their own for the others
         SetFile, ///< another file for a texture
-        Scene,   ///< a whole scene with its images
+        Scene,   ///< a whole scene with its images, and perhaps more images, as Add
         Reload,  ///< a file that has changed
     };
     Kind kind = Kind::Import;
@@ -26,8 +28,12 @@ struct Load {
     std::string file{};                                 ///< the same as the scene spells it, for images
     std::map<ImageLoader::Ticket, std::string> waits{}; ///< the files that are still missing, as spelled
     std::map<std::string, TextureImage> arrived{};      ///< those that are there
-    int pass = 0;                                       ///< Import
-    int unit = 0;                                       ///< Import
+    std::vector<std::string> added{};                   ///< Add, Scene: the images, as the scene spells them
+    std::vector<Error> refused{};                       ///< files that the load does without
+    bool goesOn = false;                                ///< whether it does without files that can't be read
+    bool restores = false;                              ///< Scene: unsaved work, of a window that has died
+    int pass = 0;                                       ///< Import, Add
+    int unit = 0;                                       ///< Import, Add
     int texture = 0;                                    ///< SetFile: its index
     Scene scene{};                                      ///< Scene: what is to be shown
     Scene before{};                                     ///< Scene: what was shown when it was asked for

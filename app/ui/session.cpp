@@ -24,10 +24,26 @@ Session::Session(Scene start, ImageSource source)
     , referenceAtOnce(std::make_shared<reference::DrawWorker>(reference::DrawWorker::When::AtOnce))
     , probeWorkerAtOnce(std::make_shared<reference::ProbeWorker>(reference::ProbeWorker::When::AtOnce)) {}
 
+namespace {
+
+/// What one sees is what the lists should be about.
+void leaveHiddenModel(Session& session) {
+    const std::vector<Model>& models = session.scene.models;
+    const Model* selected = selectedModel(session);
+    const auto visible = std::ranges::find(models, true, &Model::visible);
+    if (visible == models.end() || (selected && selected->visible))
+        return;
+    session.selection.model = static_cast<int>(visible - models.begin());
+    session.selection.vertex.reset();
+}
+
+} // namespace
+
 Session makeSession(Scene scene, ImageSource images, std::filesystem::path file) {
     Session session(std::move(scene), std::move(images));
     session.needsFit = file.empty() || session.scene.view == defaultScene().view;
     session.file = std::move(file);
+    leaveHiddenModel(session);
     return session;
 }
 
@@ -74,12 +90,14 @@ void sealEdit(Session& session) {
 void undo(Session& session) {
     if (session.history.canUndo())
         session.scene = session.history.undo();
+    leaveHiddenModel(session);
     session.lastChanged.clear();
 }
 
 void redo(Session& session) {
     if (session.history.canRedo())
         session.scene = session.history.redo();
+    leaveHiddenModel(session);
     session.lastChanged.clear();
 }
 

@@ -10,6 +10,7 @@
 #include "app/ui/loads.h"
 #include "app/ui/probe.h"
 #include "app/ui/sections.h"
+#include "app/ui/unsaved_work.h"
 #include "app/ui/views.h"
 #include "core/base/result.h"
 #include "core/scene/diagnosis.h"
@@ -41,10 +42,10 @@ struct Selection {
     int unit = 0;
 };
 
-enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help };
+enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help, Restore, Refused };
 
 /// What waits until the user has decided about unsaved changes.
-enum class Pending { None, NewScene, OpenScene, OpenFile, ShowScene, Quit };
+enum class Pending { None, NewScene, OpenScene, OpenFiles, ShowScene, Quit };
 
 /// The visible part of the texture plane.
 struct Plane {
@@ -97,11 +98,13 @@ struct Session {
 
     Dialog dialog = Dialog::None;
     Pending pending = Pending::None;
-    std::filesystem::path pendingFile;
+    std::vector<std::filesystem::path> pendingFiles;
+    std::vector<Error> refused; ///< of several files: those that could not be opened, until one has read it
     FileBrowser browser;
     bool quitConfirmed = false;
 
     Background* background = nullptr; ///< the host's; nullptr: files are read on the spot
+    UnsavedWork* unsaved = nullptr;   ///< the host's; nullptr: nothing is kept beyond the window
     std::vector<Load> loads;          ///< what is on its way, in the order in which it was asked for
     std::set<std::string> damaged;    ///< files of `images` that changed and can't be read any more
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes

@@ -101,6 +101,7 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
     if (!popup)
         handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
     drawDialogs(session, pictures);
+    followEdits(session);
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
     const bool fading = dimmed > 0 && dimmed < 1;
     Requests requests{session.quitConfirmed, fading, false, windowTitle(session)};

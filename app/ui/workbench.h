@@ -8,10 +8,12 @@
 
 #include <imgui.h>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -50,8 +52,8 @@ Requests drawWorkbench(Session& session, const Pictures& pictures, const render:
 /// The user wants to close the window: asks first where something would be lost.
 void requestQuit(Session& session);
 
-/// A file was dropped onto the window: a scene or an image. Asks first where a scene would replace unsaved
+/// Files were dropped onto the window: a scene, images. Asks first where a scene would replace unsaved
 /// changes.
-void requestOpen(Session& session, const std::filesystem::path& path);
+void requestOpen(Session& session, std::vector<std::filesystem::path> files);
 
 } // namespace texplorer::ui

@@ -109,6 +109,22 @@ class Command(unittest.TestCase):
     def test_without_a_display_it_names_texshot(self):
         self.one_sentence(run(), 1, "display", "texshot")
 
+    def test_says_each_file_of_several_that_are_all_bad(self):
+        done = run("/nowhere/a.bmp", "/nowhere/b.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual([line.split(": ")[1] for line in done.stderr.splitlines()],
+                         ["/nowhere/a.bmp", "/nowhere/b.json"])
+
+    def test_one_good_file_of_several_is_worth_a_window(self):
+        with tempfile.TemporaryDirectory() as name:
+            scene = pathlib.Path(name) / "scene.json"
+            scene.write_text('{"version": 1}')
+            done = run("/nowhere/a.bmp", scene)  # which then lacks a display
+        self.assertEqual(done.returncode, 1)
+        lines = done.stderr.splitlines()
+        self.assertIn("/nowhere/a.bmp", lines[0])
+        self.assertIn("display", lines[1])
+
     def test_refuses_files_in_one_sentence(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
@@ -128,9 +144,15 @@ class Window(unittest.TestCase):
         self.scene.write_text('{"version": 1}')
         self.display = Display()
         self.addCleanup(self.display.close)
-        self.program = subprocess.Popen([PROGRAM, str(self.scene)], env=self.display.environment,
-                                        stderr=subprocess.PIPE, text=True)
+        self.state = pathlib.Path(folder.name) / "state"
+        self.display.environment["XDG_STATE_HOME"] = str(self.state)
+        self.program = None
         self.addCleanup(self.end_program)
+        self.begin(self.scene)
+
+    def begin(self, *files):
+        self.program = subprocess.Popen([PROGRAM, *map(str, files)], env=self.display.environment,
+                                        stderr=subprocess.PIPE, text=True)
         self.window = int(wait_for(lambda: self.running() and self.display.xdotool("search", "--name", "Texplorer"), "the window").split()[0])
         wait_for(lambda: len(set(self.display.screenshot().getdata())) > 100, "the first picture")
 
@@ -138,6 +160,20 @@ class Window(unittest.TestCase):
         if self.program.poll() is not None:
             raise AssertionError(f"texplorer ended with {self.program.returncode}: {self.program.stderr.read()}")
         return True
+
+    def drafts(self):
+        return sorted((self.state / "texplorer" / "unsaved").glob("*.scene"))
+
+    def draft(self):
+        """The scene in the one draft that there is."""
+        return json.loads(self.drafts()[0].read_text().split("\n", 3)[3])
+
+    def edit(self):
+        self.orbit()
+        wait_for(lambda: "•" in self.title(), "the mark of unsaved changes")
+
+    def dims(self, quiet):
+        return self.display.screenshot().getpixel((20, 300)) != quiet
 
     def end_program(self):
         if self.program.poll() is None:
@@ -229,6 +265,95 @@ class Window(unittest.TestCase):
         begin = self.cpu_seconds()
         time.sleep(2)
         self.assertLess(self.cpu_seconds() - begin, 0.5, "two idle seconds")
+
+    def test_unsaved_work_outlives_a_crash_and_is_restored(self):
+        saved = self.scene.read_text()
+        quiet = self.display.screenshot().getpixel((20, 300))
+        self.edit()
+        wait_for(self.drafts, "the draft")
+        self.assertEqual((self.state / "texplorer" / "unsaved").stat().st_mode & 0o777, 0o700)
+        time.sleep(2)
+        begin = self.cpu_seconds()
+        time.sleep(2)
+        self.assertLess(self.cpu_seconds() - begin, 0.5, "two idle seconds with unsaved work")
+        azimuth = self.draft()["view"]["azimuth"]
+        self.program.kill()
+        self.program.wait(PATIENCE)
+        self.program.stderr.close()
+        self.assertEqual(self.scene.read_text(), saved)
+
+        self.begin()  # without the file: it is remembered
+        wait_for(lambda: self.dims(quiet), "the offer, which dims the window")
+        self.assertEqual(len(self.drafts()), 1)
+        self.display.xdotool("key", "Return")
+        wait_for(lambda: "scene.json •" in self.title(), "the restored scene")
+        self.assertEqual(self.save()["view"]["azimuth"], azimuth)
+        wait_for(lambda: not self.drafts(), "the draft to go")
+        self.display.ask_to_close(self.window)
+        self.assertEqual(self.program.wait(PATIENCE), 0)
+        self.assertEqual(list((self.state / "texplorer" / "unsaved").iterdir()), [])
+
+    def test_signals_write_the_rest_and_end_the_window(self):
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            with self.subTest(signal=number):
+                self.edit()
+                self.program.send_signal(number)  # before the draft is due
+                self.assertEqual(self.program.wait(PATIENCE), -number)
+                self.assertEqual(self.program.stderr.read(), "")
+                self.program.stderr.close()
+                self.assertEqual(len(self.drafts()), 1)
+                self.assertNotEqual(self.draft()["view"]["azimuth"], 0)
+                for draft in self.drafts():
+                    draft.unlink()
+                self.begin(self.scene)
+
+    def test_the_end_of_the_display_writes_the_rest(self):
+        self.edit()
+        self.display.server.kill()
+        self.program.wait(PATIENCE)
+        wait_for(self.drafts, "the draft")
+
+    def test_what_is_given_up_is_gone(self):
+        quiet = self.display.screenshot().getpixel((20, 300))
+        self.edit()
+        wait_for(self.drafts, "the draft")
+        self.display.xdotool("key", "ctrl+z")
+        wait_for(lambda: not self.drafts(), "the draft of what is as saved to go")
+        self.display.xdotool("key", "ctrl+y")
+        wait_for(self.drafts, "the draft")
+        self.display.ask_to_close(self.window)
+        wait_for(lambda: self.dims(quiet), "the question")
+        middle = self.display.screenshot()
+        self.assertNotEqual(middle.getpixel((20, 300)), quiet)
+        self.display.xdotool("mousemove", 640, 418, "click", 1)  # Don't save
+        self.assertEqual(self.program.wait(PATIENCE), 0)
+        self.assertEqual(self.drafts(), [])
+
+    def test_a_window_of_one_pixel_goes_on(self):
+        before = self.display.xdotool("getwindowgeometry", "--shell", self.window)
+        for width, height in ((1, 1), (1, 600), (600, 1), (3, 2), (40, 40)):
+            self.display.xdotool("windowsize", "--sync", self.window, width, height)
+            time.sleep(0.3)
+            self.running()
+        self.display.xdotool("windowsize", self.window, 1280, 800)
+        self.assertIn("WIDTH=1280", before)
+        wait_for(lambda: len(set(self.display.screenshot().crop((400, 200, 850, 600)).getdata())) > 50,
+                 "the picture again")
+
+    def test_the_last_frame_is_drawn(self):
+        """What comes from a worker needs some frames until its columns have their widths."""
+        self.display.xdotool("mousemove", 500, 400)
+        before = self.display.screenshot()
+        details = (905, 440, 1280, 770)
+        self.display.xdotool("keydown", "e")
+        wait_for(lambda: self.display.screenshot().crop(details).tobytes() != before.crop(details).tobytes(),
+                 "the explanation")
+        self.display.xdotool("keyup", "e")
+        time.sleep(3)
+        resting = self.display.screenshot().crop(details)
+        self.display.xdotool("mousemove", 500, 401)
+        time.sleep(1)
+        self.assertEqual(self.display.screenshot().crop(details).tobytes(), resting.tobytes())
 
     def test_sleeps_while_nothing_happens(self):
         time.sleep(2)  # the last pictures of the start

@@ -71,6 +71,16 @@ TEST_F(Document, ImagePathsFollowTheSceneFile) {
     EXPECT_NE(other.images.find(other.scene.textures[0]), nullptr);
 }
 
+TEST_F(Document, AModelThatIsSeenIsSelected) {
+    write(folder / "sphere.json", R"({"version": 1, "models": [
+        {"shape": "cube", "visible": false}, {"shape": "sphere"}]})");
+    ASSERT_TRUE(openScene(session, folder / "sphere.json").has_value());
+    EXPECT_EQ(session.selection.model, 1);
+    write(folder / "none.json", R"({"version": 1, "models": [{"shape": "cube", "visible": false}]})");
+    ASSERT_TRUE(openScene(session, folder / "none.json").has_value());
+    EXPECT_EQ(session.selection.model, 0);
+}
+
 struct Bad {
     const char* name;
     const char* content; // nullptr: there is no such file
@@ -125,20 +135,20 @@ TEST_F(Document, ADroppedSceneAsksBeforeItReplacesChanges) {
     write(folder / "scene.json", R"({"version": 1, "textures": [{"wrapT": "GL_CLAMP"}]})");
     session.scene.textures[0].wrapS = Wrap::Clamp;
     recordEdit(session, "Wrap s");
-    requestOpen(session, folder / "scene.json");
+    requestOpen(session, {folder / "scene.json"});
     EXPECT_EQ(session.dialog, Dialog::Discard);
     EXPECT_EQ(session.scene.textures[0].wrapT, Wrap::Repeat);
     undo(session);
     session.dialog = Dialog::None;
-    requestOpen(session, folder / "scene.json");
+    requestOpen(session, {folder / "scene.json"});
     EXPECT_EQ(session.scene.textures[0].wrapT, Wrap::Clamp);
 }
 
 TEST_F(Document, ADroppedFileThatIsNothingIsReported) {
     write(folder / "notes.txt", "Hello");
-    requestOpen(session, folder / "notes.txt");
+    requestOpen(session, {folder / "notes.txt"});
     EXPECT_THAT(session.notice.text, HasSubstr("notes.txt"));
-    requestOpen(session, folder / "gone.bmp");
+    requestOpen(session, {folder / "gone.bmp"});
     EXPECT_THAT(session.notice.text, HasSubstr("gone.bmp"));
 }
 

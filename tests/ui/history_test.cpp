@@ -61,6 +61,19 @@ TEST_F(EditMenu, ArrowsAndEnterWorkInAnOpenList) {
     EXPECT_TRUE(session->playback.playing) << "Space was the list's";
 }
 
+TEST_F(EditMenu, TheListsFollowWhatUndoShows) {
+    item("View", "Show Sphere");
+    EXPECT_EQ(session->selection.model, 1);
+    scene().models[0].visible = true;
+    scene().models[1].visible = false;
+    recordEdit(*session, "Visible");
+    EXPECT_EQ(session->selection.model, 1) << "whoever hides a model is still at its switch";
+    key('Z', {ctrl});
+    EXPECT_EQ(session->selection.model, 1);
+    key('Y', {ctrl});
+    EXPECT_EQ(session->selection.model, 0);
+}
+
 TEST_F(EditMenu, HelpOpensAndCloses) {
     key(key::f1);
     EXPECT_TRUE(has("help:close"));

@@ -1,4 +1,5 @@
 #include "app/ui/document.h"
+#include "app/ui/keys.h"
 #include "app/ui/workbench.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
@@ -111,7 +112,7 @@ TEST_F(Loads, TheLastOneThatWasOpenedIsShown) {
 TEST_F(Loads, ADamagedImageChangesNothingAndCanBeLookedInto) {
     const Scene before = scene();
     write("half.bmp", texplorer::test::onePixelBmp({0, 0, 1}).substr(0, 40));
-    requestOpen(*session, folder / "half.bmp");
+    requestOpen(*session, {folder / "half.bmp"});
     waitForFiles(*session);
     frames(2);
     EXPECT_EQ(scene(), before);
@@ -130,7 +131,7 @@ TEST_F(Loads, ADamagedImageChangesNothingAndCanBeLookedInto) {
 }
 
 TEST_F(Loads, AMissingImageIsSaidAtOnce) {
-    requestOpen(*session, folder / "gone.bmp");
+    requestOpen(*session, {folder / "gone.bmp"});
     EXPECT_THAT(session->notice.text, HasSubstr("gone.bmp"));
     frames(2);
     EXPECT_FALSE(has("look inside"));
@@ -287,14 +288,108 @@ TEST_F(Loads, TheCommandLinesFilesComeLaterAllAtOnce) {
 
 TEST_F(Loads, ADamagedFileOfTheCommandLineIsSaidInTheWindow) {
     write("half.bmp", texplorer::test::onePixelBmp({0, 0, 1}).substr(0, 40));
-    EXPECT_TRUE(checkArguments({folder / "half.bmp"}).has_value()) << "it begins as a BMP does";
+    EXPECT_TRUE(checkArguments({folder / "half.bmp"}).empty()) << "it begins as a BMP does";
     ASSERT_TRUE(openArguments(*session, {folder / "half.bmp"}).has_value());
     waitForFiles(*session);
     frames(2);
     EXPECT_TRUE(has("look inside"));
     write("text.bmp", "Hello");
-    EXPECT_FALSE(checkArguments({folder / "text.bmp"}).has_value());
-    EXPECT_FALSE(checkArguments({folder / "gone.bmp"}).has_value());
+    EXPECT_EQ(checkArguments({folder / "text.bmp"}).size(), 1U);
+    EXPECT_EQ(checkArguments({folder / "gone.bmp"}).size(), 1U);
+}
+
+TEST_F(Loads, OneBadFileOfManyIsListedAndTheOthersAreOpened) {
+    std::vector<fs::path> files;
+    for (int i = 0; i < 40; ++i)
+        files.push_back(bmp("good" + std::to_string(i) + ".bmp", static_cast<char>(i)));
+    write("half.bmp", texplorer::test::onePixelBmp({0, 0, 1}).substr(0, 40));
+    write("text.bmp", "Hello");
+    files.insert(files.begin(), folder / "half.bmp"); // the one that would be shown
+    files.insert(files.begin() + 20, folder / "text.bmp");
+    files.insert(files.begin() + 30, folder / "gone.bmp");
+    EXPECT_EQ(checkArguments(files).size(), 2U) << "what is seen before it is decoded";
+    ASSERT_TRUE(openArguments(*session, files).has_value());
+    waitForFiles(*session);
+    frames(3);
+    EXPECT_EQ(scene().textures.size(), 40U);
+    EXPECT_EQ(red(), 0) << "the first that could be read is shown";
+    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_FALSE(isDirty(*session));
+    EXPECT_EQ(session->dialog, Dialog::Refused);
+    ASSERT_EQ(session->refused.size(), 3U);
+    for (const char* each : {"half.bmp", "text.bmp", "gone.bmp"})
+        EXPECT_TRUE(has("refused:" + (folder / each).string())) << each;
+    for (const Error& each : session->refused)
+        EXPECT_FALSE(each.message.empty()) << each.where;
+    click("refused:close");
+    EXPECT_EQ(session->dialog, Dialog::None);
+    frames(2);
+    EXPECT_EQ(session->dialog, Dialog::None) << "it is said once";
+}
+
+TEST_F(Loads, HundredsOfBadFilesAreAListThatScrolls) {
+    std::vector<fs::path> files{bmp("red.bmp", 50)};
+    for (int i = 0; i < 300; ++i)
+        files.push_back(folder / ("gone" + std::to_string(i) + ".bmp"));
+    ASSERT_TRUE(openArguments(*session, files).has_value());
+    waitForFiles(*session);
+    frames(4);
+    EXPECT_EQ(red(), 50);
+    EXPECT_EQ(session->refused.size(), 300U);
+    const std::string last = "refused:" + files.back().string();
+    EXPECT_FALSE(session->probe->items.at(last).visible);
+    wheel(place("refused:" + files[2].string()), -1000);
+    EXPECT_TRUE(session->probe->items.at(last).visible);
+    click("refused:close"); // is in sight all the time
+    EXPECT_EQ(session->dialog, Dialog::None);
+}
+
+TEST_F(Loads, MoreImagesThanASceneHasTexturesAreListed) {
+    std::vector<fs::path> files;
+    for (int i = 0; i < 70; ++i)
+        files.push_back(bmp("good" + std::to_string(i) + ".bmp", static_cast<char>(i)));
+    ASSERT_TRUE(openArguments(*session, files).has_value());
+    waitForFiles(*session);
+    frames(2);
+    EXPECT_EQ(scene().textures.size(), maxTextures);
+    ASSERT_EQ(session->refused.size(), 6U);
+    EXPECT_EQ(session->refused.back().where, files.back().string());
+}
+
+TEST_F(Loads, SeveralDroppedImagesAreOneStepOfUndo) {
+    const Scene before = scene();
+    requestOpen(*session, {bmp("a.bmp", 10), folder / "gone.bmp", bmp("b.bmp", 20)});
+    waitForFiles(*session);
+    frames(2);
+    EXPECT_EQ(red(), 10);
+    ASSERT_EQ(scene().textures.size(), 2U);
+    EXPECT_EQ(scene().textures[1].file, (folder / "b.bmp").string());
+    EXPECT_EQ(session->dialog, Dialog::Refused);
+    key(key::escape);
+    undo(*session);
+    EXPECT_EQ(scene(), before);
+    requestOpen(*session, {folder / "gone.bmp", folder / "away.bmp"});
+    frames(3);
+    EXPECT_EQ(session->refused.size(), 2U);
+    EXPECT_EQ(scene(), before);
+}
+
+TEST_F(Loads, ASceneThatIsDroppedWithImagesIsShownWithThem) {
+    write("scene.json", R"({"version": 1, "textures": [{"wrapS": "GL_CLAMP"}]})");
+    write("other.json", R"({"version": 1})");
+    texture().wrapT = Wrap::Clamp;
+    recordEdit(*session, "Wrap t");
+    requestOpen(*session, {bmp("a.bmp", 10), folder / "scene.json", folder / "other.json"});
+    EXPECT_EQ(session->dialog, Dialog::Discard);
+    frames(2);
+    click("discard:drop");
+    waitForFiles(*session);
+    frames(2);
+    EXPECT_EQ(session->file, folder / "scene.json");
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    EXPECT_EQ(red(), 10);
+    ASSERT_EQ(session->refused.size(), 1U);
+    EXPECT_EQ(session->refused[0].where, (folder / "other.json").string());
 }
 
 TEST_F(Loads, TheBrowserShowsSmallPictures) {
