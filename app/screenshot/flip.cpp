@@ -110,7 +110,8 @@ void addFlip(CLI::App& app, Action& action) {
     command->add_flag("--half-turn", options->halfTurn, "By 180 degrees instead.")->excludes(horizontal);
     command->add_flag("--lossy", options->lossy,
                       "Decompress and compress again the levels that can't be turned around without loss: "
-                      "those whose extent is not 1, 2 or a multiple of 4.");
+                      "those whose extent is not " +
+                          std::string(losslessExtents) + ".");
     command->callback([&action, options] {
         action = [options] {
             const auto output = openImageOutput(options->out, formatFor(options->in));

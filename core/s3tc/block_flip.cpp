@@ -50,13 +50,15 @@ std::uint64_t fieldsAt(HalfLayout layout, Axis axis, unsigned index) {
     return mask;
 }
 
-/// 0 1 2 3 becomes 2 3 0 1, and that becomes 3 2 1 0; of two, 0 1 becomes 1 0.
+/// 0 1 2 3 becomes 2 3 0 1, and that becomes 3 2 1 0; of three, 0 1 2 becomes 2 1 0; of two, 0 1 becomes 1 0.
 void addSwaps(HalfLayout layout, Axis axis, int extent, FieldSwap* swaps) {
-    assert(extent == 1 || extent == 2 || extent == 4);
+    assert(extent >= 1 && extent <= 4);
     const unsigned step = axis == Axis::Rows ? 4 * layout.bits : layout.bits;
     const std::uint64_t first = fieldsAt(layout, axis, 0);
     if (extent == 2)
         swaps[0] = {first, step};
+    if (extent == 3)
+        swaps[0] = {first, 2 * step};
     if (extent == 4) {
         swaps[0] = {first | fieldsAt(layout, axis, 1), 2 * step};
         swaps[1] = {first | fieldsAt(layout, axis, 2), step};

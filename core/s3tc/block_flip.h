@@ -38,7 +38,7 @@ struct BlockFlip {
     std::array<PartSwaps, 4> parts{};
     std::size_t partCount = 0;
 
-    /// @param rows     how many texel rows are turned around: 1 (none), 2 (the first two) or 4
+    /// @param rows     how many texel rows are turned around: 1 (none), 2 or 3 (the first ones) or 4
     /// @param columns  the same for texel columns
     BlockFlip(BlockFormat format, int rows, int columns);
 

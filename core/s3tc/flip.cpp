@@ -12,7 +12,7 @@ Result<void> checkExtent(const char* name, int extent) {
         return {};
     return fail(ErrorCode::Unsupported,
                 std::string("a compressed picture of ") + name + " " + std::to_string(extent) +
-                    " can't be flipped without loss: expected 1, 2 or a multiple of 4");
+                    " can't be flipped without loss: expected " + std::string(losslessExtents));
 }
 
 /// How many texels of a block are turned around along an axis of this extent.

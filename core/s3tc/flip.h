@@ -9,16 +9,19 @@
 #include "core/s3tc/block_image.h"
 #include "core/s3tc/encode.h"
 
+#include <string_view>
+
 namespace texplorer {
 
 /// Turns a compressed image upside down in place without decompressing it: the blocks' rows are swapped, and
-/// the texel rows within each block. Lossless for height 1, 2 and every multiple of 4 (each slice of a
+/// the texel rows within each block. Lossless for height 1, 2, 3 and every multiple of 4 (each slice of a
 /// volume). For every other height the rows of the last, partial block row would have to move between blocks:
 /// refused (ErrorCode::Unsupported), nothing is changed. Refused too (ErrorCode::Malformed) where `blocks`
 /// has not the size that the extents ask for.
 ///
-/// Of height 1 nothing changes; of height 2 only the first two texel rows of each block move: the other two
-/// lie outside of the picture and keep their bits.
+/// A picture lower than a block is turned around within its one row of blocks: of height 2 the first two
+/// texel rows change places, of height 3 the first and the third, and of height 1 nothing changes. Rows that
+/// lie outside of the picture keep their bits.
 [[nodiscard]] Result<void> flipVertically(BlockImage& image);
 
 /// Left to right, under the same rule for the width.
@@ -27,10 +30,12 @@ namespace texplorer {
 /// Both: turned by 180 degrees.
 [[nodiscard]] Result<void> rotateHalfTurn(BlockImage& image);
 
-/// Whether a flip along an axis of this extent is lossless: 1, 2 or a multiple of 4.
+/// Whether a flip along an axis of this extent is lossless; `losslessExtents` names those that are.
 [[nodiscard]] constexpr bool flipsWithoutLoss(int extent) {
-    return extent == 1 || extent == 2 || extent % 4 == 0;
+    return (extent >= 1 && extent <= 3) || extent % 4 == 0;
 }
+
+inline constexpr std::string_view losslessExtents = "1, 2, 3 or a multiple of 4";
 
 enum class FlipAxis : std::uint8_t { Vertical, Horizontal, Both };
 

@@ -75,7 +75,8 @@ bool makeCorpus(const std::filesystem::path& folder) {
         good = writeAll(folder / row.name, "", filesFor(row)) &&
                writeAll(folder / "codecs", row.name, filesFor(row)) && good;
     for (std::size_t format = 0; format < blockFormatRows.size(); ++format) // see fuzz_flip.cpp
-        for (const auto& [flip, width, height] : {std::tuple{0, 8, 12}, {1, 2, 4}, {2, 64, 1}, {0, 4, 6}}) {
+        for (const auto& [flip, width, height] :
+             {std::tuple{0, 8, 12}, {1, 2, 4}, {2, 64, 1}, {2, 3, 3}, {0, 4, 6}}) {
             std::string input{char(format), char(flip), char(width - 1), char(height - 1), char(format % 2)};
             input += "sixteen bytes of a block";
             const std::string name =

@@ -2,7 +2,7 @@
 
 #include "core/s3tc/decode.h"
 #include "core/s3tc/decode_rows.h"
-#include "tests/core/s3tc/squish_flags.h"
+#include "tests/core/s3tc/squish_oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -187,13 +187,6 @@ INSTANTIATE_TEST_SUITE_P(Rows, EveryFormat, testing::ValuesIn(blockFormatRows),
 
 class AgainstSquish : public testing::TestWithParam<EnumRow> {};
 
-Image decodeWithSquish(const BlockImage& image) {
-    Image pixels = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height);
-    squish::DecompressImage(reinterpret_cast<squish::u8*>(pixels.pixels.data()), image.width, image.height,
-                            image.blocks.data(), squishFlag(image.format));
-    return pixels;
-}
-
 /// 0 to 3 of every pixel.
 std::vector<int> channel(const Image& image, std::size_t index) {
     std::vector<int> values;
@@ -226,21 +219,15 @@ INSTANTIATE_TEST_SUITE_P(Rows, AgainstSquish,
                                          rowOf(BlockFormat::Dxt3), rowOf(BlockFormat::Dxt5)),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// libsquish compresses to BC4 and BC5 and doesn't decompress them; but each of their channels is the alpha of
-// a DXT5 block.
 TEST(RgtcAgainstSquish, DecodesToTheSameBytes) {
     for (const auto& [width, height] : sizes) {
         const BlockImage pairs = randomBlocks(BlockFormat::Bc5, width, height);
         const Image redAndGreen = decodeBlocks(pairs);
         for (std::size_t half = 0; half < 2; ++half) {
             BlockImage alone = BlockImage::uninitialised(BlockFormat::Bc4, width, height);
-            BlockImage alpha = BlockImage::uninitialised(BlockFormat::Dxt5, width, height);
-            for (std::size_t block = 0; block < alone.blocks.size() / 8; ++block) {
+            for (std::size_t block = 0; block < alone.blocks.size() / 8; ++block)
                 std::memcpy(&alone.blocks[8 * block], &pairs.blocks[16 * block + 8 * half], 8);
-                std::memcpy(&alpha.blocks[16 * block], &pairs.blocks[16 * block + 8 * half], 8);
-                std::memset(&alpha.blocks[16 * block + 8], 0, 8);
-            }
-            const std::vector<int> expected = channel(decodeWithSquish(alpha), 3);
+            const std::vector<int> expected = channel(decodeWithSquish(asDxt5Alpha(pairs, half)), 3);
             EXPECT_EQ(channel(redAndGreen, half), expected) << width << " x " << height;
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_EQ(channel(decodeBlocks(alone), c), expected) << width << " x " << height;

@@ -3,7 +3,7 @@
 #include "core/s3tc/decode.h"
 #include "core/s3tc/encode.h"
 #include "core/s3tc/flip.h"
-#include "tests/core/s3tc/squish_flags.h"
+#include "tests/core/s3tc/squish_oracle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-// The oracle is decodeBlocks: decoding what was flipped is flipping what was decoded.
+// Decoding what was flipped is flipping what was decoded: with our decoder, and with libsquish.
 
 #include "core/s3tc/block_flip.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
+#include "tests/core/s3tc/squish_oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,42 @@ TEST_P(EveryFormatAndTurn, RefusesOtherExtentsAndChangesNothing) {
         }
 }
 
+/// What libsquish sees in the blocks: a picture, or one for each channel of BC4 and BC5.
+std::vector<Image> seenBySquish(const BlockImage& image) {
+    switch (image.format) {
+    case BlockFormat::Dxt1:
+    case BlockFormat::Dxt1Alpha:
+    case BlockFormat::Dxt3:
+    case BlockFormat::Dxt5:
+        return {decodeWithSquish(image)};
+    case BlockFormat::Bc4:
+    case BlockFormat::Bc4Signed: // the codes are where BC4 has them
+        return {decodeWithSquish(asDxt5Alpha(image, 0))};
+    case BlockFormat::Bc5:
+    case BlockFormat::Bc5Signed:
+        break;
+    }
+    return {decodeWithSquish(asDxt5Alpha(image, 0)), decodeWithSquish(asDxt5Alpha(image, 1))};
+}
+
+TEST_P(EveryFormatAndTurn, FlipsWhatLibsquishSees) {
+    int flips = 0;
+    for (int height = 1; height <= 16; ++height)
+        for (int width = 1; width <= 16; ++width) {
+            const BlockImage image = randomBlocks(format(), width, height);
+            BlockImage flipped = image;
+            if (!turn().turn(flipped))
+                continue;
+            std::vector<Image> expected = seenBySquish(image);
+            for (Image& each : expected)
+                each = flipPixels(each, turn().x, turn().y);
+            ASSERT_EQ(seenBySquish(flipped), expected) << width << " x " << height;
+            ++flips;
+        }
+    // 1, 2, 3, 4, 8, 12 and 16 along each axis that is turned around
+    EXPECT_EQ(flips, (turn().x ? 7 : 16) * (turn().y ? 7 : 16));
+}
+
 INSTANTIATE_TEST_SUITE_P(Rows, EveryFormatAndTurn,
                          testing::Combine(testing::ValuesIn(blockFormatRows), testing::ValuesIn(turns)),
                          [](const auto& test) {
@@ -138,6 +175,8 @@ INSTANTIATE_TEST_SUITE_P(
                            bytesOf({1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 13, 14, 15, 16, 17, 18})},
                     ByHand{"Height2", BlockFormat::Dxt1, 2, 2, bytesOf({1, 2, 3, 4, 5, 6, 7, 8}),
                            bytesOf({1, 2, 3, 4, 6, 5, 7, 8})},
+                    ByHand{"Height3", BlockFormat::Dxt1, 3, 3, bytesOf({1, 2, 3, 4, 5, 6, 7, 8}),
+                           bytesOf({1, 2, 3, 4, 7, 6, 5, 8})},
                     ByHand{"Height4", BlockFormat::Dxt1, 4, 4, bytesOf({1, 2, 3, 4, 5, 6, 7, 8}),
                            bytesOf({1, 2, 3, 4, 8, 7, 6, 5})},
                     ByHand{"Height8", BlockFormat::Dxt1, 4, 8,
@@ -146,6 +185,9 @@ INSTANTIATE_TEST_SUITE_P(
                     ByHand{"Dxt3Height2", BlockFormat::Dxt3, 2, 2,
                            bytesOf({0, 1, 2, 3, 4, 5, 6, 7, 1, 2, 3, 4, 5, 6, 7, 8}),
                            bytesOf({2, 3, 0, 1, 4, 5, 6, 7, 1, 2, 3, 4, 6, 5, 7, 8})},
+                    ByHand{"Dxt3Height3", BlockFormat::Dxt3, 3, 3,
+                           bytesOf({0, 1, 2, 3, 4, 5, 6, 7, 1, 2, 3, 4, 5, 6, 7, 8}),
+                           bytesOf({4, 5, 2, 3, 0, 1, 6, 7, 1, 2, 3, 4, 7, 6, 5, 8})},
                     ByHand{"Dxt3Height4", BlockFormat::Dxt3, 4, 4,
                            bytesOf({0, 1, 2, 3, 4, 5, 6, 7, 1, 2, 3, 4, 5, 6, 7, 8}),
                            bytesOf({6, 7, 4, 5, 2, 3, 0, 1, 1, 2, 3, 4, 8, 7, 6, 5})},
@@ -155,6 +197,9 @@ INSTANTIATE_TEST_SUITE_P(
                     ByHand{"Dxt5Height2", BlockFormat::Dxt5, 2, 2,
                            bytesOf({9, 7, 0xBC, 0xFA, 0xDE, 0x23, 0x61, 0x45, 1, 2, 3, 4, 5, 6, 7, 8}),
                            bytesOf({9, 7, 0xEF, 0xCD, 0xAB, 0x23, 0x61, 0x45, 1, 2, 3, 4, 6, 5, 7, 8})},
+                    ByHand{"Dxt5Height3", BlockFormat::Dxt5, 3, 3,
+                           bytesOf({9, 7, 0xBC, 0xFA, 0xDE, 0x23, 0x61, 0x45, 1, 2, 3, 4, 5, 6, 7, 8}),
+                           bytesOf({9, 7, 0x23, 0xF1, 0xDE, 0xBC, 0x6A, 0x45, 1, 2, 3, 4, 7, 6, 5, 8})},
                     ByHand{"Dxt5Height4", BlockFormat::Dxt5, 4, 4,
                            bytesOf({9, 7, 0xBC, 0xFA, 0xDE, 0x23, 0x61, 0x45, 1, 2, 3, 4, 5, 6, 7, 8}),
                            bytesOf({9, 7, 0x56, 0x34, 0x12, 0xEF, 0xCD, 0xAB, 1, 2, 3, 4, 8, 7, 6, 5})},
@@ -167,9 +212,8 @@ TEST(Flip, SaysWhichExtentItExpected) {
     BlockImage image = randomBlocks(BlockFormat::Dxt5, 4, 6);
     const Result<void> result = flipVertically(image);
     ASSERT_FALSE(result);
-    EXPECT_EQ(
-        result.error().message,
-        "a compressed picture of height 6 can't be flipped without loss: expected 1, 2 or a multiple of 4");
+    EXPECT_EQ(result.error().message, "a compressed picture of height 6 can't be flipped without loss: "
+                                      "expected 1, 2, 3 or a multiple of 4");
 }
 
 TEST(Flip, RefusesBlocksThatDontFillTheImage) {
@@ -190,8 +234,8 @@ TEST(Flip, RefusesBlocksThatDontFillTheImage) {
 
 TEST(SwapFlipped, AgreesWithItsPlainTwin) {
     for (const EnumRow& format : blockFormatRows)
-        for (const int rows : {1, 2, 4})
-            for (const int columns : {1, 2, 4}) {
+        for (const int rows : {1, 2, 3, 4})
+            for (const int columns : {1, 2, 3, 4}) {
                 const auto blockFormat = static_cast<BlockFormat>(format.value);
                 const BlockFlip flip(blockFormat, rows, columns);
                 for (int blocks = 0; blocks < 20; ++blocks) {
