@@ -14,7 +14,7 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     const Texture& texture = scene.textures[index];
     const std::string where = "textures[" + std::to_string(index) + "]";
     std::shared_ptr<const TextureImage> image = images.find(texture);
-    if (!image || image->surfaces.empty() || byteCount(image->surfaces.front()) == 0) {
+    if (!image || !hasPixels(*image)) {
         errors.add(where + ": " +
                    (texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded") +
                    "; drawn without it");

@@ -28,7 +28,10 @@ Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLim
     if (bytes > limits.maxBytes)
         return bmp::tooLarge("at most " + bmp::countOf(limits.maxBytes, "byte") +
                              " of pixels are read, the picture has " + std::to_string(bytes));
-    return Image::uninitialised(format, static_cast<int>(header.width), static_cast<int>(header.height));
+    Image image{format, static_cast<int>(header.width), static_cast<int>(header.height), 1, {}};
+    if (limits.pixels)
+        image.pixels.resize(image.byteCount());
+    return image;
 }
 
 void copyTrueColor(ByteView data, const Header& header, Image& image) {
@@ -170,7 +173,7 @@ Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& l
             return fail(claim.error());
     bmp::Palette palette(file, header);
     Result<Image> image = imageFor(header, palette.format(), limits);
-    if (!image)
+    if (!image || !limits.pixels)
         return image;
     if (header.runLengthCoded()) {
         if (const Result<void> painted = paintRle(data, header, palette, *image); !painted)
@@ -189,19 +192,20 @@ Result<Image> decodeDirect(ByteView file, Header& header, const DecodeLimits& li
     const ByteView data = file.subspan(header.dataPos);
     if (header.bitsPerPixel == 24) {
         Result<Image> image = imageFor(header, PixelFormat::Rgb8, limits);
-        if (image)
+        if (image && limits.pixels)
             copyTrueColor(data, header, *image);
         return image;
     }
     noteOddMasks(header);
-    noteUnusedAlpha(data, header);
+    if (limits.pixels)
+        noteUnusedAlpha(data, header);
     if (header.bitsPerPixel == 16)
         for (std::uint32_t& mask : header.masks)
             mask &= 0xFFFF;
     const bmp::BitFields fields(header.masks, header.bitsPerPixel);
     Result<Image> image =
         imageFor(header, fields.hasAlpha() ? PixelFormat::Rgba8 : PixelFormat::Rgb8, limits);
-    if (image)
+    if (image && limits.pixels)
         copyBitFields(data, header, fields, *image);
     return image;
 }

@@ -10,6 +10,10 @@ struct DecodeLimits {
     int maxExtent = 16384;                                     ///< along each axis
     std::size_t maxPixels = std::size_t{16384} * 16384;        ///< of one level of one face, all slices
     std::size_t maxBytes = std::size_t{16384} * 16384 * 4 * 2; ///< of everything that is decoded
+    /// false: an outline, for which no pixel is decoded and no memory for pixels is taken. Its surfaces have
+    /// their formats and extents, and no bytes. What only the pixels tell is missing: their damage, notes
+    /// about them, and whether bits that may be alpha are (they count as what the header says).
+    bool pixels = true;
 };
 
 } // namespace texplorer

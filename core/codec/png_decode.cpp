@@ -223,13 +223,15 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
         return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(limits.maxBytes) +
                                              " bytes of pixels are read, the file has " +
                                              std::to_string(needed));
-    Image image = Image::uninitialised(format, static_cast<int>(found.header.width),
-                                       static_cast<int>(found.header.height));
+    Image image{format, static_cast<int>(found.header.width), static_cast<int>(found.header.height), 1, {}};
     if (png_get_rowbytes(decoder.png, decoder.info) != image.rowBytes())
         return malformed("libpng's rows have " + std::to_string(png_get_rowbytes(decoder.png, decoder.info)) +
                          " bytes, expected " + std::to_string(image.rowBytes()));
-    if (!decoder.readPixels(image.at(0, image.height - 1).data(), image.rowBytes(), found.header.height))
-        return failure(decoder);
+    if (limits.pixels) {
+        image.pixels.resize(image.byteCount());
+        if (!decoder.readPixels(image.at(0, image.height - 1).data(), image.rowBytes(), found.header.height))
+            return failure(decoder);
+    }
 
     TextureImage texture = textureOf(std::move(image), "PNG");
     texture.srgb = png_get_valid(decoder.png, decoder.info, PNG_INFO_sRGB) != 0;

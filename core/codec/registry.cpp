@@ -91,6 +91,20 @@ Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits) {
                 "expected an image (" + known + "), the file begins with " + firstBytes(file));
 }
 
+Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy) {
+    const bool suspicious =
+        !anatomy.damage.empty() ||
+        std::ranges::any_of(anatomy.fields, [](const Field& field) { return !field.wrong.empty(); });
+    DecodeLimits limits;
+    limits.pixels = false;
+    Result<TextureImage> outline = decodeTexture(file, limits);
+    if (!outline || !suspicious)
+        return outline;
+    if (const Result<TextureImage> texture = decodeTexture(file); !texture)
+        return fail(texture.error());
+    return outline;
+}
+
 Result<Image> decodeImage(ByteView file, const DecodeLimits& limits) {
     Result<TextureImage> texture = decodeTexture(file, limits);
     if (!texture)

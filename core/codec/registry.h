@@ -41,6 +41,11 @@ struct CodecRow {
 /// Decodes whichever format it is. An unknown one is refused with the list of those that are known.
 [[nodiscard]] Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits = {});
 
+/// What a file holds but for its pixels (DecodeLimits::pixels). They are decoded, and forgotten, only where
+/// `anatomy`, that of the file, finds something wrong: an outline that is given is that of a file that
+/// decodeTexture reads, unless its pixels are damaged where no anatomy sees it.
+[[nodiscard]] Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy);
+
 /// The picture alone: uprightImage of decodeTexture.
 [[nodiscard]] Result<Image> decodeImage(ByteView file, const DecodeLimits& limits = {});
 

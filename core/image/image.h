@@ -17,16 +17,19 @@ struct Image {
     int width = 0;
     int height = 0;
     int depth = 1;
-    Bytes pixels; ///< width * height * depth * bytesPerPixel(format) bytes
+    Bytes pixels; ///< byteCount() bytes
 
     /// An image whose pixels are not initialised: for whoever fills every byte next.
     [[nodiscard]] static Image uninitialised(PixelFormat format, int width, int height, int depth = 1) {
         Image image{format, width, height, depth, {}};
-        image.pixels.resize(image.rowBytes() * static_cast<std::size_t>(height) *
-                            static_cast<std::size_t>(depth));
+        image.pixels.resize(image.byteCount());
         return image;
     }
 
+    /// How many bytes `pixels` has, or would have in an outline.
+    [[nodiscard]] std::size_t byteCount() const {
+        return rowBytes() * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
+    }
     [[nodiscard]] bool empty() const { return pixels.empty(); }
     [[nodiscard]] std::size_t rowBytes() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(bytesPerPixel(format));

@@ -19,9 +19,24 @@ int depthOf(const Surface& surface) {
 }
 
 std::size_t byteCount(const Surface& surface) {
+    return std::visit([](const auto& image) { return image.byteCount(); }, surface);
+}
+
+std::size_t byteCount(const TextureImage& texture) {
+    std::size_t bytes = 0;
+    for (const Surface& surface : texture.surfaces)
+        bytes += byteCount(surface);
+    return bytes;
+}
+
+std::size_t bytesHeld(const Surface& surface) {
     if (const Image* image = std::get_if<Image>(&surface))
         return image->pixels.size();
     return std::get<BlockImage>(surface).blocks.size();
+}
+
+bool hasPixels(const TextureImage& texture) {
+    return !texture.surfaces.empty() && bytesHeld(texture.surfaces.front()) > 0;
 }
 
 Image toImage(Surface surface) {

@@ -41,7 +41,12 @@ struct TextureImage {
 [[nodiscard]] int widthOf(const Surface& surface);
 [[nodiscard]] int heightOf(const Surface& surface);
 [[nodiscard]] int depthOf(const Surface& surface);
+/// What its extents and format need, whether it has pixels or is that of an outline (DecodeLimits::pixels).
 [[nodiscard]] std::size_t byteCount(const Surface& surface);
+[[nodiscard]] std::size_t byteCount(const TextureImage& texture); ///< of all surfaces
+/// What it holds: none in an outline.
+[[nodiscard]] std::size_t bytesHeld(const Surface& surface);
+[[nodiscard]] bool hasPixels(const TextureImage& texture); ///< there is a picture, and it is no outline
 
 /// A surface as pixels, decompressed where it is compressed; rows in the order they have.
 [[nodiscard]] Image toImage(Surface surface);

@@ -42,7 +42,7 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
             problems.push_back(sentence);
     };
     std::shared_ptr<const TextureImage> image = images.find(texture);
-    if (!image || image->surfaces.empty() || byteCount(image->surfaces.front()) == 0) {
+    if (!image || !hasPixels(*image)) {
         say(where + ": " + (texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded") +
             "; drawn without it");
         return nullptr;

@@ -13,12 +13,16 @@ struct BlockImage {
     int width = 0;
     int height = 0;
     int depth = 1;
-    Bytes blocks; ///< blockRowBytes() * blockRows() * depth bytes
+    Bytes blocks; ///< byteCount() bytes
 
     [[nodiscard]] static BlockImage uninitialised(BlockFormat format, int width, int height, int depth = 1) {
         BlockImage image{format, width, height, depth, {}};
-        image.blocks.resize(image.blockRowBytes() * image.blockRows() * static_cast<std::size_t>(depth));
+        image.blocks.resize(image.byteCount());
         return image;
+    }
+    /// How many bytes `blocks` has, or would have in an outline.
+    [[nodiscard]] std::size_t byteCount() const {
+        return blockRowBytes() * blockRows() * static_cast<std::size_t>(depth);
     }
     [[nodiscard]] std::size_t blockRowBytes() const {
         return (static_cast<std::size_t>(width) + 3) / 4 * bytesPerBlock(format);

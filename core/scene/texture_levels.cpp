@@ -147,8 +147,8 @@ bool Preparation::keepsBlocks() {
         if (flipsWithoutLoss(heightOf(surface)))
             continue;
         note("level " + number(level) + " has " + extentsOf(surface) +
-             " texels: its blocks can't be turned around without loss, for which a height must be 1, 2 or a "
-             "multiple of 4; the texture was decompressed and its pixels flipped");
+             " texels: its blocks can't be turned around without loss, for which a height must be " +
+             std::string(losslessExtents) + "; the texture was decompressed and its pixels flipped");
         return false;
     }
     return true;
@@ -355,7 +355,7 @@ LevelPlan planLevels(const Texture& texture, const TextureImage& image, Target t
 
 Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image, Target target,
                                     const LevelWork& work) {
-    if (image.surfaces.empty() || byteCount(image.surfaces.front()) == 0)
+    if (!hasPixels(image))
         return fail(ErrorCode::Malformed, "the image is empty");
     try {
         return Preparation(texture, image, target, work).run();

@@ -1,5 +1,6 @@
 #include "tests/support/codec_promises.h"
 
+#include "core/base/utf8.h"
 #include "core/scene/param_text.h"
 #include "tests/support/watched_heap.h"
 
@@ -78,6 +79,26 @@ std::string brokenByTexture(const CodecRow& row, const TextureImage& texture, co
     return {};
 }
 
+/// What is said of a texture without its pixels is what they say.
+std::string brokenByOutline(const TextureImage& texture, const TextureImage& outline) {
+    if (outline.format != texture.format || outline.faces != texture.faces ||
+        outline.levels != texture.levels || outline.surfaces.size() != texture.surfaces.size() ||
+        outline.fileTopFirst != texture.fileTopFirst || outline.topFirst != texture.topFirst ||
+        outline.srgb != texture.srgb)
+        return "the outline is that of another texture";
+    for (std::size_t i = 0; i < texture.surfaces.size(); ++i) {
+        const Surface& surface = outline.surfaces[i];
+        if (sizeOf(surface) != sizeOf(texture.surfaces[i]) || !sameFormat(surface, texture.surfaces[i]))
+            return "the outline's surface " + std::to_string(i) + " is another one";
+        if (bytesHeld(surface) != 0)
+            return "the outline's surface " + std::to_string(i) + " has pixels";
+    }
+    for (const std::string& note : outline.notes)
+        if (std::ranges::find(texture.notes, note) == texture.notes.end())
+            return "the outline alone notes that " + note;
+    return {};
+}
+
 std::string brokenByError(const CodecRow& row, const Error& error) {
     if (!isOneLine(error.message))
         return "the error isn't one line: " + inQuotes(error.message);
@@ -143,11 +164,21 @@ std::string brokenPromise(const CodecRow& row, ByteView file, const DecodeLimits
     heapFill = std::byte{0xAA};
     const Result<TextureImage> again = row.decode(file, limits);
     heapFill = {};
+    DecodeLimits withoutPixels = limits;
+    withoutPixels.pixels = false;
+    const Result<TextureImage> outline = row.decode(file, withoutPixels);
+    if (!outline)
+        if (std::string broken = brokenByError(row, outline.error()); !broken.empty())
+            return broken;
 
     if (texture.has_value() != again.has_value())
         return "the second decoding of the same file ends differently";
     if (!texture)
         return brokenByError(row, texture.error());
+    if (!outline)
+        return "the texture is read and its outline isn't: " + outline.error().message;
+    if (std::string broken = brokenByOutline(*texture, *outline); !broken.empty())
+        return broken;
     if (std::string broken = brokenByTexture(row, *texture, limits); !broken.empty())
         return broken;
     if (texture->surfaces != again->surfaces)
