@@ -1,9 +1,11 @@
 #include "core/codec/tga.h"
 
+#include "core/base/byte_reader.h"
 #include "core/codec/tga_format.h"
 #include "core/codec/tga_pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <string>
 
@@ -90,6 +92,18 @@ bool fillRows(PixelReader& reader, const Header& header, Image& image) {
     return true;
 }
 
+// A Windows cursor reads as true colour with fields of a colour map that it doesn't have. Its first picture
+// follows its directory: 6 bytes, and 16 for each picture, whose last 4 say where it is.
+bool isCursor(ByteView file) {
+    constexpr std::array magic{std::byte{0}, std::byte{0}, std::byte{2}, std::byte{0}};
+    if (!std::ranges::equal(file.first(magic.size()), magic))
+        return false;
+    ByteReader reader(file.subspan(magic.size()));
+    const std::size_t pictures = reader.u16();
+    reader.skip(12);
+    return pictures > 0 && reader.u32() == 6 + 16 * pictures && !reader.truncated();
+}
+
 } // namespace
 
 bool isTga(ByteView file) {
@@ -98,8 +112,7 @@ bool isTga(ByteView file) {
     const Header header = readHeader(file);
     if (header.pixelOffset() >= file.size() || header.attributeBits() > 8)
         return false;
-    // Windows cursors look like this, but for the fields of a colour map that they don't have.
-    if (header.colorMapType == 0 && (header.firstEntry != 0 || header.mapLength != 0))
+    if (isCursor(file))
         return false;
     return std::ranges::none_of(headerRows(), [&](const HeaderRow& row) {
         const std::optional<Complaint> complaint = row.complaint(header);
@@ -116,14 +129,21 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
     TextureImage texture;
     if (const Result<void> checked = checkHeader(header, texture.notes); !checked)
         return fail(checked.error());
-    const AlphaRule alpha = alphaRule(header, findExtension(file, footer), texture.notes);
-    const PixelFormat format = decodedFormat(header, alpha);
+    const AlphaReading alpha = readAlpha(header, findExtension(file, footer), texture.notes);
+    const PixelFormat format = decodedFormat(header, alpha.rule);
     if (const Result<void> checked =
             checkSize(header, static_cast<std::size_t>(bytesPerPixel(format)), limits);
         !checked)
         return fail(checked.error());
     if (const Result<void> checked = checkData(header, file, data); !checked)
         return fail(checked.error());
+    texture.format = "TGA";
+    texture.fileTopFirst = header.topFirst();
+    if (!limits.pixels) {
+        texture.alpha = meaningOf(alpha.rule, format);
+        texture.surfaces.emplace_back(Image{format, header.width, header.height, 1, {}});
+        return texture;
+    }
     try {
         PixelReader reader(header, format, file.subspan(header.mapOffset(), header.mapBytes()), data);
         Image image = Image::uninitialised(format, header.width, header.height);
@@ -132,9 +152,7 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
                              std::to_string(header.pixelOffset()) + ", before the picture's " +
                              std::to_string(header.pixelCount()) + " pixels");
         reader.describeStrays(texture.notes);
-        texture.format = "TGA";
-        texture.fileTopFirst = header.topFirst();
-        texture.alpha = applyAlphaRule(alpha, image, texture.notes);
+        texture.alpha = applyAlpha(alpha, image, texture.notes);
         texture.surfaces.emplace_back(std::move(image));
         return texture;
     } catch (const std::bad_alloc&) {

@@ -19,12 +19,15 @@ namespace texplorer {
 //   31). grey         8 bits, or 16: 8 of grey and 8 of alpha.
 //
 // All four origins are read; the first row of the result is the bottom one. A colour map before a picture
-// that doesn't use it is skipped. Packets may run across the ends of rows, although version 2 forbids it.
+// that doesn't use it is skipped; the fields of a colour map that isn't there are noted and ignored. Packets
+// may run across the ends of rows, although version 2 forbids it.
 //
 // Alpha. Version 2's extension area says what it means: attributes type 0 and 1 none, 2 Unknown, 3 Straight,
 // 4 Premultiplied. Without one, the descriptor's attribute bits say whether there is any. Where they say 0
 // and the pixels have 8 bits to spare, files disagree: alphas that are all 0 are taken for padding, others
-// are kept as Unknown; so are those of a file that says both. Alpha that means nothing becomes 255.
+// are kept as Unknown; so are those of a file that says both. The one bit of 16 is padding, too, where it is
+// 0 everywhere and no extension area says that it is alpha (types 3 and 4), whatever the descriptor says.
+// Alpha that means nothing becomes 255.
 //
 // Refused: interleaved rows, the Huffman and quadtree types 32 and 33, files without a picture (type 0), a
 // cut colour map, cut pixel data. Ignored: gamma, colour correction, the postage stamp, developer fields.

@@ -168,51 +168,45 @@ void fill(Packed pixel, std::byte* to, std::size_t count, std::size_t room) {
 
 } // namespace
 
-AlphaRule alphaRule(const Header& header, ByteView extension, std::vector<std::string>& notes) {
+AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std::string>& notes) {
     if (header.alphaBits() == 0)
-        return AlphaRule::Absent;
+        return {AlphaRule::Absent, {}};
+    // The one bit of a colour of 16 is set for whatever a program likes, and most leave it 0 and mean
+    // nothing.
+    const std::string meaningless =
+        header.alphaBits() == 1 ? "nothing says what the attribute bit means" : "";
     if (!extension.empty()) {
         switch (const auto type = std::to_integer<int>(extension[attributesTypeOffset])) {
         case 0:
             if (header.attributeBits() == 0)
-                return AlphaRule::Ignore;
-            notes.push_back("the extension area says that there is no alpha, the descriptor says " +
-                            std::to_string(header.attributeBits()) + " bits: kept");
-            return AlphaRule::Unknown;
+                return {AlphaRule::Ignore, {}};
+            return {AlphaRule::Unknown,
+                    "the extension area says that there is no alpha, the descriptor says " +
+                        std::to_string(header.attributeBits()) +
+                        (header.attributeBits() == 1 ? " bit" : " bits")};
         case 1:
-            return AlphaRule::Ignore;
+            return {AlphaRule::Ignore, {}};
         case 2:
-            return AlphaRule::Unknown;
+            return {AlphaRule::Unknown, meaningless};
         case 3:
-            return AlphaRule::Straight;
+            return {AlphaRule::Straight, {}};
         case 4:
-            return AlphaRule::Premultiplied;
+            return {AlphaRule::Premultiplied, {}};
         default:
             notes.push_back("the extension area's attributes type is " + std::to_string(type) +
                             ", 0 to 4 are known: ignored");
         }
     }
     if (header.attributeBits() != 0)
-        return AlphaRule::Straight;
-    return header.alphaBits() == 1 ? AlphaRule::Ignore : AlphaRule::Guess;
+        return {AlphaRule::Straight, meaningless};
+    if (header.alphaBits() == 1)
+        return {AlphaRule::Ignore, {}};
+    return {AlphaRule::Unknown, "the descriptor says 0 attribute bits"};
 }
 
-AlphaMeaning applyAlphaRule(AlphaRule rule, Image& image, std::vector<std::string>& notes) {
-    const auto size = static_cast<std::size_t>(bytesPerPixel(image.format));
-    if (image.format != PixelFormat::Rgba8 && image.format != PixelFormat::LuminanceAlpha8)
+AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format) {
+    if (format != PixelFormat::Rgba8 && format != PixelFormat::LuminanceAlpha8)
         return AlphaMeaning::None;
-    if (rule == AlphaRule::Guess) {
-        rule = AlphaRule::Ignore;
-        for (std::size_t i = size - 1; i < image.pixels.size(); i += size)
-            if (image.pixels[i] != std::byte{0})
-                rule = AlphaRule::Unknown;
-        notes.emplace_back(rule == AlphaRule::Ignore
-                               ? "the descriptor says 0 attribute bits, and every alpha is 0: ignored"
-                               : "the descriptor says 0 attribute bits, but not every alpha is 0: kept");
-    }
-    if (rule == AlphaRule::Ignore)
-        for (std::size_t i = size - 1; i < image.pixels.size(); i += size)
-            image.pixels[i] = std::byte{255};
     switch (rule) {
     case AlphaRule::Straight:
         return AlphaMeaning::Straight;
@@ -223,6 +217,28 @@ AlphaMeaning applyAlphaRule(AlphaRule rule, Image& image, std::vector<std::strin
     default:
         return AlphaMeaning::None;
     }
+}
+
+AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image, std::vector<std::string>& notes) {
+    const auto size = static_cast<std::size_t>(bytesPerPixel(image.format));
+    if (image.format != PixelFormat::Rgba8 && image.format != PixelFormat::LuminanceAlpha8)
+        return AlphaMeaning::None;
+    AlphaRule rule = reading.rule;
+    if (!reading.doubt.empty()) {
+        bool allZero = true;
+        for (std::size_t i = size - 1; i < image.pixels.size(); i += size)
+            allZero = allZero && image.pixels[i] == std::byte{0};
+        if (allZero) {
+            rule = AlphaRule::Ignore;
+            notes.push_back(reading.doubt + ", and every alpha is 0: ignored");
+        } else if (rule == AlphaRule::Unknown) {
+            notes.push_back(reading.doubt + ", but not every alpha is 0: kept");
+        }
+    }
+    if (rule == AlphaRule::Ignore)
+        for (std::size_t i = size - 1; i < image.pixels.size(); i += size)
+            image.pixels[i] = std::byte{255};
+    return meaningOf(rule, image.format);
 }
 
 PixelFormat decodedFormat(const Header& header, AlphaRule rule) {

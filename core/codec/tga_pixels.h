@@ -16,13 +16,24 @@ enum class AlphaRule : std::uint8_t {
     Straight,
     Premultiplied,
     Unknown,
-    Guess, ///< nobody says: padding if they are all 0, else Unknown
 };
 
-[[nodiscard]] AlphaRule alphaRule(const Header& header, ByteView extension, std::vector<std::string>& notes);
+struct AlphaReading {
+    AlphaRule rule;
+    /// Why they may be padding after all: "the descriptor says 0 attribute bits". Then Ignore takes the
+    /// rule's place where all of them are 0. Empty: there is no doubt.
+    std::string doubt;
+};
+
+[[nodiscard]] AlphaReading readAlpha(const Header& header, ByteView extension,
+                                     std::vector<std::string>& notes);
+
+/// What a picture's alpha means by a rule without doubt.
+[[nodiscard]] AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format);
 
 /// Carries the rule out on a decoded picture.
-[[nodiscard]] AlphaMeaning applyAlphaRule(AlphaRule rule, Image& image, std::vector<std::string>& notes);
+[[nodiscard]] AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image,
+                                      std::vector<std::string>& notes);
 
 /// For a header without fatal complaints.
 [[nodiscard]] PixelFormat decodedFormat(const Header& header, AlphaRule rule);

@@ -123,6 +123,8 @@ const std::vector<int> twoAlphas{1, 2, 3, 4, 5, 6, 7, 8};
 const std::vector<int> kept{3, 2, 1, 4, 7, 6, 5, 8};
 const std::vector<int> opaque{3, 2, 1, 255, 7, 6, 5, 255};
 const std::vector<int> bitSetAndNot{0x00, 0x80, 0xFF, 0x7F};
+const std::vector<int> bitNotSet{0x00, 0x00, 0xFF, 0x7F};
+const std::vector<int> blackAndWhite{0, 0, 0, 255, 255, 255, 255, 255};
 using enum AlphaMeaning;
 
 INSTANTIATE_TEST_SUITE_P(
@@ -139,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
                   opaque,
                   "every alpha is 0: ignored"},
         AlphaCase{"Type0", 32, 0, 0, twoAlphas, None, opaque, ""},
-        AlphaCase{"Type0Contradicts", 32, 8, 0, twoAlphas, Unknown, kept, "the descriptor says 8 bits: kept"},
+        AlphaCase{"Type0Contradicts", 32, 8, 0, twoAlphas, Unknown, kept,
+                  "the descriptor says 8 bits, but not every alpha is 0: kept"},
         AlphaCase{"Type1", 32, 8, 1, twoAlphas, None, opaque, ""},
         AlphaCase{"Type2", 32, 8, 2, twoAlphas, Unknown, kept, ""},
         AlphaCase{"Type3", 32, 8, 3, twoAlphas, Straight, kept, ""},
@@ -149,6 +152,24 @@ INSTANTIATE_TEST_SUITE_P(
         AlphaCase{"OneBit", 16, 1, -1, bitSetAndNot, Straight, {0, 0, 0, 255, 255, 255, 255, 0}, ""},
         AlphaCase{"OneBitUnused", 16, 0, -1, bitSetAndNot, None, {0, 0, 0, 255, 255, 255}, ""},
         AlphaCase{"OneBitType4", 16, 0, 4, bitSetAndNot, Premultiplied, {0, 0, 0, 255, 255, 255, 255, 0}, ""},
+        AlphaCase{"OneBitNeverSet", 16, 1, -1, bitNotSet, None, blackAndWhite, "every alpha is 0: ignored"},
+        AlphaCase{"OneBitNeverSetType0", 16, 1, 0, bitNotSet, None, blackAndWhite,
+                  "the descriptor says 1 bit, and"},
+        AlphaCase{"OneBitNeverSetType2", 16, 1, 2, bitNotSet, None, blackAndWhite,
+                  "every alpha is 0: ignored"},
+        AlphaCase{"OneBitNeverSetType3", 16, 1, 3, bitNotSet, Straight, {0, 0, 0, 0, 255, 255, 255, 0}, ""},
+        AlphaCase{
+            "OneBitNeverSetType4", 16, 1, 4, bitNotSet, Premultiplied, {0, 0, 0, 0, 255, 255, 255, 0}, ""},
+        AlphaCase{
+            "EightBitsNeverSet", 32, 8, -1, {1, 2, 3, 0, 5, 6, 7, 0}, Straight, {3, 2, 1, 0, 7, 6, 5, 0}, ""},
+        AlphaCase{"EightBitsNeverSetType0",
+                  32,
+                  8,
+                  0,
+                  {1, 2, 3, 0, 5, 6, 7, 0},
+                  None,
+                  opaque,
+                  "the descriptor says 8 bits, and"},
         AlphaCase{"BitsThatCannotBe", 24, 8, -1, {1, 2, 3, 4, 5, 6}, None, {3, 2, 1, 6, 5, 4}, "expected 0"}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -166,6 +187,20 @@ TEST(Tga, PixelsThatNameNoEntryAreBlackAndCounted) {
     EXPECT_THAT(numbers(uprightImage(*texture)),
                 ElementsAre(0, 0, 0, 3, 2, 1, 6, 5, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
     EXPECT_THAT(texture->notes, ElementsAre("5 pixels name no entry of the colour map (10 to 11): black"));
+}
+
+TEST(Tga, FieldsOfAColorMapThatIsNotThereAreNotedAndIgnored) {
+    Bytes file = fileOf({.width = 2, .firstEntry = 7, .entryBits = 24, .data = {1, 2, 3, 4, 5, 6}});
+    file[5] = std::byte{255}; // entries
+    EXPECT_TRUE(isTga(file));
+    const Result<TextureImage> texture = decodeTga(file);
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_THAT(numbers(uprightImage(*texture)), ElementsAre(3, 2, 1, 6, 5, 4));
+    EXPECT_THAT(texture->notes,
+                ElementsAre("First Entry Index: expected 0 without a colour map, found 7",
+                            "Color map Length: expected 0 without a colour map, found 255",
+                            "Color map Entry Size: expected 0 without a colour map, found 24"));
+    EXPECT_EQ(dissectTga(file).damage, "");
 }
 
 struct Refusal {
