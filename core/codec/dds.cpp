@@ -27,6 +27,12 @@ Result<void> checkBytes(const Layout& layout, int levels, const DecodeLimits& li
     return {};
 }
 
+Surface outlineOf(const Format& format, const Level& level) {
+    if (const MaskedPixels* masked = std::get_if<MaskedPixels>(&format.pixels))
+        return Image{masked->decoded, level.width, level.height, level.depth, {}};
+    return BlockImage{std::get<BlockFormat>(format.pixels), level.width, level.height, level.depth, {}};
+}
+
 Surface readSurface(ByteView file, const Format& format, const Level& level) {
     const ByteView data = file.subspan(level.offset, level.size);
     if (const MaskedPixels* masked = std::get_if<MaskedPixels>(&format.pixels)) {
@@ -47,12 +53,16 @@ bool saysAlpha(const Header& header) {
 }
 
 /// Decides between DXT1 and DXT1 with 1-bit alpha.
-void settleDxt1(const Header& header, TextureImage& texture) {
+void settleDxt1(ByteView file, const Layout& layout, TextureImage& texture) {
     if (texture.alpha == AlphaMeaning::None)
         return;
-    const bool alpha = saysAlpha(header) || std::ranges::any_of(texture.surfaces, [](const Surface& surface) {
-                           return hasPunchThrough(std::get<BlockImage>(surface));
-                       });
+    bool alpha = saysAlpha(readHeader(file));
+    for (int face = 0; face < texture.faces; ++face)
+        for (int i = 0; i < texture.levels && !alpha; ++i) {
+            const Level level = layout.at(face, i);
+            alpha = hasPunchThrough(file.subspan(level.offset, level.size), level.width, level.height,
+                                    level.depth);
+        }
     if (!alpha)
         texture.alpha = AlphaMeaning::None;
     else
@@ -84,10 +94,12 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
         texture.alpha = layout->format.alpha;
         for (int face = 0; face < texture.faces; ++face)
             for (int level = 0; level < texture.levels; ++level)
-                texture.surfaces.push_back(readSurface(file, layout->format, layout->at(face, level)));
+                texture.surfaces.push_back(limits.pixels
+                                               ? readSurface(file, layout->format, layout->at(face, level))
+                                               : outlineOf(layout->format, layout->at(face, level)));
         if (const BlockFormat* block = std::get_if<BlockFormat>(&layout->format.pixels);
             block != nullptr && *block == BlockFormat::Dxt1)
-            settleDxt1(readHeader(file), texture);
+            settleDxt1(file, *layout, texture);
         for (Finding& finding : findings)
             texture.notes.push_back(std::move(finding.sentence));
         return texture;

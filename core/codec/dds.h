@@ -13,7 +13,8 @@
 //   with
 //     the channels at any mask. They become Rgb8, Rgba8, Luminance8, LuminanceAlpha8 and Alpha8; red alone
 //     becomes Luminance8 (grey, as BC4 is shown), red and green Rgb8 with blue 0.
-//   - Full and partial mip chains, cube maps of six faces, volumes with their mips.
+//   - Full and partial mip chains, cube maps of six faces, volumes with their mips. Of an array, the first
+//   element.
 // DXT1: nothing in an old header says whether it has 1-bit alpha. It becomes BlockFormat::Dxt1Alpha where
 // DDPF_ALPHAPIXELS is set (or the DX10 header says straight or premultiplied) or where any texel of any level
 // uses the code for transparent black; Dxt1 where none does or where the DX10 header says opaque.
@@ -21,7 +22,7 @@
 // 0, beyond the chain, or beyond the file (the levels that are whole are kept if level 0 of every face is);
 // bytes after the last level; masks beyond the pixel; a wrong size of the pixel format. Rows are taken
 // without padding, as Direct3D's loaders take them, whatever the pitch says. Refused, with a sentence:
-// texture arrays, cube maps that lack faces or are not square, palettes, YUV, bump maps, floating point,
+// cube maps that lack faces or are not square, palettes, YUV, bump maps, floating point,
 // signed and 64-bit or wider uncompressed formats, BC6H and BC7, dwSize other than 124.
 //
 // Surfaces keep the file's order, top row first.

@@ -234,8 +234,12 @@ Anatomy dissectDds(ByteView file) {
         addExtendedHeader(dissection, header);
     if (layout) {
         addLevels(dissection, *layout);
-        if (file.size() > layout->end())
-            dissection.add(0, layout->end(), file.size() - layout->end(), "trailing bytes", "",
+        const std::size_t elementsEnd = std::min(layout->arrayEnd(), file.size());
+        if (elementsEnd > layout->end())
+            dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
+                           std::to_string(layout->elements - 1) + " of the array", "not read");
+        if (file.size() > elementsEnd)
+            dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
                            "belong to nothing");
     }
     dissection.anatomy.damage = std::move(damage);

@@ -31,14 +31,6 @@ std::string extentsOf(const Surface& surface) {
            std::to_string(depthOf(surface));
 }
 
-std::size_t bytesFor(const Surface& surface) {
-    const auto depth = static_cast<std::size_t>(depthOf(surface));
-    if (const Image* image = std::get_if<Image>(&surface))
-        return image->rowBytes() * static_cast<std::size_t>(image->height) * depth;
-    const BlockImage& blocks = std::get<BlockImage>(surface);
-    return blocks.blockRowBytes() * blocks.blockRows() * depth;
-}
-
 bool sameFormat(const Surface& a, const Surface& b) {
     if (a.index() != b.index())
         return false;
@@ -78,10 +70,10 @@ Result<void> check(const TextureImage& texture) {
                               " texels is no mip level of " + extentsOf(base));
             if (!sameFormat(surface, base))
                 return refuse("level " + std::to_string(level) + " has another format than level 0");
-            if (byteCount(surface) != bytesFor(surface))
+            if (bytesHeld(surface) != byteCount(surface))
                 return refuse("level " + std::to_string(level) + " needs " +
-                              std::to_string(bytesFor(surface)) + " bytes, it has " +
-                              std::to_string(byteCount(surface)));
+                              std::to_string(byteCount(surface)) + " bytes, it has " +
+                              std::to_string(bytesHeld(surface)));
         }
     return {};
 }
@@ -121,7 +113,8 @@ void putBlockFormat(Header& header, BlockFormat format, const TextureImage& text
     const BlockFormat stored = format == BlockFormat::Dxt1Alpha ? BlockFormat::Dxt1 : format;
     const bool premultiplied = texture.alpha == AlphaMeaning::Premultiplied;
     const auto isOpaqueDespiteItsCodes = [](const Surface& surface) {
-        return hasPunchThrough(std::get<BlockImage>(surface));
+        const BlockImage& image = std::get<BlockImage>(surface);
+        return hasPunchThrough(image.blocks, image.width, image.height, image.depth);
     };
     const DxgiRow* srgb = texture.srgb ? findDxgi(Pixels{stored}, true) : nullptr;
     const bool opaque = format == BlockFormat::Dxt1;
@@ -251,8 +244,8 @@ Result<void> turn(Surface& surface, int level) {
     return fail(ErrorCode::Unsupported,
                 "DDS: the top row comes first in a file; level " + std::to_string(level) + " has " +
                     std::to_string(heightOf(surface)) +
-                    " rows, bottom row first, and blocks are turned without loss where there are 1, 2 or a "
-                    "multiple of 4");
+                    " rows, bottom row first, and blocks are turned without loss where there are " +
+                    std::string(losslessExtents));
 }
 
 } // namespace

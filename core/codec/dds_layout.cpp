@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace texplorer::dds {
 namespace {
@@ -35,6 +36,16 @@ Result<void> checkHeaders(ByteView file, const Header& header) {
     return {};
 }
 
+void readElements(const Header& header, Layout& layout, Findings& findings) {
+    layout.elements = std::max<std::uint32_t>(1, header.arraySize);
+    if (header.arraySize == 0)
+        findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
+    if (header.arraySize > 1)
+        findings.push_back({at::arraySize, "it is an array of " + spell(header.arraySize) +
+                                               (layout.faces > 1 ? " cube maps" : " textures") +
+                                               "; the first is read"});
+}
+
 /// What kind of texture it is, in the order in which Direct3D's loaders ask: volume before cube map.
 Result<void> readKind(const Header& header, Layout& layout, Findings& findings) {
     const bool volumeCap = (header.caps2 & caps2Volume) != 0;
@@ -47,11 +58,6 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
             findings.push_back({at::flags, "DDSD_DEPTH is not set although it is a volume"});
     };
     if (header.extended() && header.dimension >= dimension1D && header.dimension <= dimension3D) {
-        if (header.arraySize > 1)
-            return fail(ErrorCode::Unsupported,
-                        "DDS: one texture is read, the file holds an array of " + spell(header.arraySize));
-        if (header.arraySize == 0)
-            findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
         const bool cube = (header.miscFlag & miscTextureCube) != 0;
         if (cube && header.dimension != dimension2D)
             return malformed("miscFlag says that it is a cube map, resourceDimension that it is not");
@@ -69,9 +75,6 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     if (header.extended())
         findings.push_back({at::dimension, "resourceDimension is " + spell(header.dimension) +
                                                ", which is no texture; dwCaps2 is followed instead"});
-    if (header.extended() && header.arraySize > 1)
-        return fail(ErrorCode::Unsupported,
-                    "DDS: one texture is read, the file holds an array of " + spell(header.arraySize));
 
     if (volumeCap || (depthFlag && header.depth > 1)) {
         if (!volumeCap)
@@ -188,6 +191,12 @@ Level Layout::at(int face, int level) const {
     return found;
 }
 
+std::size_t Layout::arrayEnd() const {
+    const std::size_t element = end() - begin;
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    return element > (most - begin) / elements ? most : begin + elements * element;
+}
+
 std::size_t Layout::chainBytes(int count) const {
     std::size_t bytes = 0;
     for (int level = 0; level < count; ++level)
@@ -213,6 +222,8 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
     layout.height = static_cast<int>(header.height);
     if (const Result<void> kind = readKind(header, layout, findings); !kind)
         return fail(kind.error());
+    if (header.extended())
+        readElements(header, layout, findings);
     if (const Result<void> extents = checkExtents(layout, header, limits); !extents)
         return fail(extents.error());
     readLevels(header, layout, findings);
@@ -220,21 +231,27 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
 
     // A count that is too high also moves every face but the first: six faces that fill the file exactly with
     // fewer levels were written with fewer.
-    for (int fewer = layout.levels - 1; fewer > 0 && layout.faces > 1 && layout.end() > file.size(); --fewer)
-        if (6 * layout.chainBytes(fewer) == file.size() - layout.begin) {
-            findings.push_back({at::mipMapCount, "dwMipMapCount is " + spell(header.mipMapCount) +
-                                                     ", but the file holds exactly six faces of " +
-                                                     count(static_cast<unsigned>(fewer), "level")});
-            layout.levels = fewer;
-        }
+    if (layout.faces > 1 && layout.arrayEnd() > file.size())
+        for (Layout fewer = layout; --fewer.levels > 0;)
+            if (fewer.arrayEnd() == file.size()) {
+                findings.push_back(
+                    {at::mipMapCount, "dwMipMapCount is " + spell(header.mipMapCount) +
+                                          ", but the file holds exactly six faces of " +
+                                          count(static_cast<unsigned>(fewer.levels), "level")});
+                return fewer;
+            }
     return layout;
 }
 
 Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings) {
     if (fileSize >= layout.end()) {
-        if (fileSize > layout.end())
-            findings.push_back(
-                {layout.end(), count(fileSize - layout.end(), "byte") + " after the last level: ignored"});
+        if (fileSize < layout.arrayEnd())
+            findings.push_back({at::arraySize, "its " + spell(layout.elements) + " elements need " +
+                                                   count(layout.arrayEnd(), "byte") + ", the file has " +
+                                                   spell(fileSize)});
+        if (fileSize > layout.arrayEnd())
+            findings.push_back({layout.arrayEnd(), count(fileSize - layout.arrayEnd(), "byte") +
+                                                       " after the last level: ignored"});
         return layout.levels;
     }
     const auto isWhole = [&](int face, int level) {

@@ -133,23 +133,22 @@ void unpackPixels(const MaskedPixels& pixels, ByteView from, Image& image) {
     }
 }
 
-bool hasPunchThrough(const BlockImage& image) {
-    const std::byte* block = image.blocks.data();
+bool hasPunchThrough(ByteView blocks, int width, int height, int depth) {
+    const std::byte* block = blocks.data();
     const auto number = [&](std::size_t offset, std::size_t bytes) {
         std::uint32_t value = 0;
         for (std::size_t i = 0; i < bytes; ++i)
             value |= std::to_integer<std::uint32_t>(block[offset + i]) << (8 * i);
         return value;
     };
-    for (int z = 0; z < image.depth; ++z)
-        for (int top = 0; top < image.height; top += 4)
-            for (int left = 0; left < image.width; left += 4, block += 8) {
+    for (int z = 0; z < depth; ++z)
+        for (int top = 0; top < height; top += 4)
+            for (int left = 0; left < width; left += 4, block += 8) {
                 if (number(0, 2) > number(2, 2))
                     continue; // four colours, none of them transparent
                 const std::uint32_t codes = number(4, 4);
                 const std::uint32_t threes = codes & codes >> 1 & 0x55555555U;
-                if ((threes &
-                     visibleCodes(std::min(4, image.width - left), std::min(4, image.height - top))) != 0)
+                if ((threes & visibleCodes(std::min(4, width - left), std::min(4, height - top))) != 0)
                     return true;
             }
     return false;

@@ -10,6 +10,7 @@ namespace texplorer::dds {
 void unpackPixels(const MaskedPixels& pixels, ByteView from, Image& image);
 
 /// Whether a texel that can be seen has DXT1's code for transparent black.
-[[nodiscard]] bool hasPunchThrough(const BlockImage& image);
+/// `blocks` are those of a picture of these extents.
+[[nodiscard]] bool hasPunchThrough(ByteView blocks, int width, int height, int depth);
 
 } // namespace texplorer::dds

@@ -146,7 +146,7 @@ TEST(DdsEncode, TheOldHeaderIsTakenWhereItCanSayIt) {
 }
 
 TEST(DdsEncode, ATextureWhoseBottomRowIsFirstIsTurnedOver) {
-    for (const int height : {1, 2, 8, 12}) {
+    for (const int height : {1, 2, 3, 8, 12}) {
         TextureImage texture = noise(BlockFormat::Dxt5, 8, height);
         texture.alpha = AlphaMeaning::Straight;
         texture.topFirst = false;
@@ -167,7 +167,7 @@ TEST(DdsEncode, BlocksThatCannotBeTurnedAreRefused) {
     EXPECT_EQ(
         file.error().message,
         "DDS: the top row comes first in a file; level 1 has 6 rows, bottom row first, and blocks are turned "
-        "without loss where there are 1, 2 or a multiple of 4");
+        "without loss where there are 1, 2, 3 or a multiple of 4");
 }
 
 struct BadTexture {

@@ -64,7 +64,35 @@ TEST(Dds, PillowAndImageMagickSeeTheSamePixels) {
             ++compared;
         }
     }
-    EXPECT_EQ(compared, 8 * 15 + 3 * (1 + 5 + 4 + 7));
+    EXPECT_EQ(compared, 8 * 15 + 2 + 3 * (1 + 5 + 4 + 7));
+}
+
+TEST(Dds, OfAnArrayTheFirstElementIsReadWithItsFacesAndLevels) {
+    Header header = test::dxgi(61); // a byte a texel
+    header.width = header.height = 2;
+    header.mipMapCount = 2;
+    header.flags |= dds::flagMipMapCount;
+    header.arraySize = 3;
+    header.miscFlag = 4; // cube maps
+    std::vector<int> texels;
+    for (int i = 0; i < 3 * 6 * 5; ++i)
+        texels.push_back(i);
+    const Bytes file = ddsFile(header, texels);
+    const Result<TextureImage> texture = decodeDds(file);
+    ASSERT_TRUE(texture) << texture.error().message;
+    ASSERT_EQ(texture->faces, 6);
+    ASSERT_EQ(texture->levels, 2);
+    for (int face = 0; face < 6; ++face)
+        for (int level = 0; level < 2; ++level)
+            EXPECT_EQ(std::get<Image>(texture->surface(face, level)).pixels.front(),
+                      static_cast<std::byte>(5 * face + 4 * level));
+    const Anatomy anatomy = dissectDds(file);
+    EXPECT_EQ(anatomy.damage, "");
+    const Field& others = anatomy.fields.back();
+    EXPECT_EQ(others.name, "other elements");
+    EXPECT_EQ(others.value, "2 of the array");
+    EXPECT_EQ(others.offset, 148U + 30);
+    EXPECT_EQ(others.size, 60U);
 }
 
 struct PixelCase {
