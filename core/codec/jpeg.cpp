@@ -1,14 +1,12 @@
 #include "core/codec/jpeg.h"
 
 #include "core/codec/jpeg_markers.h"
+#include "core/codec/jpeg_reader.h"
 
-#include <array>
+#include <algorithm>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <string>
-#include <turbojpeg.h>
-#include <type_traits>
 
 namespace texplorer {
 
@@ -43,6 +41,15 @@ Survey survey(ByteView file) {
     return found;
 }
 
+/// "3 x 1, 2 x 1, 2 x 1"
+std::string samplingOf(const JpegFrame& frame) {
+    std::string text;
+    for (const JpegComponent& each : frame.components)
+        text.append(text.empty() ? "" : ", ")
+            .append(std::to_string(each.horizontal) + " x " + std::to_string(each.vertical));
+    return text;
+}
+
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
     const std::string extents =
         std::to_string(frame.width) + " x " + std::to_string(frame.height) + " pixels";
@@ -56,18 +63,24 @@ Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimit
     if (pixels > limits.maxPixels)
         return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxPixels) +
                                              " pixels are read, the file has " + std::to_string(pixels));
+    const auto divides = [&](std::uint8_t JpegComponent::*factor) {
+        std::uint8_t most = 0;
+        for (const JpegComponent& each : frame.components)
+            most = std::max(most, each.*factor);
+        return std::ranges::all_of(frame.components, [&](const JpegComponent& each) {
+            return each.*factor == 0 || most % each.*factor == 0;
+        });
+    };
+    if (!divides(&JpegComponent::horizontal) || !divides(&JpegComponent::vertical))
+        return fail(ErrorCode::Unsupported, "JPEG: sampling factors that divide the largest are read, the "
+                                            "components have " +
+                                                samplingOf(frame));
     if (!frame.arithmetic() && frame.blocks() / 8 > file.size())
         return malformed(extents + " need " + std::to_string(frame.blocks()) +
                          " coded blocks of at least 1 bit each, the file has " + std::to_string(file.size()) +
                          " bytes");
     return {};
 }
-
-struct DestroyHandle {
-    void operator()(void* handle) const { tjDestroy(handle); }
-};
-
-using Handle = std::unique_ptr<std::remove_pointer_t<tjhandle>, DestroyHandle>;
 
 // In place: what is written never overtakes what is read.
 Image rgbOfCmyk(Image image, bool inverted) {
@@ -84,69 +97,41 @@ Image rgbOfCmyk(Image image, bool inverted) {
     return image;
 }
 
-// Whether the last failure was only "Corrupt JPEG data: 3 extraneous bytes before marker 0xd9".
-bool survived(tjhandle handle) {
-    return tjGetErrorCode(handle) == TJERR_WARNING &&
-           std::strstr(tjGetErrorStr2(handle), "extraneous bytes before marker") != nullptr;
-}
-
-struct Layout {
-    TJPF pixels;
-    PixelFormat format;
-};
-
-Layout layoutFor(int colorspace) {
-    switch (colorspace) {
-    case TJCS_GRAY:
-        return {TJPF_GRAY, PixelFormat::Luminance8};
-    case TJCS_CMYK:
-    case TJCS_YCCK:
-        return {TJPF_CMYK, PixelFormat::Rgba8};
-    default:
-        return {TJPF_RGB, PixelFormat::Rgb8};
-    }
+Error inJpeg(const Error& error) {
+    return {error.code, "JPEG: " + error.message, error.where};
 }
 
 Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimits& limits) {
-    const Handle handle(tjInitDecompress());
-    if (!handle)
-        return fail(ErrorCode::TooLarge, "JPEG: there is no memory for the decoder");
-    const auto* bytes = reinterpret_cast<const unsigned char*>(file.data());
-    int width = 0;
-    int height = 0;
-    int subsampling = 0;
-    int colorspace = 0;
-    if (tjDecompressHeader3(handle.get(), bytes, file.size(), &width, &height, &subsampling, &colorspace) !=
-            0 &&
-        !survived(handle.get()))
-        return malformed(tjGetErrorStr2(handle.get()));
+    JpegReader reader(file);
+    const Result<JpegReader::Header> header = reader.readHeader();
+    if (!header)
+        return fail(inJpeg(header.error()));
     // The second opinion counts: only extents that were checked may be allocated.
-    if (width != static_cast<int>(found.frame->width) || height != static_cast<int>(found.frame->height))
+    if (header->width != static_cast<int>(found.frame->width) ||
+        header->height != static_cast<int>(found.frame->height))
         return malformed("its first frame says " + std::to_string(found.frame->width) + " x " +
-                         std::to_string(found.frame->height) + " pixels, another " + std::to_string(width) +
-                         " x " + std::to_string(height));
-
-    const Layout layout = layoutFor(colorspace);
+                         std::to_string(found.frame->height) + " pixels, another " +
+                         std::to_string(header->width) + " x " + std::to_string(header->height));
     const std::uint64_t needed = std::uint64_t{found.frame->width} * found.frame->height *
-                                 static_cast<std::uint64_t>(bytesPerPixel(layout.format));
+                                 static_cast<std::uint64_t>(bytesPerPixel(header->format));
     if (needed > limits.maxBytes)
         return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxBytes) +
                                              " bytes of pixels are read, the file has " +
                                              std::to_string(needed));
-    Image image = Image::uninitialised(layout.format, width, height);
-    std::vector<std::string> notes;
-    if (tjDecompress2(handle.get(), bytes, file.size(), reinterpret_cast<unsigned char*>(image.pixels.data()),
-                      width, 0, height, layout.pixels, TJFLAG_BOTTOMUP | TJFLAG_LIMITSCANS) != 0) {
-        const std::string said = tjGetErrorStr2(handle.get());
-        if (!survived(handle.get()))
-            return malformed(said + " (the file has " + std::to_string(file.size()) + " bytes)");
-        notes.push_back("survived: " + said);
+    Image image{header->inks ? PixelFormat::Rgb8 : header->format, header->width, header->height, 1, {}};
+    if (limits.pixels) {
+        image = Image::uninitialised(header->format, header->width, header->height);
+        if (const Result<void> read = reader.readPixels(image); !read)
+            return fail(
+                inJpeg({read.error().code,
+                        read.error().message + " (the file has " + std::to_string(file.size()) + " bytes)",
+                        {}}));
+        if (header->inks)
+            image = rgbOfCmyk(std::move(image), found.adobe);
     }
-    if (layout.pixels == TJPF_CMYK)
-        image = rgbOfCmyk(std::move(image), found.adobe);
 
     TextureImage texture = textureOf(std::move(image), "JPEG");
-    texture.notes = std::move(notes);
+    texture.notes = reader.notes();
     if (found.orientation > 1)
         texture.notes.push_back("Exif says that the camera was turned (orientation " +
                                 std::to_string(found.orientation) + "); the picture stands as it is stored");

@@ -11,8 +11,8 @@ namespace texplorer {
 /// JPEG (ITU-T T.81), read by libjpeg-turbo straight into the final image, bottom row first.
 ///
 /// Behaviour and limitations
-/// - Baseline, extended and progressive, Huffman or arithmetic, every chroma subsampling that libjpeg-turbo
-///   names. Grey gives Luminance8, all others Rgb8.
+/// - Baseline, extended and progressive, Huffman or arithmetic, sampling factors of 1 to 4 that divide the
+///   largest of their axis. Grey gives Luminance8, all others Rgb8.
 /// - CMYK and YCCK become RGB as (255 - c)(255 - k) / 255, without a profile; inks of files with Adobe's
 /// marker
 ///   are inverted, as that program writes them. Decoding them takes 4 bytes a pixel.

@@ -1,11 +1,17 @@
 #include "core/codec/jpeg.h"
 #include "core/codec/jpeg_markers.h"
 #include "tests/support/made_files.h"
+#include "tests/support/python.h"
+#include "tests/support/raw_file.h"
+#include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <jpeglib.h>
 #include <map>
 #include <random>
 
@@ -155,6 +161,107 @@ TEST(Jpeg, WhatIsNoJpegIsRefused) {
               "JPEG: the file does not begin with a start marker (FF D8)");
     EXPECT_EQ(decodeJpeg(start).error().message,
               "JPEG: there is no frame header (SOF) in the 3 bytes of the file");
+}
+
+using Factors = std::array<std::array<int, 2>, 3>; // across and down, of Y, Cb and Cr
+
+/// What libjpeg makes of slopes, with these sampling factors.
+Bytes encodedWith(const Factors& factors, int width, int height) {
+    jpeg_compress_struct jpeg{};
+    jpeg_error_mgr errors{};
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&jpeg);
+    unsigned char* file = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&jpeg, &file, &size);
+    jpeg.image_width = static_cast<JDIMENSION>(width);
+    jpeg.image_height = static_cast<JDIMENSION>(height);
+    jpeg.input_components = 3;
+    jpeg.in_color_space = JCS_RGB;
+    jpeg_set_defaults(&jpeg);
+    jpeg_set_quality(&jpeg, 95, TRUE);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        jpeg.comp_info[i].h_samp_factor = factors[i][0];
+        jpeg.comp_info[i].v_samp_factor = factors[i][1];
+    }
+    jpeg_start_compress(&jpeg, TRUE);
+    for (int y = 0; y < height; ++y) {
+        std::vector<JSAMPLE> row;
+        for (int x = 0; x < width; ++x)
+            for (const int value : {255 * x / width, 255 * y / height, 128})
+                row.push_back(static_cast<JSAMPLE>(value));
+        JSAMPROW start = row.data();
+        jpeg_write_scanlines(&jpeg, &start, 1);
+    }
+    jpeg_finish_compress(&jpeg);
+    jpeg_destroy_compress(&jpeg);
+    const ByteView written = std::as_bytes(std::span(file, size));
+    const Bytes bytes(written.begin(), written.end());
+    std::free(file); // NOLINT: libjpeg's allocation
+    return bytes;
+}
+
+constexpr std::array unusualFactors{
+    Factors{{{1, 1}, {2, 2}, {2, 2}}}, Factors{{{2, 2}, {2, 1}, {1, 2}}}, Factors{{{3, 1}, {1, 1}, {1, 1}}},
+    Factors{{{1, 3}, {1, 1}, {1, 3}}}, Factors{{{1, 4}, {1, 1}, {1, 2}}}, Factors{{{1, 2}, {2, 1}, {1, 1}}},
+    Factors{{{4, 1}, {1, 1}, {2, 1}}}, Factors{{{1, 1}, {1, 1}, {4, 2}}},
+};
+
+TEST(Jpeg, UnusualSamplingFactorsGiveThePixelsThatPillowReads) {
+    const test::TempDir folder;
+    for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {65, 33}})
+        for (const Factors& factors : unusualFactors) {
+            std::string name = "factors";
+            for (const auto& [across, down] : factors)
+                name += std::to_string(across) + std::to_string(down);
+            name += "_" + std::to_string(width) + "x" + std::to_string(height);
+            SCOPED_TRACE(name);
+            const Bytes file = encodedWith(factors, width, height);
+            test::writeRaw(folder.path() / (name + ".jpg"), file);
+            const Result<TextureImage> texture = decodeJpeg(file);
+            ASSERT_TRUE(texture) << texture.error().message;
+            EXPECT_THAT(texture->notes, testing::IsEmpty());
+            const Image image = toImage(texture->surfaces.at(0));
+            test::writeRaw(folder.path() / (name + ".rgb"), image.pixels);
+            EXPECT_EQ(dissectJpeg(file).damage, "");
+        }
+    EXPECT_TRUE(test::runPython("core/codec/jpeg_against_pillow.py", folder.path()));
+}
+
+TEST(Jpeg, SamplingFactorsThatDivideNoLargestOneAreRefused) {
+    Bytes file = encodedWith({{{4, 1}, {2, 1}, {1, 1}}}, 20, 10);
+    JpegSegments segments(file);
+    while (const std::optional<JpegSegment> segment = segments.next())
+        if (segment->isFrame())
+            file[segment->offset + 11] = std::byte{0x31}; // which libjpeg itself doesn't write
+    EXPECT_EQ(
+        decodeJpeg(file).error().message,
+        "JPEG: sampling factors that divide the largest are read, the components have 3 x 1, 2 x 1, 1 x 1");
+}
+
+TEST(Jpeg, ThatEndsEarlyIsRefusedInItsOwnWords) {
+    Bytes file = encodedWith(unusualFactors[0], 65, 33);
+    file.resize(file.size() - 2);
+    EXPECT_EQ(decodeJpeg(file).error().message,
+              "JPEG: Premature end of JPEG file (the file has " + std::to_string(file.size()) + " bytes)");
+}
+
+TEST(Jpeg, OfTwoComponentsIsRefused) {
+    Bytes file = encodedWith({{{1, 1}, {1, 1}, {1, 1}}}, 8, 8);
+    JpegSegments segments(file);
+    while (const std::optional<JpegSegment> segment = segments.next())
+        if (segment->isFrame()) {
+            file.erase(file.begin() + static_cast<std::ptrdiff_t>(segment->offset + 16),
+                       file.begin() + static_cast<std::ptrdiff_t>(segment->offset + 19));
+            file[segment->offset + 3] = std::byte{14};
+            file[segment->offset + 9] = std::byte{2};
+            break;
+        }
+    const Result<TextureImage> texture = decodeJpeg(file);
+    ASSERT_FALSE(texture);
+    EXPECT_EQ(texture.error().message,
+              "JPEG: pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has 2");
+    EXPECT_EQ(texture.error().code, ErrorCode::Unsupported);
 }
 
 } // namespace
