@@ -5,10 +5,13 @@
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
 #include "app/ui/document.h"
+#include "core/base/printable.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <sstream>
 
 namespace {
@@ -20,7 +23,7 @@ constexpr int wrongCall = 2;
 constexpr render::Size startSize{1280, 800}; // at a content scale of 1
 
 int complain(const std::string& sentence) {
-    std::fprintf(stderr, "texplorer: %s\n", sentence.c_str());
+    std::fprintf(stderr, "texplorer: %s\n", printable(sentence).c_str());
     return failure;
 }
 
@@ -79,6 +82,7 @@ int main(int argc, char** argv) {
         ->envname("TEXPLORER_SHADERS");
     try {
         app.parse(argc, argv);
+        return run(files, shaders);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) { // --help, --version
             std::ostringstream text;
@@ -88,6 +92,9 @@ int main(int argc, char** argv) {
         }
         complain(describeWrongCall(app, error));
         return wrongCall;
+    } catch (const std::bad_alloc&) {
+        return complain("there is not enough memory");
+    } catch (const std::exception& error) { // still one sentence and an exit status
+        return complain(error.what());
     }
-    return run(files, shaders);
 }

@@ -33,10 +33,11 @@ void addCompress(CLI::App& app, Action& action);
 void addConform(CLI::App& app, Action& action);
 void addConvert(CLI::App& app, Action& action);
 
-/// Prints "texshot: …" on standard error and returns `code`.
+/// Prints "texshot: …" on standard error, a printable line, and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);
 
-/// All of it to standard output.
+/// A text of several lines, or JSON, to standard output: printable (core/base/printable.h), its lines kept.
+/// Parts that come from outside are made printable before, lest they bring lines of their own.
 [[nodiscard]] Result<void> print(std::string_view text);
 
 } // namespace texplorer::screenshot

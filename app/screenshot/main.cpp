@@ -5,14 +5,16 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/help_format.h"
 #include "app/screenshot/interrupts.h"
+#include "core/base/printable.h"
 
 #include <cstdio>
+#include <new>
 #include <sstream>
 
 namespace texplorer::screenshot {
 
 ExitCode complain(const Error& error, ExitCode code) {
-    std::fprintf(stderr, "texshot: %s\n", describe(error).c_str());
+    std::fprintf(stderr, "texshot: %s\n", printable(describe(error)).c_str());
     return code;
 }
 
@@ -62,8 +64,10 @@ int main(int argc, char** argv) {
             return printed ? success : complain(printed.error());
         }
         return complain({ErrorCode::OutOfRange, describeWrongCall(app, error), {}}, wrongCall);
-    } catch (const std::exception& error) { // out of memory, at worst: still one sentence and an exit status
-        std::fprintf(stderr, "texshot: %s\n", error.what());
+    } catch (const std::bad_alloc&) {
+        std::fputs("texshot: there is not enough memory for this\n", stderr);
         return failure;
+    } catch (const std::exception& error) { // still one sentence and an exit status
+        return complain({ErrorCode::Unsupported, error.what(), {}});
     }
 }

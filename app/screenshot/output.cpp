@@ -2,6 +2,7 @@
 
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/interrupts.h"
+#include "core/base/printable.h"
 
 #include <algorithm>
 #include <optional>
@@ -98,7 +99,7 @@ std::string writtenExtensions() {
 
 Result<void> print(std::string_view text) {
     outputBegins();
-    return writeStandardOutput(viewBytes(text));
+    return writeStandardOutput(viewBytes(printable(text, LineBreaks::Keep)));
 }
 
 } // namespace texplorer::screenshot

@@ -4,6 +4,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
+#include "core/base/printable.h"
 #include "core/codec/registry.h"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ void drawDiscard(Session& session) {
     if (!beginModal("Unsaved changes"))
         return;
     const std::string name = session.file.empty() ? "This scene" : session.file.filename().string();
-    ImGui::TextUnformatted((name + " has changes that are not saved.").c_str());
+    ImGui::TextUnformatted((printable(name) + " has changes that are not saved.").c_str());
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     const ImVec2 size(ImGui::GetFontSize() * 7.5F, 0);
     const bool keep = ImGui::Button("Save", size) || ImGui::IsKeyPressed(key::enter, false);

@@ -4,6 +4,7 @@
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
 #include "app/ui/workbench.h"
+#include "core/base/printable.h"
 
 #include <imgui_stdlib.h>
 
@@ -112,7 +113,7 @@ void breadcrumbs(Session& session, FileBrowser& browser) {
     std::size_t first = parts.size(); // long paths lose their beginning
     const float available = ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 4;
     while (first > 0) {
-        width += ImGui::CalcTextSize(parts[first - 1].string().c_str()).x + ImGui::GetFontSize();
+        width += ImGui::CalcTextSize(printable(parts[first - 1].string()).c_str()).x + ImGui::GetFontSize();
         if (width > available && first < parts.size())
             break;
         --first;
@@ -131,7 +132,7 @@ void breadcrumbs(Session& session, FileBrowser& browser) {
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
         ImGui::PushID(static_cast<int>(i));
         ImGui::PushStyleColor(ImGuiCol_Button, 0);
-        if (ImGui::Button(parts[i].string().c_str()))
+        if (ImGui::Button(printable(parts[i].string()).c_str()))
             target = walked;
         ImGui::PopStyleColor();
         ImGui::PopID();
@@ -174,7 +175,7 @@ bool entryList(Session& session, FileBrowser& browser, const Pictures& pictures,
         if (!matches(browser, entry))
             continue;
         any = true;
-        const std::string shown = entry.isFolder ? entry.name + "/" : entry.name;
+        const std::string shown = printable(entry.name) + (entry.isFolder ? "/" : "");
         ImGui::PushID(i);
         const float line = ImGui::GetTextLineHeight();
         const bool pictured = browser.thumbnails && !entry.isFolder;
@@ -298,7 +299,7 @@ Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& c
                                                  : "Choose a file, or type its path. ↑ ↓ Enter work too.");
     else {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextUnformatted(browser.error.c_str());
+        ImGui::TextUnformatted(printable(browser.error).c_str());
         ImGui::PopStyleColor();
         noteItem(session, "browser:error");
         helpTip(browser.error);

@@ -4,6 +4,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
+#include "core/base/printable.h"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,7 @@ void fieldTip(const Field& field) {
             std::to_string(field.offset);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(printable(text, LineBreaks::Keep).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -228,7 +229,7 @@ void heading(Session& session) {
         helpTip("Back to the file of the bound texture");
         ImGui::SameLine();
     }
-    std::string text = view.shown.filename().string();
+    std::string text = printable(view.shown.filename().string());
     if (view.content) {
         const std::string_view format = view.content->anatomy.format;
         text += " · " + (format.empty() ? std::string("unknown format") : std::string(format)) + " · " +
@@ -244,7 +245,7 @@ void heading(Session& session) {
     if (problem.empty())
         return;
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    ImGui::TextWrapped("%s", problem.c_str());
+    ImGui::TextWrapped("%s", printable(problem).c_str());
     ImGui::PopStyleColor();
     noteItem(session, "file:problem");
     if (!damage.empty() && damage != problem)
@@ -267,7 +268,7 @@ void drawFileTab(Session& session) {
     heading(session);
     if (!view.problem.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", view.problem.c_str());
+        ImGui::TextWrapped("%s", printable(view.problem).c_str());
         ImGui::PopStyleColor();
     }
     if (!view.content) {

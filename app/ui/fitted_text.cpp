@@ -1,5 +1,7 @@
 #include "app/ui/fitted_text.h"
 
+#include "core/base/printable.h"
+
 #include <algorithm>
 #include <string>
 
@@ -52,11 +54,12 @@ std::string fitted(std::string_view text, float room) {
 }
 
 bool fittedText(std::string_view text, ImU32 ink) {
-    const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x);
+    const std::string whole = printable(text);
+    const std::string shown = fitted(whole, ImGui::GetContentRegionAvail().x);
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
-    return shown != text;
+    return shown != whole;
 }
 
 } // namespace texplorer::ui

@@ -3,6 +3,7 @@
 #include "app/ui/findings.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
+#include "core/base/printable.h"
 
 namespace texplorer::ui {
 namespace {
@@ -32,7 +33,7 @@ void helpTip(std::string_view words) {
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-    text(words);
+    text(printable(words, LineBreaks::Keep));
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

@@ -1,6 +1,7 @@
 #include "app/ui/session.h"
 
 #include "app/ui/camera.h"
+#include "core/base/printable.h"
 #include "core/scene/animation.h"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ bool isDirty(const Session& session) {
 
 std::string windowTitle(const Session& session) {
     const std::string name = session.file.empty() ? "Untitled" : session.file.filename().string();
-    return name + (isDirty(session) ? " • Texplorer" : " - Texplorer");
+    return printable(name) + (isDirty(session) ? " • Texplorer" : " - Texplorer");
 }
 
 LevelsWorker& levelsOf(Session& session) {

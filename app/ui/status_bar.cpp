@@ -3,6 +3,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
+#include "core/base/printable.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@ void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     noteItem(session, "cancel load");
     ImGui::SameLine();
     std::string text = progress.step == Step::Decoding ? "Decoding " : "Reading ";
-    text += progress.path.filename().string();
+    text += printable(progress.path.filename().string());
     if (progress.step == Step::Reading && progress.fileBytes > 0)
         text += " · " + std::to_string(progress.bytesRead * 100 / progress.fileBytes) + " %";
     ImGui::TextUnformatted(text.c_str());
@@ -34,7 +35,7 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
         levelsOf(session).cancel(progress.ticket);
     noteItem(session, "cancel levels");
     ImGui::SameLine();
-    std::string text = "Making the levels of " + progress.what;
+    std::string text = "Making the levels of " + printable(progress.what);
     if (progress.done > 0)
         text += " · " + std::to_string(static_cast<int>(100 * progress.done)) + " %";
     ImGui::TextUnformatted(text.c_str());

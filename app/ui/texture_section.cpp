@@ -4,6 +4,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_tips.h"
 #include "app/ui/param_widgets.h"
+#include "core/base/printable.h"
 
 namespace texplorer::ui {
 namespace {
@@ -12,7 +13,7 @@ std::string textureName(const Session& session, int index) {
     const Texture& texture = session.scene.textures[static_cast<std::size_t>(index)];
     const std::string what = texture.source == SourceKind::Pattern
                                  ? std::string(rowOf(texture.pattern).label)
-                                 : std::filesystem::path(texture.file).filename().string();
+                                 : printable(std::filesystem::path(texture.file).filename().string());
     return std::to_string(index) + "  " + what;
 }
 

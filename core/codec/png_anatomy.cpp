@@ -1,3 +1,4 @@
+#include "core/base/printable.h"
 #include "core/codec/png.h"
 #include "core/codec/png_chunks.h"
 
@@ -35,14 +36,6 @@ std::string meaningOf(const PngChunk& chunk) {
         if (each.type == chunk.type)
             return std::string(each.meaning);
     return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown, and can't be skipped";
-}
-
-// What can't be printed as a dot.
-std::string printable(std::string_view type) {
-    std::string shown;
-    for (const char c : type)
-        shown += c > ' ' && c <= '~' ? c : '.';
-    return shown;
 }
 
 std::string hex(std::uint32_t value) {

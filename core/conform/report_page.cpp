@@ -1,3 +1,4 @@
+#include "core/base/printable.h"
 #include "core/codec/png.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
@@ -40,7 +41,7 @@ p { margin: .3rem 0; }
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char each : text) {
+    for (const char each : printable(text)) {
         if (each == '<')
             result += "&lt;";
         else if (each == '&')

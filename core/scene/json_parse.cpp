@@ -76,7 +76,7 @@ public:
         std::optional<std::int64_t> whole;
         if (std::trunc(value) == value && std::abs(value) <= 1e9F)
             whole = static_cast<std::int64_t>(value);
-        return number(value, whole, printable(text));
+        return number(value, whole, shortened(text));
     }
     bool string(std::string& value) override;
     bool binary(Json::binary_t&) override { return refuse("binary data"); } // JSON has none
@@ -115,7 +115,7 @@ private:
 /// A key as RFC 6901 writes it in a pointer.
 std::string pointerPart(std::string_view key) {
     std::string text;
-    for (const char c : printable(key))
+    for (const char c : shortened(key))
         text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
     return text;
 }
@@ -321,7 +321,7 @@ bool Reader::end_array() {
 bool Reader::parse_error(std::size_t, const std::string& token, const Json::exception& problem) {
     constexpr int numberOverflow = 406;
     if (problem.id == numberOverflow)
-        return refuse(printable(token));
+        return refuse(shortened(token));
 
     // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'"
     std::string_view text = problem.what();

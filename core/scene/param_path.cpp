@@ -55,7 +55,7 @@ public:
             const Part part = next();
             const ParamRow* row = findParam(*place_.table, part.key);
             const ChildRow* child = findChild(*place_.table, part.key);
-            walked_.append(walked_.empty() ? "" : ".").append(printable(part.whole));
+            walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
             if (!row && !child)
                 return refuse("no such parameter; " + suggestName(part.key, tableKeys(*place_.table)));
             auto entered = row ? enter(*row, part) : enter(*child, part);

@@ -1,5 +1,8 @@
 #include "core/scene/param_text.h"
 
+#include "core/base/printable.h"
+#include "core/base/utf8.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -29,30 +32,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return costs.back();
 }
 
-/// How many bytes the well-formed UTF-8 sequence at the start has; 0 where there is none.
-std::size_t sequenceLength(std::string_view text) {
-    const auto byte = [&](std::size_t i) -> unsigned {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-    };
-    const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
-    const unsigned first = byte(0);
-    if (first < 0x80)
-        return text.empty() ? 0 : 1;
-    if (first >= 0xC2 && first <= 0xDF)
-        return follows(1) ? 2 : 0;
-    if (first >= 0xE0 && first <= 0xEF) {
-        const bool overlong = first == 0xE0 && byte(1) < 0xA0;
-        const bool surrogate = first == 0xED && byte(1) > 0x9F;
-        return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
-    }
-    if (first >= 0xF0 && first <= 0xF4) {
-        const bool overlong = first == 0xF0 && byte(1) < 0x90;
-        const bool beyond = first == 0xF4 && byte(1) > 0x8F;
-        return follows(1) && follows(2) && follows(3) && !overlong && !beyond ? 4 : 0;
-    }
-    return 0;
-}
-
 } // namespace
 
 std::string formatNumber(float number) {
@@ -61,25 +40,21 @@ std::string formatNumber(float number) {
     return {digits.data(), end};
 }
 
-std::string printable(std::string_view text) {
+std::string shortened(std::string_view text) {
     constexpr std::size_t longest = 40;
     std::string out;
     while (!text.empty()) {
         if (out.size() >= longest)
             return out + "...";
-        const std::size_t length = sequenceLength(text);
-        const bool control = length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F);
-        if (length == 0 || control)
-            out += '?';
-        else
-            out += text.substr(0, length);
-        text.remove_prefix(std::max<std::size_t>(length, 1));
+        const std::size_t bytes = std::max<std::size_t>(firstCharacter(text).bytes, 1);
+        out += printable(text.substr(0, bytes));
+        text.remove_prefix(bytes);
     }
     return out;
 }
 
 std::string inQuotes(std::string_view text) {
-    return '"' + printable(text) + '"';
+    return '"' + shortened(text) + '"';
 }
 
 std::string_view nearestName(std::string_view text, const std::vector<std::string_view>& names) {
@@ -104,16 +79,6 @@ std::string suggestName(std::string_view text, const std::vector<std::string_vie
     for (const std::string_view name : names)
         all.append(all.empty() ? "" : ", ").append(name);
     return "expected one of " + all;
-}
-
-bool isUtf8(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t length = sequenceLength(text);
-        if (length == 0)
-            return false;
-        text.remove_prefix(length);
-    }
-    return true;
 }
 
 } // namespace texplorer

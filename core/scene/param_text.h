@@ -12,19 +12,17 @@ namespace texplorer {
 /// The shortest digits that read back as the same float: "0.1", "1000", "1e-05". Independent of the locale.
 [[nodiscard]] std::string formatNumber(float number);
 
-/// The text in double quotes, at most about 40 bytes of it, without control characters.
+/// The text in double quotes, at most about 40 bytes of it, printable
+/// (core/base/printable.h).
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
 /// The same without the quotes, for a name inside a path.
-[[nodiscard]] std::string printable(std::string_view text);
+[[nodiscard]] std::string shortened(std::string_view text);
 
 /// The name closest to a misspelt one, or an empty view where none is close. Ignores case.
 [[nodiscard]] std::string_view nearestName(std::string_view text, const std::vector<std::string_view>& names);
 
 /// `did you mean "minFilter"?`, or else `expected one of a, b, c`.
 [[nodiscard]] std::string suggestName(std::string_view text, const std::vector<std::string_view>& names);
-
-/// Whether the bytes are well-formed UTF-8 (no overlong forms, no surrogates, nothing above U+10FFFF).
-[[nodiscard]] bool isUtf8(std::string_view text);
 
 } // namespace texplorer

@@ -1,5 +1,6 @@
 // What a row accepts, and its values as text.
 
+#include "core/base/utf8.h"
 #include "core/scene/param_text.h"
 #include "core/scene/params.h"
 

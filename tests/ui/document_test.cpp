@@ -45,6 +45,11 @@ TEST_F(Document, AnImageBecomesTheBoundTexture) {
     EXPECT_EQ(session.scene.textures[0].source, SourceKind::Pattern);
 }
 
+TEST_F(Document, TheWindowsTitleHasNoControlCharacters) {
+    session.file = folder / "\x1B]0;x\a\n\xE2\x80\xAE.json";
+    EXPECT_EQ(windowTitle(session), "\\u001b]0;x\\u0007\\u000a\\u202e.json - Texplorer");
+}
+
 TEST_F(Document, AnImageIsGivenATextureWhereThereIsNone) {
     write(folder / "red.bmp", redBmp());
     session.scene.textures.clear();

@@ -35,7 +35,7 @@ Report reportOf(std::vector<const Feature*> chosen) {
     SweepOptions options;
     options.selection = {1, 20 * static_cast<int>(chosen.size()), std::move(chosen)};
     options.pairs = {Pair{RendererKind::Reference, RendererKind::Fixed}};
-    options.driver = {"llvmpipe <&>", "4.5", "A=b", {}};
+    options.driver = {"llvmpipe <&>\x1B", "4.5", "A=b", {}};
     return *sweep(options, {&swapped, nullptr});
 }
 
@@ -48,7 +48,7 @@ TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
     EXPECT_THAT(text, HasSubstr("DIFFER"));
     EXPECT_THAT(text, HasSubstr("agree"));
     EXPECT_THAT(text, HasSubstr("skipped: driver-compression, "));
-    EXPECT_THAT(text, HasSubstr("on llvmpipe <&>, 4.5, with A=b: not all agree\n"));
+    EXPECT_THAT(text, HasSubstr("on llvmpipe <&>\x1B, 4.5, with A=b: not all agree\n"));
     EXPECT_THAT(text, HasSubstr("  –  ")); // what no rule explains has no number
     std::istringstream lines(text);
     std::string line;
@@ -160,7 +160,7 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
     const Bytes page = file("index.html");
     const std::string text(reinterpret_cast<const char*>(page.data()), page.size());
     EXPECT_THAT(text, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
-    EXPECT_THAT(text, HasSubstr("llvmpipe &lt;&amp;>"));
+    EXPECT_THAT(text, HasSubstr("llvmpipe &lt;&amp;>\\u001b"));
     EXPECT_THAT(text, Not(HasSubstr("src=\"http")));
 }
 

@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"EnumOfAnother", textureTable, "magFilter", "GL_LINEAR_MIPMAP_LINEAR",
                 R"(expected one of GL_NEAREST, GL_LINEAR, found "GL_LINEAR_MIPMAP_LINEAR")"},
         Refusal{"ControlCharacters", passTable, "blend", "\x1b[31m",
-                R"(expected true or false, found "?[31m")"},
+                R"(expected true or false, found "\u001b[31m")"},
         Refusal{"Long", passTable, "blend", "aaaaaaaaaabbbbbbbbbbccccccccccddddddddddeeeeeeeeee",
                 R"(expected true or false, found "aaaaaaaaaabbbbbbbbbbccccccccccdddddddddd...")"},
         Refusal{"TextNotUtf8", textureTable, "file", "a\xff.png",
