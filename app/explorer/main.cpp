@@ -6,6 +6,7 @@
 #include "app/explorer/window.h"
 #include "app/ui/document.h"
 #include "core/base/printable.h"
+#include "core/scene/image_budget.h"
 
 #include <CLI/CLI.hpp>
 
@@ -62,6 +63,8 @@ int main(int argc, char** argv) {
     CLI::App app("Explore what each texture parameter of OpenGL does, on a live cube and sphere.",
                  "texplorer");
     app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
+    app.footer("The images of a scene may take " + sceneImageBytesText() +
+               " together once they are decoded.");
     std::vector<std::string> files;
     app.add_option("FILE", files,
                    "Scene files (JSON) and images. Images become textures of the scene, the first one is "

@@ -1,4 +1,5 @@
 #include "app/screenshot/scene_argument.h"
+#include "core/base/printable.h"
 #include "core/scene/diagnosis.h"
 #include "core/scene/initial_like.h"
 #include "core/scene/params.h"
@@ -14,19 +15,6 @@ struct Options {
     SceneArgument scene;
     bool json = false;
 };
-
-/// Reads the images one by one: all that can't be read are reported, each with its reason.
-void loadImages(OpenedScene& opened, std::vector<std::string>& reasons) {
-    reasons.resize(opened.scene.textures.size());
-    for (std::size_t i = 0; i < reasons.size(); ++i) {
-        Scene alone;
-        alone.textures = {opened.scene.textures[i]};
-        if (alone.textures[0].source != SourceKind::File || alone.textures[0].file.empty())
-            continue;
-        if (const Result<void> loaded = opened.images.load(alone); !loaded)
-            reasons[i] = loaded.error().message;
-    }
-}
 
 /// What has the value that OpenGL or Texplorer starts with was set by nobody: that it has no effect is no
 /// news. A texture that isn't shown is news even so: its scene has less than one thinks.
@@ -64,23 +52,43 @@ std::vector<Finding> worthSaying(const std::vector<Finding>& findings, const Sce
     return said;
 }
 
-std::string asText(const std::vector<Finding>& findings) {
+/// What was odd about a file and was survived.
+struct Note {
+    std::string path; ///< the parameter that names it
+    std::string sentence;
+};
+
+std::vector<Note> notesOf(const OpenedScene& opened) {
+    std::vector<Note> notes;
+    for (std::size_t i = 0; i < opened.scene.textures.size(); ++i) {
+        const Texture& texture = opened.scene.textures[i];
+        const auto image = texture.source == SourceKind::File ? opened.images.find(texture) : nullptr;
+        for (const std::string& sentence : image ? image->notes : std::vector<std::string>())
+            notes.push_back({"textures[" + std::to_string(i) + "].file", texture.file + ": " + sentence});
+    }
+    return notes;
+}
+
+std::string asText(const std::vector<Finding>& findings, const std::vector<Note>& notes) {
     std::string text;
     for (const Finding& each : findings) {
         text += std::string(rowOf(each.severity).name) + ": " + each.path + ": " +
-                (each.severity >= Severity::Hint ? "no effect: " : "") + each.sentence + "\n";
+                (each.severity >= Severity::Hint ? "no effect: " : "") + printable(each.sentence) + "\n";
         for (const Fix& fix : each.fixes) {
             text += "    " + fix.label + ":";
             for (const Assignment& set : fix.assignments)
-                text += " --set " + set.path + "=" + set.value;
+                text += " --set " + set.path + "=" + printable(set.value);
             text += "\n";
         }
     }
+    for (const Note& each : notes)
+        text += "note: " + each.path + ": " + printable(each.sentence) + "\n";
     return text;
 }
 
 /// `error`: why there are no findings of this scene; empty: there are.
-std::string asJson(const std::vector<Finding>& findings, const std::string& error = {}) {
+std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>& notes,
+                   const std::string& error = {}) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Finding& each : findings) {
         nlohmann::ordered_json entry{{"severity", rowOf(each.severity).name},
@@ -95,10 +103,14 @@ std::string asJson(const std::vector<Finding>& findings, const std::string& erro
         }
         list.push_back(std::move(entry));
     }
+    nlohmann::ordered_json noted = nlohmann::ordered_json::array();
+    for (const Note& each : notes)
+        noted.push_back({{"path", each.path}, {"sentence", each.sentence}});
     nlohmann::ordered_json document;
     if (!error.empty())
         document["error"] = error;
     document["findings"] = std::move(list);
+    document["notes"] = std::move(noted);
     // A file's name may be no UTF-8.
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -108,19 +120,19 @@ ExitCode check(const Options& options) {
     if (!opened) {
         const auto& [error, code] = opened.error();
         const Result<void> printed =
-            options.json && code == failure ? print(asJson({}, describe(error))) : Result<void>();
+            options.json && code == failure ? print(asJson({}, {}, describe(error))) : Result<void>();
         return printed ? complain(error, code) : complain(printed.error());
     }
-    std::vector<std::string> reasons;
-    loadImages(*opened, reasons);
+    const std::vector<std::optional<Error>> reasons = opened->images.loadOutlines(opened->scene);
     std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
     for (std::size_t i = 0; i < reasons.size(); ++i) {
         for (Finding& each : findings) {
-            if (!reasons[i].empty() && each.path == "textures[" + std::to_string(i) + "].file")
-                each.sentence = reasons[i];
+            if (reasons[i] && each.path == reasons[i]->where)
+                each.sentence = reasons[i]->message;
         }
     }
-    const std::string text = options.json ? asJson(findings) : asText(findings);
+    const std::vector<Note> notes = notesOf(*opened);
+    const std::string text = options.json ? asJson(findings, notes) : asText(findings, notes);
     if (const auto written = print(text); !written)
         return complain(written.error());
     const bool clean = std::ranges::none_of(
@@ -137,11 +149,10 @@ void addCheck(CLI::App& app, Action& action) {
     addSceneArgument(*command, options->scene);
     command->add_flag("--json", options->json, "As JSON, for programs.");
     command->footer(
-        "A line for each finding on standard output, errors first, and below it each way to mend it. "
-        "Settings\n"
-        "without effect are named where they differ from what OpenGL and Texplorer start with. The driver "
-        "is not\n"
-        "asked: \"texshot shot\" says what it lacks.\n"
+        "A line for each finding on standard output, errors first, and below it each way to mend it; then\n"
+        "a note for each oddity of an image's file that is survived. Of the images, the headers are read.\n"
+        "Settings without effect are named where they differ from what OpenGL and Texplorer start with.\n"
+        "The driver is not asked: \"texshot shot\" says what it lacks.\n"
         "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be "
         "read, 2 a wrong call.");
     command->callback([&action, options] { action = [options] { return check(*options); }; });

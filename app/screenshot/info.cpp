@@ -1,5 +1,6 @@
 #include "app/screenshot/command.h"
 #include "core/base/file_io.h"
+#include "core/base/printable.h"
 #include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
 #include "core/scene/texture_levels.h"
@@ -69,7 +70,7 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
     const Surface& base = texture.surface(0, 0);
     std::string text;
     const auto line = [&](std::string name, const std::string& value) {
-        text += padded(std::move(name), 14) + value + "\n";
+        text += padded(std::move(name), 14) + printable(value) + "\n";
     };
     std::size_t surfaceBytes = 0;
     for (const Surface& surface : texture.surfaces)
@@ -103,13 +104,16 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
 std::string anatomyAsText(const Anatomy& anatomy) {
     std::size_t nameWidth = 4;
     std::size_t valueWidth = 5;
-    for (const Field& field : anatomy.fields) {
+    std::vector<Field> fields = anatomy.fields;
+    for (Field& field : fields) {
+        for (std::string* part : {&field.name, &field.value, &field.meaning, &field.wrong})
+            *part = printable(*part);
         nameWidth = std::max(nameWidth, columnsOf(field.name) + static_cast<std::size_t>(2 * field.depth));
         valueWidth = std::max(valueWidth, std::min<std::size_t>(28, columnsOf(field.value)));
     }
     std::string text = "\n" + padded("offset", 10) + padded("bytes", 10) + padded("name", nameWidth + 2) +
                        padded("value", valueWidth + 2) + "meaning\n";
-    for (const Field& field : anatomy.fields) {
+    for (const Field& field : fields) {
         text +=
             padded(std::to_string(field.offset), 10) + padded(std::to_string(field.size), 10) +
             padded(std::string(static_cast<std::size_t>(2 * field.depth), ' ') + field.name, nameWidth + 2) +
@@ -118,7 +122,7 @@ std::string anatomyAsText(const Anatomy& anatomy) {
             text.pop_back();
         text += field.wrong.empty() ? "\n" : "\n" + std::string(20, ' ') + "! " + field.wrong + "\n";
     }
-    return anatomy.damage.empty() ? text : text + "! " + anatomy.damage + "\n";
+    return anatomy.damage.empty() ? text : text + "! " + printable(anatomy.damage) + "\n";
 }
 
 nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t fileBytes) {
@@ -183,7 +187,7 @@ ExitCode examine(const std::string& path, bool json) {
         return complain(printed ? bytes.error() : printed.error());
     }
     const Anatomy anatomy = dissect(*bytes);
-    const Result<TextureImage> texture = decodeTexture(*bytes);
+    const Result<TextureImage> texture = outlineTexture(*bytes, anatomy);
 
     std::string text;
     if (json) {

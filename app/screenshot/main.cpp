@@ -6,6 +6,7 @@
 #include "app/screenshot/help_format.h"
 #include "app/screenshot/interrupts.h"
 #include "core/base/printable.h"
+#include "core/scene/image_budget.h"
 
 #include <cstdio>
 #include <new>
@@ -31,6 +32,9 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
     app.require_subcommand(1);
     app.footer(
+        "The images of a scene may take " +
+        sceneImageBytesText() +
+        " together once they are decoded; a file that several textures\nname counts once.\n"
         "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
         "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file appears as a whole or not at all.\n"
         "\"texshot COMMAND --help\" explains each command.");

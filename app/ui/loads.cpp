@@ -2,6 +2,7 @@
 
 #include "app/ui/document.h"
 #include "app/ui/session.h"
+#include "core/base/file_fingerprint.h"
 
 #include <algorithm>
 #include <set>
@@ -21,10 +22,7 @@ std::set<std::string> missingFiles(const Session& session, const Load& load) {
     std::set<std::string> files(load.added.begin(), load.added.end());
     if (load.kind == Load::Kind::Add)
         std::erase_if(files, [&](const std::string& file) { return session.images.holds(file); });
-    for (const Texture& texture : load.scene.textures) {
-        if (texture.source == SourceKind::File)
-            files.insert(texture.file);
-    }
+    files.merge(filesOf(load.scene));
     return files;
 }
 
@@ -32,10 +30,51 @@ fs::path folderOf(const Session& session, const Load& load) {
     return load.kind == Load::Kind::Scene ? load.images.directory() : session.images.directory();
 }
 
+/// The files that a load needs, each with all spellings that it has.
+std::vector<std::vector<std::string>> missingBySpelling(const Session& session, const Load& load) {
+    std::vector<std::vector<std::string>> missing;
+    std::map<FileFingerprint, std::size_t> places;
+    for (const std::string& file : missingFiles(session, load)) {
+        const std::optional<FileFingerprint> same = fingerprintOf(folderOf(session, load) / file);
+        const auto known = same ? places.find(*same) : places.end();
+        if (known != places.end()) {
+            missing[known->second].push_back(file);
+            continue;
+        }
+        if (same)
+            places[*same] = missing.size();
+        missing.push_back({file});
+    }
+    return missing;
+}
+
 /// The loaded files become part of a source, with all that they hold.
-void putAll(ImageSource& images, Load& load) {
-    for (auto& [file, texture] : load.arrived)
-        images.put(file, std::move(texture));
+void putAll(ImageSource& images, const Load& load) {
+    for (const auto& [file, texture] : load.arrived)
+        images.put(file, texture);
+}
+
+/// Takes in a file that has arrived, if the images of the scene that it is for leave room for it.
+Result<void> arrive(const Session& session, Load& load, const std::vector<std::string>& spellings,
+                    const ImageLoader::Content& content) {
+    const auto& image = std::get<std::shared_ptr<const TextureImage>>(content);
+    const bool own = load.kind == Load::Kind::Scene;
+    ImageSource images = own ? load.images : session.images;
+    std::set<std::string> files = filesOf(own ? load.scene : session.scene);
+    putAll(images, load);
+    for (const auto& [file, texture] : load.arrived)
+        files.insert(file);
+    for (const std::string& file : spellings)
+        files.erase(file); // what it replaces
+    const std::size_t used = images.bytesOf(files);
+    if (used + byteCount(*image) > sceneImageBytes) {
+        Error refused = beyondBudget(byteCount(*image), sceneImageBytes - std::min(sceneImageBytes, used));
+        refused.where = (folderOf(session, load) / spellings.front()).string();
+        return fail(std::move(refused));
+    }
+    for (const std::string& file : spellings)
+        load.arrived[file] = image;
+    return {};
 }
 
 void finishImport(Session& session, const Load& load) {
@@ -131,7 +170,7 @@ void finishInOrder(Session& session) {
 }
 
 void cancelWaiting(Session& session, const Load& load) {
-    for (const auto& [ticket, file] : load.waits)
+    for (const auto& [ticket, spellings] : load.waits)
         session.background->loader.cancel(ticket);
 }
 
@@ -142,17 +181,17 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
         session.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
     if (load == session.loads.end())
         return;
-    const std::string file = load->waits.at(loaded.ticket);
+    const std::vector<std::string> spellings = load->waits.at(loaded.ticket);
     load->waits.erase(loaded.ticket);
-    if (loaded.content) {
-        load->arrived[file] = std::get<TextureImage>(std::move(*loaded.content));
-    } else if (load->goesOn) {
-        load->refused.push_back(loaded.content.error());
-    } else {
+    const Result<void> taken =
+        loaded.content ? arrive(session, *load, spellings, *loaded.content) : fail(loaded.content.error());
+    if (!taken && load->goesOn) {
+        load->refused.push_back(taken.error());
+    } else if (!taken) {
         const Load failed = std::move(*load);
         session.loads.erase(load);
         cancelWaiting(session, failed);
-        giveUp(session, failed, file, loaded.content.error());
+        giveUp(session, failed, spellings.front(), taken.error());
     }
 }
 
@@ -189,14 +228,14 @@ void watchFiles(Session& session) {
 
 Result<void> startNow(Session& session, Load& load) {
     const fs::path folder = folderOf(session, load);
-    for (const std::string& file : missingFiles(session, load)) {
-        Result<ImageLoader::Content> content = loadNow(folder / file, Wanted::Texture);
-        if (content)
-            load.arrived[file] = std::get<TextureImage>(std::move(*content));
-        else if (load.goesOn)
-            load.refused.push_back(content.error());
-        else
-            return fail(content.error());
+    for (const std::vector<std::string>& spellings : missingBySpelling(session, load)) {
+        const Result<ImageLoader::Content> content = loadNow(folder / spellings.front(), Wanted::Texture);
+        const Result<void> taken =
+            content ? arrive(session, load, spellings, *content) : fail(content.error());
+        if (!taken && load.goesOn)
+            load.refused.push_back(taken.error());
+        else if (!taken)
+            return taken;
     }
     (void)finish(session, load);
     return {};
@@ -208,8 +247,10 @@ Result<void> start(Session& session, Load load) {
     if (!session.background)
         return startNow(session, load);
     const fs::path folder = folderOf(session, load);
-    for (const std::string& file : missingFiles(session, load))
-        load.waits[session.background->loader.load(folder / file)] = file;
+    for (std::vector<std::string>& spellings : missingBySpelling(session, load)) {
+        const ImageLoader::Ticket ticket = session.background->loader.load(folder / spellings.front());
+        load.waits[ticket] = std::move(spellings);
+    }
     if (load.kind == Load::Kind::Scene) { // the last one that was asked for is the one that is wanted
         std::erase_if(session.loads, [&](const Load& each) {
             if (each.kind == Load::Kind::Scene)

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,19 +25,20 @@ struct Load {
         Reload,  ///< a file that has changed
     };
     Kind kind = Kind::Import;
-    std::filesystem::path path{};                       ///< what is opened
-    std::string file{};                                 ///< the same as the scene spells it, for images
-    std::map<ImageLoader::Ticket, std::string> waits{}; ///< the files that are still missing, as spelled
-    std::map<std::string, TextureImage> arrived{};      ///< those that are there
-    std::vector<std::string> added{};                   ///< Add, Scene: the images, as the scene spells them
-    std::vector<Error> refused{};                       ///< files that the load does without
-    bool goesOn = false;                                ///< whether it does without files that can't be read
-    bool restores = false;                              ///< Scene: unsaved work, of a window that has died
-    int pass = 0;                                       ///< Import, Add
-    int unit = 0;                                       ///< Import, Add
-    int texture = 0;                                    ///< SetFile: its index
-    Scene scene{};                                      ///< Scene: what is to be shown
-    Scene before{};                                     ///< Scene: what was shown when it was asked for
+    std::filesystem::path path{}; ///< what is opened
+    std::string file{};           ///< the same as the scene spells it, for images
+    /// The files that are still missing, each with all spellings that it has.
+    std::map<ImageLoader::Ticket, std::vector<std::string>> waits{};
+    std::map<std::string, std::shared_ptr<const TextureImage>> arrived{}; ///< those that are there
+    std::vector<std::string> added{}; ///< Add, Scene: the images, as the scene spells them
+    std::vector<Error> refused{};     ///< files that the load does without
+    bool goesOn = false;              ///< whether it does without files that can't be read
+    bool restores = false;            ///< Scene: unsaved work, of a window that has died
+    int pass = 0;                     ///< Import, Add
+    int unit = 0;                     ///< Import, Add
+    int texture = 0;                  ///< SetFile: its index
+    Scene scene{};                    ///< Scene: what is to be shown
+    Scene before{};                   ///< Scene: what was shown when it was asked for
     ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene
 };
 

@@ -1,5 +1,7 @@
 #include "core/base/file_watch.h"
 
+#include "core/base/file_fingerprint.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -11,7 +13,6 @@
 #include <stop_token>
 #include <sys/eventfd.h>
 #include <sys/inotify.h>
-#include <sys/stat.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -25,26 +26,6 @@ namespace fs = std::filesystem;
 constexpr int quietMilliseconds = 60;  // how long nothing more may happen before a change is reported
 constexpr int pollMilliseconds = 1000; // how often one looks where the system reports nothing
 constexpr int forever = -1;
-
-/// What tells one content of a file from another without reading it.
-struct Fingerprint {
-    dev_t device = 0;
-    ino_t inode = 0;
-    off_t bytes = 0;
-    timespec modified{};
-
-    bool operator==(const Fingerprint& other) const {
-        return device == other.device && inode == other.inode && bytes == other.bytes &&
-               modified.tv_sec == other.modified.tv_sec && modified.tv_nsec == other.modified.tv_nsec;
-    }
-};
-
-std::optional<Fingerprint> fingerprintOf(const fs::path& file) {
-    struct stat info = {};
-    if (::stat(file.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
-        return std::nullopt;
-    return Fingerprint{info.st_dev, info.st_ino, info.st_size, info.st_mtim};
-}
 
 /// The folders in which something happens when the file changes: a link may lead elsewhere.
 std::set<fs::path> foldersOf(const fs::path& file) {
@@ -91,7 +72,7 @@ struct FileWatch::State {
     Descriptor bell{::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)}; // ends a sleep: the list is another, or stop
 
     std::mutex mutex; // guards what follows
-    std::map<fs::path, std::optional<Fingerprint>> files;
+    std::map<fs::path, std::optional<FileFingerprint>> files;
     std::map<fs::path, int> folders; // to inotify's numbers
     std::set<fs::path> reported;
     bool polls = false; // something is watched of which the system tells nothing
@@ -131,7 +112,7 @@ bool FileWatch::State::compare() {
     const std::scoped_lock lock(mutex);
     bool any = false;
     for (auto& [file, known] : files) {
-        const std::optional<Fingerprint> now = fingerprintOf(file);
+        const std::optional<FileFingerprint> now = fingerprintOf(file);
         if (!now || (known && *now == *known))
             continue;
         known = now;
@@ -180,7 +161,7 @@ void FileWatch::watch(std::vector<fs::path> files) {
     files.erase(last, files.end());
     if (std::ranges::equal(files, state_->files, {}, {}, [](const auto& entry) { return entry.first; }))
         return;
-    std::map<fs::path, std::optional<Fingerprint>> next;
+    std::map<fs::path, std::optional<FileFingerprint>> next;
     for (fs::path& file : files) {
         const auto known = state_->files.find(file);
         const auto fingerprint = known == state_->files.end() ? fingerprintOf(file) : known->second;

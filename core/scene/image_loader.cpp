@@ -3,6 +3,7 @@
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/image/thumbnail.h"
+#include "core/scene/image_budget.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -39,8 +40,8 @@ Content dissectFile(Bytes bytes) {
 }
 
 /// `decoding` is called when the file is read.
-Result<Content> work(const std::filesystem::path& path, Wanted wanted, const ReadObserver& observer,
-                     const std::function<void()>& decoding) {
+Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size_t left,
+                     const ReadObserver& observer, const std::function<void()>& decoding) {
     const std::size_t most =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
     try {
@@ -52,12 +53,13 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, const Rea
         if (wanted == Wanted::Anatomy)
             return dissectFile(std::move(*bytes));
         const bool small = wanted == Wanted::Thumbnail;
-        Result<TextureImage> texture = decodeTexture(*bytes, small ? thumbnailLimits : DecodeLimits{});
+        Result<TextureImage> texture =
+            small ? decodeTexture(*bytes, thumbnailLimits) : decodeWithin(*bytes, left);
         if (!texture)
             return fail(texture.error().code, texture.error().message, path.string());
         if (small)
             return thumbnailOf(uprightImage(std::move(*texture)), ImageLoader::thumbnailExtent);
-        return std::move(*texture);
+        return std::make_shared<const TextureImage>(std::move(*texture));
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for what it holds", path.string());
     }
@@ -90,6 +92,7 @@ struct ImageLoader::State {
 
     void run(const std::stop_token& stop);
     void process(const Job& job, const std::stop_token& stop);
+    [[nodiscard]] std::size_t left() const;
     void tell() const {
         if (wake)
             wake();
@@ -114,6 +117,17 @@ void ImageLoader::State::run(const std::stop_token& stop) {
     }
 }
 
+/// Of sceneImageBytes, beside the textures that are waiting to be taken.
+std::size_t ImageLoader::State::left() const {
+    const std::scoped_lock lock(mutex);
+    std::size_t waitingBytes = 0;
+    for (const Loaded& each : done)
+        if (each.content)
+            if (const auto* texture = std::get_if<std::shared_ptr<const TextureImage>>(&*each.content))
+                waitingBytes += byteCount(**texture);
+    return sceneImageBytes - std::min(sceneImageBytes, waitingBytes);
+}
+
 void ImageLoader::State::process(const Job& job, const std::stop_token& stop) {
     const auto reading = [&](std::size_t bytes, std::size_t total) {
         {
@@ -133,7 +147,7 @@ void ImageLoader::State::process(const Job& job, const std::stop_token& stop) {
         }
         tell();
     };
-    Result<Content> content = work(job.path, job.wanted, reading, decoding);
+    Result<Content> content = work(job.path, job.wanted, left(), reading, decoding);
     const std::scoped_lock lock(mutex);
     if (!dropsCurrent)
         done.push_back({job.ticket, job.path, std::move(content)});
@@ -210,7 +224,7 @@ void ImageLoader::wait() const {
 }
 
 Result<ImageLoader::Content> loadNow(const std::filesystem::path& path, ImageLoader::Wanted wanted) {
-    return work(path, wanted, {}, {});
+    return work(path, wanted, sceneImageBytes, {}, {});
 }
 
 } // namespace texplorer

@@ -40,7 +40,8 @@ public:
     static constexpr int thumbnailExtent = 64;
     static constexpr std::size_t thumbnailFileBytes = std::size_t{64} << 20;
 
-    using Content = std::variant<TextureImage, Image, std::shared_ptr<const DissectedFile>>;
+    using Content =
+        std::variant<std::shared_ptr<const TextureImage>, Image, std::shared_ptr<const DissectedFile>>;
     struct Loaded {
         Ticket ticket = 0;
         std::filesystem::path path;
@@ -63,7 +64,8 @@ public:
     /// Stops reading at once; a file that is being decoded is waited for.
     ~ImageLoader();
 
-    /// The same file twice is read twice: it may have changed in between.
+    /// The same file twice is read twice: it may have changed in between. Textures that nobody takes are as
+    /// many as a scene may have: one that would exceed sceneImageBytes with them is refused.
     [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted = Wanted::Texture);
 
     /// From here on nothing comes of it. A file that is being decoded keeps the thread busy until it is done.

@@ -85,6 +85,37 @@ TEST_F(Loads, AnImageComesLaterInOneStepOfUndo) {
     EXPECT_FALSE(session->history.canUndo());
 }
 
+TEST_F(Loads, AFileIsDecodedOnceWhateverASceneCallsIt) {
+    (void)bmp("red.bmp", 50);
+    fs::create_symlink("red.bmp", folder / "link.bmp");
+    write("scene.json", R"({"version": 1, "textures": [{"source": "file", "file": "red.bmp"},
+        {"source": "file", "file": "./red.bmp"}, {"source": "file", "file": "link.bmp"}]})");
+    ASSERT_TRUE(openScene(*session, folder / "scene.json").has_value());
+    waitForFiles(*session);
+    ASSERT_EQ(scene().textures.size(), 3U);
+    const auto image = session->images.find(scene().textures[0]);
+    ASSERT_NE(image, nullptr);
+    EXPECT_EQ(session->images.find(scene().textures[1]), image);
+    EXPECT_EQ(session->images.find(scene().textures[2]), image);
+}
+
+TEST_F(Loads, AFileBeyondTheBudgetIsRefusedAndTheSceneStays) {
+    TextureImage outline; // as large as all images of a scene may be, but for its pixels
+    outline.surfaces.emplace_back(Image{PixelFormat::Rgba8, 16384, 16384, 2, {}});
+    ASSERT_EQ(byteCount(outline), sceneImageBytes);
+    texture().source = SourceKind::File;
+    texture().file = "huge";
+    session->images.put("huge", std::move(outline));
+    const Scene before = scene();
+    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    waitForFiles(*session);
+    EXPECT_EQ(scene(), before);
+    EXPECT_THAT(
+        session->notice.text,
+        HasSubstr("red.bmp: the image needs 3 bytes, and of the 2147483648 that a scene's images may take "
+                  "together, 0 are left"));
+}
+
 TEST_F(Loads, EditsInBetweenStay) {
     ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
     texture().wrapS = Wrap::Clamp;

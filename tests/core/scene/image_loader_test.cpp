@@ -54,7 +54,8 @@ protected:
         return folder / name;
     }
     static int redOf(const ImageLoader::Content& content) {
-        return std::to_integer<int>(uprightImage(std::get<TextureImage>(content)).pixels[0]);
+        return std::to_integer<int>(
+            uprightImage(*std::get<std::shared_ptr<const TextureImage>>(content)).pixels[0]);
     }
     static int redOf(const ImageLoader::Loaded& loaded) { return redOf(loaded.content.value()); }
 

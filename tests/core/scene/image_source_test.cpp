@@ -123,5 +123,61 @@ TEST_F(Images, AFileThatFailedIsTriedAgain) {
     EXPECT_NE(source_.find(late), nullptr);
 }
 
+TEST_F(Images, AFileIsDecodedOnceWhateverItIsCalled) {
+    std::filesystem::create_symlink("red.bmp", folder_ / "link.bmp");
+    std::filesystem::create_hard_link(folder_ / "red.bmp", folder_ / "other.bmp");
+    const std::vector<Texture> names{fileTexture("red.bmp"), fileTexture("./red.bmp"),
+                                     fileTexture("link.bmp"), fileTexture("other.bmp"),
+                                     fileTexture((folder_.path() / "red.bmp").string())};
+    constexpr std::size_t onePixel = 3;
+    ASSERT_TRUE(source_.load(sceneOf(names), onePixel)) << "it counts once, too";
+    for (const Texture& each : names)
+        EXPECT_EQ(source_.find(each), source_.find(names[0])) << each.file;
+    EXPECT_EQ(source_.bytesOf(filesOf(sceneOf(names))), onePixel);
+}
+
+TEST_F(Images, DifferentFilesAreAddedUpAgainstTheBudget) {
+    test::writeRaw(folder_ / "green.bmp", test::onePixelBmp("\1\2\4"));
+    test::writeRaw(folder_ / "blue.bmp", test::onePixelBmp("\1\2\5"));
+    const Scene scene = sceneOf({fileTexture("red.bmp"), fileTexture("green.bmp"), fileTexture("blue.bmp")});
+    const auto expectRefusal = [&](const Error& error) {
+        EXPECT_EQ(error.code, ErrorCode::TooLarge);
+        EXPECT_EQ(error.where, "textures[2].file");
+        EXPECT_EQ(error.message, (folder_ / "blue.bmp").string() +
+                                     ": the image needs 3 bytes, and of the 2147483648 that a scene's images "
+                                     "may take together, 2 are left");
+    };
+    const Result<void> loaded = source_.load(scene, 8);
+    ASSERT_FALSE(loaded);
+    expectRefusal(loaded.error());
+    EXPECT_NE(source_.find(scene.textures[1]), nullptr);
+    EXPECT_EQ(source_.find(scene.textures[2]), nullptr);
+    EXPECT_FALSE(source_.load(scene, 8)) << "what is loaded counts";
+    EXPECT_TRUE(source_.load(sceneOf({scene.textures[2]}), 8)) << "what the scene doesn't name doesn't";
+    const auto errors = ImageSource(folder_.path()).loadOutlines(scene, 8);
+    ASSERT_EQ(errors.size(), 3U);
+    EXPECT_FALSE(errors[0] || errors[1]);
+    ASSERT_TRUE(errors[2]);
+    expectRefusal(*errors[2]);
+}
+
+TEST_F(Images, AnOutlineHasExtentsAndNoPixels) {
+    const Texture red = fileTexture("red.bmp");
+    const auto errors =
+        source_.loadOutlines(sceneOf({red, fileTexture("text.bmp"), fileTexture("none.bmp"), Texture{}}));
+    ASSERT_EQ(errors.size(), 4U);
+    EXPECT_FALSE(errors[0]);
+    ASSERT_TRUE(errors[1]);
+    EXPECT_EQ(errors[1]->where, "textures[1].file");
+    ASSERT_TRUE(errors[2]);
+    EXPECT_EQ(errors[2]->code, ErrorCode::NotFound);
+    EXPECT_FALSE(errors[3]);
+    const auto outline = source_.find(red);
+    ASSERT_NE(outline, nullptr);
+    EXPECT_FALSE(hasPixels(*outline));
+    EXPECT_EQ(widthOf(outline->surfaces.at(0)), 1);
+    EXPECT_EQ(byteCount(*outline), 3U);
+}
+
 } // namespace
 } // namespace texplorer
