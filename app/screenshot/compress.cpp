@@ -5,11 +5,14 @@
 #include "app/screenshot/option_use.h"
 #include "app/screenshot/output.h"
 #include "app/screenshot/texture_input.h"
+#include "core/image/cube_faces.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
 #include "core/scene/texture_levels.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 namespace texplorer::screenshot {
@@ -23,6 +26,7 @@ struct Options {
     std::string mips = std::string(rowOf(MipFilter::Box).name);
     bool gamma = false;
     bool powerOfTwo = false;
+    bool cube = false;
     bool report = false;
 };
 
@@ -65,6 +69,38 @@ Result<Choices> choicesOf(const Options& options) {
     return choices;
 }
 
+/// The pictures to compress, bottom row first: one, or the six faces of a cube map.
+Result<std::vector<Image>> picturesOf(TextureImage texture, const Options& options) {
+    const auto refused = [&](const std::string& message) {
+        return fail(ErrorCode::Unsupported, message, options.in);
+    };
+    const Surface& base = texture.surface(0, 0);
+    if (depthOf(base) != 1)
+        return refused("expected a picture or a cube map, found a volume of " +
+                       std::to_string(depthOf(base)) + " slices");
+    std::vector<Image> pictures;
+    if (texture.faces == 1 && !options.cube) {
+        pictures.push_back(uprightImage(std::move(texture)));
+        return pictures;
+    }
+    if (texture.faces == 1 && cubeLayout(widthOf(base), heightOf(base)) == CubeLayout::Same)
+        return refused("expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found " +
+                       std::to_string(widthOf(base)) + " x " + std::to_string(heightOf(base)));
+    if (texture.faces == 1) { // cubeFace takes and gives them with the top row first
+        Image picture = uprightImage(std::move(texture));
+        flipVertically(picture);
+        for (int face = 0; face < cubeFaceCount; ++face)
+            flipVertically(pictures.emplace_back(cubeFace(picture, face)));
+        return pictures;
+    }
+    for (int face = 0; face < texture.faces; ++face) {
+        Image& picture = pictures.emplace_back(toImage(texture.surface(face, 0)));
+        if (texture.topFirst)
+            flipVertically(picture);
+    }
+    return pictures;
+}
+
 /// The levels to compress, in the order in which a DDS file stores rows.
 MipChain levelsOf(Image base, std::optional<MipFilter> mips, const Options& options) {
     const MipOptions how{mips.value_or(MipFilter::Box), options.gamma,
@@ -77,8 +113,10 @@ MipChain levelsOf(Image base, std::optional<MipFilter> mips, const Options& opti
 
 std::string reportOf(const TextureImage& texture, const MipChain& source) {
     std::vector<TextureLevel> levels;
-    for (const Surface& surface : texture.surfaces)
-        levels.push_back({static_cast<int>(levels.size()), surface});
+    for (const Surface& surface : texture.surfaces) {
+        const auto count = static_cast<int>(levels.size());
+        levels.push_back({count % texture.levels, surface, count / texture.levels});
+    }
     return describe(reportOn(levels, source));
 }
 
@@ -94,12 +132,12 @@ ExitCode run(const Options& options) {
     Result<TextureImage> file = readTexture(options.in);
     if (!file)
         return complain(file.error());
-    Image base = uprightImage(*std::move(file));
-    if (base.depth != 1)
-        return complain({ErrorCode::Unsupported,
-                         "expected a picture, found a volume of " + std::to_string(base.depth) + " slices",
-                         options.in});
-    const MipChain source = levelsOf(std::move(base), choices->mips, options);
+    Result<std::vector<Image>> pictures = picturesOf(*std::move(file), options);
+    if (!pictures)
+        return complain(pictures.error());
+    MipChain source; // of one face after the other
+    for (Image& picture : *pictures)
+        std::ranges::move(levelsOf(std::move(picture), choices->mips, options), std::back_inserter(source));
 
     LongWork work("texshot: compressing");
     auto blocks = encodeLevels(
@@ -113,7 +151,8 @@ ExitCode run(const Options& options) {
 
     TextureImage texture;
     texture.format = "DDS";
-    texture.levels = static_cast<int>(blocks->size());
+    texture.faces = static_cast<int>(pictures->size());
+    texture.levels = static_cast<int>(blocks->size()) / texture.faces;
     texture.topFirst = true; // as DDS stores it
     texture.alpha = AlphaMeaning::Straight;
     for (BlockImage& level : *blocks)
@@ -130,8 +169,8 @@ ExitCode run(const Options& options) {
 } // namespace
 
 void addCompress(CLI::App& app, Action& action) {
-    CLI::App* command =
-        app.add_subcommand("compress", "Compress a picture into a DDS file of S3TC or RGTC blocks.");
+    CLI::App* command = app.add_subcommand(
+        "compress", "Compress a picture or a cube map into a DDS file of S3TC or RGTC blocks.");
     auto options = std::make_shared<Options>();
     command->add_option("IN", options->in, "The picture: any format that Texplorer reads.")->required();
     command->add_option("OUT", options->out, "The DDS file to write; - for standard output.")->required();
@@ -146,6 +185,10 @@ void addCompress(CLI::App& app, Action& action) {
                       "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
     command->add_flag("--power-of-two", options->powerOfTwo,
                       "Scale the picture to the nearest powers of two first, as gluBuild2DMipmaps does it.");
+    command->add_flag(
+        "--cube", options->cube,
+        "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map stays "
+        "one in any case.");
     command->add_flag("--report", options->report,
                       "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
                       "against the base level and against uncompressed pixels.");

@@ -32,8 +32,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "texshot " TEXPLORER_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "The images of a scene may take " +
-        sceneImageBytesText() +
+        "The images of a scene may take " + sceneImageBytesText() +
         " together once they are decoded; a file that several textures\nname counts once.\n"
         "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
         "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file appears as a whole or not at all.\n"

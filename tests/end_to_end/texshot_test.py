@@ -5,6 +5,7 @@ import json
 import os
 import pty
 import random
+import re
 import resource
 import shutil
 import signal
@@ -16,7 +17,7 @@ import time
 import unittest
 from pathlib import Path
 
-from PIL import Image, ImageChops
+from PIL import Image, ImageChops, PngImagePlugin
 
 TEXSHOT = sys.argv.pop(1)
 
@@ -351,6 +352,89 @@ class Files(Texshot):
                          ("BMP", 5, 3, file.stat().st_size))
         self.assertIn(b"5 x 3", self.succeeds("info", file))
 
+    def test_info_and_check_decode_no_pixels(self):
+        file = self.path / "large.tga"
+        packets = (16384 * 16384 // 128) * b"\xff\x10\x20\x30\xff"  # a gigabyte of pixels
+        file.write_bytes(bytes((0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0)) + struct.pack("<HHBB", 16384, 16384, 32, 8) + packets)
+
+        def few():
+            resource.setrlimit(resource.RLIMIT_AS, (512 << 20, 512 << 20))
+
+        facts = json.loads(texshot("info", "--json", file, preexec_fn=few).stdout)
+        self.assertEqual((facts["width"], facts["pixelBytes"]), (16384, 4 * 16384 ** 2))
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "large.tga", "minFilter": "GL_LINEAR"}],
+                                     "passes": [{"depthTest": True, "units": [{"enabled": True}]}]}))
+        checked = texshot("check", scene, preexec_fn=few)
+        self.assertEqual((checked.returncode, checked.stdout, checked.stderr), (0, b"", b""))
+        drawn = texshot("shot", "--renderer", "reference", scene, "-o", self.path / "out.png", preexec_fn=few)
+        self.assertEqual(drawn.returncode, 1)
+        self.assertRegex(drawn.stderr.decode(), r"\Atexshot: [^\n]*large.tga[^\n]*no memory[^\n]*\n\Z")
+
+        # Three of them are one too many; 64 textures of one are none.
+        for name in ("second.tga", "third.tga"):
+            shutil.copy(file, self.path / name)
+        textures = [{"source": "file", "file": name} for name in ["large.tga"] * 61 + ["second.tga", "third.tga"]]
+        scene.write_text(json.dumps({"version": 1, "textures": textures}))
+        checked = texshot("check", scene, preexec_fn=few)
+        self.assertEqual(checked.returncode, 1)
+        errors = [line for line in checked.stdout.decode().splitlines() if line.startswith("error")]
+        self.assertEqual(errors, [f"error: textures[62].file: {self.path}/third.tga: the image needs 1073741824 bytes, "
+                                  "and of the 2147483648 that a scene's images may take together, 0 are left"])
+
+    def test_info_and_check_say_that_an_array_is_read_in_part(self):
+        file = self.path / "array.dds"
+        header = struct.pack("<4s7I44x", b"DDS ", 124, 0x1007, 4, 4, 0, 0, 0) + struct.pack("<II4s5I", 32, 4, b"DX10", 0, 0, 0, 0, 0)
+        header += struct.pack("<5I", 0x1000, 0, 0, 0, 0) + struct.pack("<5I", 71, 3, 0, 3, 0)
+        file.write_bytes(header + bytes(range(24)))
+        sentence = "it is an array of 3 textures; the first is read"
+        self.assertEqual(json.loads(self.succeeds("info", "--json", file))["notes"], [sentence])
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "array.dds", "minFilter": "GL_LINEAR"}],
+                                     "passes": [{"depthTest": True, "units": [{"enabled": True}]}]}))
+        self.assertEqual(self.succeeds("check", scene).decode(), f"note: textures[0].file: array.dds: {sentence}\n")
+        self.assertEqual(json.loads(self.succeeds("check", "--json", scene))["notes"],
+                         [{"path": "textures[0].file", "sentence": "array.dds: " + sentence}])
+
+    STEERING = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+
+    def test_nothing_from_outside_steers_a_terminal(self):
+        name = "\x1b[31mx\n\x7f\u009b\u202egpj\u2066.tga"
+        shown = r"\u001b[31mx\u000a\u007f\u009b\u202egpj\u2066.tga"
+        file = self.path / name
+        comment = "\x1b]0;title\x07\n\x7f".encode().ljust(324, b"\0")
+        author = b"\x9b31m".ljust(41, b"\0")
+        pixels = bytes((0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0)) + struct.pack("<HHBB", 1, 1, 24, 0) + b"\1\2\3"
+        area = struct.pack("<H", 495) + author + comment + bytes(495 - 2 - 41 - 324)
+        file.write_bytes(pixels + area + struct.pack("<II", len(pixels), 0) + b"TRUEVISION-XFILE.\0")
+        png = self.path / "text\x1b.png"
+        words = PngImagePlugin.PngInfo()
+        words.add_text("Author", "\x1b[31m\x9b\u202e")
+        Image.new("RGB", (1, 1)).save(png, pnginfo=words)
+        latin = self.path / os.fsdecode(b"latin-\xe9.bmp")
+        latin.write_bytes(bmp(1, 1, lambda x, y: (1, 2, 3)))
+        scene = self.path / "\x1b[2J.json"
+        texture = {"source": "file", "file": name + "\x1b[A"}
+        scene.write_text(json.dumps({"version": 1, "textures": [texture]}))
+        keys = self.path / "keys.json"
+        keys.write_text(json.dumps({"version": 1, "\x1b[31m\x7f\x85\u202e": 1}))
+        value = self.path / "value.json"
+        value.write_text(json.dumps({"version": 1, "models": [{"shape": "\x1b[31m\n\x7f\x85\u202e"}]}))
+        for call in (["info", file], ["info", "--json", file], ["info", png], ["info", latin], ["info", "--json", latin],
+                     ["info", str(file) + "\x1b[A"], ["check", scene], ["check", "--json", scene], ["check", keys],
+                     ["check", value], ["shot", scene, "-o", "-"], ["shot", "--set", "a\x1b[31m=b\n", "-o", "-"],
+                     ["shot", "--\x1b[31m\x85"], ["\x1b[31m"], ["decode", file, self.path / "out.\x1b[31m"],
+                     ["flip", file, self.path / "out.\x1b[31m"], ["shot", "--tab", "\x1b[31m", "--ui", "-o", "-"]):
+            with self.subTest(call):
+                result = texshot(*call)
+                for said in (result.stdout, result.stderr):
+                    self.assertIsNone(self.STEERING.search(said.decode()))  # and it is UTF-8
+                if "--json" in call:
+                    json.loads(result.stdout)
+                self.assertLessEqual(result.stderr.count(b"\n"), 1, "one sentence is one line")
+        self.assertIn(shown, self.succeeds("info", file).decode())
+        self.assertEqual(json.loads(self.succeeds("info", "--json", file))["file"], str(file))
+
     def test_files_that_are_no_images(self):
         for name, content in [("empty.bmp", b""), ("text.bmp", b"hello world"), ("short.bmp", b"BM\0\0")]:
             with self.subTest(name):
@@ -426,6 +510,43 @@ class Textures(Texshot):
             with self.subTest(option):
                 self.succeeds("flip", plain, out, "--lossy", *option)
                 self.assertLess(self.difference(Image.open(out), Image.open(plain).transpose(turn)), 8)
+
+    CORNERS = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0), (0, 255, 255), (255, 0, 255)]
+
+    def test_compress_keeps_the_faces_of_a_cube_map(self):
+        strip, cube, out = (self.path / name for name in ("strip.bmp", "cube.dds", "out.dds"))
+        # Six faces of one colour each, whose upper left quarter is black.
+        strip.write_bytes(bmp(48, 8, lambda x, y: (0, 0, 0) if x % 8 < 4 and y < 4 else self.CORNERS[x // 8]))
+        self.succeeds("compress", strip, cube, "--format", "dxt1", "--cube", "--mips", "none")
+        report = self.succeeds("compress", cube, out, "--format", "dxt5", "--report").decode()
+        self.assertRegex(report, r"level  0  8 x 8, 6 faces +384 bytes")
+        for file, levels in ((cube, 1), (out, 4)):
+            facts = json.loads(self.succeeds("info", file, "--json"))
+            self.assertEqual((facts["faces"], len(facts["levels"])), (6, levels))
+            self.assertEqual(facts["notes"], [])
+            for face, color in enumerate(self.CORNERS):
+                data = self.succeeds("decode", file, "-", "--face", face)
+                picture = Image.open(io.BytesIO(data)).convert("RGB")
+                self.assertEqual(picture.getpixel((0, 0)), (0, 0, 0), "the upper left stays there")
+                for corner in ((7, 0), (0, 7), (7, 7)):
+                    self.assertEqual(picture.getpixel(corner), color)
+        self.complains(1, "6:1, 1:6, 4:3 or 3:4, found 32 x 16", "compress", self.picture(32, 16), self.path / "no.dds",
+                       "--format", "dxt1", "--cube")
+
+    def test_compress_refuses_a_volume(self):
+        volume = self.path / "volume.dds"
+        header = struct.pack("<4s7I44x", b"DDS ", 124, 0x801007, 4, 4, 0, 3, 0) + struct.pack("<II4s5I", 32, 0x20000, b"", 8, 255, 0, 0, 0)
+        volume.write_bytes(header + struct.pack("<5I", 0x1000, 0x200000, 0, 0, 0) + bytes(48))
+        self.complains(1, "found a volume of 3 slices", "compress", volume, self.path / "out.dds", "--format", "dxt1")
+
+    def test_flip_of_three_rows_loses_nothing(self):
+        plain, flipped = self.path / "plain.dds", self.path / "flipped.dds"
+        self.succeeds("compress", self.picture(12, 6), plain, "--format", "dxt5")  # levels of 6, 3 and 1 rows
+        self.complains(1, "1, 2, 3 or a multiple of 4", "flip", plain, flipped)
+        self.succeeds("compress", self.picture(12, 3), plain, "--format", "dxt5")
+        self.succeeds("flip", plain, flipped)
+        self.assertEqual(Image.open(flipped).convert("RGBA").tobytes(),
+                         Image.open(plain).convert("RGBA").transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes())
 
     def test_compress_reports_what_it_cost(self):
         source, out = self.picture(16, 16), self.path / "out.dds"
@@ -831,7 +952,7 @@ class Check(Texshot):
 
     def test_a_scene_without_a_mistake(self):
         self.assertEqual(self.succeeds("check"), b"")
-        self.assertEqual(json.loads(self.succeeds("check", "--json")), {"findings": []})
+        self.assertEqual(json.loads(self.succeeds("check", "--json")), {"findings": [], "notes": []})
 
     def test_a_warning_is_said_with_what_mends_it(self):
         result = texshot("check", "--set", self.INCOMPLETE)
