@@ -63,8 +63,6 @@ int main(int argc, char** argv) {
     CLI::App app("Explore what each texture parameter of OpenGL does, on a live cube and sphere.",
                  "texplorer");
     app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
-    app.footer("The images of a scene may take " + sceneImageBytesText() +
-               " together once they are decoded.");
     std::vector<std::string> files;
     app.add_option("FILE", files,
                    "Scene files (JSON) and images. Images become textures of the scene, the first one is "
@@ -72,6 +70,9 @@ int main(int argc, char** argv) {
         ->type_name("");
     app.footer(
         "Of several files those that can't be opened are listed, and the others are opened.\n"
+        "The images of a scene may take " +
+        sceneImageBytesText() +
+        " together once they are decoded.\n"
         "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
         "offered\nat the next start.\n"
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "

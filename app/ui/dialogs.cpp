@@ -141,7 +141,7 @@ void drawRefused(Session& session) {
     ImGui::BeginChild("refused", {width, height}, true);
     for (const Error& each : session.refused) {
         ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(describe(each).c_str());
+        ImGui::TextUnformatted(printable(describe(each)).c_str());
         ImGui::PopTextWrapPos();
         noteItem(session, "refused:" + each.where);
     }

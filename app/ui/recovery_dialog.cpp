@@ -6,6 +6,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/param_widgets.h"
 #include "app/ui/theme.h"
+#include "core/base/printable.h"
 
 #include <array>
 #include <ctime>
@@ -55,16 +56,16 @@ void drawRestore(Session& session, const Pictures& pictures) {
     ImGui::PushTextWrapPos(em * 22);
     if (readable) {
         const std::string name =
-            offer.draft->file.empty() ? "A scene" : offer.draft->file.filename().string();
+            offer.draft->file.empty() ? "A scene" : printable(offer.draft->file.filename().string());
         ImGui::TextUnformatted((name + " had changes that were not saved when its window ended.").c_str());
         noteItem(session, "restore:name");
         if (!offer.draft->file.empty())
-            ImGui::TextDisabled("%s", offer.draft->file.c_str());
+            ImGui::TextDisabled("%s", printable(offer.draft->file.string()).c_str());
     } else {
         ImGui::TextUnformatted(
             "A window ended with unsaved changes, and what was kept of them can't be read.");
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextUnformatted(describe(offer.draft.error()).c_str());
+        ImGui::TextUnformatted(printable(describe(offer.draft.error())).c_str());
         ImGui::PopStyleColor();
         noteItem(session, "restore:error");
     }
