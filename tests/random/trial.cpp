@@ -99,12 +99,12 @@ struct Trial::State::Run {
             for (const Finding& each : findings) {
                 if (!isOneSentence(each.sentence))
                     broken("a finding isn't one sentence: " + each.sentence);
-                Scene mended = scene();
-                if (!each.fix)
-                    continue;
-                if (const Result<void> applied = apply(*each.fix, mended); !applied)
-                    broken("can't be mended as " + std::string(each.rule) +
-                           " says: " + describe(applied.error()));
+                for (const Fix& fix : each.fixes) {
+                    Scene mended = scene();
+                    if (const Result<void> applied = apply(fix, mended); !applied)
+                        broken("can't be mended as " + std::string(each.rule) +
+                               " says: " + describe(applied.error()));
+                }
             }
         }
     }
