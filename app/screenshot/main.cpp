@@ -33,9 +33,10 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "The images of a scene may take " + sceneImageBytesText() +
-        " together once they are decoded; a file that several textures\nname counts once.\n"
-        "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call,\n"
-        "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file appears as a whole or not at all.\n"
+        " together once they are decoded; a file\nthat several textures name counts once.\n"
+        "Exit status: 0 done, 1 it failed (one sentence on standard error says why),\n"
+        "2 a wrong call, 130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file\n"
+        "appears as a whole or not at all.\n"
         "\"texshot COMMAND --help\" explains each command.");
 
     Action action;

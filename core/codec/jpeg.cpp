@@ -50,6 +50,10 @@ std::string samplingOf(const JpegFrame& frame) {
     return text;
 }
 
+Error inJpeg(const Error& error) {
+    return {error.code, "JPEG: " + error.message, error.where};
+}
+
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
     const std::string extents =
         std::to_string(frame.width) + " x " + std::to_string(frame.height) + " pixels";
@@ -63,6 +67,8 @@ Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimit
     if (pixels > limits.maxPixels)
         return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxPixels) +
                                              " pixels are read, the file has " + std::to_string(pixels));
+    if (const std::size_t count = frame.components.size(); count != 1 && count != 3 && count != 4)
+        return fail(inJpeg(unreadableComponents(count)));
     const auto divides = [&](std::uint8_t JpegComponent::*factor) {
         std::uint8_t most = 0;
         for (const JpegComponent& each : frame.components)
@@ -95,10 +101,6 @@ Image rgbOfCmyk(Image image, bool inverted) {
     image.format = PixelFormat::Rgb8;
     image.pixels.resize(image.pixels.size() / 4 * 3);
     return image;
-}
-
-Error inJpeg(const Error& error) {
-    return {error.code, "JPEG: " + error.message, error.where};
 }
 
 Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimits& limits) {

@@ -17,6 +17,13 @@ JpegReader& readerOf(j_common_ptr jpeg) {
 
 } // namespace
 
+Error unreadableComponents(std::size_t count) {
+    return {ErrorCode::Unsupported,
+            "pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has " +
+                std::to_string(count),
+            {}};
+}
+
 JpegReader::JpegReader(ByteView file)
     : file_(file) {
     jpeg_.err = jpeg_std_error(&errors_);
@@ -112,10 +119,7 @@ Result<JpegReader::Header> JpegReader::readHeader() {
         header.inks = true;
         return header;
     default:
-        return fail(ErrorCode::Unsupported,
-                    "pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, "
-                    "this one has " +
-                        std::to_string(jpeg_.num_components));
+        return fail(unreadableComponents(static_cast<std::size_t>(jpeg_.num_components)));
     }
 }
 

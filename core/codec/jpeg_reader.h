@@ -15,6 +15,9 @@
 
 namespace texplorer {
 
+/// What is said of a picture whose number of components isn't 1, 3 or 4.
+[[nodiscard]] Error unreadableComponents(std::size_t count);
+
 /// Reads one file: `readHeader`, then `readPixels`, and nothing more once one of them has failed.
 class JpegReader {
 public:
