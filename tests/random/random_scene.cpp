@@ -188,6 +188,12 @@ void letItBeSeen(Scene& scene) {
 /// What drivers do otherwise than the specification, or may.
 void takeAwayWhatDiffers(Scene& scene) {
     scene.view.perspectiveHint = HintMode::DontCare;
+    for (Model& model : scene.models) {
+        for (TexCoords& list : model.texCoords) {
+            for (glm::vec4& each : list)
+                each.q = 1;
+        }
+    }
     for (Texture& texture : scene.textures) {
         texture.border = 0;
         texture.maxAnisotropy = 1;
@@ -200,6 +206,7 @@ void takeAwayWhatDiffers(Scene& scene) {
     }
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
+            unit.texGenQ.enabled = false;
             if (!unit.enabled)
                 continue;
             Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
