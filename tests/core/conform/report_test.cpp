@@ -99,6 +99,7 @@ TEST(Report, SaysTheSameOfAllInEachForm) {
 TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     Report report = reportOf({findFeature("trilinear")});
     report.origin = {"texshot 9.9", "A=b texshot conform --seed 1", "2026-01-02 03:04 UTC"};
+    report.driver.name = "llvmpipe <&>";
     report.seconds = 12.34;
     Outcome& outcome = report.pairs[0].outcomes[0];
     outcome.all.pixels = 1000000;
