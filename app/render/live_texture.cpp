@@ -25,7 +25,7 @@ std::string extents(const Surface& surface, Target target) {
 /// Why a driver can't take these levels as they are; empty: it can.
 std::string lackingFormat(const TextureLevels& levels, const Capabilities& capabilities) {
     std::optional<BlockFormat> format = levels.driverFormat;
-    if (const auto* blocks = std::get_if<BlockImage>(&levels.levels.front().surface))
+    if (const auto* blocks = std::get_if<BlockImage>(&*levels.levels.front().surface))
         format = blocks->format;
     if (!format || (isS3tc(*format) ? capabilities.s3tc : capabilities.rgtc))
         return {};
@@ -48,7 +48,7 @@ void LiveTexture::follow(const LevelsRequest& request, const Capabilities* capab
         std::shared_ptr<const PreparedLevels> levels =
             source ? source->prepare(request)
                    : std::make_shared<const PreparedLevels>(
-                         prepareLevels(request.settings, *request.image, request.target));
+                         prepareLevels(request.settings, request.image, request.target));
         if (!levels)
             return;
         begin(request, std::move(levels), capabilities, where);
@@ -113,7 +113,7 @@ void LiveTexture::finish() {
     lastLevel_ = levels.lastLevel;
     lateFlip_ = levels.lateFlip;
     hasNegative_ = std::ranges::any_of(levels.levels, [](const TextureLevel& each) {
-        const auto* blocks = std::get_if<BlockImage>(&each.surface);
+        const auto* blocks = std::get_if<BlockImage>(&*each.surface);
         return blocks &&
                (blocks->format == BlockFormat::Bc4Signed || blocks->format == BlockFormat::Bc5Signed);
     });

@@ -57,7 +57,7 @@ GLenum imageTarget(Target target, int face) {
 /// Returns the name of the call, for a message. Without `pixels` the level is made, but has no content yet.
 const char* uploadImage(Target target, const TextureLevel& level, GLint stored, int border,
                         const std::byte* pixels) {
-    const Image& image = std::get<Image>(level.surface);
+    const Image& image = std::get<Image>(*level.surface);
     const GLenum given = pixelFormat(image.format);
     const GLenum aim = imageTarget(target, level.face);
     switch (axesOf(target)) {
@@ -77,7 +77,7 @@ const char* uploadImage(Target target, const TextureLevel& level, GLint stored, 
 
 /// Some rows of a picture, or slices of a volume.
 const char* uploadRows(Target target, const TextureLevel& level, int first, int count) {
-    const Image& image = std::get<Image>(level.surface);
+    const Image& image = std::get<Image>(*level.surface);
     const GLenum given = pixelFormat(image.format);
     const GLenum aim = imageTarget(target, level.face);
     if (target == Target::Texture3D) {
@@ -91,7 +91,7 @@ const char* uploadRows(Target target, const TextureLevel& level, int first, int 
 }
 
 const char* uploadBlocks(Target target, const TextureLevel& level) {
-    const auto& image = std::get<BlockImage>(level.surface);
+    const auto& image = std::get<BlockImage>(*level.surface);
     glCompressedTexImage2D(imageTarget(target, level.face), level.number, static_cast<GLenum>(image.format),
                            image.width, image.height, 0, static_cast<GLsizei>(image.blocks.size()),
                            image.blocks.data());
@@ -174,7 +174,7 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
             ++cursor.level;
             continue;
         }
-        const Image* image = std::get_if<Image>(&level.surface);
+        const Image* image = std::get_if<Image>(&*level.surface);
         const int axes = image ? axesOf(target) : 1; // blocks can't be uploaded in part
         const int rows = axes == 3 ? image->depth : axes == 2 ? image->height : 1;
         const std::size_t all = byteCount(level.surface);

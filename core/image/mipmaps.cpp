@@ -188,15 +188,11 @@ Image scaledBase(Image base, const MipOptions& options) {
 }
 
 template<class MakeLevel>
-MipChain chain(Image base, MakeLevel makeLevel) {
+MipChain levelsAbove(const Image& base, MakeLevel makeLevel) {
     MipChain levels;
-    if (base.empty())
-        return levels;
-    const int count = mipLevelCount(base.width, base.height, base.depth);
-    levels.reserve(static_cast<std::size_t>(count));
-    levels.push_back(std::move(base));
+    const int count = base.empty() ? 0 : mipLevelCount(base.width, base.height, base.depth);
     for (int level = 1; level < count; ++level)
-        levels.push_back(makeLevel(levels.back(), level));
+        levels.push_back(makeLevel(levels.empty() ? base : levels.back(), level));
     return levels;
 }
 
@@ -207,26 +203,31 @@ int mipLevelCount(int width, int height, int depth) {
     return smallest < 1 ? 0 : static_cast<int>(std::bit_width(static_cast<unsigned>(largest)));
 }
 
-MipChain buildMipChain(Image base, const MipOptions& options) {
-    return chain(scaledBase(std::move(base), options),
-                 [&](const Image& above, int) { return nextLevel(above, options); });
-}
-
-MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options) {
+MipChain mipLevelsAbove(MipPolicy policy, const Image& base, const MipOptions& options) {
     switch (policy) {
     case MipPolicy::Generated:
     case MipPolicy::Missing:
-        return buildMipChain(std::move(base), options);
+        return levelsAbove(base, [&](const Image& above, int) { return nextLevel(above, options); });
     case MipPolicy::Colored:
-        return chain(scaledBase(std::move(base), options), flatLevel);
+        return levelsAbove(base, flatLevel);
     case MipPolicy::None:
     case MipPolicy::FromFile:
         break;
     }
-    MipChain alone;
-    if (!base.empty())
-        alone.push_back(scaledBase(std::move(base), options));
-    return alone;
+    return {};
+}
+
+MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options) {
+    if (base.empty())
+        return {};
+    base = scaledBase(std::move(base), options);
+    MipChain levels = mipLevelsAbove(policy, base, options);
+    levels.insert(levels.begin(), std::move(base));
+    return levels;
+}
+
+MipChain buildMipChain(Image base, const MipOptions& options) {
+    return applyMipPolicy(MipPolicy::Generated, std::move(base), options);
 }
 
 } // namespace texplorer

@@ -47,6 +47,10 @@ static_assert(mipPolicyRows.size() == 5);
 /// mipColor(level) above the base.
 [[nodiscard]] MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options = {});
 
+/// The same without the base, for whoever has it and must not copy it. It is taken as it is, whatever
+/// `options.npot` says.
+[[nodiscard]] MipChain mipLevelsAbove(MipPolicy policy, const Image& base, const MipOptions& options = {});
+
 /// The level that MipPolicy::Missing leaves out of a chain of `count`: one in the middle, never the base; -1
 /// where there is only the base.
 [[nodiscard]] constexpr int missingLevel(int count) {

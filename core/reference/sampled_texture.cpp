@@ -98,13 +98,13 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
     sampled.format = texture.internalFormat;
     for (const TextureLevel& each : levels.levels) {
         Level& level = sampled.levelToFill(each.number, each.face);
-        const auto* blocks = std::get_if<BlockImage>(&each.surface);
+        const auto* blocks = std::get_if<BlockImage>(&*each.surface);
         if (blocks) {
             sampled.format = baseFormat(blocks->format);
             level = blockLevel(*blocks);
             continue;
         }
-        const Image& image = std::get<Image>(each.surface);
+        const Image& image = std::get<Image>(*each.surface);
         if (!levels.driverFormat) {
             level = levelOf(image, texture.internalFormat, target, levels.border);
             continue;
@@ -133,7 +133,7 @@ SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, T
                                            .height = heightOf(surface) - (axesOf(target) > 1 ? both : 0),
                                            .depth = depthOf(surface) - (axesOf(target) > 2 ? both : 0),
                                            .border = levels.border};
-        if (const auto* blocks = std::get_if<BlockImage>(&surface))
+        if (const auto* blocks = std::get_if<BlockImage>(&*surface))
             shape.format = baseFormat(blocks->format);
     }
     return shape;

@@ -11,7 +11,7 @@ namespace texplorer::reference {
 TextureStore::Slot TextureStore::filled(std::shared_ptr<const TextureImage> image, Texture settings,
                                         Target target, const LevelWork& work, const std::string& where) {
     Slot slot;
-    const Result<TextureLevels> levels = prepareLevels(settings, *image, target, work);
+    const Result<TextureLevels> levels = prepareLevels(settings, image, target, work);
     if (levels)
         slot.notes = levels->notes;
     Result<SampledTexture> sampled =

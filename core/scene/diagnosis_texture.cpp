@@ -142,7 +142,7 @@ void anisotropyLimit(const Case& about, Report& report) {
                    limit <= 1 ? std::string("the driver has no anisotropic filtering")
                               : "an anisotropy of " + formatNumber(texture.maxAnisotropy) +
                                     " exceeds the driver's " + most + ", which is used instead",
-                   Fix{"Set it to " + most, {{path + "maxAnisotropy", most}}});
+                   Fix{"Set anisotropy to " + most, {{path + "maxAnisotropy", most}}});
     });
 }
 
@@ -152,7 +152,7 @@ void heldBack(const Case& about, Report& report) {
         for (const TargetFacts& each : facts.targets) {
             for (const std::string_view sentence : each.heldBack)
                 report.add(path + "maxAnisotropy", std::string(sentence),
-                           Fix{"Set it to 1", {{path + "maxAnisotropy", "1"}}});
+                           Fix{"Set anisotropy to 1", {{path + "maxAnisotropy", "1"}}});
         }
     });
 }

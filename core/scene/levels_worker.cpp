@@ -39,14 +39,14 @@ std::string nameOf(const Texture& settings) {
 std::optional<BlockFormat> formatOf(const std::vector<TextureLevel>& levels) {
     if (levels.empty())
         return std::nullopt;
-    const auto* blocks = std::get_if<BlockImage>(&levels.front().surface);
+    const auto* blocks = std::get_if<BlockImage>(&*levels.front().surface);
     return blocks ? std::optional(blocks->format) : std::nullopt;
 }
 
 PreparedLevels make(const LevelsRequest& request, const LevelWork& work) {
     if (!request.image)
         return fail(ErrorCode::NotFound, "the image is not loaded");
-    return prepareLevels(request.settings, *request.image, request.target, work);
+    return prepareLevels(request.settings, request.image, request.target, work);
 }
 
 std::shared_ptr<const LevelsSummary> summarise(const PreparedLevels& levels) {
@@ -68,7 +68,7 @@ std::shared_ptr<const LevelsSummary> measure(const PreparedLevels& from,
     auto summary = std::make_shared<LevelsSummary>();
     MipChain source;
     for (const TextureLevel& level : from->levels) {
-        const Image* image = std::get_if<Image>(&level.surface);
+        const Image* image = std::get_if<Image>(&*level.surface);
         source.push_back(image ? *image : Image{});
     }
     summary->report = reportOn(made, source);

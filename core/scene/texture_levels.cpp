@@ -45,9 +45,12 @@ BlockImage middleSlice(const BlockImage& from) {
 
 class Preparation {
 public:
-    Preparation(const Texture& texture, const TextureImage& image, Target target, const LevelWork& work)
+    /// `lender`: the image again where its surfaces may be lent, else null.
+    Preparation(const Texture& texture, const TextureImage& image, Target target, const LevelWork& work,
+                std::shared_ptr<const TextureImage> lender = nullptr)
         : texture_(texture)
         , image_(image)
+        , lender_(std::move(lender))
         , target_(target)
         , work_(work)
         , turn_(fileOrder() ? image.topFirst != image.fileTopFirst : image.topFirst != isCube()) {}
@@ -85,7 +88,11 @@ private:
     [[nodiscard]] bool keepsBlocks();
     [[nodiscard]] Result<void> takeBlocks();
     [[nodiscard]] Image pixels(int face, int level) const;
+    [[nodiscard]] bool isTakenAsItIs(const Surface& surface) const;
+    [[nodiscard]] SharedSurface lend(const Surface& surface) const;
     void takePixels();
+    void takeFromFile(int face);
+    void takeMade(int face);
     [[nodiscard]] Result<void> compress();
     [[nodiscard]] Result<void> compressHere();
     [[nodiscard]] Result<void> compressHere(std::span<TextureLevel> levels);
@@ -94,6 +101,7 @@ private:
 
     const Texture& texture_;
     const TextureImage& image_;
+    std::shared_ptr<const TextureImage> lender_;
     Target target_;
     const LevelWork& work_;
     bool turn_; ///< whether the rows have to change places before the upload
@@ -190,24 +198,56 @@ Image Preparation::pixels(int face, int level) const {
     return target_ == Target::Texture1D ? imageForTarget(part, target_) : part;
 }
 
-void Preparation::takePixels() {
+/// Whether `pixels` and a policy's base would be a copy and nothing else.
+bool Preparation::isTakenAsItIs(const Surface& surface) const {
+    const Image* image = std::get_if<Image>(&surface);
+    const bool whole = image && (image->depth == 1 || axesOf(target_) == 3) &&
+                       (target_ != Target::Texture1D || image->height == 1);
+    return lender_ && whole && !turn_ && !cutsFaces() && !hasBorder() &&
+           texture_.transparency == Transparency::File &&
+           (texture_.npot != NpotPolicy::PowerOfTwo || texture_.mipmaps == MipPolicy::FromFile ||
+            arePowersOfTwo(image->width, image->height, image->depth));
+}
+
+SharedSurface Preparation::lend(const Surface& surface) const {
+    return SharedSurface(std::shared_ptr<const Surface>(lender_, &surface));
+}
+
+void Preparation::takeFromFile(int face) {
+    for (int level = 0; level < levelCount(); ++level) {
+        if (const Surface& from = surface(face, level); isTakenAsItIs(from)) {
+            out_.levels.push_back({level, lend(from), face});
+            continue;
+        }
+        Image image = pixels(face, level);
+        if (hasBorder())
+            image = repeatEdges(image, axesOf(target_));
+        out_.levels.push_back({level, std::move(image), face});
+    }
+}
+
+void Preparation::takeMade(int face) {
     const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot};
-    const int axes = axesOf(target_);
+    MipChain chain;
+    int number = 0;
+    if (const Surface& from = surface(face, 0); isTakenAsItIs(from)) {
+        out_.levels.push_back({number++, lend(from), face});
+        chain = mipLevelsAbove(texture_.mipmaps, std::get<Image>(from), options);
+    } else if (hasBorder())
+        chain = applyMipPolicyWithBorder(texture_.mipmaps, pixels(face, 0), axesOf(target_), options);
+    else
+        chain = applyMipPolicy(texture_.mipmaps, pixels(face, 0), options);
+    for (Image& level : chain)
+        out_.levels.push_back({number++, std::move(level), face});
+}
+
+void Preparation::takePixels() {
     out_.border = hasBorder() ? 1 : 0;
     for (int face = 0; face < facesOf(target_); ++face) {
-        MipChain chain;
-        if (texture_.mipmaps == MipPolicy::FromFile) {
-            for (int level = 0; level < levelCount(); ++level) {
-                Image image = pixels(face, level);
-                chain.push_back(hasBorder() ? repeatEdges(image, axes) : std::move(image));
-            }
-        } else if (hasBorder())
-            chain = applyMipPolicyWithBorder(texture_.mipmaps, pixels(face, 0), axes, options);
+        if (texture_.mipmaps == MipPolicy::FromFile)
+            takeFromFile(face);
         else
-            chain = applyMipPolicy(texture_.mipmaps, pixels(face, 0), options);
-        int number = 0;
-        for (Image& level : chain)
-            out_.levels.push_back({number++, std::move(level), face});
+            takeMade(face);
     }
 }
 
@@ -243,7 +283,7 @@ Result<void> Preparation::compressHere(std::span<TextureLevel> levels) {
     const BlockFormat format = blockFormat(texture_.compressedFormat);
     MipChain source;
     for (TextureLevel& level : levels)
-        source.push_back(std::get<Image>(std::move(level.surface)));
+        source.push_back(std::get<Image>(std::move(level.surface).take()));
     const std::filesystem::path file = work_.cache.fileFor(source, format, texture_.compressionQuality);
     auto blocks = work_.cache.find(file, source, format);
     out_.fromCache = out_.fromCache && blocks.has_value();
@@ -345,6 +385,18 @@ LevelPlan Preparation::plan() {
     return plan;
 }
 
+Result<TextureLevels> run(const Texture& texture, const TextureImage& image, Target target,
+                          const LevelWork& work, std::shared_ptr<const TextureImage> lender) {
+    if (!hasPixels(image))
+        return fail(ErrorCode::Malformed, "the image is empty");
+    try {
+        return Preparation(texture, image, target, work, std::move(lender)).run();
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "there is no memory for the levels of an image of " +
+                                             extentsOf(image.surfaces.front()) + " texels");
+    }
+}
+
 } // namespace
 
 LevelPlan planLevels(const Texture& texture, const TextureImage& image, Target target) {
@@ -355,19 +407,17 @@ LevelPlan planLevels(const Texture& texture, const TextureImage& image, Target t
 
 Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image, Target target,
                                     const LevelWork& work) {
-    if (!hasPixels(image))
-        return fail(ErrorCode::Malformed, "the image is empty");
-    try {
-        return Preparation(texture, image, target, work).run();
-    } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the levels of an image of " +
-                                             extentsOf(image.surfaces.front()) + " texels");
-    }
+    return run(texture, image, target, work, nullptr);
+}
+
+Result<TextureLevels> prepareLevels(const Texture& texture, const std::shared_ptr<const TextureImage>& image,
+                                    Target target, const LevelWork& work) {
+    return run(texture, *image, target, work, image);
 }
 
 void decompress(TextureLevels& levels) {
     for (TextureLevel& level : levels.levels)
-        level.surface = toImage(std::move(level.surface));
+        level.surface = toImage(std::move(level.surface).take());
     levels.driverFormat.reset();
 }
 

@@ -5,12 +5,14 @@
 
 #include "core/base/result.h"
 #include "core/image/mipmaps.h"
+#include "core/image/shared_surface.h"
 #include "core/image/texture_image.h"
 #include "core/s3tc/encode.h"
 #include "core/scene/block_cache.h"
 #include "core/scene/scene.h"
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +24,7 @@ enum class LateFlip : std::uint8_t { None, Coordinates, Matrix };
 
 struct TextureLevel {
     int number = 0; ///< GL's: 0 is the base
-    Surface surface;
+    SharedSurface surface; ///< lent by the image where nothing had to be done to it
     int face = 0; ///< of a cube map: counted as CubeFace
 };
 
@@ -54,6 +56,13 @@ struct LevelWork {
 /// for 1D. OpenGL compresses pictures only, so that lines and volumes are uploaded decompressed. Errors: an
 /// image without surfaces; no memory; Cancelled after a stop request. A cache that can't be used is a note.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image,
+                                                  Target target = Target::Texture2D,
+                                                  const LevelWork& work = {});
+
+/// The same of an image that others have, too (not null): pictures that need no change are not copied, so that
+/// a large one takes no more than its own memory and that of the mip levels above it.
+[[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture,
+                                                  const std::shared_ptr<const TextureImage>& image,
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 

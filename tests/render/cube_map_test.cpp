@@ -181,7 +181,7 @@ TEST_F(CubeMaps, AreCompressedByTheDriverAndReadBackFaceByFace) {
     for (std::size_t i = 0; i < levels->size(); ++i) {
         EXPECT_EQ((*levels)[i].face, static_cast<int>(i / 8));
         EXPECT_EQ((*levels)[i].number, static_cast<int>(i % 8));
-        EXPECT_TRUE(std::holds_alternative<BlockImage>((*levels)[i].surface));
+        EXPECT_TRUE(std::holds_alternative<BlockImage>(*(*levels)[i].surface));
     }
 }
 

@@ -84,7 +84,7 @@ TEST_P(CompressedFile, IsUploadedBlockByBlock) {
     ASSERT_EQ(levels.size(), 5U);
     for (int level = 0; level < 5; ++level) {
         EXPECT_EQ(levels[static_cast<std::size_t>(level)].number, level);
-        EXPECT_EQ(std::get<BlockImage>(levels[static_cast<std::size_t>(level)].surface),
+        EXPECT_EQ(std::get<BlockImage>(*levels[static_cast<std::size_t>(level)].surface),
                   std::get<BlockImage>(file.surface(0, level)));
     }
 }
@@ -151,7 +151,7 @@ TEST_P(CompressedByDriver, IsReadBackAsBlocksThatLookLikeThePicture) {
     ASSERT_EQ(levels.size(), 6U);
     const MipChain source = buildMipChain(softPicture(32, 32));
     for (const TextureLevel& level : levels) {
-        const auto* blocks = std::get_if<BlockImage>(&level.surface);
+        const auto* blocks = std::get_if<BlockImage>(&*level.surface);
         ASSERT_NE(blocks, nullptr);
         EXPECT_EQ(blocks->format, blockFormat(GetParam().format));
     }
@@ -179,13 +179,13 @@ TEST_F(Compressed, TexturesAreDecompressedForADriverWithoutS3tcAndSaidSo) {
     ASSERT_EQ(levels.size(), 4U);
     Image expected = decodeBlocks(std::get<BlockImage>(file.surface(0, 0)));
     flipVertically(expected);
-    EXPECT_EQ(std::get<Image>(levels[0].surface), expected);
+    EXPECT_EQ(std::get<Image>(*levels[0].surface), expected);
 
     images.put("image", softPicture(8, 8));
     const auto driver = levelsOf(sceneWith(Compression::Driver, MipPolicy::None));
     EXPECT_THAT(problems, ElementsAre(HasSubstr("uploaded decompressed")));
     ASSERT_EQ(driver.size(), 1U);
-    EXPECT_EQ(std::get<Image>(driver[0].surface), softPicture(8, 8));
+    EXPECT_EQ(std::get<Image>(*driver[0].surface), softPicture(8, 8));
 }
 
 TEST_F(Compressed, LevelsMadeAtRunTimeAreUploadedAsTheyAre) {
@@ -195,9 +195,9 @@ TEST_F(Compressed, LevelsMadeAtRunTimeAreUploadedAsTheyAre) {
     EXPECT_THAT(problems, ElementsAre(HasSubstr("textures[0]: the compressed levels are not kept")));
     ASSERT_EQ(levels.size(), 5U);
     const auto wanted = encodeBlocks(softPicture(16, 12), BlockFormat::Dxt1, EncodeQuality::Normal);
-    EXPECT_EQ(std::get<BlockImage>(levels[0].surface), *wanted);
+    EXPECT_EQ(std::get<BlockImage>(*levels[0].surface), *wanted);
     for (const TextureLevel& level : levels)
-        EXPECT_TRUE(std::holds_alternative<BlockImage>(level.surface)) << level.number;
+        EXPECT_TRUE(std::holds_alternative<BlockImage>(*level.surface)) << level.number;
 }
 
 TEST_F(Compressed, ATextureThatWasNotDrawnCannotBeReadBack) {

@@ -53,7 +53,7 @@ Texture cachedTexture(CompressedFormat format = CompressedFormat::Dxt5) {
 std::vector<BlockImage> blocksOf(const TextureLevels& levels) {
     std::vector<BlockImage> blocks;
     for (const TextureLevel& level : levels.levels)
-        blocks.push_back(std::get<BlockImage>(level.surface));
+        blocks.push_back(std::get<BlockImage>(*level.surface));
     return blocks;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/s3tc/decode.h"
 #include "core/scene/texture_levels.h"
+#include "tests/support/watched_heap.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ Image pixels(const TextureLevel& level) {
 }
 
 bool isBlocks(const TextureLevel& level) {
-    return std::holds_alternative<BlockImage>(level.surface);
+    return std::holds_alternative<BlockImage>(*level.surface);
 }
 
 Texture with(FlipMode flip, MipPolicy mipmaps = MipPolicy::FromFile) {
@@ -111,7 +112,7 @@ TEST(PreparedBlocks, StayAsTheFileHasThemWhereTheFlipComesLater) {
         EXPECT_EQ(levels->lateFlip, late) << rowOf(flip).name;
         EXPECT_THAT(levels->notes, IsEmpty());
         for (const TextureLevel& level : levels->levels)
-            EXPECT_EQ(std::get<BlockImage>(level.surface),
+            EXPECT_EQ(std::get<BlockImage>(*level.surface),
                       std::get<BlockImage>(file.surface(0, level.number)));
     }
 }
@@ -239,6 +240,49 @@ TEST(PreparedLevels, OfAFileEndWhereTheFileEnds) {
     const auto base = prepareLevels(with(FlipMode::Blocks, MipPolicy::None), blockTexture(16, 16, 5));
     EXPECT_THAT(numbers(*base), ElementsAre(0));
     EXPECT_EQ(base->lastLevel, 1000) << "incomplete for a filter with mipmaps";
+}
+
+TEST(PreparedLevels, AreTheSameWhereTheImageIsShared) {
+    const std::vector<TextureImage> images{
+        textureOf(randomImage(16, 16), "PNG"), textureOf(randomImage(12, 5), "PNG"),
+        textureOf(randomImage(8, 1), "PNG"), textureOf(randomImage(4, 4, 4), "DDS"), blockTexture(8, 8, 4)};
+    int lent = 0;
+    for (const TextureImage& image : images) {
+        const auto shared = std::make_shared<const TextureImage>(image);
+        for (const Target target : {Target::Texture1D, Target::Texture2D, Target::Texture3D, Target::CubeMap})
+            for (const EnumRow& policy : mipPolicyRows)
+                for (const FlipMode flip : {FlipMode::Blocks, FlipMode::None})
+                    for (const NpotPolicy npot : {NpotPolicy::Keep, NpotPolicy::PowerOfTwo})
+                        for (const int border : {0, 1}) {
+                            Texture texture = with(flip, static_cast<MipPolicy>(policy.value));
+                            texture.npot = npot;
+                            texture.border = border;
+                            const auto copied = prepareLevels(texture, image, target);
+                            const auto levels = prepareLevels(texture, shared, target);
+                            ASSERT_TRUE(copied && levels);
+                            ASSERT_EQ(levels->levels.size(), copied->levels.size());
+                            for (std::size_t i = 0; i < levels->levels.size(); ++i) {
+                                const TextureLevel& level = levels->levels[i];
+                                EXPECT_EQ(level.number, copied->levels[i].number);
+                                EXPECT_EQ(level.face, copied->levels[i].face);
+                                EXPECT_EQ(*level.surface, *copied->levels[i].surface);
+                                EXPECT_FALSE(copied->levels[i].surface.isLent());
+                                lent += level.surface.isLent() ? 1 : 0;
+                            }
+                        }
+    }
+    EXPECT_GT(lent, 100);
+}
+
+TEST(PreparedLevels, OfALargePictureTakeNoMoreThanWhatIsAboveIt) {
+    const auto image = std::make_shared<const TextureImage>(textureOf(randomImage(1024, 1024), "PNG"));
+    const std::size_t pixels = byteCount(*image);
+    const test::HeapWatch heap;
+    const auto levels = prepareLevels(with(FlipMode::Blocks, MipPolicy::Generated), image);
+    ASSERT_TRUE(levels);
+    EXPECT_EQ(levels->levels.size(), 11U);
+    EXPECT_EQ(&*levels->levels[0].surface, &image->surface(0, 0));
+    EXPECT_LT(heap.peak(), pixels * 35 / 100) << "a third of it, and little else";
 }
 
 TEST(PreparedLevels, LackOneOnPurpose) {
@@ -404,7 +448,7 @@ TextureImage sixFaces(bool topFirst) {
 
 std::string rowsOf(const TextureLevel& level) {
     std::string text;
-    for (const std::byte each : std::get<Image>(level.surface).pixels)
+    for (const std::byte each : std::get<Image>(*level.surface).pixels)
         text += static_cast<char>(each);
     return text;
 }
@@ -476,7 +520,7 @@ TEST(CubeLevels, KeepTheBlocksOfAFile) {
     ASSERT_TRUE(made);
     ASSERT_EQ(made->levels.size(), 12U);
     for (std::size_t i = 0; i < 12; ++i)
-        EXPECT_EQ(std::get<BlockImage>(made->levels[i].surface), std::get<BlockImage>(file.surfaces[i])) << i;
+        EXPECT_EQ(std::get<BlockImage>(*made->levels[i].surface), std::get<BlockImage>(file.surfaces[i])) << i;
 }
 
 TEST(Levels, WithABorderAreNeverCompressed) {

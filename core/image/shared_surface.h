@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/image/texture_image.h"
+
+#include <concepts>
+#include <memory>
+#include <utility>
+#include <variant>
+
+namespace texplorer {
+
+/// A surface that was made, or one that somebody else has, too: what is taken as it is, need not be copied.
+/// Compares by what it holds.
+class SharedSurface {
+public:
+    template<class Made>
+        requires std::constructible_from<Surface, Made>
+    SharedSurface(Made&& made) // NOLINT: a surface is one
+        : held_(std::in_place_type<Surface>, std::forward<Made>(made)) {}
+
+    /// Not null.
+    explicit SharedSurface(std::shared_ptr<const Surface> lent)
+        : held_(std::move(lent)) {}
+
+    [[nodiscard]] const Surface& operator*() const {
+        const Surface* made = std::get_if<Surface>(&held_);
+        return made ? *made : *std::get<std::shared_ptr<const Surface>>(held_);
+    }
+    operator const Surface&() const { return **this; } // NOLINT: for what asks a surface
+
+    /// Moved where it was made, copied where it is lent.
+    [[nodiscard]] Surface take() && {
+        Surface* made = std::get_if<Surface>(&held_);
+        return made ? std::move(*made) : **this;
+    }
+
+    [[nodiscard]] bool isLent() const { return !std::holds_alternative<Surface>(held_); }
+
+    friend bool operator==(const SharedSurface& a, const SharedSurface& b) { return *a == *b; }
+
+private:
+    std::variant<Surface, std::shared_ptr<const Surface>> held_;
+};
+
+} // namespace texplorer
