@@ -12,7 +12,7 @@ from pathlib import Path
 
 from PIL import Image
 
-TEXSHOT = sys.argv.pop(1)
+TEXSHOT = os.path.abspath(sys.argv.pop(1))
 
 EXTENSIONS = [
     "GL_ARB_depth_texture", "GL_ARB_framebuffer_object", "GL_ARB_multitexture", "GL_ARB_provoking_vertex",
@@ -37,7 +37,7 @@ class Drivers(unittest.TestCase):
             "textures": [{"mipmaps": "generated", "minFilter": "GL_LINEAR_MIPMAP_LINEAR", "maxAnisotropy": 4}]}))
 
     def texshot(self, *arguments, **environment):
-        return subprocess.run([TEXSHOT, *map(str, arguments)], capture_output=True, timeout=240,
+        return subprocess.run([TEXSHOT, *map(str, arguments)], capture_output=True, timeout=240, cwd=self.path,
                               env={**os.environ, "XDG_CACHE_HOME": str(self.path / "cache"), **environment})
 
     def shot(self, *arguments, **environment):
