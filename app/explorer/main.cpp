@@ -1,5 +1,6 @@
 // texplorer: the window.
 
+#include "app/command_line/help_format.h"
 #include "app/command_line/standard_streams.h"
 #include "app/command_line/wrong_call.h"
 #include "app/explorer/loop.h"
@@ -12,6 +13,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <sstream>
 
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
     prepareStandardStreams();
     CLI::App app("Explore what each texture parameter of OpenGL does, on a live cube and sphere.",
                  "texplorer");
+    app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
     std::vector<std::string> files;
     app.add_option("FILE", files,
@@ -74,9 +77,9 @@ int main(int argc, char** argv) {
         sceneImageBytesText() +
         " together once they are decoded.\n"
         "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
-        "offered\nat the next start.\n"
+        "offered at the next start.\n"
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
-        "usual,\nwith the unsaved work kept.");
+        "usual, with the unsaved work kept.");
     std::string shaders;
     app.add_option(
            "--shaders", shaders,

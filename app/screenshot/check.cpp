@@ -149,7 +149,7 @@ void addCheck(CLI::App& app, Action& action) {
     addSceneArgument(*command, options->scene);
     command->add_flag("--json", options->json, "As JSON, for programs.");
     command->footer(
-        "A line for each finding on standard output, errors first, and below it each way to mend it; then\n"
+        "A line for each finding on standard output, errors first, and below it each way to mend it; then "
         "a note for each oddity of an image's file that is survived. Of the images, the headers are read.\n"
         "Settings without effect are named where they differ from what OpenGL and Texplorer start with.\n"
         "The driver is not asked: \"texshot shot\" says what it lacks.\n"

@@ -175,12 +175,17 @@ void addCompress(CLI::App& app, Action& action) {
     command->add_option("IN", options->in, "The picture: any format that Texplorer reads.")->required();
     command->add_option("OUT", options->out, "The DDS file to write; - for standard output.")->required();
     command->add_option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.")
+        ->type_name("FORMAT")
         ->required();
-    command->add_option("--quality", options->quality,
-                        "fast, normal or best: from tens of megatexels a second to half a one.");
-    command->add_option(
-        "--mips", options->mips,
-        "The filter that makes the mip levels, box unless another is named, or none: " + mipNames() + ".");
+    command
+        ->add_option("--quality", options->quality,
+                     "fast, normal or best: from tens of megatexels a second to half a one.")
+        ->type_name("QUALITY");
+    command
+        ->add_option(
+            "--mips", options->mips,
+            "The filter that makes the mip levels, box unless another is named, or none: " + mipNames() + ".")
+        ->type_name("FILTER");
     command->add_flag("--gamma", options->gamma,
                       "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
     command->add_flag("--power-of-two", options->powerOfTwo,

@@ -224,26 +224,33 @@ void addConform(CLI::App& app, Action& action) {
         "conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
     auto options = std::make_shared<Options>();
     const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
-    command->add_option("--renderer", options->renderer,
-                        "Who is compared, " + renderers +
-                            ". Without it and --against: shader against fixed, and reference against fixed.");
-    command->add_option("--against", options->against, "With whom, " + renderers + ".");
-    command->add_option("--feature", options->features, "Only these features; --list names them.");
+    command
+        ->add_option("--renderer", options->renderer,
+                     "Who is compared, " + renderers +
+                         ". Without it and --against: shader against fixed, and reference against fixed.")
+        ->type_name("RENDERER");
+    command->add_option("--against", options->against, "With whom, " + renderers + ".")
+        ->type_name("RENDERER");
+    command->add_option("--feature", options->features, "Only these features; --list names them.")
+        ->type_name("FEATURE");
     addNumber(*command, "--scenes", options->scenes, 1, 100000,
               "How many, shared out among the features. Without it: " +
                   std::to_string(conform::defaultScenes) + ".");
     addNumber(*command, "--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
               "Other scenes; the same number gives the same ones.")
         ->default_str(std::to_string(options->seed));
-    command->add_option("-o,--out", options->folder,
-                        "A folder for the report: index.html, report.json, and for each feature its worst "
-                        "scene with both pictures and their difference.");
+    command
+        ->add_option("-o,--out", options->folder,
+                     "A folder for the report: index.html, report.json, and for each feature its worst "
+                     "scene with both pictures and their difference.")
+        ->type_name("DIR");
     options->shadersOption =
         command
             ->add_option(
                 "--shaders", options->shaders,
                 "The folder of the shader renderer's files. Without it: those that the program was built "
                 "with.")
+            ->type_name("DIR")
             ->envname("TEXPLORER_SHADERS");
     command->add_flag("--json", options->json, "The report as JSON, for programs.");
     command->add_flag(
@@ -255,7 +262,7 @@ void addConform(CLI::App& app, Action& action) {
             options->notListing.push_back(option);
     command->footer(
         "A table on standard output: \"over\" are the pixels that differ by more than the rule's "
-        "bound (in 255ths),\n"
+        "bound (in 255ths), "
         "\"unexplained\" those of them that the driver's precision, as the rule grants it, does not "
         "explain.\n"
         "Exit status: 0 all agree, 1 not all do or nothing could be drawn, 2 a wrong call, 130 "

@@ -1,9 +1,9 @@
 // texshot: the same scenes and the same panels as texplorer, without a display.
 
+#include "app/command_line/help_format.h"
 #include "app/command_line/standard_streams.h"
 #include "app/command_line/wrong_call.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/help_format.h"
 #include "app/screenshot/interrupts.h"
 #include "core/base/printable.h"
 #include "core/scene/image_budget.h"
@@ -33,10 +33,9 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "The images of a scene may take " + sceneImageBytesText() +
-        " together once they are decoded; a file\nthat several textures name counts once.\n"
-        "Exit status: 0 done, 1 it failed (one sentence on standard error says why),\n"
-        "2 a wrong call, 130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP. A file\n"
-        "appears as a whole or not at all.\n"
+        " together once they are decoded; a file that several textures name counts once.\n"
+        "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call, "
+        "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\nA file appears as a whole or not at all.\n"
         "\"texshot COMMAND --help\" explains each command.");
 
     Action action;

@@ -98,7 +98,10 @@ class Command(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
     def test_says_what_it_is(self):
-        self.assertIn("FILE", run("--help").stdout)
+        text = run("--help").stdout
+        self.assertIn("FILE", text)
+        self.assertIn("variable TEXPLORER_SHADERS", text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
         version = run("--version")
         self.assertEqual(version.returncode, 0)
         self.assertRegex(version.stdout, r"^texplorer \d+\.\d+\.\d+\n$")

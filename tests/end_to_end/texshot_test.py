@@ -1269,9 +1269,13 @@ class Params(Texshot):
         for command in ("shot", "probe"):
             text = self.succeeds(command, "--help").decode()
             self.assertRegex(text, r"--size WIDTHxHEIGHT +Of the picture, in pixels. Default: 1280x800.\n")
-            self.assertNotRegex(text, r"TEXT|INT|Needs:|Env:")
-            options = text[text.index("Options:"):text.index("Exit status")]
-            self.assertLessEqual(max(map(len, options.splitlines())), 80)
+        for command in ([], ["shot"], ["probe"], ["check"], ["conform"], ["params"], ["decode"], ["info"], ["convert"],
+                        ["flip"], ["compress"]):
+            with self.subTest(command=command):
+                text = self.succeeds(*command, "--help").decode()
+                self.assertNotRegex(text, r"\b(TEXT|INT|Needs:|Env:)")
+                self.assertIn("Exit status: 0", text)
+                self.assertLessEqual(max(map(len, text.splitlines())), 80)
         self.assertRegex(self.succeeds("decode", "--help").decode(), r"From 0 to\s+30\.")
         self.assertRegex(self.succeeds("--version").decode(), r"^texshot \d+\.\d+\.\d+\n$")
 

@@ -1,13 +1,36 @@
-#include "app/screenshot/help_format.h"
+#include "app/command_line/help_format.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 
-namespace texplorer::screenshot {
+namespace texplorer {
 namespace {
 
 constexpr std::size_t textColumn = 26;
 constexpr std::size_t lineLength = 80;
+
+/// The first line of words that has room, which is taken away from them.
+std::string_view takeLine(std::string_view& words, std::size_t room) {
+    std::size_t end = words.size();
+    if (end > room) {
+        end = words.rfind(' ', room);
+        if (end == std::string_view::npos)
+            end = std::min(words.find(' '), words.size());
+    }
+    const std::string_view line = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    return line;
+}
+
+std::string paragraph(std::string_view words) {
+    std::string text;
+    do {
+        text += takeLine(words, lineLength);
+        text += '\n';
+    } while (!words.empty());
+    return text;
+}
 
 /// The name at the left, the words beside it or, where it is long, below it.
 std::string entry(const std::string& name, std::string_view words) {
@@ -19,16 +42,8 @@ std::string entry(const std::string& name, std::string_view words) {
     }
     while (!words.empty()) {
         text.append(textColumn - column, ' ');
-        constexpr std::size_t room = lineLength - textColumn;
-        std::size_t end = words.size();
-        if (end > room) {
-            end = words.rfind(' ', room);
-            if (end == std::string_view::npos)
-                end = std::min(words.find(' '), words.size());
-        }
-        text.append(words.substr(0, end));
+        text += takeLine(words, lineLength - textColumn);
         text += '\n';
-        words.remove_prefix(std::min(end + 1, words.size()));
         column = 0;
     }
     if (text.back() != '\n')
@@ -71,4 +86,16 @@ std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
     return entry(command->get_name(), command->get_description());
 }
 
-} // namespace texplorer::screenshot
+std::string HelpFormatter::make_description(const CLI::App* command) const {
+    return paragraph(command->get_description());
+}
+
+std::string HelpFormatter::make_footer(const CLI::App* command) const {
+    std::string text;
+    std::istringstream lines(command->get_footer());
+    for (std::string line; std::getline(lines, line);)
+        text += paragraph(line);
+    return text;
+}
+
+} // namespace texplorer
