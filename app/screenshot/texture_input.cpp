@@ -1,5 +1,6 @@
 #include "app/screenshot/texture_input.h"
 
+#include "app/screenshot/command.h"
 #include "core/base/file_io.h"
 
 namespace texplorer::screenshot {
@@ -11,6 +12,8 @@ Result<TextureImage> readTexture(const std::string& path) {
     Result<TextureImage> texture = decodeTexture(*bytes);
     if (!texture)
         return fail(texture.error().code, texture.error().message, path);
+    for (const std::string& note : texture->notes)
+        complain({ErrorCode::Malformed, note, path});
     return texture;
 }
 

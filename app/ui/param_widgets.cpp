@@ -286,9 +286,12 @@ void showWanted(Session& session, const Line& line) {
 
 void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
                  ImU32 ink) {
+    constexpr float dimShare = 0.35F; // of a swatch, which has no text to be dim
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleColor(ImGuiCol_Text, line.idle ? color::dim : ink);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, line.idle && row.kind == Kind::Color ? dimShare : 1.0F);
     line.edited = control(session, owner, row, line.value, line.path);
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (!isWide(row.kind)) {
         noteItem(session, line.path);

@@ -14,8 +14,7 @@ namespace texplorer {
 class SharedSurface {
 public:
     template<class Made>
-        requires std::constructible_from<Surface, Made>
-    SharedSurface(Made&& made) // NOLINT: a surface is one
+    requires std::constructible_from<Surface, Made> SharedSurface(Made&& made) // NOLINT: a surface is one
         : held_(std::in_place_type<Surface>, std::forward<Made>(made)) {}
 
     /// Not null.

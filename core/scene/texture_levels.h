@@ -23,9 +23,9 @@ namespace texplorer {
 enum class LateFlip : std::uint8_t { None, Coordinates, Matrix };
 
 struct TextureLevel {
-    int number = 0; ///< GL's: 0 is the base
+    int number = 0;        ///< GL's: 0 is the base
     SharedSurface surface; ///< lent by the image where nothing had to be done to it
-    int face = 0; ///< of a cube map: counted as CubeFace
+    int face = 0;          ///< of a cube map: counted as CubeFace
 };
 
 struct TextureLevels {
@@ -59,8 +59,8 @@ struct LevelWork {
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 
-/// The same of an image that others have, too (not null): pictures that need no change are not copied, so that
-/// a large one takes no more than its own memory and that of the mip levels above it.
+/// The same of an image that others have, too (not null): pictures that need no change are not copied, so
+/// that a large one takes no more than its own memory and that of the mip levels above it.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture,
                                                   const std::shared_ptr<const TextureImage>& image,
                                                   Target target = Target::Texture2D,
