@@ -23,9 +23,12 @@ inline void prepareStandardStreams() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-/// All of it, or an error. Of a file nothing is left then: half a report would look like a whole one.
+/// All of it, or an error. Of what was written to a file nothing is left then: half a report would look like a
+/// whole one. What was there before stays.
 [[nodiscard]] inline Result<void> writeStandardOutput(ByteView bytes) {
-    static const off_t start = ::lseek(STDOUT_FILENO, 0, SEEK_CUR);
+    // A file that is appended to (>>) is opened at its beginning.
+    static const bool appends = (::fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) != 0;
+    static const off_t start = ::lseek(STDOUT_FILENO, 0, appends ? SEEK_END : SEEK_CUR);
     if (writeFully(STDOUT_FILENO, bytes))
         return {};
     const int error = errno;

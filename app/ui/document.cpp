@@ -11,7 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t maxSceneBytes = std::size_t{64} << 20;
 constexpr std::size_t recognisedBytes = 4096; // enough of a file to tell what it is
 
 fs::path absolutePath(const fs::path& path) {

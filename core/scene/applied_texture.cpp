@@ -34,7 +34,7 @@ void withOneFilter(Texture& texture) {
     texture.magFilter = reference::isLinear(texture.minFilter) ? MagFilter::Linear : MagFilter::Nearest;
 }
 
-// Of Mesa 22.3; the matrix of tests/render/driver_flaws_test.cpp says whether that is all.
+// Of Mesa 22.3; tests/render/sampler_matrix.cpp says whether that is all.
 constexpr std::array flaws{
     DriverFlaw{"llvmpipe", filtersLine, withoutAnisotropy,
                "llvmpipe ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "

@@ -8,6 +8,9 @@ namespace texplorer {
 
 using Clock = std::chrono::steady_clock;
 
+/// What could not be written is tried again then, be it edited or not.
+constexpr std::chrono::seconds untilRetry{10};
+
 struct Autosave::State {
     std::filesystem::path folder;
     std::function<void()> wake;
@@ -88,6 +91,8 @@ bool Autosave::State::write() {
     if (!written && !failing)
         problem = written.error();
     failing = !written;
+    if (failing && !due)
+        due = Clock::now() + untilRetry;
     if (problem && wake)
         wake();
     return written.has_value();
@@ -100,8 +105,9 @@ void Autosave::keep(const std::filesystem::path& file, const std::filesystem::pa
     if (told && told->scene == scene && told->file == file && told->folder == folder)
         return;
     told = UnsavedScene{file, folder, scene};
-    if (!state_->due) {
-        state_->due = Clock::now() + state_->delay;
+    const Clock::time_point then = Clock::now() + state_->delay;
+    if (!state_->due || then < *state_->due) {
+        state_->due = then;
         state_->news.notify_all();
     }
 }

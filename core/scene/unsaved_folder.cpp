@@ -59,8 +59,19 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     const fs::path path = lockOf(draft);
     const int exclusive = make == Make::New ? O_EXCL : 0;
     Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | exclusive | O_CLOEXEC | O_NOFOLLOW, 0600));
-    if (!file.valid() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0 || !isStillThere(file.get(), path))
-        return fail(ErrorCode::Unwritable, "can't be locked: " + systemText(errno), path.string());
+    const auto refuse = [&](int error) {
+        return fail(ErrorCode::Unwritable, "can't be locked: " + systemText(error), path.string());
+    };
+    if (!file.valid())
+        return refuse(errno);
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+        const int error = errno;
+        if (make == Make::New && error != EWOULDBLOCK) // the file system knows no locks: nobody will sweep it
+            ::unlink(path.c_str());
+        return refuse(error);
+    }
+    if (!isStillThere(file.get(), path))
+        return refuse(ENOENT);
     UnsavedPlace place;
     place.draft_ = draft;
     place.lock_ = std::move(file);

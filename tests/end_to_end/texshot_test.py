@@ -831,6 +831,12 @@ class Outputs(Texshot):
             result = subprocess.run([TEXSHOT, "params"], stdout=report, stderr=subprocess.PIPE, **small_disk(1000))
         self.assertEqual((result.returncode, (self.path / "params.txt").read_bytes()), (1, b""))
         self.assertIn(b"standard output: can't be written: File too large", result.stderr)
+        log = self.path / "log.txt"
+        log.write_bytes(b"what was there before")
+        with open(log, "ab") as report:
+            result = subprocess.run(["sh", "-c", '"$0" params', TEXSHOT], stdout=report, stderr=subprocess.PIPE,
+                                    **small_disk(1000))
+        self.assertEqual((result.returncode, log.read_bytes()), (1, b"what was there before"))
         call = ("conform", "--feature", "wrap", "--scenes", "2", "-o")
         result = texshot(*call, self.path / "new" / "report", **small_disk(4000))
         self.assertEqual(result.returncode, 1)

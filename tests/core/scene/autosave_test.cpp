@@ -163,5 +163,16 @@ TEST_F(Autosaving, SaysOnceWhyItCantAndAgainWhenItCouldMeanwhile) {
     EXPECT_TRUE(autosave.takeProblem());
 }
 
+TEST_F(Autosaving, TriesAgainWhatCouldNotBeWritten) {
+    std::ofstream(folder) << "x";
+    Autosave autosave(folder, {}, 24h);
+    autosave.keep({}, {}, sceneOf(1));
+    EXPECT_FALSE(autosave.flush());
+    EXPECT_FALSE(autosave.flush());
+    fs::remove(folder); // mended, and nothing was edited since
+    EXPECT_TRUE(autosave.flush());
+    EXPECT_EQ(written(), 1);
+}
+
 } // namespace
 } // namespace texplorer
