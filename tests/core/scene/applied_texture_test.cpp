@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                     LevelCase{"BaseBeyond", 4, 1000, MinFilter::Linear, false, 0},
                     LevelCase{"BaseFarBeyond", 1000, 1000, MinFilter::Nearest, false, 0},
                     LevelCase{"NegativeMax", 0, -3, MinFilter::Nearest, true, 0}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& each) { return each.param.name; });
 
 TEST(AppliedTexture, KeepsTheLimitOfAShortFile) {
     Texture texture;
