@@ -23,8 +23,8 @@ inline void prepareStandardStreams() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-/// All of it, or an error. Of what was written to a file nothing is left then: half a report would look like a
-/// whole one. What was there before stays.
+/// All of it, or an error. Of what was written to a file nothing is left then: half a report would look like
+/// a whole one. What was there before stays.
 [[nodiscard]] inline Result<void> writeStandardOutput(ByteView bytes) {
     // A file that is appended to (>>) is opened at its beginning.
     static const bool appends = (::fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) != 0;
