@@ -84,6 +84,8 @@ bool Autosave::State::write() {
     }
     if (!draft) {
         place.remove();
+        const std::scoped_lock lock(mutex);
+        failing = false; // nothing is lost that nobody wants
         return true;
     }
     const Result<void> written = put(*draft);
@@ -121,6 +123,7 @@ void Autosave::adopt(UnsavedPlace place, UnsavedScene told) {
     state_->place = std::move(place);
     state_->told = std::move(told);
     state_->due.reset();
+    state_->failing = false;
 }
 
 void Autosave::forget() {

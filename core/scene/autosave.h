@@ -10,8 +10,8 @@
 namespace texplorer {
 
 /// Keeps unsaved work on the disk, on a thread of its own: no call waits for it but `flush`. An edit is
-/// written at most `delay` after it was told, and the edits in between with it; nobody is woken where nothing
-/// waits. All functions may be called by any thread.
+/// written at most `delay` after it was told, and the edits in between with it; what can't be written is
+/// tried again. Nobody is woken where nothing waits. All functions may be called by any thread.
 class Autosave {
 public:
     /// With the time that the disk takes, an edit is safe two seconds after it was made.

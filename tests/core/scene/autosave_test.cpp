@@ -163,6 +163,16 @@ TEST_F(Autosaving, SaysOnceWhyItCantAndAgainWhenItCouldMeanwhile) {
     EXPECT_TRUE(autosave.takeProblem());
 }
 
+TEST_F(Autosaving, HasNothingToLoseOnceItIsForgotten) {
+    std::ofstream(folder) << "x";
+    Autosave autosave(folder, {}, 24h);
+    autosave.keep({}, {}, sceneOf(1));
+    EXPECT_FALSE(autosave.flush());
+    autosave.forget();
+    EXPECT_TRUE(autosave.flush());
+    EXPECT_TRUE(autosave.flush());
+}
+
 TEST_F(Autosaving, TriesAgainWhatCouldNotBeWritten) {
     std::ofstream(folder) << "x";
     Autosave autosave(folder, {}, 24h);
