@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <latch>
+
 namespace texplorer::ui {
 namespace {
 
@@ -53,13 +55,16 @@ TEST_F(ThumbnailCache, AChangedFileGetsANewPicture) {
 }
 
 TEST_F(ThumbnailCache, WhatIsOutOfSightIsCancelled) {
+    std::latch seen{1}; // the file can't be done before it is out of sight
+    Thumbnails held{[&seen] { seen.wait(); }};
     const auto gone = bmp("a.bmp", 50);
-    (void)thumbnails.find(gone, {});
-    (void)thumbnails.receive(); // in this frame it is not asked for
-    (void)thumbnails.receive();
-    thumbnails.wait();
-    (void)thumbnails.receive();
-    EXPECT_EQ(thumbnails.find(gone, {}), nullptr) << "it was asked for anew";
+    (void)held.find(gone, {});
+    (void)held.receive(); // in this frame it is not asked for
+    (void)held.receive();
+    seen.count_down();
+    held.wait();
+    EXPECT_FALSE(held.receive());
+    EXPECT_EQ(held.find(gone, {}), nullptr) << "it was asked for anew";
 }
 
 TEST_F(ThumbnailCache, HoldsABoundedNumber) {
