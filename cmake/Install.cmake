@@ -1,7 +1,8 @@
 # `cmake --install` gives the two programs and the library: find_package(texplorer) defines texplorer::core.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS texplorer_core EXPORT texplorer-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+get_property(layers GLOBAL PROPERTY TEXPLORER_LAYERS)
+install(TARGETS texplorer_core ${layers} EXPORT texplorer-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/texplorer
         FILES_MATCHING PATTERN "*.h")
 install(EXPORT texplorer-targets NAMESPACE texplorer:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer)
@@ -12,6 +13,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/texplorer-config.cmake
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/texplorer-config-version.cmake
     COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/texplorer-config.cmake ${PROJECT_BINARY_DIR}/texplorer-config-version.cmake
+        ${PROJECT_SOURCE_DIR}/cmake/FindSquish.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TEXPLORER_PROGRAMS)

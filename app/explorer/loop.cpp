@@ -2,7 +2,7 @@
 
 #include "app/explorer/input.h"
 #include "app/stage/stage.h"
-#include "app/ui/document.h"
+#include "app/ui/model/document.h"
 
 #include <imgui.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/explorer/signals.h"
 #include "app/explorer/window.h"
-#include "app/ui/session.h"
+#include "app/ui/model/session.h"
 
 namespace texplorer::explorer {
 

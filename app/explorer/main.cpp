@@ -5,9 +5,9 @@
 #include "app/command_line/wrong_call.h"
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
-#include "app/ui/document.h"
+#include "app/ui/model/document.h"
 #include "core/base/printable.h"
-#include "core/scene/image_budget.h"
+#include "core/texture/image_budget.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,7 +23,7 @@ using namespace texplorer;
 
 constexpr int failure = 1;
 constexpr int wrongCall = 2;
-constexpr render::Size startSize{1280, 800}; // at a content scale of 1
+constexpr view::Size startSize{1280, 800}; // at a content scale of 1
 
 int complain(const std::string& sentence) {
     std::fprintf(stderr, "texplorer: %s\n", printable(sentence).c_str());

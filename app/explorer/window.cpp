@@ -1,8 +1,8 @@
 #include "app/explorer/window.h"
 
 #include "app/render/driver_cache.h"
-#include "app/ui/input_queue.h"
-#include "app/ui/smallest_window.h"
+#include "app/ui/widgets/input_queue.h"
+#include "app/ui/window/smallest_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -121,7 +121,7 @@ void installCallbacks(GLFWwindow* window) {
 
 } // namespace
 
-Result<Window> Window::open(render::Size size, const std::string& title) {
+Result<Window> Window::open(view::Size size, const std::string& title) {
     render::setUpDriverCache();
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
@@ -206,19 +206,19 @@ void Window::wake() {
 }
 
 bool Window::isHidden() const {
-    const render::Size pixels = framebuffer();
+    const view::Size pixels = framebuffer();
     return glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE || pixels.width < 1 ||
            pixels.height < 1;
 }
 
-render::Size Window::size() const {
-    render::Size size;
+view::Size Window::size() const {
+    view::Size size;
     glfwGetWindowSize(state_->window, &size.width, &size.height);
     return size;
 }
 
-render::Size Window::framebuffer() const {
-    render::Size size;
+view::Size Window::framebuffer() const {
+    view::Size size;
     glfwGetFramebufferSize(state_->window, &size.width, &size.height);
     return size;
 }

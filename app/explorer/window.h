@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/frame.h"
+#include "app/view/frame.h"
 #include "core/base/result.h"
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace texplorer::explorer {
 class Window {
 public:
     /// The error says that there is no display, or what the display lacks.
-    [[nodiscard]] static Result<Window> open(render::Size size, const std::string& title);
+    [[nodiscard]] static Result<Window> open(view::Size size, const std::string& title);
     Window(Window&&) noexcept;
     Window& operator=(Window&&) noexcept;
     ~Window();
@@ -46,8 +46,8 @@ public:
     static void wake();
 
     [[nodiscard]] bool isHidden() const;            ///< minimised, or without a single pixel
-    [[nodiscard]] render::Size size() const;        ///< in screen coordinates, in which the mouse is measured
-    [[nodiscard]] render::Size framebuffer() const; ///< in pixels
+    [[nodiscard]] view::Size size() const;        ///< in screen coordinates, in which the mouse is measured
+    [[nodiscard]] view::Size framebuffer() const; ///< in pixels
     [[nodiscard]] float contentScale() const;       ///< pixels of the monitor to those of a plain one
     [[nodiscard]] double frameSeconds() const;      ///< how long the monitor shows a frame
     [[nodiscard]] double now() const;               ///< seconds on a clock that only goes forwards

@@ -54,14 +54,14 @@ OsmesaContext::OsmesaContext(OsmesaContext&&) noexcept = default;
 OsmesaContext& OsmesaContext::operator=(OsmesaContext&&) noexcept = default;
 OsmesaContext::~OsmesaContext() = default;
 
-Result<OsmesaContext> OsmesaContext::create(render::Size size) {
+Result<OsmesaContext> OsmesaContext::create(view::Size size) {
     if (const Result<void> known = checkDriverName(); !known)
         return fail(known.error());
     GLint limit = 0;
     OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &limit);
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)
         return fail(ErrorCode::OutOfRange, "an off-screen framebuffer has 1 x 1 to " +
-                                               asText(render::Size{limit, limit}) + " pixels, not " +
+                                               asText(view::Size{limit, limit}) + " pixels, not " +
                                                asText(size));
 
     const int attributes[] = {

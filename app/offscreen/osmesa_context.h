@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/frame.h"
+#include "app/view/frame.h"
 #include "core/base/result.h"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace texplorer::offscreen {
 /// destroyed. It has its own framebuffer of `size` pixels, bottom row first. Needs no display.
 class OsmesaContext {
 public:
-    [[nodiscard]] static Result<OsmesaContext> create(render::Size size);
+    [[nodiscard]] static Result<OsmesaContext> create(view::Size size);
     OsmesaContext(const OsmesaContext&) = delete;
     OsmesaContext& operator=(const OsmesaContext&) = delete;
     OsmesaContext(OsmesaContext&&) noexcept;

@@ -66,14 +66,14 @@ bool functionsAreLoaded(GLenum status) {
 
 } // namespace
 
-Result<Capabilities> loadCapabilities() {
+Result<view::Capabilities> loadCapabilities() {
     constexpr std::string_view needs = "Texplorer needs OpenGL 2.1 with framebuffer objects; ";
     if (const GLenum status = glewInit(); !functionsAreLoaded(status))
         return fail(ErrorCode::Driver, std::string(needs) + "no functions of OpenGL could be loaded: " +
                                            reinterpret_cast<const char*>(glewGetErrorString(status)));
     static_cast<void>(GlErrors().check("glewInit")); // it asks a core profile for things that are gone
 
-    Capabilities capabilities;
+    view::Capabilities capabilities;
     capabilities.vendor = text(GL_VENDOR);
     capabilities.renderer = text(GL_RENDERER);
     capabilities.version = text(GL_VERSION);

@@ -57,7 +57,7 @@ private:
 
 } // namespace
 
-Result<FixedRenderer> FixedRenderer::create(const Capabilities& capabilities) {
+Result<FixedRenderer> FixedRenderer::create(const view::Capabilities& capabilities) {
     return FixedRenderer(capabilities, std::make_unique<FixedPipeline>(capabilities.textureUnits));
 }
 

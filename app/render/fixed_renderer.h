@@ -7,7 +7,7 @@ namespace texplorer::render {
 /// Draws a Scene with OpenGL's fixed-function pipeline.
 class FixedRenderer : public SceneRenderer {
 public:
-    [[nodiscard]] static Result<FixedRenderer> create(const Capabilities& capabilities);
+    [[nodiscard]] static Result<FixedRenderer> create(const view::Capabilities& capabilities);
 
 private:
     using SceneRenderer::SceneRenderer;

@@ -23,7 +23,7 @@ std::string extents(const Surface& surface, Target target) {
 }
 
 /// Why a driver can't take these levels as they are; empty: it can.
-std::string lackingFormat(const TextureLevels& levels, const Capabilities& capabilities) {
+std::string lackingFormat(const TextureLevels& levels, const view::Capabilities& capabilities) {
     std::optional<BlockFormat> format = levels.driverFormat;
     if (const auto* blocks = std::get_if<BlockImage>(&*levels.levels.front().surface))
         format = blocks->format;
@@ -37,7 +37,7 @@ std::string lackingFormat(const TextureLevels& levels, const Capabilities& capab
 
 } // namespace
 
-void LiveTexture::follow(const LevelsRequest& request, const Capabilities* capabilities, LevelsSource* source,
+void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities, LevelsSource* source,
                          std::string_view where) {
     cancelled_ = false;
     giveBack(source); // a frame later: to read them takes its time, as the last part of an upload does
@@ -72,7 +72,7 @@ void LiveTexture::refuse(const LevelsRequest& request, std::string_view where, c
 }
 
 void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
-                        const Capabilities* capabilities, std::string_view where) {
+                        const view::Capabilities* capabilities, std::string_view where) {
     if (!*levels) {
         const Error& error = levels->error();
         if (error.code != ErrorCode::Cancelled)

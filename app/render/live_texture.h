@@ -3,8 +3,8 @@
 #include "app/render/capabilities.h"
 #include "app/render/gl_errors.h"
 #include "app/render/texture_object.h"
-#include "core/reference/sampled_texture.h"
-#include "core/scene/levels_source.h"
+#include "core/reference/sampling/sampled_texture.h"
+#include "core/texture/levels_source.h"
 
 #include <memory>
 #include <optional>
@@ -19,7 +19,7 @@ public:
     /// To be called once a frame, with GL's active unit free for its target. Without `source` levels are made
     /// and uploaded at once. `capabilities` (nullptr: as if it could do anything) decide what is refused or
     /// decompressed; GL errors and notes are reported as `where`.
-    void follow(const LevelsRequest& request, const Capabilities* capabilities, LevelsSource* source,
+    void follow(const LevelsRequest& request, const view::Capabilities* capabilities, LevelsSource* source,
                 std::string_view where);
 
     /// Whether it is up to date: then `follow` has nothing to do.
@@ -61,7 +61,7 @@ private:
     };
 
     void begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
-               const Capabilities* capabilities, std::string_view where);
+               const view::Capabilities* capabilities, std::string_view where);
     void refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence);
     void finish();
     void giveBack(LevelsSource* source);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/frame.h"
+#include "app/view/frame.h"
 #include "app/render/gl_errors.h"
 #include "app/render/mesh_cache.h"
 #include "app/render/texture_cache.h"
@@ -36,7 +36,7 @@ public:
                                          double time, GlErrors& errors) = 0;
 
     /// Those of the frame that is drawn, one a pass; empty where it has none.
-    [[nodiscard]] virtual std::vector<std::shared_ptr<const PassShader>> shaders() const { return {}; }
+    [[nodiscard]] virtual std::vector<std::shared_ptr<const view::PassShader>> shaders() const { return {}; }
 
     /// Grows when it draws the same scene otherwise than before: somebody has edited its shaders.
     [[nodiscard]] virtual std::uint64_t revision() const { return 0; }

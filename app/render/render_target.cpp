@@ -15,7 +15,7 @@ constexpr auto depthFormats = std::to_array<GLenum>({GL_DEPTH_COMPONENT24, GL_DE
 
 } // namespace
 
-Result<void> RenderTarget::bind(Size size) {
+Result<void> RenderTarget::bind(view::Size size) {
     if (size != size_) {
         *this = RenderTarget(); // free the old one first: both at once may not fit
         if (Result<void> made = resize(size); !made) {
@@ -27,7 +27,7 @@ Result<void> RenderTarget::bind(Size size) {
     return {};
 }
 
-Result<void> RenderTarget::resize(Size size) {
+Result<void> RenderTarget::resize(view::Size size) {
     GlErrors errors;
     color_ = TextureHandle::create();
     glBindTexture(GL_TEXTURE_2D, color_.name());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/frame.h"
+#include "app/view/frame.h"
 #include "app/render/gl_handle.h"
 #include "core/base/result.h"
 
@@ -10,19 +10,19 @@ namespace texplorer::render {
 class RenderTarget {
 public:
     /// Makes it this size, at least 1 x 1; does nothing where it already is. Leaves the framebuffer bound.
-    [[nodiscard]] Result<void> bind(Size size);
+    [[nodiscard]] Result<void> bind(view::Size size);
 
     [[nodiscard]] GLuint texture() const { return color_.name(); }
     [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
-    [[nodiscard]] Size size() const { return size_; } ///< 0 x 0 before the first bind
+    [[nodiscard]] view::Size size() const { return size_; } ///< 0 x 0 before the first bind
 
 private:
-    [[nodiscard]] Result<void> resize(Size size);
+    [[nodiscard]] Result<void> resize(view::Size size);
 
     TextureHandle color_;
     RenderbufferHandle depth_;
     FramebufferHandle framebuffer_;
-    Size size_;
+    view::Size size_;
 };
 
 } // namespace texplorer::render

@@ -19,7 +19,7 @@ namespace texplorer::render {
 
 namespace {
 
-Size largestPicture(const Capabilities& capabilities) {
+view::Size largestPicture(const view::Capabilities& capabilities) {
     std::array<GLint, 2> viewport{};
     GLint renderbuffer = 0;
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
@@ -37,31 +37,31 @@ CoordUse coordUseOf(const BoundTexture& texture) {
 } // namespace
 
 struct SceneRenderer::State {
-    State(const Capabilities& given, std::unique_ptr<Pipeline> chosen)
+    State(const view::Capabilities& given, std::unique_ptr<Pipeline> chosen)
         : capabilities(given)
         , pipeline(std::move(chosen))
         , limit(largestPicture(given))
         , textures(std::make_shared<TextureCache>(given))
         , meshes(pipeline->vertexInput()) {}
 
-    void drawScene(const Scene& scene, const ImageSource& images, double time, Size size);
+    void drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size);
     BoundTextures texturesOf(const Scene& scene, std::size_t passIndex, const ImageSource& images);
     BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
                            const ImageSource& images);
-    void remember(const Scene& scene, double time, Size size);
+    void remember(const Scene& scene, double time, view::Size size);
 
     /// What a picture was made of.
     struct Drawn {
         Scene scene;
         double time = 0;
-        Size size;
+        view::Size size;
         std::uint64_t textures = 0;
         std::uint64_t pipeline = 0;
     };
 
-    Capabilities capabilities;
+    view::Capabilities capabilities;
     std::unique_ptr<Pipeline> pipeline;
-    Size limit;
+    view::Size limit;
     RenderTarget target;
     std::shared_ptr<TextureCache> textures;
     MeshCache meshes;
@@ -71,13 +71,13 @@ struct SceneRenderer::State {
     GlErrors errors;                // of the frame that is being drawn
 };
 
-SceneRenderer::SceneRenderer(const Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline)
+SceneRenderer::SceneRenderer(const view::Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline)
     : state_(std::make_unique<State>(capabilities, std::move(pipeline))) {}
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 SceneRenderer::~SceneRenderer() = default;
 
-Result<Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images, double time, Size size,
+Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images, double time, view::Size size,
                                   LevelsSource* levels) {
     State& state = *state_;
     if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
@@ -100,7 +100,7 @@ Result<Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images,
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return Frame{state.target.texture(),
+    return view::Frame{state.target.texture(),
                  size,
                  elapsed.count(),
                  state.errors.sentences(),
@@ -109,7 +109,7 @@ Result<Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images,
                  state.revision};
 }
 
-void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, Size size) {
+void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size) {
     glViewport(0, 0, size.width, size.height);
     const glm::vec4& background = scene.view.background;
     glClearColor(background.r, background.g, background.b, background.a);
@@ -143,7 +143,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     }
 }
 
-void SceneRenderer::State::remember(const Scene& scene, double time, Size size) {
+void SceneRenderer::State::remember(const Scene& scene, double time, view::Size size) {
     if (drawn && drawn->scene == scene && drawn->time == time && drawn->size == size &&
         drawn->textures == textures->revision() && drawn->pipeline == pipeline->revision())
         return;
@@ -203,8 +203,8 @@ Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, 
 
 Result<Image> SceneRenderer::read() {
     State& state = *state_;
-    const Size size = state.target.size();
-    if (size == Size{})
+    const view::Size size = state.target.size();
+    if (size == view::Size{})
         return fail(ErrorCode::NotFound, "there is no picture to read: nothing has been drawn yet");
 
     Image image;

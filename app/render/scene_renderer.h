@@ -1,13 +1,13 @@
 #pragma once
 
 #include "app/render/capabilities.h"
-#include "app/render/frame.h"
+#include "app/view/frame.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
-#include "core/scene/image_source.h"
-#include "core/scene/levels_source.h"
+#include "core/texture/image_source.h"
+#include "core/texture/levels_source.h"
 #include "core/scene/scene.h"
-#include "core/scene/texture_levels.h"
+#include "core/texture/texture_levels.h"
 
 #include <memory>
 
@@ -20,7 +20,7 @@ class Pipeline;
 /// the caller's GL state as it found it.
 class SceneRenderer {
 public:
-    SceneRenderer(const Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline);
+    SceneRenderer(const view::Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline);
     SceneRenderer(const SceneRenderer&) = delete;
     SceneRenderer& operator=(const SceneRenderer&) = delete;
     SceneRenderer(SceneRenderer&&) noexcept;
@@ -30,7 +30,7 @@ public:
     /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
     /// does not end the drawing: it is reported in Frame::problems. Without `levels` the textures are made
     /// and uploaded before the drawing; with it, a texture is what it was before until they are.
-    [[nodiscard]] Result<Frame> draw(const Scene& scene, const ImageSource& images, double time, Size size,
+    [[nodiscard]] Result<view::Frame> draw(const Scene& scene, const ImageSource& images, double time, view::Size size,
                                      LevelsSource* levels = nullptr);
 
     /// Uses the textures of a renderer in the same context that draws the same scenes, instead of its own.

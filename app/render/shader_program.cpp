@@ -27,7 +27,7 @@ std::string logOf(GLuint object, auto getParameter, auto getLog) {
 }
 
 /// Empty where the driver takes it. A driver that refuses without a word is quoted as doing so.
-ShaderProgram::Log compileStage(GLuint shader, ShaderStage stage, const StageSource& source) {
+ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const view::StageSource& source) {
     const GLchar* text = source.text.c_str();
     const auto length = static_cast<GLint>(source.text.size());
     glShaderSource(shader, 1, &text, &length);
@@ -44,11 +44,11 @@ ShaderProgram::Log compileStage(GLuint shader, ShaderStage stage, const StageSou
 
 } // namespace
 
-tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const ShaderSource& source) {
+tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const view::ShaderSource& source) {
     const auto vertex = GlHandle<ShaderKind<GL_VERTEX_SHADER>>::create();
     const auto fragment = GlHandle<ShaderKind<GL_FRAGMENT_SHADER>>::create();
-    Log log = compileStage(vertex.name(), ShaderStage::Vertex, source.vertex);
-    std::ranges::move(compileStage(fragment.name(), ShaderStage::Fragment, source.fragment),
+    Log log = compileStage(vertex.name(), view::ShaderStage::Vertex, source.vertex);
+    std::ranges::move(compileStage(fragment.name(), view::ShaderStage::Fragment, source.fragment),
                       std::back_inserter(log));
     if (!log.empty())
         return tl::unexpected(std::move(log));

@@ -21,9 +21,9 @@ class ShaderProgram {
 public:
     /// What the driver says of a source that it does not take: a sentence for each message, with the place in
     /// the files.
-    using Log = std::vector<ShaderMessage>;
+    using Log = std::vector<view::ShaderMessage>;
 
-    [[nodiscard]] static tl::expected<ShaderProgram, Log> compile(const ShaderSource& source);
+    [[nodiscard]] static tl::expected<ShaderProgram, Log> compile(const view::ShaderSource& source);
 
     void use() const { glUseProgram(handle_.name()); }
 

@@ -124,7 +124,7 @@ public:
         return true;
     }
 
-    [[nodiscard]] std::vector<std::shared_ptr<const PassShader>> shaders() const override { return shaders_; }
+    [[nodiscard]] std::vector<std::shared_ptr<const view::PassShader>> shaders() const override { return shaders_; }
 
     [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
@@ -137,7 +137,7 @@ public:
 private:
     struct Compiled {
         tl::expected<ShaderProgram, ShaderProgram::Log> program = tl::unexpected(ShaderProgram::Log{});
-        std::shared_ptr<const PassShader> shader;
+        std::shared_ptr<const view::PassShader> shader;
     };
 
     /// Of the newest pieces; where those don't compile, of the last ones that did, or of the embedded ones.
@@ -147,10 +147,10 @@ private:
         ShaderProgram::Log log;
         if (folder_ && !folder_->problem().empty())
             log.push_back({std::nullopt, 0, folder_->problem()});
-        std::shared_ptr<const PassShader>& shown = shaders_[pass];
+        std::shared_ptr<const view::PassShader>& shown = shaders_[pass];
         const ShaderProgram* program = nullptr;
         for (const ShaderPieces* pieces : candidates()) {
-            const Result<ShaderSource> source = shaderSource(scene, pass, units, *pieces);
+            const Result<view::ShaderSource> source = shaderSource(scene, pass, units, *pieces);
             const Compiled* made = source ? &compiled(*source) : nullptr;
             program = made && made->program ? &*made->program : nullptr;
             if (made && !shown)
@@ -165,11 +165,11 @@ private:
                      : ShaderProgram::Log{{std::nullopt, 0, describe(source.error())}};
             if (log.empty())
                 log = found;
-            for (const ShaderMessage& message : found)
+            for (const view::ShaderMessage& message : found)
                 errors.add(where + ": " + message.sentence);
         }
         if (shown && shown->log != log)
-            shown = std::make_shared<const PassShader>(PassShader{shown->source, std::move(log)});
+            shown = std::make_shared<const view::PassShader>(view::PassShader{shown->source, std::move(log)});
         return program;
     }
 
@@ -183,11 +183,11 @@ private:
         return pieces;
     }
 
-    const Compiled& compiled(const ShaderSource& source) {
+    const Compiled& compiled(const view::ShaderSource& source) {
         const auto [found, isNew] = programs_.try_emplace({source.vertex.text, source.fragment.text});
         if (isNew) {
             found->second.program = ShaderProgram::compile(source);
-            found->second.shader = std::make_shared<const PassShader>(PassShader{
+            found->second.shader = std::make_shared<const view::PassShader>(view::PassShader{
                 source, found->second.program ? ShaderProgram::Log{} : found->second.program.error()});
         }
         return found->second;
@@ -196,7 +196,7 @@ private:
     std::map<std::pair<std::string, std::string>, Compiled> programs_; // by their two sources
     const ShaderProgram* program_ = nullptr;                           // of the pass that is being drawn
     glm::mat4 projection_{1};
-    std::vector<std::shared_ptr<const PassShader>> shaders_; // of this frame
+    std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of this frame
     std::uint64_t revision_ = 0;                             // of what is drawn with
     std::optional<ShaderFolder> folder_;
     std::shared_ptr<const ShaderPieces> newest_; // of the folder
@@ -205,7 +205,7 @@ private:
 
 } // namespace
 
-Result<ShaderRenderer> ShaderRenderer::create(const Capabilities& capabilities,
+Result<ShaderRenderer> ShaderRenderer::create(const view::Capabilities& capabilities,
                                               const ShaderOptions& options) {
     if (!GLEW_VERSION_3_3)
         return fail(ErrorCode::Unsupported,
@@ -214,7 +214,7 @@ Result<ShaderRenderer> ShaderRenderer::create(const Capabilities& capabilities,
     return ShaderRenderer(capabilities, std::make_unique<ShaderPipeline>(options));
 }
 
-Result<SceneRenderer> createRenderer(RendererKind kind, const Capabilities& capabilities,
+Result<SceneRenderer> createRenderer(RendererKind kind, const view::Capabilities& capabilities,
                                      const ShaderOptions& options) {
     const auto asSceneRenderer = [](SceneRenderer&& made) { return SceneRenderer(std::move(made)); };
     switch (kind) {

@@ -21,7 +21,7 @@ struct ShaderOptions {
 class ShaderRenderer : public SceneRenderer {
 public:
     /// Refused by a driver without GLSL 3.30.
-    [[nodiscard]] static Result<ShaderRenderer> create(const Capabilities& capabilities,
+    [[nodiscard]] static Result<ShaderRenderer> create(const view::Capabilities& capabilities,
                                                        const ShaderOptions& options = {});
 
 private:
@@ -30,7 +30,7 @@ private:
 
 /// The renderer of this kind. The options are for that with shaders. The reference is none of OpenGL's: see
 /// core/reference/draw.h.
-[[nodiscard]] Result<SceneRenderer> createRenderer(RendererKind kind, const Capabilities& capabilities,
+[[nodiscard]] Result<SceneRenderer> createRenderer(RendererKind kind, const view::Capabilities& capabilities,
                                                    const ShaderOptions& options = {});
 
 } // namespace texplorer::render

@@ -61,7 +61,7 @@ public:
         return source_.text.find(word) != std::string::npos;
     }
 
-    [[nodiscard]] Result<StageSource> finish() && {
+    [[nodiscard]] Result<view::StageSource> finish() && {
         if (error_)
             return fail(std::move(*error_));
         return std::move(source_);
@@ -69,7 +69,7 @@ public:
 
 private:
     const ShaderPieces& pieces_;
-    StageSource source_;
+    view::StageSource source_;
     std::optional<Error> error_;
 };
 
@@ -139,7 +139,7 @@ void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled,
              {{"UNIT", index}});
 }
 
-Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
+Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
     Writer body(pieces);
     if (plan.pass.lighting)
         writeLighting(body, plan.scene.light);
@@ -267,7 +267,7 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
         body.add("combine", "undefined", {{"UNIT", index}});
 }
 
-Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
+Result<view::StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
     Writer body(pieces);
     // All texels first: with crossbar a unit may ask for the texel of a later one.
     plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
@@ -327,16 +327,16 @@ bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled) {
     return !unit.matrix.empty() || sampled.lateFlip == LateFlip::Matrix;
 }
 
-Result<ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
+Result<view::ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
                                   const ShaderPieces& pieces) {
     const Plan plan{scene, scene.passes[pass], units};
-    Result<StageSource> vertex = vertexStage(plan, pieces);
+    Result<view::StageSource> vertex = vertexStage(plan, pieces);
     if (!vertex)
         return fail(vertex.error());
-    Result<StageSource> fragment = fragmentStage(plan, pieces);
+    Result<view::StageSource> fragment = fragmentStage(plan, pieces);
     if (!fragment)
         return fail(fragment.error());
-    return ShaderSource{std::move(*vertex), std::move(*fragment)};
+    return view::ShaderSource{std::move(*vertex), std::move(*fragment)};
 }
 
 namespace {
@@ -375,9 +375,9 @@ std::optional<Place> placeIn(std::string_view text) {
 
 } // namespace
 
-std::vector<ShaderMessage> translateLog(std::string_view log, const StageSource& source,
-                                        std::optional<ShaderStage> stage) {
-    std::vector<ShaderMessage> messages;
+std::vector<view::ShaderMessage> translateLog(std::string_view log, const view::StageSource& source,
+                                        std::optional<view::ShaderStage> stage) {
+    std::vector<view::ShaderMessage> messages;
     while (!log.empty()) {
         const std::size_t end = std::min(log.find('\n'), log.size());
         std::string_view line = log.substr(0, end);
@@ -388,7 +388,7 @@ std::vector<ShaderMessage> translateLog(std::string_view log, const StageSource&
             continue;
         const std::optional<Place> place = placeIn(line);
         if (place && static_cast<std::size_t>(place->line) <= source.lines.size()) {
-            const SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
+            const view::SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
             messages.push_back(
                 {stage, place->line,
                  from.file + ":" + std::to_string(from.line) + ": " + std::string(line.substr(place->end))});

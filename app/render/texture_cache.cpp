@@ -1,7 +1,7 @@
 #include "app/render/texture_cache.h"
 
-#include "core/scene/applied_texture.h"
-#include "core/scene/param_text.h"
+#include "core/diagnosis/applied_texture.h"
+#include "core/scene/params/param_text.h"
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/render/capabilities.h"
-#include "app/render/driver_facts.h"
+#include "app/view/driver_facts.h"
 #include "app/render/gl_errors.h"
 #include "app/render/live_texture.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct BoundTexture {
 /// when the pixels or what is made of them changed (imageSettings), parameters when they changed.
 class TextureCache {
 public:
-    explicit TextureCache(const Capabilities& capabilities)
+    explicit TextureCache(const view::Capabilities& capabilities)
         : capabilities_(capabilities)
         , facts_(driverFacts(capabilities)) {}
 
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
 private:
-    Capabilities capabilities_;
+    view::Capabilities capabilities_;
     DriverFacts facts_;
     std::map<std::pair<std::size_t, Target>, LiveTexture> slots_;
     std::uint64_t revision_ = 0;

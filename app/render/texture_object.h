@@ -3,7 +3,7 @@
 #include "app/render/gl_errors.h"
 #include "app/render/gl_handle.h"
 #include "core/scene/scene.h"
-#include "core/scene/texture_levels.h"
+#include "core/texture/texture_levels.h"
 
 #include <optional>
 #include <string_view>

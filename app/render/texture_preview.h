@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/live_texture.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
 
 #include <memory>

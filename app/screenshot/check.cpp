@@ -1,8 +1,8 @@
 #include "app/screenshot/scene_argument.h"
 #include "core/base/printable.h"
-#include "core/scene/diagnosis.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/scene/initial_like.h"
-#include "core/scene/params.h"
+#include "core/scene/params/params.h"
 
 #include <nlohmann/json.hpp>
 

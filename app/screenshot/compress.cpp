@@ -8,7 +8,8 @@
 #include "core/image/cube_faces.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
-#include "core/scene/texture_levels.h"
+#include "core/texture/texture_levels.h"
+#include "core/s3tc/surface_pixels.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "app/screenshot/option_use.h"
 #include "core/base/file_io.h"
 #include "core/conform/report.h"
-#include "core/scene/param_text.h"
+#include "core/scene/params/param_text.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "app/screenshot/output.h"
 #include "app/screenshot/texture_input.h"
 #include "core/image/mipmaps.h"
+#include "core/s3tc/surface_pixels.h"
 
 namespace texplorer::screenshot {
 namespace {

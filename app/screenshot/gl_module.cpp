@@ -5,14 +5,14 @@
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/capabilities.h"
 #include "app/render/driver_cache.h"
-#include "app/render/driver_facts.h"
+#include "app/view/driver_facts.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
 #include "app/stage/stage.h"
-#include "app/ui/panes.h"
-#include "app/ui/session.h"
+#include "app/ui/view/panes.h"
+#include "app/ui/model/session.h"
 #include "core/conform/made_files.h"
-#include "core/scene/levels_worker.h"
+#include "core/texture/levels_worker.h"
 
 #include <GL/glew.h>
 
@@ -39,7 +39,7 @@ Result<Picture> drawScene(const Drawing& drawing) {
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     if (!context)
         return fail(context.error());
-    const Result<render::Capabilities> capabilities = render::loadCapabilities();
+    const Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
     Result<render::SceneRenderer> renderer =
@@ -47,14 +47,14 @@ Result<Picture> drawScene(const Drawing& drawing) {
     if (!renderer)
         return fail(renderer.error());
     LevelsWorker levels(LevelsWorker::When::AtOnce, {}, drawing.levels);
-    Result<render::Frame> frame =
+    Result<view::Frame> frame =
         renderer->draw(drawing.scene, drawing.images, drawing.time, drawing.size, &levels);
     if (!frame)
         return fail(frame.error());
     Result<Image> image = renderer->read();
     if (!image)
         return fail(image.error());
-    return Picture{std::move(*image), std::move(frame->problems), render::driverFacts(*capabilities)};
+    return Picture{std::move(*image), std::move(frame->problems), view::driverFacts(*capabilities)};
 }
 
 constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
@@ -88,7 +88,7 @@ Result<Picture> drawWindow(const Drawing& drawing) {
         const auto [x, y] = *drawing.probed;
         if (x >= picture.width || y >= picture.height)
             return fail(ErrorCode::OutOfRange,
-                        "the picture in this window has " + render::asText({picture.width, picture.height}) +
+                        "the picture in this window has " + view::asText({picture.width, picture.height}) +
                             " pixels, and none at " + std::to_string(x) + "," + std::to_string(y),
                         "--probe");
         session.explaining.pixel = {x, picture.height - 1 - y};
@@ -103,22 +103,22 @@ Result<Picture> drawWindow(const Drawing& drawing) {
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Picture{std::move(image), stage->problems(), render::driverFacts(stage->capabilities())};
+    return Picture{std::move(image), stage->problems(), view::driverFacts(stage->capabilities())};
 }
 
 class OsmesaStudio : public Studio {
 public:
-    OsmesaStudio(offscreen::OsmesaContext context, render::Capabilities capabilities,
+    OsmesaStudio(offscreen::OsmesaContext context, view::Capabilities capabilities,
                  std::filesystem::path shaders)
         : context_(std::move(context))
         , capabilities_(std::move(capabilities))
         , shaders_(std::move(shaders)) {}
 
     conform::Driver driver() const override {
-        return {capabilities_.renderer, capabilities_.version, {}, render::driverFacts(capabilities_)};
+        return {capabilities_.renderer, capabilities_.version, {}, view::driverFacts(capabilities_)};
     }
 
-    Result<conform::Painting> draw(RendererKind kind, const Scene& scene, render::Size size) override {
+    Result<conform::Painting> draw(RendererKind kind, const Scene& scene, view::Size size) override {
         auto found = renderers_.find(kind);
         if (found == renderers_.end()) {
             if (const Result<void> readable =
@@ -130,7 +130,7 @@ public:
                 return fail(made.error());
             found = renderers_.emplace(kind, std::move(*made)).first;
         }
-        Result<render::Frame> frame = found->second.draw(scene, conform::madeImages(), 0, size);
+        Result<view::Frame> frame = found->second.draw(scene, conform::madeImages(), 0, size);
         if (!frame)
             return fail(frame.error());
         Result<Image> image = found->second.read();
@@ -141,7 +141,7 @@ public:
 
 private:
     offscreen::OsmesaContext context_; // goes last
-    render::Capabilities capabilities_;
+    view::Capabilities capabilities_;
     std::filesystem::path shaders_;
     std::map<RendererKind, render::SceneRenderer> renderers_;
 };
@@ -150,7 +150,7 @@ Result<std::unique_ptr<Studio>> openOsmesaStudio(const std::filesystem::path& sh
     Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     if (!context)
         return fail(context.error());
-    Result<render::Capabilities> capabilities = render::loadCapabilities();
+    Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
     return std::make_unique<OsmesaStudio>(std::move(*context), std::move(*capabilities), shaders);

@@ -3,7 +3,7 @@
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
-#include "core/scene/texture_levels.h"
+#include "core/texture/texture_levels.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,7 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/interrupts.h"
 #include "core/base/printable.h"
-#include "core/scene/image_budget.h"
+#include "core/texture/image_budget.h"
 
 #include <cstdio>
 #include <new>

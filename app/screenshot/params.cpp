@@ -1,5 +1,5 @@
 #include "app/screenshot/command.h"
-#include "core/scene/param_listing.h"
+#include "core/scene/params/param_listing.h"
 
 namespace texplorer::screenshot {
 

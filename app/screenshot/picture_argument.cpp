@@ -10,7 +10,7 @@ namespace {
 
 constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
 
-std::string asArgument(render::Size size) {
+std::string asArgument(view::Size size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
@@ -33,8 +33,8 @@ void addPictureArgument(CLI::App& command, PictureArgument& argument) {
             ->capture_default_str();
 }
 
-Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest) {
-    render::Size size;
+Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest) {
+    view::Size size;
     const char* end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
     if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {

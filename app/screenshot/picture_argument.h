@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/render/frame.h"
+#include "app/view/frame.h"
 #include "app/screenshot/command.h"
-#include "core/reference/lod.h"
+#include "core/reference/sampling/lod.h"
 
 #include <span>
 
@@ -19,7 +19,7 @@ struct PictureArgument {
 /// Declares --size, --time and --anisotropy.
 void addPictureArgument(CLI::App& command, PictureArgument& argument);
 
-[[nodiscard]] Result<render::Size> parsePictureSize(std::string_view text, render::Size smallest = {1, 1});
+[[nodiscard]] Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest = {1, 1});
 [[nodiscard]] Result<double> parseTime(std::string_view text);
 
 [[nodiscard]] Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text);

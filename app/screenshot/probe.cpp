@@ -25,7 +25,7 @@ struct Options {
     bool withoutGl = false;
 };
 
-Result<reference::PixelPlace> parsePlace(std::string_view text, render::Size size) {
+Result<reference::PixelPlace> parsePlace(std::string_view text, view::Size size) {
     std::array<int, 2> place{};
     if (!parseNumbers(text, place))
         return fail(ErrorCode::OutOfRange, "expected X,Y, found \"" + std::string(text) + "\"", "--at");
@@ -116,7 +116,7 @@ ExitCode probe(const Options& options) {
         return refuseUnused("--pass", "it is for --texel; --at explains every pass");
     if (options.withoutGl && options.at.empty())
         return refuseUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
-    const Result<render::Size> size = parsePictureSize(options.picture.size);
+    const Result<view::Size> size = parsePictureSize(options.picture.size);
     if (!size)
         return complain(size.error(), wrongCall);
     const Result<double> time = parseTime(options.picture.time);

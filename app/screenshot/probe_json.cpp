@@ -1,7 +1,7 @@
 #include "app/screenshot/probe_report.h"
-#include "core/reference/explanation_steps.h"
-#include "core/reference/sampling_steps.h"
-#include "core/scene/param_text.h"
+#include "core/reference/explain/explanation_steps.h"
+#include "core/reference/explain/sampling_steps.h"
+#include "core/scene/params/param_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/reference/contributions.h"
-#include "core/reference/explanation.h"
+#include "core/reference/explain/explanation.h"
 #include "core/scene/renderer.h"
 
 #include <functional>

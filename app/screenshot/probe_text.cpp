@@ -1,5 +1,5 @@
 #include "app/screenshot/probe_report.h"
-#include "core/reference/explanation_steps.h"
+#include "core/reference/explain/explanation_steps.h"
 
 #include <algorithm>
 #include <cmath>

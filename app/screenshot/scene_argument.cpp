@@ -1,8 +1,8 @@
 #include "app/screenshot/scene_argument.h"
 
 #include "core/base/file_io.h"
-#include "core/scene/json.h"
-#include "core/scene/params.h"
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
 
 namespace texplorer::screenshot {
 namespace {

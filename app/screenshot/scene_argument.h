@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/screenshot/command.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
 
 namespace texplorer::screenshot {

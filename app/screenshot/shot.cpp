@@ -7,10 +7,10 @@
 #include "app/screenshot/output.h"
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/scene_argument.h"
-#include "app/ui/smallest_window.h"
+#include "app/ui/window/smallest_window.h"
 #include "core/image/convert.h"
 #include "core/reference/draw.h"
-#include "core/scene/diagnosis.h"
+#include "core/diagnosis/diagnosis.h"
 
 #include <algorithm>
 #include <array>
@@ -113,8 +113,8 @@ Result<Picture> drawByReference(const Drawing& drawing) {
 }
 
 ExitCode shoot(const Options& options) {
-    const Result<render::Size> size =
-        parsePictureSize(options.picture.size, options.window ? ui::smallestWindow : render::Size{1, 1});
+    const Result<view::Size> size =
+        parsePictureSize(options.picture.size, options.window ? ui::smallestWindow : view::Size{1, 1});
     if (!size)
         return complain(size.error(), wrongCall);
     const Result<double> time = parseTime(options.picture.time);

@@ -2,8 +2,8 @@
 
 #include "app/render/picture_cache.h"
 #include "app/stage/view_pictures.h"
-#include "app/ui/panes.h"
-#include "app/ui/theme.h"
+#include "app/ui/view/panes.h"
+#include "app/ui/widgets/theme.h"
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl2.h>
@@ -51,21 +51,21 @@ void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
 } // namespace
 
 struct Stage::State {
-    render::Capabilities capabilities;
+    view::Capabilities capabilities;
     ViewPictures views;
     render::TexturePreview preview;
     render::PictureCache pictures;
     Panels panels;
     std::vector<std::string> problems;
 
-    State(render::Capabilities found, const render::ShaderOptions& shaders, float scale)
+    State(view::Capabilities found, const render::ShaderOptions& shaders, float scale)
         : capabilities(std::move(found))
         , views(capabilities, shaders)
         , panels(scale) {}
 };
 
 Result<Stage> Stage::create(float scale, const render::ShaderOptions& shaders) {
-    Result<render::Capabilities> capabilities = render::loadCapabilities();
+    Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
     return Stage(std::make_unique<State>(std::move(*capabilities), shaders, scale));
@@ -77,7 +77,7 @@ Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 Stage::~Stage() = default;
 
-const render::Capabilities& Stage::capabilities() const {
+const view::Capabilities& Stage::capabilities() const {
     return state_->capabilities;
 }
 
@@ -97,7 +97,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     const auto toPixels = [density](int length) {
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
     };
-    const render::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
+    const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
     LevelsWorker& levels = ui::levelsOf(session);
     state_->views.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));

@@ -3,7 +3,7 @@
 #include "app/render/capabilities.h"
 #include "app/render/shader_renderer.h"
 #include "app/render/texture_preview.h"
-#include "app/ui/workbench.h"
+#include "app/ui/window/workbench.h"
 #include "core/base/result.h"
 
 #include <functional>
@@ -15,8 +15,8 @@ namespace texplorer::stage {
 
 /// Where a frame goes: the framebuffer that is bound when Stage::draw is called.
 struct Surface {
-    render::Size size;   ///< in the units of the mouse, which on some systems are larger than pixels
-    render::Size pixels; ///< of the framebuffer
+    view::Size size;   ///< in the units of the mouse, which on some systems are larger than pixels
+    view::Size pixels; ///< of the framebuffer
     float scale = 1;     ///< of the monitor's content: how large text should be, in pixels
 };
 
@@ -40,7 +40,7 @@ public:
 
     /// What the renderers said of the last frame's scene.
     [[nodiscard]] const std::vector<std::string>& problems() const;
-    [[nodiscard]] const render::Capabilities& capabilities() const;
+    [[nodiscard]] const view::Capabilities& capabilities() const;
 
 private:
     struct State;

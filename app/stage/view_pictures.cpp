@@ -6,7 +6,7 @@
 
 namespace texplorer::stage {
 
-ViewPictures::ViewPictures(const render::Capabilities& capabilities, render::ShaderOptions shaders)
+ViewPictures::ViewPictures(const view::Capabilities& capabilities, render::ShaderOptions shaders)
     : capabilities_(capabilities)
     , shaderOptions_(std::move(shaders)) {}
 
@@ -22,7 +22,7 @@ ViewPictures::Live& ViewPictures::liveOf(RendererKind kind) {
     return live_.emplace(kind, std::move(made)).first->second;
 }
 
-void ViewPictures::draw(ui::Session& session, render::Size size) {
+void ViewPictures::draw(ui::Session& session, view::Size size) {
     views_.clear();
     for (const RendererKind kind : ui::shownRenderers(session.views)) {
         const auto drawn = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
@@ -46,7 +46,7 @@ void ViewPictures::draw(ui::Session& session, render::Size size) {
     const bool drawn =
         std::ranges::find(views_, RendererKind::Shader, &ui::RenderedView::renderer) != views_.end();
     if (session.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
-        const render::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
+        const view::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
     }
@@ -59,10 +59,10 @@ void ViewPictures::addProblems(const std::vector<std::string>& problems) {
     }
 }
 
-ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session, render::Size size) {
+ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
     ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, true};
     Live& live = liveOf(kind);
-    Result<render::Frame> frame =
+    Result<view::Frame> frame =
         live.renderer ? live.renderer->draw(session.scene, session.images, session.playback.time, size,
                                             &ui::levelsOf(session))
                       : fail(live.renderer.error());
@@ -88,7 +88,7 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
     return view;
 }
 
-ui::RenderedView ViewPictures::drawReference(ui::Session& session, render::Size size) {
+ui::RenderedView ViewPictures::drawReference(ui::Session& session, view::Size size) {
     const reference::DrawWorker::Picture& picture =
         ui::referenceOf(session).picture({session.scene, session.images, session.playback.time, size.width,
                                           size.height, session.views.anisotropy});

@@ -3,8 +3,8 @@
 #include "app/render/capabilities.h"
 #include "app/render/picture_cache.h"
 #include "app/render/shader_renderer.h"
-#include "app/ui/rendered_view.h"
-#include "app/ui/session.h"
+#include "app/ui/view/rendered_view.h"
+#include "app/ui/model/session.h"
 
 #include <array>
 #include <map>
@@ -19,10 +19,10 @@ namespace texplorer::stage {
 /// needed. Belongs to the context that is current, on its thread, and must be destroyed before that.
 class ViewPictures {
 public:
-    ViewPictures(const render::Capabilities& capabilities, render::ShaderOptions shaders);
+    ViewPictures(const view::Capabilities& capabilities, render::ShaderOptions shaders);
 
     /// To be called once a frame, before the panels are drawn: the views are valid until the next call.
-    void draw(ui::Session& session, render::Size size);
+    void draw(ui::Session& session, view::Size size);
 
     /// In the order of ui::shownRenderers; never empty after `draw`.
     [[nodiscard]] const std::vector<ui::RenderedView>& views() const { return views_; }
@@ -33,7 +33,7 @@ public:
     }
 
     /// Of each pass; empty where nobody looks at them.
-    [[nodiscard]] const std::vector<std::shared_ptr<const render::PassShader>>& shaders() const {
+    [[nodiscard]] const std::vector<std::shared_ptr<const view::PassShader>>& shaders() const {
         return shaders_;
     }
 
@@ -52,12 +52,12 @@ private:
     };
 
     Live& liveOf(RendererKind kind);
-    [[nodiscard]] ui::RenderedView drawLive(RendererKind kind, ui::Session& session, render::Size size);
-    [[nodiscard]] ui::RenderedView drawReference(ui::Session& session, render::Size size);
+    [[nodiscard]] ui::RenderedView drawLive(RendererKind kind, ui::Session& session, view::Size size);
+    [[nodiscard]] ui::RenderedView drawReference(ui::Session& session, view::Size size);
     void addProblems(const std::vector<std::string>& problems);
     void compareViews(const ui::Views& views);
 
-    render::Capabilities capabilities_;
+    view::Capabilities capabilities_;
     render::ShaderOptions shaderOptions_;
     std::map<RendererKind, Live> live_;
     render::PictureCache pictures_;
@@ -66,7 +66,7 @@ private:
     std::array<std::shared_ptr<const Image>, 2> compared_; ///< what the difference was made of
     std::shared_ptr<const Image> heatMap_;
     std::vector<std::string> problems_;
-    std::vector<std::shared_ptr<const render::PassShader>> shaders_;
+    std::vector<std::shared_ptr<const view::PassShader>> shaders_;
 };
 
 } // namespace texplorer::stage

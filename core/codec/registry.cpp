@@ -1,10 +1,11 @@
 #include "core/codec/registry.h"
 
-#include "core/codec/bmp.h"
-#include "core/codec/dds.h"
-#include "core/codec/jpeg.h"
-#include "core/codec/png.h"
-#include "core/codec/tga.h"
+#include "core/codec/bmp/bmp.h"
+#include "core/codec/dds/dds.h"
+#include "core/codec/jpeg/jpeg.h"
+#include "core/codec/png/png.h"
+#include "core/codec/tga/tga.h"
+#include "core/s3tc/surface_pixels.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/codec/anatomy.h"
-#include "core/codec/decode_limits.h"
-#include "core/codec/write_options.h"
+#include "core/codec/common/anatomy.h"
+#include "core/codec/common/decode_limits.h"
+#include "core/codec/common/write_options.h"
 #include "core/image/image.h"
 #include "core/image/texture_image.h"
 

@@ -1,7 +1,7 @@
 #include "core/conform/judge.h"
 
 #include "core/conform/lambda_range.h"
-#include "core/reference/lod.h"
+#include "core/reference/sampling/lod.h"
 
 #include <algorithm>
 

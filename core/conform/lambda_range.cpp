@@ -1,9 +1,9 @@
 #include "core/conform/lambda_range.h"
 
-#include "core/reference/cube.h"
+#include "core/reference/sampling/cube.h"
 #include "core/reference/probe.h"
-#include "core/scene/image_source.h"
-#include "core/scene/level_plan.h"
+#include "core/texture/image_source.h"
+#include "core/texture/level_plan.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

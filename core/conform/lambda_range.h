@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/reference/draw.h"
-#include "core/reference/explanation.h"
+#include "core/reference/explain/explanation.h"
 
 #include <array>
 #include <vector>

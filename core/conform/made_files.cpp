@@ -1,8 +1,8 @@
 #include "core/conform/made_files.h"
 
-#include "core/codec/dds.h"
+#include "core/codec/dds/dds.h"
 #include "core/image/mipmaps.h"
-#include "core/image/pattern.h"
+#include "core/image/patterns/pattern.h"
 
 #include <cassert>
 

@@ -3,7 +3,7 @@
 // The files that scenes of the sweep name. They are made here, and written beside a report's scenes.
 
 #include "core/base/bytes.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 
 #include <array>
 #include <string_view>

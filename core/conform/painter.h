@@ -2,8 +2,8 @@
 
 #include "core/base/result.h"
 #include "core/image/image.h"
-#include "core/reference/explanation.h"
-#include "core/scene/image_source.h"
+#include "core/reference/explain/explanation.h"
+#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
 
 #include <memory>

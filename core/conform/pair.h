@@ -2,7 +2,7 @@
 
 // Who is compared with whom, on which driver.
 
-#include "core/scene/diagnosis.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/scene/renderer.h"
 
 #include <array>

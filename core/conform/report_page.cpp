@@ -1,10 +1,10 @@
 #include "core/base/printable.h"
-#include "core/codec/png.h"
+#include "core/codec/png/png.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/conform/report_words.h"
 #include "core/image/convert.h"
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
 
 #include <array>
 

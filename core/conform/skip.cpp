@@ -1,6 +1,6 @@
 #include "core/conform/skip.h"
 
-#include "core/reference/lod.h"
+#include "core/reference/sampling/lod.h"
 
 #include <algorithm>
 #include <array>

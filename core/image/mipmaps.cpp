@@ -1,7 +1,7 @@
 #include "core/image/mipmaps.h"
 
 #include "core/image/linear_light.h"
-#include "core/image/pattern.h"
+#include "core/image/mip_colors.h"
 #include "core/image/resample.h"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "core/image/texture_image.h"
 
-#include "core/s3tc/decode.h"
-
 #include <algorithm>
 
 namespace texplorer {
@@ -39,12 +37,6 @@ bool hasPixels(const TextureImage& texture) {
     return !texture.surfaces.empty() && bytesHeld(texture.surfaces.front()) > 0;
 }
 
-Image toImage(Surface surface) {
-    if (Image* image = std::get_if<Image>(&surface))
-        return std::move(*image);
-    return decodeBlocks(std::get<BlockImage>(surface));
-}
-
 void flipVertically(Image& image) {
     const std::size_t row = image.rowBytes();
     for (int z = 0; z < image.depth; ++z) {
@@ -53,13 +45,6 @@ void flipVertically(Image& image) {
         for (; low < high; low += row, high -= row)
             std::swap_ranges(low, low + row, high);
     }
-}
-
-Image uprightImage(TextureImage texture) {
-    Image image = toImage(std::move(texture.surfaces.front()));
-    if (texture.topFirst)
-        flipVertically(image);
-    return image;
 }
 
 TextureImage textureOf(Image image, std::string_view format) {

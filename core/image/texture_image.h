@@ -3,7 +3,7 @@
 // Everything that an image file holds for a texture: one picture, or faces and mip levels, compressed or not.
 
 #include "core/image/image.h"
-#include "core/s3tc/block_image.h"
+#include "core/image/block_image.h"
 
 #include <string>
 #include <string_view>
@@ -48,14 +48,8 @@ struct TextureImage {
 [[nodiscard]] std::size_t bytesHeld(const Surface& surface);
 [[nodiscard]] bool hasPixels(const TextureImage& texture); ///< there is a picture, and it is no outline
 
-/// A surface as pixels, decompressed where it is compressed; rows in the order they have.
-[[nodiscard]] Image toImage(Surface surface);
-
 /// Turns every slice upside down, in place.
 void flipVertically(Image& image);
-
-/// Level 0 of face 0 as pixels, bottom row first: what a program wants that just shows the picture.
-[[nodiscard]] Image uprightImage(TextureImage texture);
 
 /// A picture as a TextureImage of one surface.
 [[nodiscard]] TextureImage textureOf(Image image, std::string_view format);

@@ -2,10 +2,10 @@
 
 #include "core/base/result.h"
 #include "core/image/image.h"
-#include "core/reference/lod.h"
-#include "core/scene/image_source.h"
+#include "core/reference/sampling/lod.h"
+#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
-#include "core/scene/texture_levels.h"
+#include "core/texture/texture_levels.h"
 
 #include <memory>
 #include <stop_token>
@@ -14,7 +14,7 @@
 
 namespace texplorer::reference {
 
-struct Kernel;      // see kernel/kernel.h
+struct Kernel;      // see raster/kernel.h
 struct Explanation; // see probe.h
 struct PixelPlace;
 struct Contributions; // see contributions.h

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/reference/draw.h"
-#include "core/reference/explanation.h"
-#include "core/reference/texture_store.h"
-#include "core/reference/triangle.h"
+#include "core/reference/explain/explanation.h"
+#include "core/reference/sampling/texture_store.h"
+#include "core/reference/raster/triangle.h"
 
 namespace texplorer::reference {
 

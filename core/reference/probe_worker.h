@@ -2,7 +2,7 @@
 
 #include "core/reference/contributions.h"
 #include "core/reference/draw_worker.h"
-#include "core/reference/explanation.h"
+#include "core/reference/explain/explanation.h"
 
 #include <functional>
 #include <memory>

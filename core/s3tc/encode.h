@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/image/image.h"
-#include "core/s3tc/block_image.h"
+#include "core/image/block_image.h"
 #include "core/s3tc/encode_quality.h"
 
 #include <functional>

@@ -6,7 +6,7 @@
 // touches colours: what is flipped twice is byte for byte what it was.
 
 #include "core/base/result.h"
-#include "core/s3tc/block_image.h"
+#include "core/image/block_image.h"
 #include "core/s3tc/encode.h"
 
 #include <string_view>

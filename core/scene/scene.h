@@ -12,7 +12,7 @@
 #include "core/gl/sampling.h"
 #include "core/gl/tex_gen.h"
 #include "core/image/mipmaps.h"
-#include "core/image/pattern.h"
+#include "core/image/patterns/pattern.h"
 #include "core/image/transparency.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/texture_options.h"

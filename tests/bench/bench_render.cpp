@@ -8,7 +8,8 @@
 #include "core/image/mipmaps.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/animation.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
+#include "core/s3tc/surface_pixels.h"
 
 #include <GL/glew.h>
 #include <benchmark/benchmark.h>
@@ -20,7 +21,7 @@
 namespace texplorer::bench {
 namespace {
 
-render::Size sizeOf(const benchmark::State& state) {
+view::Size sizeOf(const benchmark::State& state) {
     return {static_cast<int>(state.range(0)), static_cast<int>(state.range(1))};
 }
 
@@ -31,7 +32,7 @@ const void* offsetInBuffer(std::size_t bytes) {
 /// The default scene, written out by hand. Leaks its GL objects to the end of the context.
 class BareLoop {
 public:
-    explicit BareLoop(render::Size size)
+    explicit BareLoop(view::Size size)
         : size_(size)
         , scene_(defaultScene()) {
         makeFramebuffer();
@@ -136,7 +137,7 @@ private:
         glMatrixMode(GL_MODELVIEW);
     }
 
-    render::Size size_;
+    view::Size size_;
     Scene scene_;
     std::vector<Buffers> models_;
 };
@@ -153,7 +154,7 @@ void drawFrames(benchmark::State& state, const ImageSource& images, auto& render
     if (!renderer)
         return state.SkipWithError(describe(renderer.error()).c_str());
     const Scene scene = defaultScene();
-    const render::Size size = sizeOf(state);
+    const view::Size size = sizeOf(state);
     for (auto _ : state) {
         const auto drawn = renderer->draw(scene, images, 0, size);
         if (!drawn || !drawn->problems.empty())
@@ -171,7 +172,7 @@ void frame(benchmark::State& state) {
 void frameShader(benchmark::State& state) {
     const Stage stage;
     Result<render::ShaderRenderer> renderer =
-        render::loadCapabilities().and_then([](const render::Capabilities& capabilities) {
+        render::loadCapabilities().and_then([](const view::Capabilities& capabilities) {
             return render::ShaderRenderer::create(capabilities);
         });
     drawFrames(state, stage.images, renderer);

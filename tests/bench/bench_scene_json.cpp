@@ -1,7 +1,7 @@
 // A scene file of a moved cube and a sphere whose 561 coordinates were all edited, read and written, against
 // nlohmann-json's own parse and dump of the same text into its document (which checks nothing of a scene).
 
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
 #include "core/scene/tex_coords.h"
 
 #include <benchmark/benchmark.h>

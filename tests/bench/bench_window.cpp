@@ -10,7 +10,7 @@
 namespace texplorer::bench {
 namespace {
 
-constexpr render::Size window{1280, 800};
+constexpr view::Size window{1280, 800};
 
 void windowFrame(benchmark::State& state) {
     const auto context = offscreen::OsmesaContext::create(window);

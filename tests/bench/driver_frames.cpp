@@ -4,7 +4,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/fixed_renderer.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 #include "tests/bench/frame_scenes.h"
 
 #include <GL/glew.h>

@@ -1,7 +1,7 @@
 // setParam: an input is lines of "path=text", each set in the scene that those before it left.
 
-#include "core/scene/json.h"
-#include "core/scene/params.h"
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
 #include "tests/fuzz/broken.h"
 
 using namespace texplorer;

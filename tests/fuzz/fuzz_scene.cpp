@@ -1,6 +1,6 @@
 // Scene files: what is accepted is written and read again without a difference.
 
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
 #include "tests/fuzz/broken.h"
 
 using namespace texplorer;

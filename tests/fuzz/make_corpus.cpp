@@ -2,8 +2,8 @@
 // subfolder a fuzzer; those of the decoders are named for their rows, so that a new row brings its own.
 
 #include "core/base/file_io.h"
-#include "core/scene/json.h"
-#include "core/scene/params.h"
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
 #include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
 

@@ -1,7 +1,7 @@
 #include "tests/random/odd_files.h"
 
 #include "core/image/convert.h"
-#include "core/image/pattern.h"
+#include "core/image/patterns/pattern.h"
 #include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
 

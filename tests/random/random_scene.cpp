@@ -2,8 +2,8 @@
 
 #include "core/conform/dice.h"
 #include "core/gl/combine_arguments.h"
-#include "core/reference/lod.h"
-#include "core/scene/params.h"
+#include "core/reference/sampling/lod.h"
+#include "core/scene/params/params.h"
 
 #include <algorithm>
 #include <array>

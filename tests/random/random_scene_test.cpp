@@ -1,5 +1,5 @@
-#include "core/scene/json.h"
-#include "core/scene/params.h"
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
 #include "tests/random/random_scene.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // scene, and what only chance puts together.
 
 #include "core/conform/pair.h"
-#include "core/scene/diagnosis.h"
+#include "core/diagnosis/diagnosis.h"
 #include "tests/random/random_scene.h"
 
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/parallel.h"
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
 #include "tests/random/odd_files.h"
 #include "tests/random/random_scene.h"
 #include "tests/random/random_skip.h"

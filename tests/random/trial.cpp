@@ -1,14 +1,14 @@
 #include "tests/random/trial.h"
 
 #include "app/offscreen/osmesa_context.h"
-#include "app/render/driver_facts.h"
+#include "app/view/driver_facts.h"
 #include "app/render/scene_renderer.h"
 #include "app/render/shader_renderer.h"
 #include "core/conform/feature.h"
 #include "core/conform/judge.h"
 #include "core/reference/contributions.h"
 #include "core/reference/probe.h"
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
 #include "core/scene/renderer.h"
 #include "tests/random/random_skip.h"
 
@@ -52,7 +52,7 @@ struct Trial::State {
     Precision precision;
     std::filesystem::path files;
     offscreen::OsmesaContext context;
-    render::Capabilities capabilities;
+    view::Capabilities capabilities;
     std::map<RendererKind, render::SceneRenderer> renderers{}; // goes before its context
 
     struct Run;
@@ -94,7 +94,7 @@ struct Trial::State::Run {
 
     void check() {
         journal.step("check");
-        for (const DriverFacts& facts : {DriverFacts{}, render::driverFacts(state.capabilities)}) {
+        for (const DriverFacts& facts : {DriverFacts{}, view::driverFacts(state.capabilities)}) {
             findings = diagnose(scene(), images, facts);
             for (const Finding& each : findings) {
                 if (!isOneSentence(each.sentence))
@@ -112,7 +112,7 @@ struct Trial::State::Run {
     void draw(RendererKind kind) {
         journal.step(nameOf(kind));
         render::SceneRenderer& renderer = state.renderers.at(kind);
-        const Result<render::Frame> frame = renderer.draw(forOpenGl, images, 0, {extent, extent});
+        const Result<view::Frame> frame = renderer.draw(forOpenGl, images, 0, {extent, extent});
         Result<Image> image = frame ? renderer.read() : fail(frame.error());
         if (!image)
             return broken(nameOf(kind) + ": " + describe(image.error()));
@@ -215,7 +215,7 @@ Result<Trial> Trial::open(Precision precision, const std::filesystem::path& file
     Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     if (!context)
         return fail(context.error());
-    const Result<render::Capabilities> capabilities = render::loadCapabilities();
+    const Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
     auto state = std::make_unique<State>(State{precision, files, std::move(*context), *capabilities});
@@ -232,7 +232,7 @@ void Trial::run(const RandomScene& random, Journal& journal) {
     const conform::Driver driver{state_->capabilities.renderer,
                                  state_->capabilities.version,
                                  {},
-                                 render::driverFacts(state_->capabilities)};
+                                 view::driverFacts(state_->capabilities)};
     State::Run run{*state_, random, journal};
     run.writeAndRead();
     run.load();

@@ -1,9 +1,9 @@
 // The diagnosis against the driver: what it calls incomplete is drawn as if the unit were off, and what it
 // says has no effect changes no pixel when it is set to something else.
 
-#include "app/render/driver_facts.h"
-#include "core/scene/diagnosis.h"
-#include "core/scene/params.h"
+#include "app/view/driver_facts.h"
+#include "core/diagnosis/diagnosis.h"
+#include "core/scene/params/params.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 
@@ -194,7 +194,7 @@ TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
     for (const Scene& scene : variants()) {
         const Image before = picture(scene, 96);
         EXPECT_TRUE(problems.empty());
-        const std::vector<Finding> findings = diagnose(scene, images, render::driverFacts(capabilities));
+        const std::vector<Finding> findings = diagnose(scene, images, view::driverFacts(capabilities));
         forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
             const Finding* idle = idleReasonOf(findings, path);
             // Units that are off have nothing to show; a file would have to be there.

@@ -124,7 +124,7 @@ TEST_F(FixedRenderer, NewPixelsOfAFileShowAtOnce) {
 }
 
 TEST_F(FixedRenderer, TheFrameIsATextureOfExactlyThatSize) {
-    for (const render::Size size : {render::Size{7, 3}, render::Size{1, 1}, render::Size{100, 37}}) {
+    for (const view::Size size : {view::Size{7, 3}, view::Size{1, 1}, view::Size{100, 37}}) {
         const auto frame = renderer->draw(flatScene(), images, 0, size);
         ASSERT_TRUE(frame) << describe(frame.error());
         EXPECT_EQ(frame->size, size);
@@ -133,10 +133,10 @@ TEST_F(FixedRenderer, TheFrameIsATextureOfExactlyThatSize) {
         glBindTexture(GL_TEXTURE_2D, frame->texture);
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
-        EXPECT_EQ((render::Size{width, height}), size);
+        EXPECT_EQ((view::Size{width, height}), size);
         const auto image = renderer->read();
         ASSERT_TRUE(image);
-        EXPECT_EQ((render::Size{image->width, image->height}), size);
+        EXPECT_EQ((view::Size{image->width, image->height}), size);
     }
 }
 

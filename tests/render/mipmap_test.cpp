@@ -3,9 +3,10 @@
 
 #include "app/render/gl_handle.h"
 #include "core/image/mipmaps.h"
-#include "core/image/pattern.h"
+#include "core/image/patterns/pattern.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
+#include "core/image/mip_colors.h"
 
 #include <glm/common.hpp>
 #include <gmock/gmock.h>

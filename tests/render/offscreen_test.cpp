@@ -45,7 +45,7 @@ TEST(OsmesaContext, CanBeMovedAndMadeAgain) {
 
 struct SizeCase {
     const char* name;
-    render::Size size;
+    view::Size size;
 };
 
 class RefusedSize : public testing::TestWithParam<SizeCase> {};

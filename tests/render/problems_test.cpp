@@ -17,7 +17,7 @@ constexpr glm::vec4 untextured{0.2F, 0.4F, 0.6F, 0.8F};
 
 struct Case {
     const char* name;
-    void (*spoil)(Scene& scene, render::Capabilities& capabilities);
+    void (*spoil)(Scene& scene, view::Capabilities& capabilities);
     const char* sentence;
 };
 
@@ -27,7 +27,7 @@ TEST_P(Problem, IsSaidWithEveryFrameAndDrawnWithout) {
     images.put("image", plainImage(16, 2, {255, 0, 0, 255}));
     Scene scene = texturedScene();
     scene.material.color = untextured;
-    render::Capabilities lesser = capabilities;
+    view::Capabilities lesser = capabilities;
     GetParam().spoil(scene, lesser);
     auto made = makeRenderer(lesser);
     ASSERT_TRUE(made);
@@ -38,7 +38,7 @@ TEST_P(Problem, IsSaidWithEveryFrameAndDrawnWithout) {
     }
 }
 
-using Caps = render::Capabilities;
+using Caps = view::Capabilities;
 
 INSTANTIATE_TEST_SUITE_P(
     All, Problem,
@@ -151,7 +151,7 @@ TEST_F(Problems, ATexCoordListOfTheWrongLengthIsTheMeshs) {
 
 struct SizeCase {
     const char* name;
-    render::Size size;
+    view::Size size;
 };
 
 class PictureSize : public RenderTest, public testing::WithParamInterface<SizeCase> {};

@@ -2,7 +2,7 @@
 // The tolerances are those that precision leaves: a driver may round coordinates, filter weights and lambda.
 
 #include "core/reference/draw.h"
-#include "core/scene/param_text.h"
+#include "core/scene/params/param_text.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/floor_scene.h"
 #include "tests/support/render_fixture.h"

@@ -5,7 +5,7 @@
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/shader_renderer.h"
 #include "core/gl/sampling.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 #include "tests/support/flat_scene.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ std::vector<Case> levelCases(bool all) {
 
 /// Draws the cases from `first` on and writes the index of each before it does. In a child.
 [[noreturn]] void drawFrom(std::span<const Case> cases, std::size_t first, std::size_t last, int progress) {
-    constexpr render::Size size{48, 48};
+    constexpr view::Size size{48, 48};
     const auto context = offscreen::OsmesaContext::create({1, 1});
     const auto capabilities = context ? render::loadCapabilities() : fail(context.error());
     if (!capabilities) {

@@ -6,7 +6,7 @@
 #include "core/base/file_io.h"
 #include "core/mesh/mesh.h"
 #include "core/reference/draw.h"
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 #include "tests/support/temp_dir.h"
@@ -150,7 +150,7 @@ int differing(const Image& a, const Image& b) {
 class ShaderAgainstFixed : public RenderTest {
 protected:
     Image drawnBy(render::SceneRenderer& other, const Scene& scene, int extent) {
-        const Result<render::Frame> frame = other.draw(scene, images, 0, {extent, extent});
+        const Result<view::Frame> frame = other.draw(scene, images, 0, {extent, extent});
         EXPECT_TRUE(frame) << describe(frame.error());
         EXPECT_THAT(frame->problems, IsEmpty());
         return other.read().value_or(Image());
@@ -186,7 +186,7 @@ protected:
         constexpr int extent = 32;
         auto shader = render::ShaderRenderer::create(capabilities);
         ASSERT_TRUE(shader);
-        const Result<render::Frame> frame = shader->draw(scene, images, 0, {extent, extent});
+        const Result<view::Frame> frame = shader->draw(scene, images, 0, {extent, extent});
         ASSERT_TRUE(frame) << describe(frame.error());
         EXPECT_THAT(frame->problems, IsEmpty());
         const Result<reference::Drawn> drawn = reference::drawReference(scene, images, 0, extent, extent);

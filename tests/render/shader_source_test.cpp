@@ -19,10 +19,10 @@ SampledUnits oneUnit(BaseFormat format = BaseFormat::Rgba) {
     return {SampledUnit{format, LateFlip::None}};
 }
 
-ShaderSource sourceOf(const Scene& scene, const SampledUnits& units = oneUnit()) {
-    Result<ShaderSource> source = shaderSource(scene, 0, units);
+view::ShaderSource sourceOf(const Scene& scene, const SampledUnits& units = oneUnit()) {
+    Result<view::ShaderSource> source = shaderSource(scene, 0, units);
     EXPECT_TRUE(source) << describe(source.error());
-    return source ? std::move(*source) : ShaderSource();
+    return source ? std::move(*source) : view::ShaderSource();
 }
 
 struct Case {
@@ -36,9 +36,9 @@ class Source : public testing::TestWithParam<Case> {};
 
 TEST_P(Source, HoldsOnlyWhatTheStateUses) {
     Scene scene = texturedScene();
-    const ShaderSource before = sourceOf(scene);
+    const view::ShaderSource before = sourceOf(scene);
     GetParam().change(scene);
-    const ShaderSource after = sourceOf(scene);
+    const view::ShaderSource after = sourceOf(scene);
     if (*GetParam().vertex != '\0') {
         EXPECT_THAT(before.vertex.text, Not(HasSubstr(GetParam().vertex)));
         EXPECT_THAT(after.vertex.text, HasSubstr(GetParam().vertex));
@@ -99,13 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
              "", ""}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST(ShaderSource, AUnitThatTakesNoPartLeavesNothing) {
-    const ShaderSource source = sourceOf(texturedScene(), {});
+TEST(view::ShaderSource, AUnitThatTakesNoPartLeavesNothing) {
+    const view::ShaderSource source = sourceOf(texturedScene(), {});
     EXPECT_THAT(source.vertex.text, Not(HasSubstr("oord0")));
     EXPECT_THAT(source.fragment.text, Not(HasSubstr("texture")));
 }
 
-TEST(ShaderSource, EveryModeHasEveryFormat) {
+TEST(view::ShaderSource, EveryModeHasEveryFormat) {
     Scene scene = texturedScene();
     for (const EnumRow& mode : EnumTable<EnvMode>::rows)
         for (const EnumRow& format : EnumTable<BaseFormat>::rows) {
@@ -115,7 +115,7 @@ TEST(ShaderSource, EveryModeHasEveryFormat) {
         }
 }
 
-TEST(ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn) {
+TEST(view::ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn) {
     Scene scene = texturedScene();
     unitOf(scene).envMode = EnvMode::Combine;
     unitOf(scene).combine.source0Rgb = CombineSource::Texture1;
@@ -126,19 +126,19 @@ TEST(ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn) {
     EXPECT_THAT(sourceOf(scene).fragment.text, HasSubstr("vec3 rgb = rgb0;"));
 }
 
-TEST(ShaderSource, EachLineKnowsWhereItWasWritten) {
-    const StageSource stage = sourceOf(texturedScene()).fragment;
+TEST(view::ShaderSource, EachLineKnowsWhereItWasWritten) {
+    const view::StageSource stage = sourceOf(texturedScene()).fragment;
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(stage.text, '\n')), stage.lines.size());
     EXPECT_EQ(stage.lines[0].file, "fragment.glsl");
     EXPECT_EQ(stage.lines[0].line, 4);
 }
 
-TEST(ShaderSource, LogsOfAllDriversNameTheFileAndTheLine) {
-    StageSource stage;
+TEST(view::ShaderSource, LogsOfAllDriversNameTheFileAndTheLine) {
+    view::StageSource stage;
     stage.text = "one\ntwo\n";
     stage.lines = {{"vertex.glsl", 5}, {"lighting.glsl", 17}};
-    using Message = ShaderMessage;
-    const auto at = std::optional(ShaderStage::Vertex);
+    using Message = view::ShaderMessage;
+    const auto at = std::optional(view::ShaderStage::Vertex);
     EXPECT_THAT(translateLog("0:2(5): error: `n' undeclared\n\n", stage),
                 ElementsAre(Message{std::nullopt, 2, "lighting.glsl:17: error: `n' undeclared"}));
     EXPECT_THAT(translateLog("0(1) : error C1008: undefined \"n\"\r\n", stage, at),

@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(All, CompressedByDriver,
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(Compressed, TexturesAreDecompressedForADriverWithoutS3tcAndSaidSo) {
-    render::Capabilities poor = capabilities;
+    view::Capabilities poor = capabilities;
     poor.s3tc = false;
     renderer = std::move(*makeRenderer(poor));
     const TextureImage file = randomFile(BlockFormat::Dxt5, 8, 8, 4);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/texture_levels.h"
+#include "core/texture/texture_levels.h"
 
 #include <latch>
 #include <utility>

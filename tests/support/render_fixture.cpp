@@ -11,7 +11,7 @@ RendererKind& testedRenderer() {
     return kind;
 }
 
-Result<render::SceneRenderer> makeRenderer(const render::Capabilities& capabilities) {
+Result<render::SceneRenderer> makeRenderer(const view::Capabilities& capabilities) {
     return render::createRenderer(testedRenderer(), capabilities);
 }
 
@@ -19,7 +19,7 @@ void RenderTest::SetUp() {
     Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     ASSERT_TRUE(context) << describe(context.error());
     context_ = std::move(*context);
-    Result<render::Capabilities> loaded = render::loadCapabilities();
+    Result<view::Capabilities> loaded = render::loadCapabilities();
     ASSERT_TRUE(loaded) << describe(loaded.error());
     capabilities = *loaded;
     Result<render::SceneRenderer> made = makeRenderer(capabilities);
@@ -33,7 +33,7 @@ void RenderTest::TearDown() {
 }
 
 Image RenderTest::picture(const Scene& scene, int extent, double time) {
-    const Result<render::Frame> frame = renderer->draw(scene, images, time, {extent, extent});
+    const Result<view::Frame> frame = renderer->draw(scene, images, time, {extent, extent});
     if (!frame) {
         ADD_FAILURE() << describe(frame.error());
         return {};

@@ -2,7 +2,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/scene_renderer.h"
-#include "core/scene/image_source.h"
+#include "core/texture/image_source.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
 
@@ -20,7 +20,7 @@ namespace texplorer::testing_support {
 [[nodiscard]] RendererKind& testedRenderer();
 
 /// The renderer that a RenderTest has, for other capabilities.
-[[nodiscard]] Result<render::SceneRenderer> makeRenderer(const render::Capabilities& capabilities);
+[[nodiscard]] Result<render::SceneRenderer> makeRenderer(const view::Capabilities& capabilities);
 
 /// A context without a display and a renderer in it, new for every test.
 class RenderTest : public testing::Test {
@@ -34,7 +34,7 @@ protected:
     /// The colour of every pixel of a picture that has one colour, 0 to 1; a failure where it has several.
     [[nodiscard]] glm::vec4 onlyColor(const Scene& scene, int extent = 8, double time = 0);
 
-    render::Capabilities capabilities;
+    view::Capabilities capabilities;
     ImageSource images;
     std::vector<std::string> problems;
     std::optional<render::SceneRenderer> renderer;

@@ -4,9 +4,9 @@
 #include "app/render/picture_cache.h"
 #include "app/render/texture_preview.h"
 #include "app/stage/view_pictures.h"
-#include "app/ui/keys.h"
-#include "app/ui/panes.h"
-#include "app/ui/theme.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/view/panes.h"
+#include "app/ui/widgets/theme.h"
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl2.h>
@@ -21,8 +21,8 @@ void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
     (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
 }
 
-render::Capabilities madeUpCapabilities() {
-    render::Capabilities capabilities;
+view::Capabilities madeUpCapabilities() {
+    view::Capabilities capabilities;
     capabilities.renderer = "none";
     capabilities.maxTextureSize = 16384;
     capabilities.textureUnits = 8;
@@ -33,7 +33,7 @@ render::Capabilities madeUpCapabilities() {
 } // namespace
 
 struct Workbench::Drawing {
-    Drawing(render::Size size, const std::filesystem::path& shaders)
+    Drawing(view::Size size, const std::filesystem::path& shaders)
         : context(offscreen::OsmesaContext::create(size).value())
         , capabilities(render::loadCapabilities().value())
         , views(capabilities, {shaders, {}}) {
@@ -44,7 +44,7 @@ struct Workbench::Drawing {
     Drawing& operator=(const Drawing&) = delete;
 
     offscreen::OsmesaContext context;
-    render::Capabilities capabilities;
+    view::Capabilities capabilities;
     stage::ViewPictures views;
     render::TexturePreview preview;
     render::PictureCache pictures;
@@ -82,7 +82,7 @@ void Workbench::build(const Pictures& pictures) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
     io.DeltaTime = frameSeconds;
-    static const render::Capabilities madeUp = madeUpCapabilities();
+    static const view::Capabilities madeUp = madeUpCapabilities();
     ImGui::NewFrame();
     requests = drawWorkbench(*session, pictures, drawing_ ? drawing_->capabilities : madeUp, layout);
     ImGui::Render();
@@ -103,7 +103,7 @@ void Workbench::frames(int count) {
 
 Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
     if (!drawing_)
-        drawing_ = std::make_unique<Drawing>(render::Size{width_, height_}, shaders);
+        drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
     layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
     settle(*session, layout);
     drawing_->views.draw(*session, {layout.picture.width, layout.picture.height});

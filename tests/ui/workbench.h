@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/workbench.h"
+#include "app/ui/window/workbench.h"
 #include "core/image/image.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,9 @@
-#include "core/codec/dds.h"
-#include "core/codec/png.h"
+#include "core/codec/dds/dds.h"
+#include "core/codec/png/png.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
-#include "core/scene/json.h"
+#include "core/scene/params/json.h"
+#include "core/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/conform/sweep.h"
-#include "core/scene/diagnosis.h"
-#include "core/scene/json.h"
+#include "core/diagnosis/diagnosis.h"
+#include "core/scene/params/json.h"
 
 #include <gmock/gmock.h>
 

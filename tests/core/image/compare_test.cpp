@@ -1,5 +1,5 @@
 #include "core/base/file_io.h"
-#include "core/codec/png.h"
+#include "core/codec/png/png.h"
 #include "core/image/compare.h"
 #include "tests/support/temp_dir.h"
 

@@ -3,7 +3,7 @@
 // libsquish as an oracle.
 
 #include "core/image/image.h"
-#include "core/s3tc/block_image.h"
+#include "core/image/block_image.h"
 
 #include <cstring>
 #include <squish.h>

@@ -1,6 +1,6 @@
-#include <core/codec/png.h>
-#include <core/image/pattern.h>
-#include <core/scene/json.h>
+#include <core/codec/png/png.h>
+#include <core/image/patterns/pattern.h>
+#include <core/scene/params/json.h>
 #include <cstdio>
 
 int main() {

@@ -1,0 +1,76 @@
+#include "app/ui/model/commands.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+
+namespace texplorer::ui {
+
+namespace {
+
+/// As lines of a program.
+std::string asText(const std::vector<Command>& commands) {
+    std::string text;
+    for (const Command& command : commands)
+        text += command.kind == Command::Kind::Heading ? "/* " + command.text + " */\n" : command.text + "\n";
+    return text;
+}
+
+void toolRow(Session& session, const std::vector<Command>& commands) {
+    const char* copy = "Copy";
+    const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const char* caption = "Calls that set an initial value are dim";
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(caption).x + width) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", caption);
+        ImGui::SameLine();
+    }
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    if (ImGui::Button(copy))
+        ImGui::SetClipboardText(asText(commands).c_str());
+    noteItem(session, "copy commands");
+    helpTip("Copies the calls, those of initial values, too");
+}
+
+} // namespace
+
+void drawCommandsTab(Session& session) {
+    const std::vector<Command> commands = commandsOf(session.scene);
+    toolRow(session, commands);
+    ImGui::BeginChild("commands");
+    ImGui::PushFont(codeFont());
+    const float letter = ImGui::CalcTextSize("M").x;
+    const auto columns =
+        static_cast<std::size_t>(std::max(16.0F, ImGui::GetContentRegionAvail().x / letter - 1));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.15F});
+    for (const Command& command : commands) {
+        if (command.kind == Command::Kind::Heading) {
+            ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
+            ImGui::TextDisabled("/* %s */", command.text.c_str());
+            continue;
+        }
+        const bool last = !session.lastChanged.empty() && command.path == session.lastChanged;
+        ImGui::PushStyleColor(ImGuiCol_Text, last              ? color::changed
+                                             : command.changed ? color::text
+                                                               : color::dim);
+        ImGui::BeginGroup();
+        for (const std::string& line : wrapCall(command.text, columns))
+            ImGui::TextUnformatted(line.c_str());
+        ImGui::EndGroup();
+        ImGui::PopStyleColor();
+        if (last)
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                {ImGui::GetItemRectMin().x - letter, ImGui::GetItemRectMin().y},
+                {ImGui::GetItemRectMin().x - letter * 0.6F, ImGui::GetItemRectMax().y}, color::changed);
+        if (last && session.revealedCommand != command.path)
+            ImGui::SetScrollHereY(0.5F);
+        noteItem(session, "command:" + command.path);
+    }
+    session.revealedCommand = session.lastChanged;
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::EndChild();
+}
+
+} // namespace texplorer::ui

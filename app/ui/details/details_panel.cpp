@@ -1,0 +1,69 @@
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+
+#include <string>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+void drawTab(Session& session, const Pictures& pictures, Tab tab) {
+    switch (tab) {
+    case Tab::Vertices:
+        return drawVerticesTab(session);
+    case Tab::Commands:
+        return drawCommandsTab(session);
+    case Tab::Glsl:
+        return drawGlslTab(session, pictures);
+    case Tab::Explain:
+        return drawExplainTab(session, pictures);
+    case Tab::File:
+        return drawFileTab(session);
+    case Tab::Memory:
+        return drawMemoryTab(session, pictures);
+    }
+}
+
+} // namespace
+
+void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& layout) {
+    beginPanel("Details", layout.details, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    session.explaining.isOpen = false;
+    // Close together: all of their names fit into a narrow panel.
+    const auto pushTabStyle = [] {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            {ImGui::GetFontSize() * 0.2F, ImGui::GetStyle().FramePadding.y});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {1, ImGui::GetStyle().ItemInnerSpacing.y});
+    };
+    const float available = ImGui::GetContentRegionAvail().x;
+    const auto haveRoom = [&] {
+        float width = 0;
+        for (const TabRow& row : tabRows)
+            width += ImGui::CalcTextSize(row.label).x + ImGui::GetFontSize() * 0.4F + 2;
+        return width <= available;
+    };
+    pushTabStyle();
+    const bool hasTabs = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar(2);
+    if (hasTabs) {
+        const std::optional<Tab> wanted = std::exchange(session.wantedTab, std::nullopt);
+        const bool brief = !haveRoom();
+        for (const TabRow& row : tabRows) {
+            pushTabStyle();
+            const std::string label = std::string(brief ? row.brief : row.label) + "###" + row.label;
+            const bool open = ImGui::BeginTabItem(label.c_str(), nullptr,
+                                                  wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
+            ImGui::PopStyleVar(2);
+            noteItem(session, std::string("tab:") + row.label);
+            if (open) {
+                session.shownTab = row.tab;
+                drawTab(session, pictures, row.tab);
+                ImGui::EndTabItem();
+            }
+        }
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+}
+
+} // namespace texplorer::ui

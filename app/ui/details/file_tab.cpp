@@ -1,0 +1,288 @@
+// The tab "File": what is where in a texture's file, as a table of fields and as bytes.
+
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/printable.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace texplorer::ui {
+namespace {
+
+std::string hexNumber(std::size_t number, int digits) {
+    std::array<char, 24> text{};
+    std::snprintf(text.data(), text.size(), "%0*zX", digits, number);
+    return text.data();
+}
+
+int offsetDigits(std::size_t fileBytes) {
+    return fileBytes > 0xFFFFFF ? 8 : fileBytes > 0xFFFF ? 6 : 4;
+}
+
+void fieldTip(const Field& field) {
+    std::string text = field.name;
+    if (!field.value.empty())
+        text += " = " + field.value;
+    if (!field.meaning.empty())
+        text += "\n" + field.meaning;
+    if (!field.wrong.empty())
+        text += "\n" + field.wrong;
+    text += "\n" + std::to_string(field.size) + (field.size == 1 ? " byte" : " bytes") + " from offset " +
+            std::to_string(field.offset);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+    ImGui::TextUnformatted(printable(text, LineBreaks::Keep).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+std::string indented(const Field& field) {
+    return std::string(static_cast<std::size_t>(std::clamp(field.depth, 0, 8)) * 2, ' ') + field.name;
+}
+
+void fieldRow(Session& session, std::size_t index, int digits, std::optional<std::size_t>& hovered) {
+    FileView& view = session.fileView;
+    const Field& field = view.content->anatomy.fields[index];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(index));
+    const bool lit = view.hovered == index;
+    if (ImGui::Selectable("##row", lit,
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap))
+        view.revealInBytes = index;
+    noteItem(session, "field:" + field.name);
+    if (ImGui::IsItemHovered()) {
+        hovered = index;
+        fieldTip(field);
+    }
+    ImGui::PopID();
+    ImGui::SameLine(0, 0);
+    ImGui::PushFont(codeFont());
+    ImGui::TextDisabled("%s", hexNumber(field.offset, digits).c_str());
+    ImGui::PopFont();
+    const bool fine = field.wrong.empty();
+    ImGui::TableNextColumn();
+    fittedText(indented(field), fine ? color::text : color::problem);
+    ImGui::TableNextColumn();
+    if (!field.value.empty()) {
+        fittedText(field.value, fine ? color::text : color::problem);
+        ImGui::SameLine(0, ImGui::GetFontSize() * 0.7F);
+    }
+    if (ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 2)
+        fittedText(fine ? field.meaning : field.wrong, fine ? color::dim : color::problem);
+}
+
+/// So that the first names fit, but no more than a good third of the panel.
+float nameWidth(const std::vector<Field>& fields) {
+    float width = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 64); ++i)
+        width = std::max(width, ImGui::CalcTextSize(indented(fields[i]).c_str()).x);
+    return std::min(width, ImGui::GetContentRegionAvail().x * 0.38F);
+}
+
+void fieldTable(Session& session, float height, std::optional<std::size_t>& hovered) {
+    FileView& view = session.fileView;
+    const std::vector<Field>& fields = view.content->anatomy.fields;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
+                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings |
+                                      ImGuiTableFlags_RowBg;
+    if (!ImGui::BeginTable("fields", 3, flags, {0, height}))
+        return;
+    const int digits = offsetDigits(view.content->fileBytes);
+    ImGui::PushFont(codeFont());
+    const float offsets = ImGui::CalcTextSize("0").x * static_cast<float>(std::max(digits, 6));
+    ImGui::PopFont();
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Offset", ImGuiTableColumnFlags_WidthFixed, offsets);
+    ImGui::TableSetupColumn("Field", ImGuiTableColumnFlags_WidthFixed, nameWidth(fields));
+    ImGui::TableSetupColumn("Value and meaning", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableHeadersRow();
+    if (view.revealInTable) {
+        const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+        ImGui::SetScrollY(std::max(0.0F, row * static_cast<float>(*view.revealInTable) - height / 3));
+        view.revealInTable.reset();
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(fields.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            fieldRow(session, static_cast<std::size_t>(i), digits, hovered);
+    }
+    ImGui::EndTable();
+}
+
+/// One line of bytes: offset, hexadecimal, characters.
+struct HexLine {
+    float letter; ///< width of a character
+    int digits;   ///< of the offset
+    std::size_t perLine;
+
+    [[nodiscard]] float hexAt(std::size_t column) const {
+        return letter * static_cast<float>(static_cast<std::size_t>(digits) + 2 + column * 3);
+    }
+    [[nodiscard]] float textAt(std::size_t column) const {
+        return letter * static_cast<float>(static_cast<std::size_t>(digits) + 3 + perLine * 3 + column);
+    }
+    /// Which byte of the line is at this place, counted from the line's left edge.
+    [[nodiscard]] std::optional<std::size_t> columnAt(float x) const {
+        const float hex = (x - hexAt(0)) / (letter * 3);
+        if (hex >= 0 && hex < static_cast<float>(perLine))
+            return static_cast<std::size_t>(hex);
+        const float text = (x - textAt(0)) / letter;
+        if (text >= 0 && text < static_cast<float>(perLine))
+            return static_cast<std::size_t>(text);
+        return std::nullopt;
+    }
+};
+
+void hexRow(Session& session, const HexLine& line, std::size_t row, std::optional<std::size_t>& hovered) {
+    FileView& view = session.fileView;
+    const DissectedFile& file = *view.content;
+    const std::size_t first = row * line.perLine;
+    const std::size_t count = std::min(line.perLine, file.bytes.size() - first);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    ImGui::Dummy({line.textAt(line.perLine), height});
+    noteItem(session, "hex:" + std::to_string(first));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) {
+        const auto column = line.columnAt(ImGui::GetIO().MousePos.x - corner.x);
+        if (column && *column < count) {
+            hovered = view.map.at(first + *column);
+            if (hovered) {
+                fieldTip(file.anatomy.fields[*hovered]);
+                if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+                    view.revealInTable = hovered;
+            }
+        }
+    }
+    draw.AddText(corner, color::dim, hexNumber(first, line.digits).c_str());
+    constexpr ImU32 lit = IM_COL32(118, 150, 190, 130);
+    for (std::size_t i = 0; i < count; ++i) {
+        const int value = std::to_integer<int>(file.bytes[first + i]);
+        const auto field = view.map.at(first + i);
+        const bool wrong = field && !file.anatomy.fields[*field].wrong.empty();
+        const ImU32 ink = wrong ? color::problem : field ? color::text : color::dim;
+        const ImVec2 hex(corner.x + line.hexAt(i), corner.y);
+        const ImVec2 text(corner.x + line.textAt(i), corner.y);
+        if (field && field == view.hovered) {
+            const bool goesOn = i + 1 < count && view.map.at(first + i + 1) == field;
+            draw.AddRectFilled({hex.x - 1, hex.y},
+                               {hex.x + line.letter * (goesOn ? 3.0F : 2.0F) + 1, hex.y + height}, lit);
+            draw.AddRectFilled(text, {text.x + line.letter, text.y + height}, lit);
+        }
+        draw.AddText(hex, ink, hexNumber(static_cast<std::size_t>(value), 2).c_str());
+        const bool printable = value >= 0x20 && value < 0x7F;
+        const std::array<char, 2> letter{printable ? static_cast<char>(value) : '.', '\0'};
+        draw.AddText(text, printable ? ink : color::dim, letter.data());
+    }
+}
+
+void hexView(Session& session, std::optional<std::size_t>& hovered) {
+    FileView& view = session.fileView;
+    const DissectedFile& file = *view.content;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
+    ImGui::BeginChild("bytes", {0, 0}, false);
+    ImGui::PushFont(codeFont());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    HexLine line{ImGui::CalcTextSize("0").x, offsetDigits(file.fileBytes), 4};
+    // As many as fit, in a power of two.
+    while (line.perLine < 32) {
+        HexLine wider = line;
+        wider.perLine *= 2;
+        if (wider.textAt(wider.perLine) > ImGui::GetContentRegionAvail().x)
+            break;
+        line = wider;
+    }
+    const std::size_t rows = (file.bytes.size() + line.perLine - 1) / line.perLine;
+    if (view.revealInBytes) {
+        const Field& field = file.anatomy.fields[*view.revealInBytes];
+        const auto row = static_cast<float>(field.offset / line.perLine);
+        ImGui::SetScrollY(std::max(0.0F, (row - 1) * ImGui::GetTextLineHeight()));
+        view.revealInBytes.reset();
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows), ImGui::GetTextLineHeight());
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            hexRow(session, line, static_cast<std::size_t>(i), hovered);
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    if (file.bytes.size() < file.fileBytes)
+        ImGui::TextDisabled("The first %zu of %zu bytes are shown.", file.bytes.size(), file.fileBytes);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+/// One line that says which file this is, and what is wrong with it.
+void heading(Session& session) {
+    FileView& view = session.fileView;
+    if (!view.chosen.empty()) {
+        if (ImGui::SmallButton("←"))
+            view.chosen.clear();
+        noteItem(session, "file:back");
+        helpTip("Back to the file of the bound texture");
+        ImGui::SameLine();
+    }
+    std::string text = printable(view.shown.filename().string());
+    if (view.content) {
+        const std::string_view format = view.content->anatomy.format;
+        text += " · " + (format.empty() ? std::string("unknown format") : std::string(format)) + " · " +
+                std::to_string(view.content->fileBytes) + " bytes";
+    }
+    ImGui::TextUnformatted(text.c_str());
+    noteItem(session, "file:name");
+    helpTip(view.shown.string());
+    if (!view.content)
+        return;
+    const std::string& damage = view.content->anatomy.damage;
+    const std::string& problem = view.content->problem.empty() ? damage : view.content->problem;
+    if (problem.empty())
+        return;
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    ImGui::TextWrapped("%s", printable(problem).c_str());
+    ImGui::PopStyleColor();
+    noteItem(session, "file:problem");
+    if (!damage.empty() && damage != problem)
+        helpTip(damage);
+}
+
+} // namespace
+
+void drawFileTab(Session& session) {
+    followFile(session);
+    FileView& view = session.fileView;
+    if (view.shown.empty()) {
+        ImGui::TextWrapped(boundTexture(session)
+                               ? "This texture is a built-in pattern: there is no file. Open an image with "
+                                 "Ctrl+I to see what its file holds."
+                               : "No texture is bound to this unit.");
+        noteItem(session, "file:none");
+        return;
+    }
+    heading(session);
+    if (!view.problem.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextWrapped("%s", printable(view.problem).c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!view.content) {
+        if (view.ticket != 0)
+            ImGui::TextDisabled("Reading…");
+        return;
+    }
+    std::optional<std::size_t> hovered;
+    if (view.content->anatomy.fields.empty())
+        ImGui::TextDisabled("Its fields are not known.");
+    else
+        fieldTable(session, ImGui::GetContentRegionAvail().y * 0.55F, hovered);
+    hexView(session, hovered);
+    view.hovered = hovered;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,229 @@
+#include "app/ui/details/glsl_text.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace texplorer::ui {
+
+namespace {
+
+using view::PassShader;
+using view::ShaderMessage;
+using view::ShaderStage;
+
+struct StageRow {
+    ShaderStage stage;
+    const char* label;
+    const char* help;
+};
+constexpr std::array stageRows{
+    StageRow{ShaderStage::Vertex, "Vertex",
+             "What happens once for each vertex: coordinates, texgen, lighting"},
+    StageRow{ShaderStage::Fragment, "Fragment",
+             "What happens for each pixel: the lookups and the environment"},
+};
+
+ImU32 tintOf(GlslToken::Kind kind) {
+    switch (kind) {
+    case GlslToken::Kind::Keyword:
+        return color::keyword;
+    case GlslToken::Kind::Uniform:
+        return color::uniform;
+    case GlslToken::Kind::Comment:
+        return color::dim;
+    case GlslToken::Kind::Plain:
+        break;
+    }
+    return color::text;
+}
+
+const view::StageSource& sourceOf(const PassShader& shader, ShaderStage stage) {
+    return stage == ShaderStage::Vertex ? shader.source.vertex : shader.source.fragment;
+}
+
+void showLine(GlslView& view, const ShaderMessage& message) {
+    if (!message.stage || message.line == 0)
+        return;
+    view.stage = *message.stage;
+    view.wantedLine = message.line;
+}
+
+/// The stages to choose from, and what one can do with the source.
+void toolRow(Session& session, const PassShader& shader) {
+    GlslView& view = session.glsl;
+    for (const StageRow& row : stageRows) {
+        const bool chosen = view.stage == row.stage;
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
+        if (ImGui::Button(row.label))
+            view.stage = row.stage;
+        ImGui::PopStyleColor();
+        noteItem(session, std::string("stage:") + row.label);
+        helpTip(row.help);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
+    }
+    const char* copy = "Copy";
+    const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string pass = "pass " + std::to_string(session.selection.pass);
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(pass.c_str()).x + 2 * width) {
+        ImGui::TextDisabled("%s", pass.c_str());
+        ImGui::SameLine();
+    }
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    if (ImGui::Button(copy))
+        ImGui::SetClipboardText(sourceOf(shader, view.stage).text.c_str());
+    noteItem(session, "copy glsl");
+    helpTip("Copies the stage's source as it is given to the driver");
+}
+
+/// What the compiler says, where it says anything: a click leads to the line.
+void drawLog(Session& session, const PassShader& shader) {
+    if (shader.log.empty())
+        return;
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    ImGui::PushTextWrapPos(0);
+    int number = 0;
+    for (const ShaderMessage& message : shader.log) {
+        ImGui::TextUnformatted(message.sentence.c_str());
+        noteItem(session, "message:" + std::to_string(number++));
+        if (message.line > 0 && ImGui::IsItemHovered())
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (ImGui::IsItemClicked())
+            showLine(session.glsl, message);
+    }
+    ImGui::PopStyleColor();
+    ImGui::TextDisabled("Until this is mended, what ran before goes on drawing.");
+    ImGui::PopTextWrapPos();
+}
+
+bool isBlamed(const PassShader& shader, ShaderStage stage, int line) {
+    return std::ranges::any_of(shader.log, [&](const ShaderMessage& message) {
+        return message.stage == stage && message.line == line;
+    });
+}
+
+/// What one sees as a line: a line of the source, or a part of one that is too long.
+struct Row {
+    std::size_t line;
+    std::string_view part;
+    std::size_t indent; ///< in columns; of a line's first part 0
+    [[nodiscard]] bool begins(std::string_view whole) const { return part.data() == whole.data(); }
+};
+
+std::vector<Row> wrapped(const std::vector<std::string_view>& lines, std::size_t columns) {
+    std::vector<Row> rows;
+    rows.reserve(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::size_t indent = hangingIndent(lines[i], columns);
+        for (const std::string_view part : wrapLine(lines[i], columns, indent))
+            rows.push_back({i, part, part.data() == lines[i].data() ? 0 : indent});
+    }
+    return rows;
+}
+
+void drawNumber(std::size_t number, const std::string& digits) {
+    const std::string shown = std::to_string(number);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::CalcTextSize(digits.c_str()).x -
+                         ImGui::CalcTextSize(shown.c_str()).x);
+    ImGui::PushStyleColor(ImGuiCol_Text, color::faint);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, 0);
+}
+
+/// What of a line's stretches lies in a part of it.
+void drawPart(const std::vector<GlslToken>& tokens, std::string_view part, float left) {
+    ImGui::SetCursorPosX(left);
+    for (const GlslToken& token : tokens) {
+        const char* begin = std::max(token.text.data(), part.data());
+        const char* end = std::min(token.text.data() + token.text.size(), part.data() + part.size());
+        if (begin >= end)
+            continue;
+        ImGui::PushStyleColor(ImGuiCol_Text, tintOf(token.kind));
+        ImGui::TextUnformatted(begin, end);
+        ImGui::PopStyleColor();
+        ImGui::SameLine(0, 0);
+    }
+    ImGui::NewLine();
+}
+
+void drawSource(Session& session, const PassShader& shader) {
+    GlslView& view = session.glsl;
+    const view::StageSource& source = sourceOf(shader, view.stage);
+    const std::vector<std::string_view> lines = linesOf(source.text);
+    const GlslNames uniforms = uniformsOf(source.text);
+    ImGui::BeginChild("source", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    ImGui::PushFont(codeFont());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.12F});
+    const float letter = ImGui::CalcTextSize("M").x;
+    const std::string digits = std::to_string(lines.size());
+    const float gutter = letter * static_cast<float>(digits.size() + 2);
+    const auto columns =
+        static_cast<std::size_t>(std::max(16.0F, (ImGui::GetContentRegionAvail().x - gutter) / letter));
+    const std::vector<Row> rows = wrapped(lines, columns);
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    if (view.wantedLine > 0) {
+        const auto wanted = std::ranges::find(rows, static_cast<std::size_t>(view.wantedLine), &Row::line);
+        ImGui::SetScrollY(static_cast<float>(wanted - rows.begin()) * height - ImGui::GetWindowHeight() / 2);
+    }
+    view.wantedLine = 0;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()), height);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const Row& row = rows[static_cast<std::size_t>(i)];
+            const std::string_view line = lines[row.line];
+            const ImVec2 low = ImGui::GetCursorScreenPos();
+            if (isBlamed(shader, view.stage, static_cast<int>(row.line) + 1))
+                ImGui::GetWindowDrawList()->AddRectFilled(
+                    low, {low.x + ImGui::GetWindowWidth(), low.y + height}, color::blamed);
+            ImGui::BeginGroup();
+            const float left = ImGui::GetCursorPosX() + gutter + letter * static_cast<float>(row.indent);
+            if (row.begins(line))
+                drawNumber(row.line + 1, digits);
+            drawPart(glslTokens(line, uniforms), row.part, left);
+            ImGui::EndGroup();
+            if (row.begins(line))
+                noteItem(session, "glsl:" + std::to_string(row.line + 1));
+            if (row.line < source.lines.size())
+                helpTip(source.lines[row.line].file + ":" + std::to_string(source.lines[row.line].line));
+        }
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::EndChild();
+}
+
+} // namespace
+
+void drawGlslTab(Session& session, const Pictures& pictures) {
+    const auto pass = static_cast<std::size_t>(session.selection.pass);
+    const std::shared_ptr<const PassShader> shader =
+        pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
+    if (!shader) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("There is no shader: the status bar says why.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    // A new mistake is shown, once: somebody has just saved it in an editor.
+    GlslView& view = session.glsl;
+    if (shader->log.empty()) {
+        view.shownLog.clear();
+    } else if (view.shownLog != shader->log) {
+        view.shownLog = shader->log;
+        const auto placed =
+            std::ranges::find_if(shader->log, [](const ShaderMessage& each) { return each.line > 0; });
+        if (placed != shader->log.end())
+            showLine(view, *placed);
+    }
+    toolRow(session, *shader);
+    drawLog(session, *shader);
+    drawSource(session, *shader);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,237 @@
+// The tab "Memory": what the bound texture costs, level by level, and what its compression lost.
+
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace texplorer::ui {
+namespace {
+
+/// "1,398,100"
+std::string grouped(std::size_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t at = text.size(); at > 3;)
+        text.insert(at -= 3, ",");
+    return text;
+}
+
+std::string decimal(double number, int digits) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, number);
+    return text.data();
+}
+
+std::string extentsOf(const LevelReport& level, Target target) {
+    std::string text = level.faces > 1 ? std::to_string(level.faces) + " × " : std::string();
+    text += std::to_string(level.width);
+    if (target != Target::Texture1D)
+        text += " × " + std::to_string(level.height);
+    if (target == Target::Texture3D)
+        text += " × " + std::to_string(level.depth);
+    return text;
+}
+
+std::string psnrText(double psnr) {
+    return std::isinf(psnr) ? "exact" : decimal(psnr, 1) + " dB";
+}
+
+LevelsRequest requestOf(Session& session, const Texture& texture) {
+    return {session.images.find(texture), imageSettings(texture), selectedUnit(session).target};
+}
+
+/// Sentences about the bound texture: the renderer's, and those about levels that nobody has drawn yet.
+std::vector<std::string> sentencesOf(Session& session, const Pictures& pictures,
+                                     const LevelsSummary* summary) {
+    const std::string where = "textures[" + std::to_string(selectedUnit(session).texture) + "]: ";
+    std::vector<std::string> sentences;
+    const auto add = [&](std::string sentence) {
+        if (std::ranges::find(sentences, sentence) == sentences.end())
+            sentences.push_back(std::move(sentence));
+    };
+    for (const std::string& problem : pictures.problems) {
+        if (problem.starts_with(where))
+            add(problem.substr(where.size()));
+    }
+    if (summary) {
+        for (const std::string& note : summary->notes)
+            add(note);
+    }
+    return sentences;
+}
+
+void drawSentences(Session& session, const std::vector<std::string>& sentences) {
+    for (std::size_t i = 0; i < sentences.size(); ++i) {
+        std::string sentence = sentences[i];
+        if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
+            sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextWrapped("%s.", sentence.c_str());
+        ImGui::PopStyleColor();
+        noteItem(session, "memory:note " + std::to_string(i));
+    }
+}
+
+std::string formatName(const Texture& texture, const LevelsSummary& summary) {
+    if (!summary.compressed)
+        return std::string(rowOf(texture.internalFormat).label);
+    return std::string(rowOf(*summary.compressed).label) + (summary.byDriver ? ", by the driver" : "");
+}
+
+/// The sum, and what it is beside the base level and beside a texture that isn't compressed.
+void drawSum(Session& session, const Texture& texture, const LevelsSummary& summary) {
+    const TextureReport& report = summary.report;
+    const std::size_t count = report.levels.size();
+    ImGui::TextUnformatted((grouped(report.bytes) + " bytes").c_str());
+    noteItem(session, "memory:sum");
+    ImGui::SameLine(0, 0);
+    ImGui::TextDisabled(" in %zu %s, %s", count, count == 1 ? "level" : "levels",
+                        formatName(texture, summary).c_str());
+    float used = 0; // of the line; what doesn't fit begins the next one
+    const auto fact = [&](const std::string& number, const char* words, const char* name, const char* help) {
+        const float gap = ImGui::GetFontSize();
+        const float width = ImGui::CalcTextSize((number + words).c_str()).x;
+        if (used > 0 && used + gap + width <= ImGui::GetContentRegionMax().x)
+            ImGui::SameLine(0, gap);
+        else
+            used = 0;
+        used += gap + width;
+        ImGui::BeginGroup();
+        ImGui::TextUnformatted(number.c_str());
+        ImGui::SameLine(0, 0);
+        ImGui::TextDisabled("%s", words);
+        ImGui::EndGroup();
+        noteItem(session, name);
+        helpTip(help);
+    };
+    fact(decimal(report.ratioToBase, 3), " × base", "memory:ratio",
+         "Each level of a picture has a quarter of the texels of the one before: the sum of a full chain "
+         "tends to 4/3 of its base level.");
+    fact(decimal(100 * report.shareOfRgba8, 1) + " %", " of RGBA8", "memory:rgba8",
+         "Of what the same levels would take with four bytes a texel");
+    fact(decimal(100 * report.shareOfRgb8, 1) + " %", " of RGB8", "memory:rgb8",
+         "Of what the same levels would take with three bytes a texel");
+}
+
+/// A number at the right edge of its column.
+void rightAligned(const std::string& text, ImU32 ink = color::text) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+void rightAlignedHeader(const char* label) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
+    ImGui::TableHeader(label);
+}
+
+/// How large a level is beside the base, as a bar behind its bytes.
+void shareBar(double share) {
+    const float line = ImGui::GetTextLineHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {low.x + width * (1 - static_cast<float>(std::clamp(share, 0.0, 1.0))), low.y + line * 0.06F},
+        {low.x + width, low.y + line * 0.94F}, IM_COL32(118, 150, 190, 70));
+}
+
+void missingRow(Session& session, int number) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    rightAligned(std::to_string(number), color::problem);
+    noteItem(session, "memory:level " + std::to_string(number));
+    ImGui::TableNextColumn();
+    rightAligned("missing", color::problem);
+    helpTip(
+        "A filter that uses mipmaps finds the texture incomplete: it is drawn as if it were switched off.");
+}
+
+void drawLevels(Session& session, const LevelsSummary& summary, Target target) {
+    const std::vector<LevelReport>& levels = summary.report.levels;
+    const bool measured =
+        std::ranges::any_of(levels, [](const LevelReport& level) { return level.psnr.has_value(); });
+    constexpr ImGuiTableFlags flags =
+        ImGuiTableFlags_ScrollY | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg;
+    if (!ImGui::BeginTable("levels", measured ? 4 : 3, flags))
+        return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Level", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("Level").x);
+    ImGui::TableSetupColumn("Texels", ImGuiTableColumnFlags_WidthStretch, 1.2F);
+    ImGui::TableSetupColumn("Bytes", ImGuiTableColumnFlags_WidthStretch, 1.2F);
+    if (measured)
+        ImGui::TableSetupColumn("PSNR", ImGuiTableColumnFlags_WidthStretch, 0.8F);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int column = 0; column < (measured ? 4 : 3); ++column) {
+        ImGui::TableSetColumnIndex(column);
+        rightAlignedHeader(ImGui::TableGetColumnName(column));
+        if (column == 3)
+            helpTip("How near the compressed level is to what it was made of, over all its components: above "
+                    "40 dB one hardly sees a difference, below 30 dB one does.");
+    }
+    const double base = levels.empty() ? 1 : static_cast<double>(std::max<std::size_t>(1, levels[0].bytes));
+    int next = levels.empty() ? 0 : levels.front().number;
+    for (const LevelReport& level : levels) {
+        for (; next < level.number; ++next)
+            missingRow(session, next);
+        next = level.number + 1;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        rightAligned(std::to_string(level.number), color::dim);
+        noteItem(session, "memory:level " + std::to_string(level.number));
+        ImGui::TableNextColumn();
+        rightAligned(extentsOf(level, target));
+        ImGui::TableNextColumn();
+        shareBar(static_cast<double>(level.bytes) / base);
+        rightAligned(grouped(level.bytes));
+        if (measured) {
+            ImGui::TableNextColumn();
+            if (level.psnr)
+                rightAligned(psnrText(*level.psnr));
+        }
+    }
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void drawMemoryTab(Session& session, const Pictures& pictures) {
+    const Texture* texture = boundTexture(std::as_const(session));
+    if (!texture) {
+        ImGui::TextWrapped("No texture is bound to this unit.");
+        return;
+    }
+    if (!session.images.find(*texture)) {
+        ImGui::TextWrapped("The image is not loaded.");
+        return;
+    }
+    LevelsWorker& worker = levelsOf(session);
+    const LevelsRequest request = requestOf(session, *texture);
+    const std::shared_ptr<const LevelsSummary> summary = worker.summary(request);
+    if (summary && summary->problem.empty())
+        drawSum(session, *texture, *summary);
+    else if (summary) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextWrapped("%s", summary->problem.c_str());
+        ImGui::PopStyleColor();
+    } else if (worker.isCancelled(request)) {
+        ImGui::TextWrapped("Making the levels was cancelled: what was drawn before stays.");
+        if (ImGui::Button("Make them"))
+            worker.retry(request);
+        noteItem(session, "memory:retry");
+    } else {
+        ImGui::TextDisabled("The levels are being made…");
+        noteItem(session, "memory:waiting");
+    }
+    drawSentences(session, sentencesOf(session, pictures, summary.get()));
+    if (summary && !summary->report.levels.empty())
+        drawLevels(session, *summary, request.target);
+}
+
+} // namespace texplorer::ui

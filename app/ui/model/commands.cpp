@@ -1,0 +1,267 @@
+#include "app/ui/model/commands.h"
+
+#include "core/scene/animation.h"
+#include "core/scene/initial_like.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+std::string ownerOf(const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string::npos ? std::string{} : path.substr(0, dot);
+}
+
+/// The target that a texture is shown as first; of one that nobody shows, a picture's.
+Target targetOf(const Scene& scene, std::size_t texture) {
+    for (const Pass& pass : scene.passes) {
+        for (const Unit& unit : pass.units) {
+            if (unit.enabled && unit.texture == static_cast<int>(texture))
+                return unit.target;
+        }
+    }
+    return Target::Texture2D;
+}
+
+/// The parts that decide nothing: formats of an image that is uploaded with another, coordinates that a
+/// target has not, units that are off, GL_COMBINE's state under another mode, coordinates that aren't
+/// generated. Their calls are left out.
+std::vector<std::string> idleParts(const Scene& scene) {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
+        const Compression compression = scene.textures[i].compression;
+        const bool compressed = compression == Compression::Driver || compression == Compression::Cached;
+        for (const char* key : {"internalFormat", "border"})
+            if (compressed)
+                parts.push_back("textures[" + std::to_string(i) + "]." + key);
+        const std::string path = "textures[" + std::to_string(i) + "].";
+        if (!compressed)
+            parts.push_back(path + "compressedFormat");
+        if (targetOf(scene, i) != Target::Texture3D)
+            parts.push_back(path + "wrapR");
+        if (targetOf(scene, i) == Target::Texture1D)
+            parts.push_back(path + "wrapT");
+    }
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const Unit& unit = scene.passes[p].units[u];
+            const std::string path = "passes[" + std::to_string(p) + "].units[" + std::to_string(u) + "]";
+            if (!unit.enabled) {
+                parts.push_back(path);
+                continue;
+            }
+            if (unit.envMode != EnvMode::Combine)
+                parts.push_back(path + ".combine.");
+            const std::array<std::pair<const TexGen*, const char*>, 4> generated{
+                {{&unit.texGenS, ".texGenS."},
+                 {&unit.texGenT, ".texGenT."},
+                 {&unit.texGenR, ".texGenR."},
+                 {&unit.texGenQ, ".texGenQ."}}};
+            for (const auto& [state, name] : generated) {
+                if (!state->enabled)
+                    parts.push_back(path + name);
+            }
+        }
+    }
+    return parts;
+}
+
+/// Where a block of calls stands in a program.
+std::size_t rank(std::string_view owner) {
+    constexpr std::array<std::string_view, 6> order{"textures", "view",   "light",
+                                                    "material", "passes", "models"};
+    const auto found =
+        std::ranges::find_if(order, [&](std::string_view root) { return owner.starts_with(root); });
+    return static_cast<std::size_t>(found - order.begin());
+}
+
+/// Of "textures[3]".
+std::size_t indexOf(const std::string& owner) {
+    return static_cast<std::size_t>(std::strtoul(owner.c_str() + owner.find('[') + 1, nullptr, 10));
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
+/// The rows of a texture name the target of a picture.
+std::string forTarget(std::string call, Target target) {
+    const std::string_view name = rowOf(target).name;
+    switch (target) {
+    case Target::Texture1D:
+        replaceAll(call, "glTexImage2D", "glTexImage1D");
+        replaceAll(call, "width, height", "width");
+        break;
+    case Target::Texture2D:
+        return call;
+    case Target::Texture3D:
+        replaceAll(call, "glTexImage2D", "glTexImage3D");
+        replaceAll(call, "width, height", "width, height, depth");
+        break;
+    case Target::CubeMap:
+        if (call.starts_with("glTexImage2D")) {
+            replaceAll(call, rowOf(Target::Texture2D).name,
+                       std::string(rowOf(CubeFace::PositiveX).name) + " + face");
+            return call;
+        }
+        break;
+    }
+    replaceAll(call, rowOf(Target::Texture2D).name, name);
+    return call;
+}
+
+/// Replaces the words of a call that are keys beside its own: "glAlphaFunc(GL_LESS, alphaRef)".
+std::string withSiblings(const Scene& scene, const std::string& call, const std::string& owner) {
+    std::string result;
+    for (std::size_t i = 0; i < call.size();) {
+        std::size_t end = i;
+        while (end < call.size() && (std::isalnum(static_cast<unsigned char>(call[end])) || call[end] == '_'))
+            ++end;
+        if (end == i) {
+            result += call[i++];
+            continue;
+        }
+        const std::string word = call.substr(i, end - i);
+        const bool isKey = std::islower(static_cast<unsigned char>(word.front())) && !word.starts_with("gl");
+        const Result<std::string> value = isKey ? getParam(scene, owner.empty() ? word : owner + "." + word)
+                                                : fail(ErrorCode::NotFound, "");
+        result += value ? *value : word;
+        i = end;
+    }
+    return result;
+}
+
+/// A call that the camera needs and that no parameter makes alone, before that of `key` or instead of it.
+struct CameraCall {
+    std::string_view key;
+    std::string_view call;
+    std::optional<Projection> instead{}; ///< in this projection
+};
+constexpr std::array cameraCalls{
+    CameraCall{"fieldOfView", "glMatrixMode(GL_PROJECTION)"},
+    CameraCall{"fieldOfView", "glLoadIdentity()"},
+    CameraCall{"fieldOfView", "glOrtho(-height * aspect, height * aspect, -height, height, -zFar, zFar)",
+               Projection::Orthographic},
+    CameraCall{"distance", "glMatrixMode(GL_MODELVIEW)"},
+    CameraCall{"distance", "glLoadIdentity()"},
+};
+
+/// In the order in which the matrices are multiplied: what is called last is done to a vertex first.
+constexpr std::array<std::string_view, 7> cameraOrder{
+    "background", "perspectiveHint", "fieldOfView", "distance", "elevation", "azimuth", "target"};
+
+/// The calls of the view's parameters, which come in the order of its panel, as those of a program that sets
+/// up the same camera. `aspect` stays: it is the window's.
+std::vector<Command> cameraOf(const View& view, std::vector<Command> calls) {
+    std::vector<Command> camera{std::move(calls.front())}; // the heading
+    for (const std::string_view key : cameraOrder) {
+        const std::string path = camera.front().text + "." + std::string(key);
+        const auto own = std::ranges::find(calls, path, &Command::path);
+        if (own == calls.end())
+            continue;
+        for (const CameraCall& each : cameraCalls) {
+            if (each.key != key || (each.instead && *each.instead != view.projection))
+                continue;
+            if (each.instead)
+                own->text = std::string(each.call) + ";";
+            else
+                camera.push_back({Command::Kind::Call, std::string(each.call) + ";", path, false});
+        }
+        const auto [near, far] = clipPlanes(view);
+        replaceAll(own->text, "zNear", formatNumber(static_cast<float>(near)));
+        replaceAll(own->text, "zFar", formatNumber(static_cast<float>(far)));
+        replaceAll(own->text, "height", formatNumber(static_cast<float>(halfHeightAtTarget(view))));
+        camera.push_back(std::move(*own));
+    }
+    return camera;
+}
+
+} // namespace
+
+std::vector<Command> commandsOf(const Scene& scene) {
+    std::vector<Value> initial;
+    forEachParam(initialLike(scene),
+                 [&](const std::string&, const ParamRow&, const Value& value) { initial.push_back(value); });
+    std::vector<std::vector<Command>> blocks; // each begins with its heading
+    std::string owner;
+    std::size_t index = 0;
+    const std::vector<std::string> idle = idleParts(scene);
+    const auto isIdle = [&](const std::string& path) {
+        return std::ranges::any_of(idle, [&](const std::string& part) { return path.starts_with(part); });
+    };
+    forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
+        const bool changed = index < initial.size() && value != initial[index];
+        ++index;
+        if (row.glCall.empty() || row.kind == Kind::TexCoordList || isIdle(path))
+            return;
+        if (const std::string current = ownerOf(path); current != owner || blocks.empty()) {
+            owner = current;
+            blocks.push_back({{Command::Kind::Heading, owner, {}, false}});
+        }
+        std::vector<Command>& block = blocks.back();
+        std::string call = withSiblings(scene, formatCall(row, value), owner);
+        if (owner.starts_with("textures["))
+            call = forTarget(std::move(call), targetOf(scene, indexOf(owner)));
+        Command command{Command::Kind::Call, std::move(call) + ";", path, changed};
+        if (block.back().text == command.text) // two parameters of one call
+            block.back().changed |= command.changed;
+        else
+            block.push_back(std::move(command));
+    });
+    for (std::vector<Command>& block : blocks) {
+        if (block.front().text == "view")
+            block = cameraOf(scene.view, std::move(block));
+    }
+    // As a program does it: first what is set up once, then the camera and the light, then what is drawn.
+    std::ranges::stable_sort(blocks, {}, [](const auto& block) { return rank(block.front().text); });
+    std::vector<Command> commands;
+    for (std::vector<Command>& block : blocks)
+        commands.insert(commands.end(), std::make_move_iterator(block.begin()),
+                        std::make_move_iterator(block.end()));
+    return commands;
+}
+
+std::vector<std::string> wrapCall(const std::string& call, std::size_t columns) {
+    constexpr std::string_view indent = "    ";
+    columns = std::max<std::size_t>(columns, 16);
+    // The last place at which `line` may be broken; numbers in braces stay together where they fit.
+    const auto breakOf = [&](const std::string& line) {
+        std::size_t outside = 0;
+        std::size_t inside = 0;
+        int depth = 0;
+        for (std::size_t i = indent.size(); i < std::min(columns, line.size()); ++i) {
+            depth += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
+            const bool bracket = line[i] == '(';
+            const bool comma = line[i] == ',' && i + 1 < line.size() && line[i + 1] == ' ';
+            if (comma && depth > 0)
+                inside = i + 1;
+            else if (comma || (bracket && outside == 0))
+                outside = i + 1;
+        }
+        return outside > 0 ? outside : inside;
+    };
+    std::vector<std::string> lines;
+    std::string rest = call;
+    while (rest.size() > columns) {
+        const std::size_t cut = breakOf(rest);
+        const std::size_t next = cut == 0 ? std::string::npos : rest.find_first_not_of(' ', cut);
+        if (next == std::string::npos)
+            break;
+        lines.push_back(rest.substr(0, cut));
+        rest = std::string(indent) + rest.substr(next);
+    }
+    lines.push_back(rest);
+    return lines;
+}
+
+} // namespace texplorer::ui

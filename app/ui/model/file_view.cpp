@@ -1,0 +1,93 @@
+#include "app/ui/model/file_view.h"
+
+#include "app/ui/model/session.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path wantedFile(const Session& session) {
+    if (!session.fileView.chosen.empty())
+        return session.fileView.chosen;
+    const Texture* texture = boundTexture(session);
+    if (!texture || texture->source != SourceKind::File || texture->file.empty())
+        return {};
+    return session.images.directory() / texture->file;
+}
+
+} // namespace
+
+FieldMap::FieldMap(const Anatomy& anatomy) {
+    const std::vector<Field>& fields = anatomy.fields;
+    std::vector<std::size_t> order(fields.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // Painted from the largest to the smallest, so that a field covers the section that it is part of.
+    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return fields[i].size; });
+    starts_[0] = std::nullopt;
+    for (const std::size_t index : order) {
+        const Field& field = fields[index];
+        const std::size_t begin = field.offset;
+        const std::size_t end = begin + std::min(field.size, SIZE_MAX - begin);
+        if (begin == end)
+            continue;
+        const auto after = std::prev(starts_.upper_bound(end))->second; // what goes on behind it
+        starts_.erase(starts_.lower_bound(begin), starts_.upper_bound(end));
+        starts_[begin] = index;
+        starts_[end] = after;
+    }
+}
+
+std::optional<std::size_t> FieldMap::at(std::size_t offset) const {
+    const auto next = starts_.upper_bound(offset);
+    return next == starts_.begin() ? std::nullopt : std::prev(next)->second;
+}
+
+void receiveView(Session& session, Result<ImageLoader::Content> content) {
+    FileView& view = session.fileView;
+    view.ticket = 0;
+    view.hovered.reset();
+    if (!content) {
+        view.content.reset();
+        view.problem = describe(content.error());
+        return;
+    }
+    view.problem.clear();
+    view.content = std::get<std::shared_ptr<const DissectedFile>>(std::move(*content));
+    view.map = FieldMap(view.content->anatomy);
+}
+
+void refreshView(Session& session) {
+    FileView& view = session.fileView;
+    if (view.shown.empty())
+        return;
+    if (!session.background)
+        return receiveView(session, loadNow(view.shown, ImageLoader::Wanted::Anatomy));
+    if (view.ticket != 0)
+        session.background->loader.cancel(view.ticket);
+    view.ticket = session.background->loader.load(view.shown, ImageLoader::Wanted::Anatomy);
+}
+
+void followFile(Session& session) {
+    FileView& view = session.fileView;
+    fs::path wanted = wantedFile(session);
+    if (wanted == view.shown)
+        return;
+    if (view.ticket != 0)
+        cancelLoad(session, view.ticket);
+    FileView next;
+    next.chosen = std::move(view.chosen);
+    next.shown = std::move(wanted);
+    view = std::move(next);
+    refreshView(session);
+}
+
+void lookInto(Session& session, fs::path file) {
+    session.fileView.chosen = std::move(file);
+    session.wantedTab = Tab::File;
+}
+
+} // namespace texplorer::ui

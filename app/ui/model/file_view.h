@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/texture/image_loader.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace texplorer::ui {
+
+struct Session;
+
+/// Which field of an anatomy a byte belongs to: the smallest one that covers it.
+class FieldMap {
+public:
+    FieldMap() = default;
+    explicit FieldMap(const Anatomy& anatomy);
+
+    /// An index into Anatomy::fields; nothing between them.
+    [[nodiscard]] std::optional<std::size_t> at(std::size_t offset) const;
+
+private:
+    std::map<std::size_t, std::optional<std::size_t>> starts_; ///< from here on it is this field
+};
+
+/// What the tab "File" shows.
+struct FileView {
+    std::filesystem::path chosen;   ///< what the user wants to look into; empty: the bound texture's file
+    std::filesystem::path shown;    ///< the file that `content` or `problem` is about; empty: none yet
+    ImageLoader::Ticket ticket = 0; ///< of what is awaited; 0: nothing
+    std::shared_ptr<const DissectedFile> content;
+    FieldMap map;
+    std::string problem;                ///< why the file can't be read; empty: nothing wrong
+    std::optional<std::size_t> hovered; ///< the field under the mouse, in the table or in the bytes
+    std::optional<std::size_t> revealInTable;
+    std::optional<std::size_t> revealInBytes;
+};
+
+/// Opens the tab with a file, be it an image or damaged.
+void lookInto(Session& session, std::filesystem::path file);
+
+/// The content has arrived.
+void receiveView(Session& session, Result<ImageLoader::Content> content);
+
+/// Reads the file anew: it has changed.
+void refreshView(Session& session);
+
+/// Asks for the file that the tab is to show, if it shows another one.
+void followFile(Session& session);
+
+} // namespace texplorer::ui

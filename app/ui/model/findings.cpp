@@ -1,0 +1,91 @@
+#include "app/ui/model/findings.h"
+
+#include "app/ui/model/document.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace texplorer::ui {
+namespace {
+
+/// The number in "passes[3]…", where the path has this list; else -1.
+int indexIn(const std::string& path, std::string_view list) {
+    const std::size_t at = path.find(std::string(list) + "[");
+    int index = -1;
+    if (at != std::string::npos)
+        std::from_chars(path.data() + at + list.size() + 1, path.data() + path.size(), index);
+    return index;
+}
+
+} // namespace
+
+void diagnoseSession(Session& session, const DriverFacts& driver) {
+    Diagnosis& last = session.diagnosis;
+    std::vector<std::shared_ptr<const TextureImage>> images;
+    for (const Texture& texture : session.scene.textures)
+        images.push_back(session.images.find(texture));
+    if (last.scene == session.scene && last.images == images && last.driver == driver)
+        return;
+    session.findings = diagnose(session.scene, session.images, driver);
+    last = {session.scene, std::move(images), driver};
+}
+
+bool isUnused(const Session& session, std::string_view path) {
+    return std::ranges::any_of(session.findings, [&](const Finding& each) {
+        return each.severity == Severity::Unused && each.path == path;
+    });
+}
+
+std::string sentenceOf(const Finding& finding) {
+    std::string sentence = finding.sentence + ".";
+    if (sentence.front() >= 'a' && sentence.front() <= 'z')
+        sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+    return sentence;
+}
+
+void reveal(Session& session, const std::string& path) {
+    Selection& selection = session.selection;
+    if (const int pass = indexIn(path, "passes"); pass >= 0)
+        selection.pass = pass;
+    if (const int unit = indexIn(path, "units"); unit >= 0)
+        selection.unit = unit;
+    if (const int model = indexIn(path, "models"); model >= 0) {
+        selection.model = model;
+        if (path.find("texCoords") != std::string::npos)
+            session.wantedTab = Tab::Vertices; // where they are edited
+    }
+    // A texture is edited through a unit that it is bound to; one that is on comes first.
+    if (const int texture = indexIn(path, "textures"); texture >= 0) {
+        for (const bool on : {false, true}) {
+            for (std::size_t p = 0; p < session.scene.passes.size(); ++p) {
+                for (std::size_t u = 0; u < maxUnits; ++u) {
+                    const Unit& unit = session.scene.passes[p].units[u];
+                    if (unit.texture == texture && unit.enabled == on) {
+                        selection.pass = static_cast<int>(p);
+                        selection.unit = static_cast<int>(u);
+                    }
+                }
+            }
+        }
+    }
+    session.wantedParam = path;
+    session.shownParam = path;
+}
+
+std::string assignmentsOf(const Fix& fix) {
+    std::string lines;
+    for (const Assignment& each : fix.assignments)
+        lines += (lines.empty() ? "" : "\n") + each.path + " = " + each.value;
+    return lines;
+}
+
+void applyFix(Session& session, const Fix& fix) {
+    sealEdit(session);
+    const Result<void> applied = apply(fix, session.scene);
+    if (applied)
+        recordEdit(session, fix.label, fix.assignments.front().path);
+    report(session, applied);
+    sealEdit(session);
+}
+
+} // namespace texplorer::ui

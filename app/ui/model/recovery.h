@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "core/autosave/unsaved_folder.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// The unsaved work of windows that have died, offered one after the other. Their pictures are drawn by the
+/// reference, on a thread of its own: what had ended the window may have been the driver.
+class Recovery {
+public:
+    /// Claims every draft in the folder whose window is gone. `wake` is called when there is a picture.
+    explicit Recovery(const std::filesystem::path& folder, std::function<void()> wake = {});
+    Recovery(const Recovery&) = delete;
+    Recovery& operator=(const Recovery&) = delete;
+    ~Recovery();
+
+    struct Offer {
+        UnsavedPlace place;
+        std::filesystem::file_time_type written;
+        Result<UnsavedScene> draft;
+    };
+    /// Those that are not decided yet, the youngest first.
+    [[nodiscard]] const std::vector<Offer>& offers() const { return offers_; }
+    /// Of the first offer; nullptr: not drawn yet, or there is none.
+    [[nodiscard]] std::shared_ptr<const Image> picture() const;
+
+    void discard(); ///< the first: its draft is removed
+    void later();   ///< all: they stay for another start
+    /// The first is restored: its place is kept for whoever shows it. The others stay for another start.
+    [[nodiscard]] UnsavedScene restore();
+    /// The place of what was restored, once.
+    [[nodiscard]] UnsavedPlace takeRestored() { return std::move(restored_); }
+
+private:
+    void draw(const std::stop_token& stop, std::vector<UnsavedScene> drafts);
+
+    std::vector<Offer> offers_;
+    UnsavedPlace restored_;
+    std::size_t decided_ = 0;
+    std::function<void()> wake_;
+    mutable std::mutex mutex_; // of the pictures
+    std::vector<std::shared_ptr<const Image>> pictures_;
+    std::jthread thread_; // the last: it ends first
+};
+
+} // namespace texplorer::ui

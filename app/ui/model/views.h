@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/reference/sampling/lod.h"
+#include "core/scene/renderer.h"
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// How the pictures of the renderers lie in the view.
+enum class Arrangement {
+    One,   ///< one picture
+    Split, ///< two in the place of one, with a seam between them that one drags
+    Grid,  ///< every renderer's and the difference of the compared ones, side by side
+};
+
+/// What is shown of the pictures, the same part of all of them.
+struct PictureZoom {
+    int factor = 1;         ///< pixels of the screen for one of the picture
+    glm::vec2 centre{0.5F}; ///< of the part that is shown, as a share of the picture, from its lower left
+    static constexpr int largest = 32;
+
+    bool operator==(const PictureZoom&) const = default;
+};
+
+/// Which renderers draw the scene, and how one looks at what they drew. Belongs to the window, not to the
+/// scene.
+struct Views {
+    Arrangement arrangement = Arrangement::One;
+    RendererKind renderer = RendererKind::Fixed; ///< who draws the one picture
+    std::array<RendererKind, 2> compared{RendererKind::Fixed, RendererKind::Reference};
+    Arrangement comparing = Arrangement::Split; ///< what Compare leads to: Split or Grid, as it was last
+    reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
+    float split = 0.5F;     ///< where the seam is, as a share of the picture's width
+    int tolerance = 2;      ///< differences up to here don't count, in 255ths
+    bool magnifies = false; ///< the pixels under the mouse are shown enlarged
+    PictureZoom zoom;
+
+    static constexpr int largestTolerance = 254;
+};
+
+[[nodiscard]] inline bool isComparing(const Views& views) {
+    return views.arrangement != Arrangement::One;
+}
+
+/// Whether the panels need the pixels of the pictures, not only something to show.
+[[nodiscard]] inline bool wantsPixels(const Views& views) {
+    return isComparing(views) || views.magnifies;
+}
+
+/// Those whose pictures are shown, in the order of their panes.
+[[nodiscard]] std::vector<RendererKind> shownRenderers(const Views& views);
+
+/// Shows one renderer's picture.
+void showOne(Views& views, RendererKind renderer);
+
+/// Compares, in the arrangement that was used last.
+void showComparison(Views& views);
+
+/// Compares exactly these, of which there must be two or more: two with a seam, more side by side.
+void showComparison(Views& views, const std::vector<RendererKind>& renderers);
+
+} // namespace texplorer::ui

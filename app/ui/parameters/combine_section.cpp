@@ -1,0 +1,156 @@
+// GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and an argument a line.
+
+#include "app/ui/model/findings.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/gl/combine_equation.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+/// The keys of one half of the table; the arguments' keys have their number in the middle.
+struct Half {
+    std::string_view title;
+    std::string_view function;
+    std::string_view scale;
+    std::string_view suffix; ///< "source0" + suffix
+};
+
+constexpr std::array halves{Half{"Colour", "rgb", "rgbScale", "Rgb"},
+                            Half{"Alpha", "alpha", "alphaScale", "Alpha"}};
+
+const ParamRow& rowNamed(std::string_view key) {
+    return *findParam(combineTable(), key); // the test draws every row
+}
+
+bool isPrevious(const EnumRow& choice) {
+    return choice.value == static_cast<std::uint32_t>(CombineSource::Previous);
+}
+
+std::string labelOf(const Combine& combine, const std::string& key, bool isFirstUnit) {
+    const ParamRow& row = rowNamed(key);
+    const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(row.read(&combine)).number);
+    if (choice && isFirstUnit && key.starts_with("source") && isPrevious(*choice))
+        return "primary colour (no unit before)"; // OpenGL 2.1, section 3.8.13
+    std::string label(choice ? choice->label : "?");
+    if (label.front() >= 'A' && label.front() <= 'Z')
+        label.front() = static_cast<char>(label.front() - 'A' + 'a');
+    return label;
+}
+
+/// "colour of this texture", "(1 - alpha of previous unit)"
+std::string argumentInWords(const Combine& combine, const Half& half, int number, bool isFirstUnit) {
+    const std::string tail = std::to_string(number) + std::string(half.suffix);
+    const std::string words = labelOf(combine, "operand" + tail, isFirstUnit) + " of " +
+                              labelOf(combine, "source" + tail, isFirstUnit);
+    return words.starts_with("1 - ") ? "(" + words + ")" : words;
+}
+
+/// The equation with what its arguments stand for.
+std::string inWords(const Combine& combine, const Half& half, std::string_view equation, bool isFirstUnit) {
+    std::string words(equation);
+    for (int number = 0; number < 3; ++number) {
+        const std::string name = "Arg" + std::to_string(number);
+        const std::string meaning = argumentInWords(combine, half, number, isFirstUnit);
+        for (std::size_t at = words.find(name); at != std::string::npos;
+             at = words.find(name, at + meaning.size()))
+            words.replace(at, name.size(), meaning);
+    }
+    return words;
+}
+
+void drawEquation(Session& session, const Combine& combine, const Half& half) {
+    const bool isAlpha = half.suffix == "Alpha";
+    if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
+        ImGui::TextWrapped("= the colour's dot product: %s overrules what is below but the scale.",
+                           std::string(rowOf(combine.rgb).name).c_str());
+        return;
+    }
+    std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));
+    const std::string meaning = inWords(combine, half, symbols, session.selection.unit == 0);
+    const int factor = static_cast<int>(isAlpha ? combine.alphaScale : combine.rgbScale);
+    if (factor != 1)
+        symbols = std::to_string(factor) + " × (" + symbols + ")";
+    ImGui::TextUnformatted(("= " + symbols).c_str());
+    noteItem(session, "combine:equation" + std::string(half.suffix));
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    ImGui::TextWrapped("%s", meaning.c_str());
+    ImGui::PopStyleColor();
+    noteItem(session, "combine:" + meaning);
+}
+
+/// Of a list that is as wide as its longest choice.
+float widestChoice(const ParamRow& row) {
+    float widest = 0;
+    for (const EnumRow& choice : row.choices)
+        widest = std::max(
+            widest, ImGui::CalcTextSize(choice.label.data(), choice.label.data() + choice.label.size()).x);
+    return widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+void drawHalf(Session& session, const Owner& owner, const Half& half) {
+    const auto& combine = *static_cast<const Combine*>(owner.values);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float full = ImGui::GetContentRegionAvail().x;
+    const float name = ImGui::CalcTextSize("Colour").x + 2 * gap;
+    const float left = ImGui::GetCursorPosX();
+    const float scale = ImGui::GetFontSize() * 3;
+    const float times = ImGui::CalcTextSize("×").x;
+
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(half.title.data(), half.title.data() + half.title.size());
+    ImGui::SameLine(left + name);
+    paramControl(session, owner, rowNamed(half.function), full - name - scale - times - 2 * gap);
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted("×");
+    ImGui::SameLine(0, gap);
+    paramControl(session, owner, rowNamed(half.scale), scale);
+    drawEquation(session, combine, half);
+
+    // The operands are short: what they leave is the sources', whose names must fit into a narrow panel.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ImGui::GetFontSize() * 0.25F, ImGui::GetStyle().FramePadding.y});
+    const float argument = ImGui::CalcTextSize("Arg0").x + gap;
+    float operand = 0; // the same in both halves
+    for (const Half& each : halves)
+        operand = std::max(operand, widestChoice(rowNamed("operand0" + std::string(each.suffix))));
+    const float choices = full - argument - gap;
+    for (int number = 0; number < 3; ++number) {
+        const std::string tail = std::to_string(number) + std::string(half.suffix);
+        const ParamRow& source = rowNamed("source" + tail);
+        const bool inert = idleReasonOf(session.findings, owner.pathOf(source)) != nullptr;
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
+        ImGui::Text("Arg%d", number);
+        ImGui::PopStyleColor();
+        ImGui::SameLine(left + argument);
+        paramControl(session, owner, source, std::max(choices / 2, choices - operand));
+        ImGui::SameLine(0, gap);
+        paramControl(session, owner, rowNamed("operand" + tail), std::min(choices / 2, operand));
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void combineSection(Session& session) {
+    Combine& combine = selectedUnit(session).combine;
+    static const Combine initial;
+    const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {
+        const bool isNone =
+            session.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
+        return std::string(isNone ? "No unit before" : choice.label);
+    };
+    const Owner owner{&combine, &initial, selectedUnitPath(session) + ".combine", {}, labelOfChoice};
+    for (const Half& half : halves) {
+        if (&half != halves.data())
+            ImGui::Separator();
+        drawHalf(session, owner, half);
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,53 @@
+// The coordinates that OpenGL makes itself (glTexGen): for each of s, t, r and q a line, and the plane that
+// its mode reads while it is on.
+
+#include "app/ui/model/findings.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+struct Coordinate {
+    const char* letter;
+    const char* key; ///< of the unit
+    TexGen Unit::*state;
+};
+
+constexpr std::array<Coordinate, 4> coordinates{{{"s", "texGenS", &Unit::texGenS},
+                                                 {"t", "texGenT", &Unit::texGenT},
+                                                 {"r", "texGenR", &Unit::texGenR},
+                                                 {"q", "texGenQ", &Unit::texGenQ}}};
+
+} // namespace
+
+void coordinatesSection(Session& session) {
+    Unit& unit = selectedUnit(session);
+    static const Unit initial;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const Coordinate& coordinate = coordinates[i];
+        const TexGen& state = unit.*coordinate.state;
+        const Owner owner{&(unit.*coordinate.state), &(initial.*coordinate.state),
+                          selectedUnitPath(session) + "." + coordinate.key};
+        const StructTable& table = texGenTable(i);
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(static_cast<int>(i)));
+        ImGui::TextUnformatted(coordinate.letter);
+        ImGui::PopStyleColor();
+        ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.2F);
+        paramControl(session, owner, *findParam(table, "enabled"), 0);
+        ImGui::SameLine(0, gap);
+        paramControl(session, owner, *findParam(table, "mode"), ImGui::GetContentRegionAvail().x);
+        for (const char* plane : {"objectPlane", "eyePlane"}) { // at most one of them is read
+            const ParamRow& row = *findParam(table, plane);
+            if (state.enabled && !idleReasonOf(session.findings, owner.pathOf(row)))
+                paramWidget(session, owner, row);
+        }
+    }
+}
+
+} // namespace texplorer::ui

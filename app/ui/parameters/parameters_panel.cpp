@@ -1,0 +1,283 @@
+#include "app/ui/model/document.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <array>
+#include <cfloat>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+std::string indexed(std::string_view list, int index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+/// The section in which a parameter is edited.
+Section sectionOf(std::string_view path) {
+    constexpr std::array<std::pair<std::string_view, Section>, 10> parts{{{"textures[", Section::Texture},
+                                                                          {".combine", Section::Combine},
+                                                                          {".texGen", Section::Coordinates},
+                                                                          {".matrix", Section::Matrix},
+                                                                          {".texture", Section::Texture},
+                                                                          {".units", Section::Unit},
+                                                                          {"models[", Section::Model},
+                                                                          {"passes[", Section::Pass},
+                                                                          {"light", Section::Light},
+                                                                          {"material", Section::Material}}};
+    for (const auto& [part, section] : parts) {
+        if (path.find(part) != std::string_view::npos)
+            return section;
+    }
+    return Section::View;
+}
+
+/// A word at the right end of a section's title.
+struct Mark {
+    std::string text;
+    ImU32 tint;
+};
+
+void drawMarks(const std::vector<Mark>& marks) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float y = ImGui::GetItemRectMin().y + ImGui::GetStyle().FramePadding.y;
+    float x = ImGui::GetItemRectMax().x - gap;
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+        x -= ImGui::CalcTextSize(mark->text.c_str()).x + gap;
+        ImGui::GetWindowDrawList()->AddText({x, y}, mark->tint, mark->text.c_str());
+    }
+}
+
+/// A section that has marks is in use: it is open until the user shuts it, and says what is in it even then.
+bool section(Session& session, Section which, const std::vector<Mark>& marks = {}) {
+    const SectionRow& row = rowOf(which);
+    const bool named = session.wantedSection == which;
+    if (named || (!session.wantedParam.empty() && sectionOf(session.wantedParam) == which))
+        ImGui::SetNextItemOpen(true);
+    else if (!marks.empty())
+        ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+    const bool shown = ImGui::CollapsingHeader(row.title, row.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    noteItem(session, std::string("section:") + row.title);
+    if (!marks.empty())
+        noteItem(session, std::string("in use:") + row.title);
+    drawMarks(marks);
+    if (named)
+        ImGui::SetScrollHereY(0);
+    return shown;
+}
+
+/// Buttons 0 to 3; a dot marks the units that are on.
+void unitChoice(Session& session) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float buttons = maxUnits * (ImGui::GetFrameHeight() * 1.3F + gap);
+    const char* label = "Texture unit";
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label).x + buttons + gap)
+        label = "Unit";
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    for (int i = 0; i < maxUnits; ++i) {
+        ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
+        const bool chosen = i == session.selection.unit;
+        const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
+        if (chosen)
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+        const std::string name = std::to_string(i) + "##unit";
+        if (ImGui::Button(name.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
+            session.selection.unit = i;
+        noteItem(session, "unit:" + std::to_string(i));
+        if (chosen)
+            ImGui::PopStyleColor();
+        if (on) {
+            const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y);
+            const float radius = ImGui::GetFontSize() * 0.16F;
+            ImGui::GetWindowDrawList()->AddCircleFilled({corner.x - 2.2F * radius, corner.y + 2.2F * radius},
+                                                        radius, color::t);
+        }
+        const std::string sharers = sharersText(session, i);
+        helpTip(std::string(on ? "This unit is on." : "This unit is off.") +
+                (sharers.empty() ? "" : "\nIt shares its texture with " + sharers + "."));
+    }
+}
+
+void unitSection(Session& session) {
+    static const Unit initial;
+    const auto accepts = [&](const ParamRow& row, const Value& value) {
+        const bool lacksTexture =
+            row.key == "enabled" && std::get<bool>(value) && boundTexture(session) == nullptr;
+        if (lacksTexture)
+            say(session, "A unit needs a texture before it can be enabled: add one with +.");
+        return !lacksTexture;
+    };
+    const Owner owner{&selectedUnit(session), &initial, selectedUnitPath(session), accepts};
+    std::string_view group;
+    for (const ParamRow& row : unitTable().params) {
+        if (row.key == "texture") // chosen by its name, in the section of the texture
+            continue;
+        if (!group.empty() && row.group != group)
+            caption(row.group);
+        group = row.group;
+        paramWidget(session, owner, row);
+        if (row.key == "enabled")
+            sharingNote(session, "of the unit");
+    }
+}
+
+void moveStep(Session& session, std::vector<MatrixStep>& steps, std::size_t from, std::size_t to) {
+    std::swap(steps[from], steps[to]);
+    sealEdit(session);
+    recordEdit(session, "Reorder matrix steps");
+    sealEdit(session);
+}
+
+void matrixSection(Session& session) {
+    std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
+    static const MatrixStep initial;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    if (steps.empty())
+        ImGui::TextWrapped(
+            "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string path = selectedUnitPath(session) + "." + indexed("matrix", static_cast<int>(i));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
+        const float button = ImGui::GetFrameHeight();
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - 3 * button - 2 * gap);
+        if (squareButton(session, "↑", path + "#up", "Multiply this step earlier", i > 0))
+            moveStep(session, steps, i, i - 1);
+        ImGui::SameLine(0, gap);
+        if (squareButton(session, "↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
+            moveStep(session, steps, i, i + 1);
+        ImGui::SameLine(0, gap);
+        if (squareButton(session, "✕", path + "#remove", "Remove this step", true)) {
+            steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
+            sealEdit(session);
+            recordEdit(session, "Remove matrix step");
+            sealEdit(session);
+            ImGui::PopID();
+            break; // the rest is drawn at the next frame
+        }
+        const Owner owner{&steps[i], &initial, path};
+        for (const ParamRow& row : matrixStepTable().params) {
+            if (isRelevant(session, owner, row))
+                paramWidget(session, owner, row);
+        }
+        ImGui::Separator();
+        ImGui::PopID();
+    }
+    ImGui::BeginDisabled(steps.size() >= maxMatrixSteps);
+    const float width =
+        (ImGui::GetContentRegionAvail().x - 2 * gap) / static_cast<float>(matrixOpRows.size());
+    for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
+        const EnumRow& op = matrixOpRows[i];
+        if (i > 0)
+            ImGui::SameLine(0, gap);
+        const std::string label = "+ " + std::string(op.label);
+        if (ImGui::Button(label.c_str(), {width, 0})) {
+            MatrixStep step;
+            step.op = static_cast<MatrixOp>(op.value);
+            if (step.op == MatrixOp::Scale)
+                step.amount = glm::vec3(1);
+            if (step.op == MatrixOp::Rotate)
+                step.amount = {0, 0, 1};
+            steps.push_back(step);
+            sealEdit(session);
+            recordEdit(session, "Add matrix step");
+            sealEdit(session);
+        }
+        noteItem(session, "add:" + std::string(op.name));
+        helpTip(op.help);
+    }
+    ImGui::EndDisabled();
+}
+
+/// The coordinates that the unit makes itself.
+std::vector<Mark> generatedMarks(const Unit& unit) {
+    std::vector<Mark> marks;
+    constexpr std::array<const char*, 4> letters{"s", "t", "r", "q"};
+    const std::array<bool, 4> on{unit.texGenS.enabled, unit.texGenT.enabled, unit.texGenR.enabled,
+                                 unit.texGenQ.enabled};
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        if (on[i])
+            marks.push_back({letters[i], componentColor(static_cast<int>(i))});
+    }
+    return marks;
+}
+
+std::vector<Mark> matrixMarks(const Unit& unit) {
+    const std::size_t steps = unit.matrix.size();
+    if (steps == 0)
+        return {};
+    return {{std::to_string(steps) + (steps == 1 ? " step" : " steps"), color::changed}};
+}
+
+void modelSection(Session& session) {
+    if (session.scene.models.empty()) {
+        ImGui::TextWrapped("The scene has no model. View > Show adds one.");
+        return;
+    }
+    modelChoice(session, -FLT_MIN);
+    static const Model initial;
+    paramRows(session, {selectedModel(session), &initial, indexed("models", session.selection.model)},
+              modelTable());
+}
+
+} // namespace
+
+void modelChoice(Session& session, float width) {
+    const std::vector<Model>& models = session.scene.models;
+    const auto name = [&](int index) {
+        return std::to_string(index) + "  " +
+               std::string(rowOf(models[static_cast<std::size_t>(index)].shape).label);
+    };
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##model", name(session.selection.model).c_str())) {
+        for (int i = 0; i < static_cast<int>(models.size()); ++i) {
+            if (ImGui::Selectable(name(i).c_str(), i == session.selection.model)) {
+                session.selection.model = i;
+                session.selection.vertex.reset();
+            }
+            noteItem(session, "model:" + std::to_string(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem(session, "model choice");
+    helpTip("Which model's values and vertices are shown");
+}
+
+void drawParametersPanel(Session& session, const Layout& layout) {
+    beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    static const Scene initial;
+    static const View start = defaultScene().view;
+    unitChoice(session);
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
+    if (section(session, Section::Texture))
+        textureSection(session);
+    if (section(session, Section::Unit))
+        unitSection(session);
+    if (selectedUnit(session).envMode == EnvMode::Combine && section(session, Section::Combine))
+        combineSection(session);
+    if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
+        coordinatesSection(session);
+    if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
+        matrixSection(session);
+    if (section(session, Section::Model))
+        modelSection(session);
+    if (section(session, Section::Pass)) {
+        static const Pass pass;
+        paramRows(session, {&selectedPass(session), &pass, indexed("passes", session.selection.pass)},
+                  passTable());
+    }
+    if (section(session, Section::Light))
+        paramRows(session, {&session.scene.light, &initial.light, "light"}, lightTable());
+    if (section(session, Section::Material))
+        paramRows(session, {&session.scene.material, &initial.material, "material"}, materialTable());
+    if (section(session, Section::View))
+        paramRows(session, {&session.scene.view, &start, "view"}, viewTable());
+    session.wantedSection.reset();
+    session.wantedParam.clear(); // what has no control of its own is not waited for
+    ImGui::End();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,172 @@
+// The texture that is bound to the selected unit: which one, whether others have it too, and its parameters.
+
+#include "app/ui/model/document.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "core/base/printable.h"
+
+namespace texplorer::ui {
+namespace {
+
+std::string textureName(const Session& session, int index) {
+    const Texture& texture = session.scene.textures[static_cast<std::size_t>(index)];
+    const std::string what = texture.source == SourceKind::Pattern
+                                 ? std::string(rowOf(texture.pattern).label)
+                                 : printable(std::filesystem::path(texture.file).filename().string());
+    return std::to_string(index) + "  " + what;
+}
+
+void addTexture(Session& session) {
+    Texture texture;
+    texture.pattern = Pattern::UvTemplate;
+    texture.mipmaps = MipPolicy::Generated;
+    session.scene.textures.push_back(texture);
+    selectedUnit(session).texture = static_cast<int>(session.scene.textures.size()) - 1;
+    sealEdit(session);
+    recordEdit(session, "Add texture");
+}
+
+/// Units that were bound to later textures go on showing the same ones.
+void removeTexture(Session& session, int index) {
+    Scene& scene = session.scene;
+    scene.textures.erase(scene.textures.begin() + index);
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units) {
+            if (unit.texture > index || (unit.texture == index && index > 0))
+                --unit.texture;
+            unit.enabled = unit.enabled && !scene.textures.empty(); // there is nothing left to enable
+        }
+    }
+    sealEdit(session);
+    recordEdit(session, "Remove texture");
+}
+
+/// Which texture is bound: choosing one here is glBindTexture, it is then both used by the unit and edited
+/// below.
+void textureChoice(Session& session) {
+    Unit& unit = selectedUnit(session);
+    const ParamRow* row = findParam(unitTable(), "texture");
+    const bool bound = boundTexture(session) != nullptr;
+    const std::string current = bound ? textureName(session, unit.texture) : "none";
+    const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button);
+    if (ImGui::BeginCombo("##bound", current.c_str())) {
+        for (int i = 0; i < static_cast<int>(session.scene.textures.size()); ++i) {
+            const std::string name = textureName(session, i);
+            if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
+                unit.texture = i;
+                sealEdit(session);
+                recordEdit(session, row ? row->label : "Texture", selectedUnitPath(session) + ".texture");
+                sealEdit(session);
+            }
+            noteItem(session, "bind:" + std::to_string(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem(session, "texture choice");
+    if (row)
+        helpTip(formatCall(*row, Value(unit.texture)) + "\n" + std::string(row->help));
+    const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
+    ImGui::SameLine(0, gap);
+    if (squareButton(session, "+", "add texture", "Add a texture and bind it to this unit",
+                     session.scene.textures.size() < maxTextures))
+        addTexture(session);
+    ImGui::SameLine(0, gap);
+    if (squareButton(session, "−", "remove texture", "Remove this texture", bound))
+        removeTexture(session, unit.texture);
+}
+
+bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, const Value& value) {
+    if (row.key == "source" &&
+        std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File) &&
+        texture.file.empty()) {
+        askOpenImage(session); // there is no file yet: ask for one
+        return false;
+    }
+    if (row.key != "file")
+        return true;
+    const std::string& file = std::get<std::string>(value);
+    if (file.empty() || session.images.holds(file))
+        return !file.empty();
+    // It is written when the file has turned out to be an image, which may take a while.
+    report(session, setFile(session, selectedUnit(session).texture, file), session.images.directory() / file);
+    return false;
+}
+
+/// The same settings, from now on for this unit alone.
+void ownTexture(Session& session) {
+    const Texture copy = *boundTexture(session);
+    session.scene.textures.push_back(copy);
+    selectedUnit(session).texture = static_cast<int>(session.scene.textures.size()) - 1;
+    sealEdit(session);
+    recordEdit(session, "Own texture");
+    sealEdit(session);
+}
+
+} // namespace
+
+std::string sharersText(const Session& session, int unit) {
+    const Scene& scene = session.scene;
+    const auto selected = static_cast<std::size_t>(session.selection.pass);
+    const auto asked = static_cast<std::size_t>(unit);
+    const int texture = scene.passes[selected].units[asked].texture;
+    std::string names;
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const Unit& other = scene.passes[p].units[u];
+            if (!other.enabled || other.texture != texture || (p == selected && u == asked))
+                continue;
+            names += (names.empty() ? "unit " : ", unit ") + std::to_string(u) +
+                     (p == selected ? "" : " of pass " + std::to_string(p));
+        }
+    }
+    return boundTexture(session) ? names : "";
+}
+
+void sharingNote(Session& session, const char* id) {
+    const std::string sharers = sharersText(session, session.selection.unit);
+    if (sharers.empty())
+        return;
+    const Unit& unit = selectedUnit(session);
+    const std::string words = (unit.enabled ? "Shares texture " : "Would share texture ") +
+                              std::to_string(unit.texture) + " with " + sharers;
+    ImGui::PushID(id);
+    ImGui::PushTextWrapPos(0);
+    dimText(words);
+    ImGui::PopTextWrapPos();
+    noteItem(session, "shares texture");
+    helpTip(
+        "What is set under Texture is then set for all of them: image, filters, wrap modes and levels "
+        "belong to the texture object. Environment, matrix and generated coordinates belong to each unit.");
+    const char* label = "Give it its own";
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <
+        ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+        ImGui::SameLine();
+    ImGui::BeginDisabled(session.scene.textures.size() >= maxTextures);
+    if (ImGui::SmallButton(label))
+        ownTexture(session);
+    noteItem(session, "own texture");
+    ImGui::EndDisabled();
+    helpTip("A copy of this texture, which belongs to this unit alone");
+    ImGui::PopID();
+}
+
+void textureSection(Session& session) {
+    textureChoice(session);
+    sharingNote(session, "of the texture");
+    Texture* texture = boundTexture(session);
+    if (!texture) {
+        ImGui::TextWrapped("No texture is bound to this unit. Add one with +.");
+        return;
+    }
+    static const Texture initial;
+    const Owner owner{texture, &initial, "textures[" + std::to_string(selectedUnit(session).texture) + "]",
+                      [&](const ParamRow& row, const Value& value) {
+                          return acceptsTexture(session, *texture, row, value);
+                      }};
+    paramRows(session, owner, textureTable());
+}
+
+} // namespace texplorer::ui

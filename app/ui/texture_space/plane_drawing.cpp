@@ -1,0 +1,188 @@
+#include "app/ui/texture_space/plane_drawing.h"
+
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/tiling.h"
+#include "core/image/cube_faces.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+// These keep the worst case below 65536 vertices.
+constexpr int mostTiles = 2048;
+constexpr std::size_t mostFineEdges =
+    1500;                               // up to here each line has a shade below it, each vertex a round dot
+constexpr std::size_t mostEdges = 4000; // beyond, only the chosen faces are drawn
+constexpr int tilesAround = 2;          // copies of the image beyond the vertices
+
+bool hasAlpha(const Surface& surface) {
+    if (const auto* blocks = std::get_if<BlockImage>(&surface))
+        return isS3tc(blocks->format) && blocks->format != BlockFormat::Dxt1;
+    const PixelFormat format = std::get<Image>(surface).format;
+    return format == PixelFormat::Rgba8 || format == PixelFormat::LuminanceAlpha8 ||
+           format == PixelFormat::Alpha8;
+}
+
+/// A board behind what is transparent.
+void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell) {
+    draw.AddRectFilled(low, high, IM_COL32(62, 66, 73, 255));
+    for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
+        for (float x = low.x + (row % 2 == 0 ? 0 : cell); x < high.x; x += 2 * cell) {
+            const float y = low.y + static_cast<float>(row) * cell;
+            draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
+                               IM_COL32(84, 89, 97, 255));
+        }
+    }
+}
+
+void drawFace(ImDrawList& draw, const Canvas& canvas, const Face& face, const TexCoords& coords, ImU32 tint,
+              float thickness, bool shaded) {
+    const std::size_t count = face.vertices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec4& a = coords[face.vertices[i]];
+        const glm::vec4& b = coords[face.vertices[(i + 1) % count]];
+        const ImVec2 from = canvas.toPixel(a.x, a.y);
+        const ImVec2 to = canvas.toPixel(b.x, b.y);
+        if (shaded)
+            draw.AddLine(from, to, color::shade, thickness + 2);
+        draw.AddLine(from, to, tint, thickness);
+    }
+}
+
+void drawDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, bool round) {
+    if (round) {
+        draw.AddCircleFilled(at, radius + 1, color::shade);
+        draw.AddCircleFilled(at, radius, tint);
+    } else {
+        draw.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, tint);
+    }
+}
+
+} // namespace
+
+bool contains(const Face& each, std::size_t vertex) {
+    return std::ranges::find(each.vertices, static_cast<std::uint32_t>(vertex)) != each.vertices.end();
+}
+
+Bounds boundsOf(const TexCoords& coords) {
+    Bounds bounds;
+    for (const glm::vec4& each : coords) {
+        bounds.low = glm::min(bounds.low, glm::vec2(each));
+        bounds.high = glm::max(bounds.high, glm::vec2(each));
+    }
+    return bounds;
+}
+
+void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
+               unsigned id, const Bounds& used) {
+    const glm::vec2 seenLow = canvas.toCoord({canvas.low.x, canvas.high.y});
+    const glm::vec2 seenHigh = canvas.toCoord({canvas.high.x, canvas.low.y});
+    const float around = tilesAround;
+    const auto tile = [](float coord) {
+        return static_cast<int>(std::floor(std::clamp(coord, -1e6F, 1e6F)));
+    };
+    const int left = tile(std::max(seenLow.x, used.low.x - around));
+    const int right = tile(std::min(seenHigh.x, used.high.x + around));
+    const int bottom = tile(std::max(seenLow.y, used.low.y - around));
+    const int top = tile(std::min(seenHigh.y, used.high.y + around));
+    const bool many = static_cast<long long>(right - left + 1) * (top - bottom + 1) > mostTiles;
+    const auto picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id));
+    const ImU32 border = ImGui::ColorConvertFloat4ToU32(
+        {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
+    if (hasAlpha(image))
+        drawBoard(draw, canvas.low, canvas.high, ImGui::GetFontSize() * 0.8F);
+    for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
+        for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
+            const auto s = tileSpan(texture.wrapS, i, widthOf(image));
+            const auto t = tileSpan(texture.wrapT, j, heightOf(image));
+            const ImVec2 low = canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1));
+            const ImVec2 high = canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j));
+            if (s && t)
+                draw.AddImage(picture, low, high, {s->from, t->to}, {s->to, t->from});
+            else
+                draw.AddRectFilled(low, high, border);
+        }
+    }
+    // What wrapping makes of the surroundings is a little darker than the image.
+    const ImU32 dark = IM_COL32(20, 22, 27, 105);
+    const ImVec2 low = canvas.toPixel(0, 1);
+    const ImVec2 high = canvas.toPixel(1, 0);
+    draw.AddRectFilled(canvas.low, {canvas.high.x, low.y}, dark);
+    draw.AddRectFilled({canvas.low.x, high.y}, canvas.high, dark);
+    draw.AddRectFilled({canvas.low.x, low.y}, {low.x, high.y}, dark);
+    draw.AddRectFilled({high.x, low.y}, {canvas.high.x, high.y}, dark);
+}
+
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image, unsigned id) {
+    const Surface& first = image.surfaces.front();
+    const float width = static_cast<float>(widthOf(first));
+    const bool isOneFace = cubeLayout(widthOf(first), heightOf(first)) == CubeLayout::Same;
+    const float tall = image.faces == cubeFaceCount ? 0.75F // a cross, see TexturePreview
+                       : isOneFace                  ? 1.0F
+                                                    : static_cast<float>(heightOf(first)) / width;
+    const ImVec2 low = canvas.toPixel(0, 0.5F + tall / 2);
+    const ImVec2 high = canvas.toPixel(1, 0.5F - tall / 2);
+    draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)), low, high, {0, 1}, {1, 0});
+}
+
+void drawAxes(ImDrawList& draw, const Canvas& canvas) {
+    const float em = ImGui::GetFontSize();
+    const float beyond = em * 1.6F;
+    const float thick = std::max(1.5F, em / 8);
+    const ImVec2 origin = canvas.toPixel(0, 0);
+    const ImVec2 s(canvas.toPixel(1, 0).x + beyond, origin.y);
+    const ImVec2 t(origin.x, canvas.toPixel(0, 1).y - beyond);
+    const float head = em * 0.35F;
+    draw.AddLine(origin, s, color::shade, thick + 2);
+    draw.AddLine(origin, t, color::shade, thick + 2);
+    draw.AddLine(origin, s, color::s, thick);
+    draw.AddLine(origin, t, color::t, thick);
+    draw.AddTriangleFilled({s.x + 2 * head, s.y}, {s.x, s.y - head}, {s.x, s.y + head}, color::s);
+    draw.AddTriangleFilled({t.x, t.y - 2 * head}, {t.x + head, t.y}, {t.x - head, t.y}, color::t);
+    const auto label = [&](ImVec2 at, ImU32 tint, const char* text) {
+        const ImVec2 size = ImGui::CalcTextSize(text);
+        const float pad = em * 0.2F;
+        draw.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, color::shade, pad);
+        draw.AddText(at, tint, text);
+    };
+    label({s.x - em * 0.2F, s.y + em * 0.5F}, color::s, "s");
+    label({t.x - em * 1.3F, t.y - em * 0.4F}, color::t, "t");
+    label({canvas.toPixel(1, 0).x - em * 0.3F, s.y + em * 0.5F}, color::text, "1");
+    label({t.x - em * 1.3F, canvas.toPixel(0, 1).y - em * 0.4F}, color::text, "1");
+    label({origin.x - em * 1.1F, origin.y + em * 0.5F}, color::text, "0");
+}
+
+void drawMesh(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const TexCoords& coords,
+              std::optional<std::size_t> chosen, std::optional<std::size_t> hovered) {
+    const float em = ImGui::GetFontSize();
+    const auto isChosen = [&](const Face& face) { return chosen && contains(face, *chosen); };
+    std::size_t edges = 0;
+    for (const Face& face : mesh.faces)
+        edges += face.vertices.size();
+    const bool fine = edges <= mostFineEdges;
+    const float dot = em * (fine && coords.size() <= 100 ? 0.24F : 0.13F);
+    if (edges <= mostEdges) {
+        for (const Face& face : mesh.faces) {
+            if (!isChosen(face))
+                drawFace(draw, canvas, face, coords, color::outline, 1, fine);
+        }
+    }
+    for (const Face& face : mesh.faces) {
+        if (isChosen(face))
+            drawFace(draw, canvas, face, coords, color::chosen, std::max(1.5F, em / 9), true);
+    }
+    if (edges <= mostEdges) {
+        for (const glm::vec4& each : coords)
+            drawDot(draw, canvas.toPixel(each.x, each.y), dot, color::text, fine);
+    }
+    if (hovered && *hovered < coords.size())
+        drawDot(draw, canvas.toPixel(coords[*hovered].x, coords[*hovered].y), dot, color::chosen, true);
+    if (chosen && *chosen < coords.size())
+        drawDot(draw, canvas.toPixel(coords[*chosen].x, coords[*chosen].y), em * 0.3F, color::chosen, true);
+}
+
+} // namespace texplorer::ui

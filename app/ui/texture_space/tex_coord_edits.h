@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/scene/params/params.h"
+
+namespace texplorer::ui {
+
+/// How far coordinates can be dragged; `step` is a drag of one pixel in the list.
+inline constexpr Range coordRange{-1000, 1000, 0.005F, {}};
+
+// What the buttons over the vertex list do to every coordinate of a model. r and q stay.
+
+void scaleCoords(TexCoords& coords, float factor); ///< about (0, 0): 2 shows the image twice as often
+void flipS(TexCoords& coords);                     ///< s becomes 1 - s
+void flipT(TexCoords& coords);
+void rotateQuarter(TexCoords& coords); ///< by 90 degrees counter-clockwise about (0.5, 0.5)
+
+} // namespace texplorer::ui

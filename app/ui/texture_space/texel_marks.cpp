@@ -1,0 +1,409 @@
+#include "app/ui/texture_space/texel_marks.h"
+
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/inset_placement.h"
+#include "app/ui/view/probed_pixel.h"
+#include "app/ui/widgets/theme.h"
+#include "core/reference/sampling/ellipse.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::LevelPatch;
+using reference::PlacedTap;
+
+ImU32 inkOf(glm::vec4 color) {
+    const glm::vec4 c = glm::clamp(color, 0.0F, 1.0F);
+    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+}
+
+/// A small picture of a piece of a level, at an edge of the canvas.
+struct Inset {
+    const LevelPatch* patch;
+    ImVec2 low; ///< upper left, of the texels
+    float cell; ///< the extent of a texel
+    std::string title;
+    float width; ///< of the frame, which the title may make wider than the texels
+
+    [[nodiscard]] ImVec2 size() const {
+        return {cell * static_cast<float>(patch->size.x), cell * static_cast<float>(patch->size.y)};
+    }
+    /// From texels to the window; row 0 is the lowest.
+    [[nodiscard]] ImVec2 toWindow(glm::vec2 texel) const {
+        return {low.x + (texel.x - static_cast<float>(patch->low.x)) * cell,
+                low.y + size().y - (texel.y - static_cast<float>(patch->low.y)) * cell};
+    }
+    [[nodiscard]] bool holds(ImVec2 at) const {
+        return at.x >= low.x && at.y >= low.y && at.x < low.x + size().x && at.y < low.y + size().y;
+    }
+};
+
+float titleHeight() {
+    return ImGui::GetFontSize() * 1.25F;
+}
+
+float shareOf(const reference::UnitExplanation& unit, int level) {
+    for (const reference::LevelShare& share : unit.sample.levels) {
+        if (share.level == level)
+            return share.weight;
+    }
+    return 1;
+}
+
+/// The patch of the level that has the greatest share.
+const LevelPatch& heaviestPatch(const reference::UnitExplanation& unit) {
+    return *std::ranges::max_element(unit.patches, {},
+                                     [&](const LevelPatch& patch) { return shareOf(unit, patch.level); });
+}
+
+/// A texel of a level, in the plane of the image.
+Box texelBox(const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent) {
+    const glm::vec2 size(glm::max(extent, 1));
+    const glm::vec2 low = glm::vec2(at) / size;
+    const glm::vec2 high = glm::vec2(at + 1) / size;
+    return {canvas.toPixel(low.x, high.y), canvas.toPixel(high.x, low.y)};
+}
+
+using Corners = std::array<ImVec2, 4>;
+
+/// The parallelogram that one pixel covers around a place.
+Corners footprintOf(ImVec2 middle, ImVec2 dx, ImVec2 dy) {
+    const auto corner = [&](float a, float b) {
+        return ImVec2(middle.x + a * dx.x + b * dy.x, middle.y + a * dx.y + b * dy.y);
+    };
+    return {corner(-0.5F, -0.5F), corner(0.5F, -0.5F), corner(0.5F, 0.5F), corner(-0.5F, 0.5F)};
+}
+
+/// In the plane of the image.
+Corners footprintIn(const Canvas& canvas, const reference::UnitExplanation& unit) {
+    const LevelPatch& patch = heaviestPatch(unit);
+    const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
+    const auto way = [&](glm::vec3 d) {
+        return ImVec2(d.x * canvas.pixelsPerUnit, -d.y * canvas.pixelsPerUnit);
+    };
+    return footprintOf(canvas.toPixel(place.x, place.y), way(unit.derivatives.dx), way(unit.derivatives.dy));
+}
+
+bool isFinite(const Corners& corners) {
+    return std::ranges::all_of(corners,
+                               [](ImVec2 each) { return std::isfinite(each.x) && std::isfinite(each.y); });
+}
+
+void include(Box& box, ImVec2 place) {
+    box.low = {std::min(box.low.x, place.x), std::min(box.low.y, place.y)};
+    box.high = {std::max(box.high.x, place.x), std::max(box.high.y, place.y)};
+}
+
+/// Around the texels, the footprint and the place of the sample.
+Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
+    const LevelPatch& heaviest = heaviestPatch(unit);
+    const glm::vec2 place = heaviest.place / glm::vec2(glm::max(heaviest.extent, 1));
+    const ImVec2 middle = canvas.toPixel(place.x, place.y);
+    Box marks{middle, middle};
+    for (const LevelPatch& patch : unit.patches) {
+        for (const PlacedTap& tap : patch.taps) {
+            const Box texel = texelBox(canvas, tap.at, patch.extent);
+            include(marks, texel.low);
+            include(marks, texel.high);
+        }
+    }
+    if (const Corners footprint = footprintIn(canvas, unit); isFinite(footprint)) {
+        for (const ImVec2& corner : footprint)
+            include(marks, corner);
+    }
+    return marks;
+}
+
+/// What the small pictures should not cover: first what they explain, then the names of the axes and the
+/// image.
+std::vector<Kept> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
+    constexpr float mark = 100;
+    constexpr float name = 3;
+    constexpr float image = 1;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = canvas.toPixel(0, 0);
+    const ImVec2 high = canvas.toPixel(1, 1);
+    std::vector<Kept> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
+    if (unit.target == Target::CubeMap)
+        return kept; // its texels are marked in the small pictures alone
+    kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
+    kept.push_back({{{low.x - 1.5F * em, high.y - 2 * em}, {low.x, high.y + em}}, name});
+    const Box marks = marksOf(unit, canvas);
+    const float margin = em * 0.4F;
+    kept.push_back(
+        {{{marks.low.x - margin, marks.low.y - margin}, {marks.high.x + margin, marks.high.y + margin}},
+         mark});
+    return kept;
+}
+
+/// The longest of several titles that has room; each says less than the one before.
+std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
+    const float share = shareOf(unit, patch.level);
+    const std::string face =
+        unit.sample.cube ? std::string(rowOf(cubeFaceAt(patch.layer)).label) + " · " : std::string();
+    const std::string level = std::to_string(patch.level);
+    const std::string part = share < 1
+                                 ? std::to_string(std::lround(share * 100)) + " %"
+                                 : std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y);
+    for (const std::string& title : {face + "level " + level + " · " + part, face + "level " + level}) {
+        if (ImGui::CalcTextSize(title.c_str()).x <= room)
+            return title;
+    }
+    return fitted(face + level, room);
+}
+
+std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
+    std::vector<Inset> insets;
+    if (!unit)
+        return insets;
+    const float em = ImGui::GetFontSize();
+    const float width = canvas.high.x - canvas.low.x;
+    const float height = canvas.high.y - canvas.low.y;
+    const float side = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
+    if (side < em * 2)
+        return insets;
+    const ImVec2 frame(em * 0.2F, em * 0.2F);
+    std::vector<ImVec2> sizes; // with a title above and a frame around
+    for (const LevelPatch& each : unit->patches) {
+        if (each.size.x < 1 || each.size.y < 1)
+            continue;
+        const std::string title = titleOf(*unit, each, (width - em * 2) / 2);
+        insets.push_back({&each,
+                          {},
+                          side / static_cast<float>(each.size.x),
+                          title,
+                          std::max(side, ImGui::CalcTextSize(title.c_str()).x)});
+        sizes.push_back(
+            {insets.back().width + 2 * frame.x, insets.back().size().y + titleHeight() + frame.y});
+    }
+    if (insets.empty())
+        return insets;
+    const Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
+                   {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
+    const std::vector<ImVec2> places = placeInsets(sizes, room, em * 0.2F, keptInSight(*unit, canvas));
+    for (std::size_t i = 0; i < insets.size(); ++i)
+        insets[i].low = {places[i].x + frame.x, places[i].y + titleHeight()};
+    return insets;
+}
+
+void drawFootprint(ImDrawList& draw, const Corners& corners) {
+    if (!isFinite(corners))
+        return;
+    const float em = ImGui::GetFontSize();
+    const int count = static_cast<int>(corners.size());
+    draw.AddPolyline(corners.data(), count, color::shade, ImDrawFlags_Closed, em * 0.24F);
+    draw.AddPolyline(corners.data(), count, color::probed, ImDrawFlags_Closed, em * 0.1F);
+}
+
+void drawPlace(ImDrawList& draw, ImVec2 at) {
+    const float em = ImGui::GetFontSize();
+    draw.AddCircleFilled(at, em * 0.26F, color::shade);
+    draw.AddCircleFilled(at, em * 0.18F, color::probed);
+}
+
+std::string weightText(float weight) {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.2f", static_cast<double>(weight));
+    return text[0] == '0' ? text.data() + 1 : text.data(); // ".25"
+}
+
+void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanation& unit,
+               const Inset& inset) {
+    const LevelPatch& patch = *inset.patch;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
+    const float pad = em * 0.2F;
+    draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()},
+                       {inset.low.x + inset.width + pad, end.y + pad}, IM_COL32(12, 14, 18, 245), em * 0.2F);
+    draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.title.c_str());
+    if (session.probe) {
+        const ImVec2 room = ImGui::CalcTextSize(inset.title.c_str());
+        session.probe->items["patch title:" + inset.title] = {inset.low.x, inset.low.y - titleHeight(),
+                                                              inset.low.x + room.x, inset.low.y, true};
+    }
+    draw.PushClipRect(inset.low, end, true);
+    for (int y = 0; y < patch.size.y; ++y) {
+        for (int x = 0; x < patch.size.x; ++x) {
+            const glm::vec2 texel(patch.low + glm::ivec2(x, y));
+            const ImVec2 a = inset.toWindow(texel + glm::vec2(0, 1));
+            const ImVec2 b = inset.toWindow(texel + glm::vec2(1, 0));
+            draw.AddRectFilled(a, b, inkOf(patch.colors[static_cast<std::size_t>(y * patch.size.x + x)]));
+            if (inset.cell > 6)
+                draw.AddRect(a, b, IM_COL32(128, 128, 128, 70));
+        }
+    }
+    // The edge of the level: beyond it, wrapping decides.
+    const ImVec2 levelLow = inset.toWindow(glm::vec2(0, patch.extent.y));
+    const ImVec2 levelHigh = inset.toWindow(glm::vec2(patch.extent.x, 0));
+    draw.AddRect(levelLow, levelHigh, color::text, 0, 0, em * 0.12F);
+    for (const PlacedTap& tap : patch.taps) {
+        const glm::vec2 at(tap.at);
+        const ImVec2 a = inset.toWindow(at + glm::vec2(0, 1));
+        const ImVec2 b = inset.toWindow(at + glm::vec2(1, 0));
+        draw.AddRect({a.x + 1, a.y + 1}, {b.x - 1, b.y - 1}, color::shade, 0, 0, em * 0.22F);
+        draw.AddRect({a.x + 1, a.y + 1}, {b.x - 1, b.y - 1}, color::probed, 0, 0, em * 0.12F);
+    }
+    const glm::vec2 extent(patch.extent);
+    const reference::Derivatives& derivatives =
+        unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
+    const glm::vec2 dx = glm::vec2(derivatives.dx) * extent;
+    const glm::vec2 dy = glm::vec2(derivatives.dy) * extent;
+    const ImVec2 middle = inset.toWindow(patch.place);
+    drawFootprint(draw, footprintOf(middle, {dx.x * inset.cell, -dx.y * inset.cell},
+                                    {dy.x * inset.cell, -dy.y * inset.cell}));
+    drawPlace(draw, middle);
+    for (const PlacedTap& tap : patch.taps) { // over everything else
+        const std::string text = weightText(tap.tap.weight);
+        const float size = em * 0.85F;
+        const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 1000, 0, text.c_str());
+        if (room.x + em * 0.5F > inset.cell)
+            continue;
+        const ImVec2 a = inset.toWindow(glm::vec2(tap.at) + glm::vec2(0, 1));
+        const ImVec2 at(a.x + 2 + em * 0.1F, a.y + inset.cell - room.y - 2 - em * 0.1F);
+        draw.AddRectFilled({at.x - 1, at.y}, {at.x + room.x + 1, at.y + room.y}, color::shade);
+        draw.AddText(ImGui::GetFont(), size, at, color::probed, text.c_str());
+    }
+    draw.PopClipRect();
+    if (session.probe)
+        session.probe->items["patch:level " + std::to_string(patch.level)] = {inset.low.x, inset.low.y, end.x,
+                                                                              end.y, true};
+}
+
+void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent, ImU32 tint) {
+    const Box box = texelBox(canvas, at, extent);
+    const float em = ImGui::GetFontSize();
+    draw.AddRect(box.low, box.high, color::shade, 0, 0, em * 0.2F);
+    draw.AddRect(box.low, box.high, tint, 0, 0, em * 0.1F);
+}
+
+/// What wrapping makes of a texel that is counted on beyond its level. A line has one row alone.
+reference::TexelPlace texelAt(const Texture& texture, Target target, int level, glm::ivec2 extent,
+                              glm::ivec2 at, int layer) {
+    const int row = target == Target::Texture1D ? 0 : reference::wrappedTexel(texture.wrapT, at.y, extent.y);
+    return {level, {reference::wrappedTexel(texture.wrapS, at.x, extent.x), row, layer}};
+}
+
+/// Of a level that the bound texture has.
+std::optional<glm::ivec2> extentOf(Session& session, int level) {
+    const Texture* texture = boundTexture(std::as_const(session));
+    const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
+    if (!image)
+        return std::nullopt;
+    const auto summary =
+        levelsOf(session).summary({image, imageSettings(*texture), selectedUnit(session).target});
+    if (!summary)
+        return std::nullopt;
+    const auto found = std::ranges::find(summary->report.levels, level, &LevelReport::number);
+    if (found == summary->report.levels.end())
+        return std::nullopt;
+    // The report counts a border as part of the level, the indices of texels begin after it.
+    const int border = texture->border != 0 ? 2 : 0;
+    const bool flat = selectedUnit(session).target == Target::Texture1D;
+    return glm::ivec2(found->width - border, flat ? 1 : found->height - border);
+}
+
+/// The texel that is asked for, if it is one of the selected unit.
+std::optional<reference::TexelPlace> askedTexel(const Session& session) {
+    const std::optional<reference::TexelQuestion>& asked = session.explaining.texel;
+    if (!asked || asked->pass != session.selection.pass || asked->unit != session.selection.unit)
+        return std::nullopt;
+    return asked->texel;
+}
+
+/// In the plane of the image: the texels, the footprint and the place of the sample.
+void markPlane(ImDrawList& draw, const Canvas& canvas, const reference::UnitExplanation& unit) {
+    for (const LevelPatch& patch : unit.patches) {
+        for (const PlacedTap& tap : patch.taps)
+            drawTexel(draw, canvas, tap.at, patch.extent, color::probed);
+    }
+    drawFootprint(draw, footprintIn(canvas, unit));
+    const LevelPatch& patch = heaviestPatch(unit);
+    const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
+    drawPlace(draw, canvas.toPixel(place.x, place.y));
+}
+
+/// What is asked for and what is below the mouse, which a click asks for.
+void markCells(Session& session, ImDrawList& draw, const Texture& texture, const Inset& inset, bool clicked) {
+    const LevelPatch& patch = *inset.patch;
+    const auto frame = [&](glm::ivec2 at, ImU32 tint) {
+        draw.AddRect(inset.toWindow(glm::vec2(at) + glm::vec2(0, 1)),
+                     inset.toWindow(glm::vec2(at) + glm::vec2(1, 0)), tint, 0, 0,
+                     ImGui::GetFontSize() * 0.2F);
+    };
+    const auto texel = [&](glm::ivec2 at) {
+        return texelAt(texture, selectedUnit(session).target, patch.level, patch.extent, at, patch.layer);
+    };
+    const std::optional<reference::TexelPlace> asked = askedTexel(session);
+    for (int y = 0; y < patch.size.y; ++y) {
+        for (int x = 0; x < patch.size.x; ++x) {
+            const glm::ivec2 at = patch.low + glm::ivec2(x, y);
+            if (texel(at) == asked)
+                frame(at, color::chosen);
+        }
+    }
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!inset.holds(mouse))
+        return;
+    const glm::ivec2 at =
+        patch.low + glm::ivec2(static_cast<int>((mouse.x - inset.low.x) / inset.cell),
+                               static_cast<int>((inset.low.y + inset.size().y - mouse.y) / inset.cell));
+    frame(at, color::text);
+    if (clicked)
+        chooseTexel(session, texel(at));
+}
+
+/// A click on the image asks for the texel there, of the level that is read most at the probed pixel; of the
+/// base level where none is probed.
+void chooseInPlane(Session& session, const Canvas& canvas, const Texture& texture,
+                   const reference::UnitExplanation* unit) {
+    const int level = unit ? heaviestPatch(*unit).level : texture.baseLevel;
+    const std::optional<glm::ivec2> extent = extentOf(session, level);
+    if (!extent)
+        return;
+    const glm::vec2 at = canvas.toCoord(ImGui::GetIO().MousePos) * glm::vec2(*extent);
+    chooseTexel(session, texelAt(texture, selectedUnit(session).target, level, *extent,
+                                 {reference::floorToInt(at.x), reference::floorToInt(at.y)}, 0));
+}
+
+} // namespace
+
+bool isOnPatch(const Session& session, const Canvas& canvas, ImVec2 mouse) {
+    return std::ranges::any_of(insetsOf(probedUnit(session), canvas),
+                               [mouse](const Inset& inset) { return inset.holds(mouse); });
+}
+
+void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bool clicked) {
+    const Texture* texture = boundTexture(std::as_const(session));
+    const reference::UnitExplanation* unit = probedUnit(session);
+    if (unit && unit->patches.empty())
+        unit = nullptr;
+    if (!texture)
+        return;
+    // The faces of a cube map lie in this plane otherwise than their coordinates.
+    const bool isCube = selectedUnit(session).target == Target::CubeMap;
+    if (clicked && session.explaining.isOpen && !isCube &&
+        !isOnPatch(session, canvas, ImGui::GetIO().MousePos))
+        chooseInPlane(session, canvas, *texture, unit);
+    if (unit && !isCube) {
+        markPlane(draw, canvas, *unit);
+        const Box marks = marksOf(*unit, canvas);
+        if (session.probe)
+            session.probe->items["texel marks"] = {marks.low.x, marks.low.y, marks.high.x, marks.high.y,
+                                                   true};
+    }
+    if (const auto asked = askedTexel(session); asked && !isCube) {
+        if (const auto extent = extentOf(session, asked->level))
+            drawTexel(draw, canvas, glm::ivec2(asked->index), *extent, color::chosen);
+    }
+    for (const Inset& inset : insetsOf(unit, canvas)) {
+        drawInset(session, draw, *unit, inset);
+        markCells(session, draw, *texture, inset, clicked);
+    }
+}
+
+} // namespace texplorer::ui

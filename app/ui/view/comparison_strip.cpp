@@ -1,0 +1,186 @@
+#include "app/ui/view/pane_drawing.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace texplorer::ui {
+
+namespace {
+
+constexpr int worstFactor = 16; // so large that one sees the pixel and its neighbours
+
+struct ArrangementRow {
+    Arrangement arrangement;
+    const char* label;
+    const char* help;
+};
+constexpr std::array arrangementRows{
+    ArrangementRow{Arrangement::Split, "Split", "Two renderers across one picture. Drag the seam."},
+    ArrangementRow{Arrangement::Grid, "Side by side",
+                   "Every renderer, and the difference of the two that are chosen."},
+};
+
+std::string withDecimals(double value, int decimals) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
+/// "0.05", "12.3", "100": three digits at most before the hundredths, and never nothing where there is
+/// something.
+std::string rounded(double value, int decimals) {
+    const double least = std::pow(10.0, -decimals);
+    if (value > 0 && value < least)
+        return "< " + withDecimals(least, decimals);
+    for (double limit = 10; value >= limit && decimals > 0; limit *= 10)
+        --decimals;
+    return value > 0 ? withDecimals(value, decimals) : "0";
+}
+
+/// Puts widgets in a row, and begins another one where the next has no room.
+class Flow {
+public:
+    explicit Flow(const Rect& rect)
+        : right_(static_cast<float>(rect.right()) - ImGui::GetStyle().WindowPadding.x)
+        , left_(static_cast<float>(rect.x) + ImGui::GetStyle().WindowPadding.x)
+        , x_(left_)
+        , y_(static_cast<float>(rect.y) + ImGui::GetStyle().FramePadding.y) {}
+
+    void place(float width, float gap) {
+        if (x_ > left_ && x_ + gap + width > right_) {
+            x_ = left_;
+            y_ += ImGui::GetFrameHeight() + ImGui::GetStyle().FramePadding.y;
+        } else if (x_ > left_) {
+            x_ += gap;
+        }
+        ImGui::SetCursorScreenPos({x_, y_});
+        x_ += width;
+    }
+    /// A label, as high as a widget.
+    void text(const std::string& words, ImU32 tint, float gap) {
+        place(ImGui::CalcTextSize(words.c_str()).x, gap);
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, tint);
+        ImGui::TextUnformatted(words.c_str());
+        ImGui::PopStyleColor();
+    }
+
+private:
+    float right_;
+    float left_;
+    float x_;
+    float y_;
+};
+
+float buttonWidth(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// The part of the pictures around a pixel.
+void showPixel(Views& views, glm::ivec2 pixel, view::Size picture) {
+    views.zoom.factor = worstFactor;
+    views.zoom.centre = (glm::vec2(pixel) + 0.5F) /
+                        glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
+}
+
+constexpr const char* unit = "/255";
+
+/// "0.17 % over [2]/255": how much differs by more than the tolerance, which one can drag.
+void toleranceField(Session& session, Flow& flow, const Difference* difference, float gap) {
+    const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool hasShare = difference && difference->max > 0;
+    const std::string label =
+        hasShare ? rounded(100 * difference->shareOver(), 2) + " % over" : std::string("Tolerance");
+    flow.place(ImGui::CalcTextSize(label.c_str()).x + field + ImGui::CalcTextSize(unit).x + 2 * narrow, gap);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, hasShare ? color::text : color::dim);
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::PopStyleColor();
+    if (hasShare) {
+        noteItem(session, "share over");
+        helpTip("The pixels that differ by more than this tolerance in red, green or blue");
+    }
+    ImGui::SameLine(0, narrow);
+    ImGui::SetNextItemWidth(field);
+    ImGui::DragInt("##tolerance", &session.views.tolerance, 0.1F, 0, Views::largestTolerance, "%d",
+                   ImGuiSliderFlags_AlwaysClamp);
+    noteItem(session, "tolerance");
+    helpTip("Differences up to here don't count. Drag, or double click to type.");
+    ImGui::SameLine(0, narrow);
+    ImGui::TextUnformatted(unit);
+}
+
+/// Leads to the worst pixel; with the ring that it has in the pictures, where it has one.
+void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture,
+                 float gap) {
+    const float em = ImGui::GetFontSize();
+    const bool ringed = isRinged(difference);
+    const std::string label = "max " + std::to_string(difference.max) + unit;
+    const float sign = ringed ? em * 1.2F : 0;
+    const float width = buttonWidth(label.c_str()) + sign;
+    flow.place(width, gap);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::Button("##worst", {width, 0}))
+        showPixel(session.views, difference.worst, picture);
+    noteItem(session, "worst");
+    helpTip("The largest difference, at the pixel " + std::to_string(difference.worst.x) + "," +
+            std::to_string(picture.height - 1 - difference.worst.y) + " (from the upper left)" +
+            (ringed ? ", which is ringed" : ", within the tolerance") +
+            ". Click: enlarge it; Ctrl + wheel leads back.");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    draw.AddText({low.x + padding.x + sign, low.y + padding.y}, color::text, label.c_str());
+    if (!ringed)
+        return;
+    draw.AddCircle({low.x + padding.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2}, em * 0.36F,
+                   color::problem, 0, 1.5F);
+    noteItem(session, "ring");
+}
+
+void numbers(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
+    if (difference.max == 0) {
+        flow.text("equal in every pixel", color::text, gap);
+        noteItem(session, "equal");
+        return helpTip("Red, green and blue are the same everywhere.");
+    }
+    flow.text("mean " + rounded(difference.mean, 3) + unit, color::text, gap);
+    noteItem(session, "mean difference");
+    helpTip("Of all components of all pixels");
+    worstButton(session, flow, difference, picture, gap);
+}
+
+} // namespace
+
+void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout) {
+    Views& views = session.views;
+    if (!isComparing(views))
+        return;
+    const float gap = ImGui::GetFontSize() * 0.9F;
+    const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    Flow flow(layout.strip);
+    for (const ArrangementRow& row : arrangementRows) {
+        const bool chosen = views.arrangement == row.arrangement;
+        flow.place(buttonWidth(row.label), narrow);
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
+        if (ImGui::Button(row.label))
+            views.arrangement = views.comparing = row.arrangement;
+        ImGui::PopStyleColor();
+        noteItem(session, std::string("arrangement:") + row.label);
+        helpTip(row.help);
+    }
+    toleranceField(session, flow, pictures.difference ? &pictures.difference->numbers : nullptr, gap);
+    if (pictures.difference)
+        numbers(session, flow, pictures.difference->numbers, pictures.views.front().frame.size, gap);
+    else
+        flow.text(isDrawing(pictures, views.compared) ? "drawing…" : "no numbers: a picture is missing",
+                  color::dim, gap);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,237 @@
+#include "app/ui/view/pane_drawing.h"
+
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace texplorer::ui {
+
+namespace {
+
+ImVec2 lowOf(const Rect& rect) {
+    return {static_cast<float>(rect.x), static_cast<float>(rect.y)};
+}
+
+ImVec2 highOf(const Rect& rect) {
+    return {static_cast<float>(rect.right()), static_cast<float>(rect.bottom())};
+}
+
+std::string labelOf(RendererKind renderer) {
+    return std::string(rowOf(renderer).label);
+}
+
+/// The label, or where that has no room its first word.
+std::string labelWithin(RendererKind renderer, float width) {
+    const std::string label = labelOf(renderer);
+    return ImGui::CalcTextSize(label.c_str()).x <= width ? label : label.substr(0, label.find(' '));
+}
+
+/// Text on a dark ground, so that it can be read on any picture.
+void drawChip(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 tint) {
+    const float pad = ImGui::GetFontSize() * 0.3F;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    draw.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
+                       color::shade, pad);
+    draw.AddText(at, tint, text.c_str());
+}
+
+float comboWidth(RendererKind renderer) {
+    return ImGui::CalcTextSize(labelOf(renderer).c_str()).x + ImGui::GetFrameHeight() +
+           2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// A list of the renderers on the picture, as wide as its text, at most `width`.
+void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) {
+    RendererKind& compared = session.views.compared[which];
+    const std::string id = "##compared" + std::to_string(which);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
+    ImGui::SetNextItemWidth(std::min(comboWidth(compared), width));
+    const float arrow = comboWidth(compared) - ImGui::CalcTextSize(labelOf(compared).c_str()).x;
+    const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, width - arrow).c_str());
+    ImGui::PopStyleColor();
+    const std::string name = "compared:" + std::to_string(which);
+    noteItem(session, name);
+    if (!open)
+        return;
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        const auto renderer = static_cast<RendererKind>(row.value);
+        if (ImGui::Selectable(labelOf(renderer).c_str(), renderer == compared))
+            compared = renderer;
+        noteItem(session, name + "=" + std::string(row.name));
+        helpTip(row.help);
+    }
+    ImGui::EndCombo();
+}
+
+} // namespace
+
+unsigned textureOf(const Pane& pane, const Pictures& pictures) {
+    if (!pane.renderer)
+        return pictures.difference ? pictures.difference->heatMap : 0;
+    const auto view = std::ranges::find(pictures.views, *pane.renderer, &RenderedView::renderer);
+    return view == pictures.views.end() ? 0 : view->frame.texture;
+}
+
+bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers) {
+    return std::ranges::any_of(pictures.views, [&](const RenderedView& view) {
+        return !view.whole && std::ranges::find(renderers, view.renderer) != renderers.end();
+    });
+}
+
+void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures,
+              const Views& views) {
+    const ImVec2 low = lowOf(pane.frame);
+    const ImVec2 high = highOf(pane.frame);
+    draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
+    draw.AddRectFilled(low, high, color::ground);
+    if (const unsigned texture = textureOf(pane, pictures); texture != 0) {
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, nullptr);
+        // The picture's first row is its bottom one.
+        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), low, high,
+                      {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y});
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, &draw);
+    } else if (pictures.setBlending) {
+        const bool comes =
+            pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1}) : isDrawing(pictures, views.compared);
+        const char* text = comes ? "Drawing…" : "No picture: the status bar says why";
+        const ImVec2 size = ImGui::CalcTextSize(text);
+        draw.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, color::dim, text);
+    }
+    draw.PopClipRect();
+}
+
+void paneLabels(Session& session, const Panes& panes) {
+    const Views& views = session.views;
+    const float gap = ImGui::GetFontSize() * 0.4F;
+    const float left = comboWidth(views.compared[0]);
+    const float right = comboWidth(views.compared[1]);
+    const auto lists = [&](const Rect& frame, bool apart) {
+        const auto width = static_cast<float>(frame.width) - 2 * gap;
+        const ImVec2 at(static_cast<float>(frame.x) + gap, static_cast<float>(frame.y) + gap);
+        rendererCombo(session, 0, at, width);
+        // In a narrow view the second one goes below the first one.
+        const float y = left + right + gap <= width ? at.y : at.y + ImGui::GetFrameHeight() + gap;
+        const float x = apart ? at.x + std::max(0.0F, width - right) : y > at.y ? at.x : at.x + left + gap;
+        rendererCombo(session, 1, {x, y}, width);
+    };
+    const std::vector<Pane>& all = panes.all();
+    if (views.arrangement == Arrangement::Split)
+        return lists(all.front().frame, true);
+    if (views.arrangement != Arrangement::Grid)
+        return;
+    for (const Pane& pane : all) {
+        if (pane.renderer)
+            drawChip(*ImGui::GetWindowDrawList(),
+                     {static_cast<float>(pane.frame.x) + 2 * gap, static_cast<float>(pane.frame.y) + gap},
+                     labelWithin(*pane.renderer, static_cast<float>(pane.frame.width) - 4 * gap),
+                     color::text);
+        else
+            lists(pane.frame, false);
+    }
+}
+
+void paneSeam(Session& session, const Layout& layout) {
+    if (session.views.arrangement != Arrangement::Split)
+        return;
+    const Rect& whole = layout.picture;
+    const float reach = ImGui::GetFontSize() * 0.4F;
+    const float x =
+        static_cast<float>(whole.x) + std::round(session.views.split * static_cast<float>(whole.width));
+    // At the picture's edge, where the panel's padding takes no mouse, the grip stays inside.
+    const float grip = std::clamp(
+        x - reach, static_cast<float>(whole.x) + reach,
+        std::max(static_cast<float>(whole.x) + reach, static_cast<float>(whole.right()) - 3 * reach));
+    ImGui::SetCursorScreenPos({grip, static_cast<float>(whole.y)});
+    ImGui::InvisibleButton("seam", {2 * reach, static_cast<float>(whole.height)});
+    noteItem(session, "picture seam");
+    const bool held = ImGui::IsItemActive();
+    if (held)
+        session.views.split = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
+                                             static_cast<float>(whole.width),
+                                         0.0F, 1.0F);
+    if (held || ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const ImU32 tint = held || ImGui::IsItemHovered() ? color::text : color::outline;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 top(x, static_cast<float>(whole.y));
+    const ImVec2 bottom(x, static_cast<float>(whole.bottom()));
+    draw.AddLine(top, bottom, color::shade, 3);
+    draw.AddLine(top, bottom, tint, 1);
+    const ImVec2 middle(x, (top.y + bottom.y) / 2);
+    draw.AddRectFilled({middle.x - reach * 0.6F, middle.y - 3 * reach},
+                       {middle.x + reach * 0.6F, middle.y + 3 * reach}, tint, reach * 0.6F);
+}
+
+void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {
+    const float em = ImGui::GetFontSize();
+    const float width = std::min(static_cast<float>(pane.frame.width) - 2 * em, em * 22);
+    if (width < em * 3)
+        return;
+    const char* words = "difference, of 255";
+    const bool hasWords = ImGui::CalcTextSize(words).x <= width;
+    const ImVec2 low(static_cast<float>(pane.frame.x) + em,
+                     static_cast<float>(pane.frame.bottom()) - em * 2.3F);
+    const float bar = em * 0.6F;
+    const float pad = em * 0.5F;
+    const float above = hasWords ? em * 1.15F : 0;
+    draw.AddRectFilled({low.x - pad, low.y - pad - above}, {low.x + width + pad, low.y + bar + em * 1.4F},
+                       color::shade, pad);
+    if (hasWords)
+        draw.AddText({low.x, low.y - pad * 0.4F - above}, color::dim, words);
+    // The places of the numbers: equal steps from one to the next.
+    std::vector<int> marks{0, scale.tolerance};
+    for (int next = scale.tolerance + 1; next < scale.top; next *= 4)
+        marks.push_back(next);
+    if (marks.size() > 3 && marks.back() * 2 > scale.top)
+        marks.pop_back();
+    marks.push_back(scale.top);
+    marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+    const auto steps = static_cast<float>(marks.size() - 1);
+    constexpr int columns = 128;
+    for (int i = 0; i < columns; ++i) {
+        const float place = (static_cast<float>(i) + 0.5F) / columns * steps;
+        const auto from = static_cast<std::size_t>(place);
+        const float share = place - static_cast<float>(from);
+        const auto value =
+            std::lerp(static_cast<float>(marks[from]), static_cast<float>(marks[from + 1]), share);
+        const auto [r, g, b, a] = heatColor(value, scale);
+        draw.AddRectFilled({low.x + width * static_cast<float>(i) / columns, low.y},
+                           {low.x + width * static_cast<float>(i + 1) / columns, low.y + bar},
+                           IM_COL32(r, g, b, a));
+    }
+    float free = low.x - em; // numbers don't overlap, and the last one is there in any case
+    const float last = low.x + width - ImGui::CalcTextSize(std::to_string(marks.back()).c_str()).x;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const std::string text = std::to_string(marks[i]);
+        const float x = low.x + width * static_cast<float>(i) / steps;
+        const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
+        const float at = std::clamp(x - half, low.x, low.x + width - 2 * half);
+        const bool covers = i + 1 < marks.size() && at + 2 * half + em * 0.3F > last;
+        if (at < free || covers)
+            continue;
+        draw.AddText({at, low.y + bar + em * 0.15F}, marks[i] == scale.tolerance ? color::text : color::dim,
+                     text.c_str());
+        free = at + 2 * half + em * 0.3F;
+    }
+}
+
+void markPixel(ImDrawList& draw, const Panes& panes, glm::ivec2 pixel, ImU32 tint) {
+    const float extent = std::max(panes.pixelExtent().x, panes.pixelExtent().y);
+    const float radius = std::max(extent * 0.75F, ImGui::GetFontSize() * 0.45F);
+    for (const Pane& pane : panes.all()) {
+        const ImVec2 at = panes.toWindow(pane, glm::vec2(pixel) + 0.5F);
+        draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
+        draw.AddCircle(at, radius, color::shade, 0, 4);
+        draw.AddCircle(at, radius, tint, 0, 1.5F);
+        draw.PopClipRect();
+    }
+}
+
+} // namespace texplorer::ui

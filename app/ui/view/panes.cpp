@@ -1,0 +1,138 @@
+#include "app/ui/view/panes.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+
+namespace {
+
+/// Every pane has the size of Layout::picture, which is the first of them.
+Rect cellOf(const Layout& layout, int column, int row) {
+    Rect cell = layout.picture;
+    if (column > 0)
+        cell.x = layout.canvas.right() - cell.width;
+    if (row > 0)
+        cell.y = layout.canvas.bottom() - cell.height;
+    return cell;
+}
+
+std::vector<Pane> arrange(const Layout& layout, const Views& views) {
+    const Rect whole = layout.picture;
+    switch (views.arrangement) {
+    case Arrangement::One:
+        return {{views.renderer, whole, whole}};
+    case Arrangement::Split: {
+        const int left = static_cast<int>(
+            std::lround(std::clamp(views.split, 0.0F, 1.0F) * static_cast<float>(whole.width)));
+        return {{views.compared[0], whole, {whole.x, whole.y, left, whole.height}},
+                {views.compared[1], whole, {whole.x + left, whole.y, whole.width - left, whole.height}}};
+    }
+    case Arrangement::Grid:
+        break;
+    }
+    std::vector<Pane> panes;
+    for (const RendererKind renderer : shownRenderers(views)) {
+        const auto at = static_cast<int>(panes.size());
+        panes.push_back({renderer, cellOf(layout, at % 2, at / 2), {}});
+    }
+    panes.push_back({std::nullopt, cellOf(layout, 1, 1), {}});
+    for (Pane& pane : panes)
+        pane.visible = pane.frame;
+    return panes;
+}
+
+bool holds(const Rect& rect, ImVec2 place) {
+    return place.x >= static_cast<float>(rect.x) && place.x < static_cast<float>(rect.right()) &&
+           place.y >= static_cast<float>(rect.y) && place.y < static_cast<float>(rect.bottom());
+}
+
+glm::vec2 originOf(const Rect& rect) {
+    return {static_cast<float>(rect.x), static_cast<float>(rect.y)};
+}
+
+glm::vec2 sizeOf(const Rect& rect) {
+    return {static_cast<float>(rect.width), static_cast<float>(rect.height)};
+}
+
+/// The centre that is nearest to the wanted one and shows nothing beyond the picture.
+glm::vec2 withinPicture(glm::vec2 centre, int factor) {
+    const float half = 0.5F / static_cast<float>(factor);
+    return glm::clamp(centre, glm::vec2(half), glm::vec2(1 - half));
+}
+
+} // namespace
+
+PaneGrid gridOf(const Views& views) {
+    static_assert(rendererKindRows.size() == 3, "with the difference they make a square of four");
+    const int extent = views.arrangement == Arrangement::Grid ? 2 : 1;
+    return {extent, extent, isComparing(views)};
+}
+
+Panes::Panes(const Layout& layout, const Views& views, view::Size picture)
+    : panes_(arrange(layout, views))
+    , size_(static_cast<float>(picture.width), static_cast<float>(picture.height)) {
+    const int factor = std::clamp(views.zoom.factor, 1, PictureZoom::largest);
+    const glm::vec2 centre = withinPicture(views.zoom.centre, factor);
+    const glm::vec2 half(0.5F / static_cast<float>(factor));
+    low_ = centre - half;
+    high_ = centre + half;
+}
+
+const Pane* Panes::under(ImVec2 place) const {
+    const auto found =
+        std::ranges::find_if(panes_, [&](const Pane& pane) { return holds(pane.visible, place); });
+    return found == panes_.end() ? nullptr : &*found;
+}
+
+glm::vec2 Panes::toPicture(const Pane& pane, ImVec2 place) const {
+    const glm::vec2 share = (glm::vec2(place.x, place.y) - originOf(pane.frame)) / sizeOf(pane.frame);
+    return glm::mix(low_, high_, glm::vec2(share.x, 1 - share.y)) * size_;
+}
+
+ImVec2 Panes::toWindow(const Pane& pane, glm::vec2 at) const {
+    const glm::vec2 share = (at / size_ - low_) / (high_ - low_);
+    const glm::vec2 place = originOf(pane.frame) + glm::vec2(share.x, 1 - share.y) * sizeOf(pane.frame);
+    return {place.x, place.y};
+}
+
+std::optional<glm::ivec2> Panes::pixelAt(ImVec2 place) const {
+    const Pane* pane = under(place);
+    if (!pane || size_.x < 1 || size_.y < 1)
+        return std::nullopt;
+    // A mouse at a whole number is on the pixel to the right of it and below, whatever rounding makes of it.
+    constexpr float inside = 0.01F;
+    const glm::ivec2 pixel(glm::floor(toPicture(*pane, {place.x + inside, place.y + inside})));
+    return glm::clamp(pixel, glm::ivec2(0), glm::ivec2(size_) - 1);
+}
+
+glm::vec2 Panes::pixelExtent() const {
+    return sizeOf(panes_.front().frame) / ((high_ - low_) * glm::max(size_, glm::vec2(1)));
+}
+
+void zoomPictures(Views& views, const Layout& layout, ImVec2 place, int notches) {
+    const Panes before(layout, views, {1, 1});
+    const Pane* pane = before.under(place);
+    if (!pane)
+        return;
+    const glm::vec2 fixed = before.toPicture(*pane, place); // a share: the picture has one pixel here
+    int& factor = views.zoom.factor;
+    const int old = factor;
+    for (; notches > 0 && factor < PictureZoom::largest; --notches)
+        factor *= 2;
+    for (; notches < 0 && factor > 1; ++notches)
+        factor /= 2;
+    const glm::vec2 centre = (before.partLow() + before.partHigh()) / 2.0F;
+    views.zoom.centre = withinPicture(
+        fixed + (centre - fixed) * (static_cast<float>(old) / static_cast<float>(factor)), factor);
+}
+
+void movePictures(Views& views, const Layout& layout, ImVec2 way) {
+    const auto factor = static_cast<float>(views.zoom.factor);
+    const glm::vec2 share = glm::vec2(way.x, -way.y) / (sizeOf(layout.picture) * factor);
+    views.zoom.centre = withinPicture(views.zoom.centre - share, views.zoom.factor);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,267 @@
+#include "app/ui/view/camera.h"
+#include "app/ui/view/magnifier.h"
+#include "app/ui/view/pane_drawing.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/view/panes.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/view/probed_pixel.h"
+#include "app/ui/view/show.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/picking.h"
+#include "core/scene/tex_coords.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr const char* cameraEdit = "Move camera"; // never sealed: looking around is one step of undo
+
+float aspectOf(const Layout& layout) {
+    return static_cast<float>(layout.picture.width) / static_cast<float>(std::max(1, layout.picture.height));
+}
+
+constexpr const char* frameLabel = "Frame";
+constexpr const char* frameHelp = "Aims the camera so that every model is whole (F, or a double click)";
+constexpr const char* moreLabel = "…";
+
+float buttonWidth(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// The choices of the tool row from this one on, and Frame.
+void moreMenu(Session& session, const Layout& layout, std::size_t first) {
+    if (!ImGui::BeginPopup("more"))
+        return;
+    const auto shown = shownNow(session.scene);
+    for (std::size_t i = first; i < showRows.size(); ++i) {
+        const ShowRow& row = showRows[i];
+        const bool chosen = shown == row.show;
+        if (ImGui::MenuItem(row.label, nullptr, chosen) && !chosen)
+            show(session, row, layout);
+        noteItem(session, std::string("show:") + row.label);
+    }
+    ImGui::Separator();
+    if (ImGui::MenuItem(frameLabel, "F"))
+        frameAll(session, layout);
+    noteItem(session, "frame");
+    helpTip(frameHelp);
+    ImGui::EndPopup();
+}
+
+/// What the view shows. Choices that have no room are in a menu at the end.
+void toolRow(Session& session, const Layout& layout) {
+    ImGui::SetCursorPos(
+        {ImGui::GetStyle().WindowPadding.x,
+         (static_cast<float>(layout.picture.y - layout.view.y) - ImGui::GetFrameHeight()) / 2});
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    const float left = ImGui::GetCursorPosX();
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    float all = buttonWidth(frameLabel);
+    for (const ShowRow& row : showRows)
+        all += buttonWidth(row.label) + gap;
+    const bool fits = left + all <= right;
+    const float end = fits ? right : right - buttonWidth(moreLabel) - gap;
+    std::size_t count = 0; // of the choices that have room
+    for (float x = left; count < showRows.size(); ++count) {
+        x += buttonWidth(showRows[count].label);
+        if (x > end)
+            break;
+        x += gap;
+    }
+    const auto shown = shownNow(session.scene);
+    for (std::size_t i = 0; i < count; ++i) {
+        const ShowRow& row = showRows[i];
+        const bool chosen = shown == row.show;
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
+        if (ImGui::Button(row.label) && !chosen)
+            show(session, row, layout);
+        ImGui::PopStyleColor();
+        noteItem(session, std::string("show:") + row.label);
+        ImGui::SameLine(0, gap);
+    }
+    const char* last = fits ? frameLabel : moreLabel;
+    ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last)));
+    const bool pressed = ImGui::Button(last);
+    noteItem(session, fits ? "frame" : "more choices");
+    helpTip(fits ? frameHelp : "What has no room here");
+    if (pressed && fits)
+        frameAll(session, layout);
+    else if (pressed)
+        ImGui::OpenPopup("more");
+    moreMenu(session, layout, count);
+}
+
+/// With Ctrl the mouse moves and enlarges the pictures, as if with a magnifying glass; else the camera.
+void moveView(Session& session, bool hovered, bool active, const Layout& layout) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.views.zoom.factor),
+                     io.MouseDelta.y / static_cast<float>(session.views.zoom.factor));
+    const bool moved = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+    if (io.KeyCtrl) {
+        if (moved)
+            movePictures(session.views, layout, io.MouseDelta);
+        if (hovered && io.MouseWheel != 0)
+            zoomPictures(session.views, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
+        return;
+    }
+    View& view = session.scene.view;
+    const View before = view;
+    if (moved) {
+        const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+        const bool sideways = ImGui::IsMouseDragging(ImGuiMouseButton_Right) ||
+                              ImGui::IsMouseDragging(ImGuiMouseButton_Middle) || (left && io.KeyShift);
+        if (sideways)
+            pan(view, way.x, way.y, static_cast<float>(layout.picture.height));
+        else if (left)
+            orbit(view, way.x, way.y);
+    }
+    if (hovered && io.MouseWheel != 0)
+        zoom(view, io.MouseWheel);
+    if (view != before)
+        recordEdit(session, cameraEdit);
+}
+
+/// A place as shares of the picture from its upper left, as projectVertex and pickVertex have it, in pixels.
+glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
+    return glm::vec2(share.x, 1 - share.y) *
+           glm::vec2(static_cast<float>(size.width), static_cast<float>(size.height));
+}
+
+void drawMarker(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+                view::Size picture) {
+    const Model* model = selectedModel(session);
+    if (!model || !model->visible || !session.selection.vertex)
+        return;
+    const std::size_t vertex = *session.selection.vertex;
+    const auto place = projectVertex(session.scene, static_cast<std::size_t>(session.selection.model), vertex,
+                                     session.playback.time, aspectOf(layout));
+    if (!place)
+        return;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
+    if (session.probe)
+        session.probe->items["marker"] = {at.x, at.y, at.x, at.y, true};
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddCircle(at, em * 0.45F, color::shade, 0, em * 0.3F);
+    draw.AddCircle(at, em * 0.45F, color::chosen, 0, em * 0.15F);
+    draw.AddCircleFilled(at, em * 0.12F, color::chosen);
+
+    const TexCoords coords = effectiveTexCoords(*model, selectedMesh(session), session.selection.unit);
+    if (vertex >= coords.size())
+        return;
+    char text[96];
+    std::snprintf(text, sizeof text, "%zu   (%.2f, %.2f)", vertex, double{coords[vertex].x},
+                  double{coords[vertex].y});
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    // Beside the vertex, inside of the picture.
+    ImVec2 label(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
+    label.x = std::min(label.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
+    label.y = std::max(label.y, static_cast<float>(pane.visible.y) + em * 0.4F);
+    const float pad = em * 0.3F;
+    draw.AddRectFilled({label.x - pad, label.y - pad / 2},
+                       {label.x + size.x + pad, label.y + size.y + pad / 2}, color::shade, pad);
+    draw.AddText(label, color::chosen, text);
+}
+
+/// Picks the vertex under the mouse, or none.
+void pick(Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Pane* pane = panes.under(mouse);
+    if (!pane)
+        return;
+    const glm::vec2 at =
+        panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
+                                                  static_cast<float>(std::max(1, picture.height)));
+    const auto picked = pickVertex(session.scene, session.playback.time, aspectOf(layout), {at.x, 1 - at.y});
+    if (picked) {
+        session.selection.model = static_cast<int>(picked->model);
+        session.selection.vertex = picked->vertex;
+    } else {
+        session.selection.vertex.reset();
+    }
+}
+
+/// What the mouse does, first what one would not find alone: as much of it as fits.
+constexpr std::array hints{"Hold E: explain",
+                           "Drag: orbit",
+                           "Wheel: zoom",
+                           "Right drag: pan",
+                           "M: magnifier",
+                           "Click: pick a vertex",
+                           "Ctrl + wheel: enlarge the pixels"};
+
+void hintLine(const Layout& layout) {
+    const float em = ImGui::GetFontSize();
+    const float available = static_cast<float>(layout.view.width) - em;
+    std::string line;
+    for (const char* hint : hints) {
+        const std::string longer = line.empty() ? hint : line + "  ·  " + hint;
+        if (ImGui::CalcTextSize(longer.c_str()).x > available)
+            break;
+        line = longer;
+    }
+    const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
+    const auto height = static_cast<float>(layout.view.bottom() - top);
+    ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
+                         static_cast<float>(top - layout.view.y) + (height - em) / 2});
+    ImGui::TextDisabled("%s", line.c_str());
+}
+
+} // namespace
+
+void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout) {
+    beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    toolRow(session, layout);
+
+    const view::Size picture = pictures.views.front().frame.size;
+    const Panes panes(layout, session.views, picture);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (const Pane& pane : panes.all())
+        drawPane(draw, panes, pane, pictures, session.views);
+    if (pictures.difference && isRinged(pictures.difference->numbers))
+        markPixel(draw, panes, pictures.difference->numbers.worst, color::problem);
+    if (pictures.difference && !panes.all().back().renderer)
+        drawLegend(draw, panes.all().back(), pictures.difference->scale);
+    paneLabels(session, panes); // before the button below, so that the mouse finds them first
+    paneSeam(session, layout);
+
+    ImGui::SetCursorScreenPos({static_cast<float>(layout.canvas.x), static_cast<float>(layout.canvas.y)});
+    ImGui::InvisibleButton(
+        "picture",
+        {static_cast<float>(std::max(1, layout.canvas.width)), static_cast<float>(layout.canvas.height)},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+            ImGuiButtonFlags_MouseButtonMiddle);
+    noteItem(session, "view");
+    const bool hovered = ImGui::IsItemHovered();
+    const bool active = ImGui::IsItemActive();
+    moveView(session, hovered, active, layout);
+    bool clicked = false;
+    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        frameAll(session, layout);
+    } else if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+               ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
+                   ImGui::GetIO().MouseDragThreshold * ImGui::GetIO().MouseDragThreshold) {
+        pick(session, layout, panes, picture);
+        clicked = true;
+    }
+    probeWithMouse(session, panes, hovered, clicked);
+    for (const Pane& pane : panes.all()) {
+        draw.PushClipRect(
+            {static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
+            {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
+        drawProbedPixel(session, pictures, panes, pane);
+        drawMarker(session, layout, panes, pane, picture);
+        draw.PopClipRect();
+    }
+    if (hovered)
+        drawMagnifier(session, panes, pictures, layout);
+    drawComparisonStrip(session, pictures, layout);
+    hintLine(layout);
+    ImGui::End();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,65 @@
+#include "app/ui/widgets/fitted_text.h"
+
+#include "core/base/printable.h"
+
+#include <algorithm>
+#include <string>
+
+namespace texplorer::ui {
+namespace {
+
+bool isContinuation(char letter) {
+    return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; // of a UTF-8 sequence 10xxxxxx
+}
+
+float widthOf(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+} // namespace
+
+std::size_t sensibleEnd(std::string_view text, std::size_t fits) {
+    constexpr std::size_t label = 16; // of so little every letter counts
+    if (fits >= text.size())
+        return text.size();
+    if (fits < label)
+        return fits;
+    const std::string_view room = text.substr(0, fits + 1);
+    std::size_t clause = 0;
+    for (const std::string_view mark : {"; ", ": ", ", ", ". "}) {
+        const std::size_t at = room.rfind(mark);
+        if (at != std::string_view::npos)
+            clause = std::max(clause, at);
+    }
+    if (2 * clause >= fits)
+        return clause;
+    const std::size_t space = room.rfind(' ');
+    return space != std::string_view::npos && 2 * space >= fits ? space : fits;
+}
+
+std::string fitted(std::string_view text, float room) {
+    if (widthOf(text) <= room)
+        return std::string(text);
+    // The longest beginning that leaves room for the dots: searched by halves, a character costs nothing.
+    const float left = room - widthOf("…");
+    std::size_t fits = 0;
+    std::size_t tooLong = text.size();
+    while (tooLong - fits > 1) {
+        const std::size_t middle = (fits + tooLong) / 2;
+        (widthOf(text.substr(0, middle)) <= left ? fits : tooLong) = middle;
+    }
+    while (fits > 0 && isContinuation(text[fits]))
+        --fits;
+    return std::string(text.substr(0, sensibleEnd(text, fits))) + "…";
+}
+
+bool fittedText(std::string_view text, ImU32 ink) {
+    const std::string whole = printable(text);
+    const std::string shown = fitted(whole, ImGui::GetContentRegionAvail().x);
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    return shown != whole;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,93 @@
+#include "app/ui/widgets/inset_placement.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+/// How insets lie along an edge.
+struct Placing {
+    bool across; ///< beside each other; else one above the other
+    bool atEnd;  ///< at the lower or the right edge; else at the upper or the left one
+    enum class Along { Begin, End, Both } along; ///< where on the edge, the first at the left or the top
+};
+
+using Along = Placing::Along;
+constexpr std::array placings{
+    Placing{true, true, Along::Begin},   Placing{true, false, Along::Begin},
+    Placing{true, true, Along::End},     Placing{true, false, Along::End},
+    Placing{false, true, Along::Begin},  Placing{false, true, Along::End},
+    Placing{false, false, Along::Begin}, Placing{false, false, Along::End},
+    Placing{true, true, Along::Both},    Placing{true, false, Along::Both},
+    Placing{false, true, Along::Both},   Placing{false, false, Along::Both},
+};
+
+float& along(ImVec2& vector, bool across) {
+    return across ? vector.x : vector.y;
+}
+float along(const ImVec2& vector, bool across) {
+    return across ? vector.x : vector.y;
+}
+
+std::vector<ImVec2> placed(std::span<const ImVec2> sizes, const Box& room, float gap,
+                           const Placing& placing) {
+    const bool across = placing.across;
+    float left = along(room.high, across) - along(room.low, across); // of the edge, without the insets
+    for (const ImVec2& size : sizes)
+        left -= along(size, across);
+    const auto gaps = static_cast<float>(std::max<std::size_t>(sizes.size(), 1) - 1);
+    const bool spread = placing.along == Along::Both && gaps > 0;
+    const float between = spread ? std::max(gap, left / gaps) : gap;
+    float at = along(room.low, across);
+    if (placing.along == Along::End)
+        at += left - gap * gaps;
+    std::vector<ImVec2> places;
+    for (const ImVec2& size : sizes) {
+        ImVec2 place;
+        along(place, across) = at;
+        along(place, !across) =
+            placing.atEnd ? along(room.high, !across) - along(size, !across) : along(room.low, !across);
+        places.push_back(place);
+        at += along(size, across) + between;
+    }
+    return places;
+}
+
+float overlap(const Box& a, const Box& b) {
+    const float width = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
+    const float height = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
+    return width > 0 && height > 0 ? width * height : 0;
+}
+
+float costOf(std::span<const ImVec2> places, std::span<const ImVec2> sizes, const Box& room,
+             std::span<const Kept> kept) {
+    constexpr float unseen = 1000; // a pixel of an inset beyond the room
+    float cost = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const Box inset{places[i], {places[i].x + sizes[i].x, places[i].y + sizes[i].y}};
+        cost += unseen * (sizes[i].x * sizes[i].y - overlap(inset, room));
+        for (const Kept& each : kept)
+            cost += each.worth * overlap(inset, each.box);
+    }
+    return cost;
+}
+
+} // namespace
+
+std::vector<ImVec2> placeInsets(std::span<const ImVec2> sizes, const Box& room, float gap,
+                                std::span<const Kept> kept) {
+    std::vector<ImVec2> best;
+    float least = 0;
+    for (const Placing& placing : placings) {
+        std::vector<ImVec2> places = placed(sizes, room, gap, placing);
+        const float cost = costOf(places, sizes, room, kept);
+        if (best.empty() || cost < least) {
+            best = std::move(places);
+            least = cost;
+        }
+    }
+    return best;
+}
+
+} // namespace texplorer::ui

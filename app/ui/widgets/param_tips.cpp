@@ -1,0 +1,110 @@
+#include "app/ui/widgets/param_tips.h"
+
+#include "app/ui/model/findings.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/printable.h"
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float tipWidth = 26; ///< of a tooltip, in letters' heights
+
+/// "since OpenGL 1.4", or the extension that has it.
+std::string originOf(const EnumRow& choice) {
+    const bool extension = choice.since.starts_with("GL_");
+    return (extension ? "from " : "since OpenGL ") + std::string(choice.since);
+}
+
+} // namespace
+
+void text(std::string_view words) {
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+void dimText(std::string_view words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    text(words);
+    ImGui::PopStyleColor();
+}
+
+void helpTip(std::string_view words) {
+    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    text(printable(words, LineBreaks::Keep));
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void warningSign() {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({em * 0.85F, ImGui::GetFrameHeight()});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float top = low.y + ImGui::GetStyle().FramePadding.y;
+    const float middle = low.x + em * 0.425F;
+    draw.AddTriangleFilled({middle, top + em * 0.1F}, {low.x + em * 0.85F, top + em * 0.9F},
+                           {low.x, top + em * 0.9F}, color::problem);
+    draw.AddRectFilled({middle - em * 0.05F, top + em * 0.38F}, {middle + em * 0.05F, top + em * 0.64F},
+                       color::ground);
+    draw.AddRectFilled({middle - em * 0.05F, top + em * 0.7F}, {middle + em * 0.05F, top + em * 0.8F},
+                       color::ground);
+}
+
+void paramTip(const ParamRow& row, const Value& value, const Value& initial, const Finding* idle,
+              const Finding* problem) {
+    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    if (const std::string call = formatCall(row, value); !call.empty()) {
+        ImGui::PushFont(codeFont());
+        text(call);
+        ImGui::PopFont();
+    }
+    text(row.help);
+    if (row.kind == Kind::Text && !std::get<std::string>(value).empty())
+        dimText(std::get<std::string>(value)); // the field shows the beginning
+    if (row.kind == Kind::Enum) {
+        if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
+            dimText(std::string(choice->label) + ": " + std::string(choice->help));
+            if (!choice->since.empty())
+                dimText(std::string(choice->name) + ", " + originOf(*choice));
+        }
+    }
+    if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
+        dimText("Drag it, or double-click to type a number.");
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    if (problem)
+        text(sentenceOf(*problem));
+    if (idle)
+        text("No effect now: " + idle->sentence + ".");
+    ImGui::PopStyleColor();
+    if (value != initial) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+        text("Initially " + formatValue(row, initial) + "; a right click resets it.");
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void choiceTip(const EnumRow& choice) {
+    if (!ImGui::IsItemHovered())
+        return;
+    // Beside the list, so that it doesn't hide the next choices.
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
+    if (right + ImGui::GetFontSize() * (tipWidth + 2) < ImGui::GetIO().DisplaySize.x)
+        ImGui::SetNextWindowPos({right + ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    text(choice.help);
+    if (!choice.since.empty())
+        dimText(originOf(choice));
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+} // namespace texplorer::ui

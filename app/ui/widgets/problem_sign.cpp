@@ -1,0 +1,38 @@
+#include "app/ui/widgets/problem_sign.h"
+
+#include "app/ui/model/findings.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+
+#include <cfloat>
+
+namespace texplorer::ui {
+
+void problemSign(Session& session, const std::string& path, const Finding& problem) {
+    const ImVec2 place = ImGui::GetCursorPos();
+    warningSign();
+    const ImVec2 size = ImGui::GetItemRectSize();
+    ImGui::SetCursorPos(place);
+    if (ImGui::InvisibleButton("sign", size))
+        ImGui::OpenPopup("problem");
+    noteItem(session, path + "#problem");
+    helpTip(sentenceOf(problem) + (problem.fixes.empty() ? "" : "\nClick: what mends it"));
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
+    if (!ImGui::BeginPopup("problem"))
+        return;
+    ImGui::PushTextWrapPos(em * 22);
+    text(sentenceOf(problem));
+    ImGui::PopTextWrapPos();
+    for (const Fix& fix : problem.fixes) {
+        if (ImGui::Button(fix.label.c_str())) {
+            applyFix(session, fix);
+            ImGui::CloseCurrentPopup();
+        }
+        noteItem(session, path + "#fix:" + fix.label);
+        helpTip(assignmentsOf(fix));
+    }
+    ImGui::EndPopup();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,356 @@
+#include "app/ui/window/file_browser.h"
+
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/window/workbench.h"
+#include "core/base/printable.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t mostEntries = 20000; // a folder with more is listed in part, and says so
+
+std::string lowered(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+bool matches(const FileBrowser& browser, const FileBrowser::Entry& entry) {
+    if (entry.isFolder || browser.showAll || browser.extensions.empty())
+        return true;
+    const std::string extension = lowered(fs::path(entry.name).extension().string());
+    return std::ranges::find(browser.extensions, extension) != browser.extensions.end();
+}
+
+std::string sizeText(std::uintmax_t bytes) {
+    if (bytes < 1024)
+        return std::to_string(bytes) + " B";
+    if (bytes < 1024 * 1024)
+        return std::to_string((bytes + 512) / 1024) + " KiB";
+    return std::to_string((bytes + (1U << 19)) >> 20) + " MiB";
+}
+
+fs::path typedPath(const FileBrowser& browser) {
+    std::string typed = browser.typed;
+    if (typed == "~" || typed.starts_with("~/")) {
+        if (const char* home = std::getenv("HOME"))
+            typed.replace(0, 1, home);
+    }
+    return (browser.folder / typed).lexically_normal();
+}
+
+/// What Enter, the button and a double click mean: go into a folder, or choose a file.
+Browsing choose(FileBrowser& browser, fs::path& chosen) {
+    if (browser.typed.empty()) {
+        browser.error = browser.saving ? "Type a name for the file." : "Choose a file, or type its path.";
+        return Browsing::Open;
+    }
+    fs::path path = typedPath(browser);
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (fs::is_directory(status)) {
+        enterFolder(browser, path);
+        if (browser.error.empty())
+            browser.typed.clear();
+        return Browsing::Open;
+    }
+    if (browser.saving) {
+        if (!path.has_extension() && !browser.extensions.empty())
+            path += browser.extensions.front();
+        if (!fs::is_directory(path.parent_path(), failed)) {
+            browser.error = "There is no folder " + path.parent_path().string() + ".";
+            return Browsing::Open;
+        }
+        if (fs::exists(path, failed) && !browser.mayOverwrite) {
+            browser.mayOverwrite = true;
+            browser.error = path.filename().string() + " exists. Press Replace to overwrite it.";
+            return Browsing::Open;
+        }
+    } else if (!fs::exists(status)) {
+        browser.error = "There is no file " + path.string() + ".";
+        return Browsing::Open;
+    }
+    chosen = std::move(path);
+    return Browsing::Chosen;
+}
+
+void mark(FileBrowser& browser, int index) {
+    browser.marked = index;
+    browser.mayOverwrite = false;
+    browser.error.clear();
+    const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(index)];
+    if (!entry.isFolder || !browser.saving)
+        browser.typed = entry.name;
+}
+
+/// The next entry that is shown, upwards or downwards.
+void moveMark(FileBrowser& browser, int step) {
+    const int count = static_cast<int>(browser.entries.size());
+    for (int i = browser.marked + step; i >= 0 && i < count; i += step) {
+        if (matches(browser, browser.entries[static_cast<std::size_t>(i)])) {
+            mark(browser, i);
+            browser.scrollToMarked = true;
+            return;
+        }
+    }
+}
+
+/// The folders that lead here, each a button.
+void breadcrumbs(Session& session, FileBrowser& browser) {
+    fs::path target;
+    fs::path walked;
+    std::vector<fs::path> parts(browser.folder.begin(), browser.folder.end());
+    float width = 0;
+    std::size_t first = parts.size(); // long paths lose their beginning
+    const float available = ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 4;
+    while (first > 0) {
+        width += ImGui::CalcTextSize(printable(parts[first - 1].string()).c_str()).x + ImGui::GetFontSize();
+        if (width > available && first < parts.size())
+            break;
+        --first;
+    }
+    const bool atRoot = browser.folder == browser.folder.root_path();
+    ImGui::BeginDisabled(atRoot);
+    if (ImGui::Button("↑"))
+        target = browser.folder.parent_path();
+    ImGui::EndDisabled();
+    noteItem(session, "browser:up");
+    helpTip("One folder up");
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        walked /= parts[i];
+        if (i < first)
+            continue;
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::PushStyleColor(ImGuiCol_Button, 0);
+        if (ImGui::Button(printable(parts[i].string()).c_str()))
+            target = walked;
+        ImGui::PopStyleColor();
+        ImGui::PopID();
+    }
+    if (!target.empty())
+        enterFolder(browser, target);
+}
+
+/// The file's small picture in a square at the left of its line, once it is there.
+void drawThumbnail(Session& session, const FileBrowser& browser, const FileBrowser::Entry& entry,
+                   const Pictures& pictures, ImVec2 corner, float extent) {
+    if (!session.background)
+        return;
+    const std::shared_ptr<const Image> image =
+        session.background->thumbnails.find(browser.folder / entry.name, entry.modified);
+    if (!image || image->empty())
+        return;
+    noteItem(session, "thumbnail:" + entry.name);
+    const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
+    if (id == 0)
+        return;
+    const float scale = (extent - 2) / static_cast<float>(std::max(image->width, image->height));
+    const ImVec2 size(static_cast<float>(image->width) * std::min(scale, 4.0F),
+                      static_cast<float>(image->height) * std::min(scale, 4.0F));
+    const ImVec2 low(corner.x + (extent * 1.5F - size.x) / 2, corner.y + (extent - size.y) / 2);
+    // Row 0 is the bottom one.
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(id)), low,
+                                         {low.x + size.x, low.y + size.y}, {0, 1}, {1, 0});
+}
+
+/// True where an entry was double-clicked.
+bool entryList(Session& session, FileBrowser& browser, const Pictures& pictures, float height) {
+    bool chosen = false;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
+    ImGui::BeginChild("entries", {0, height}, true);
+    bool any = false;
+    const float sizes = ImGui::GetContentRegionAvail().x;
+    for (int i = 0; i < static_cast<int>(browser.entries.size()); ++i) {
+        const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(i)];
+        if (!matches(browser, entry))
+            continue;
+        any = true;
+        const std::string shown = printable(entry.name) + (entry.isFolder ? "/" : "");
+        ImGui::PushID(i);
+        const float line = ImGui::GetTextLineHeight();
+        const bool pictured = browser.thumbnails && !entry.isFolder;
+        const float tall = pictured ? line * 2.6F : line;
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const bool pressed = ImGui::Selectable("##entry", i == browser.marked,
+                                               ImGuiSelectableFlags_AllowDoubleClick, {0, tall});
+        noteItem(session, "entry:" + entry.name);
+        if (i == browser.marked && browser.scrollToMarked) {
+            ImGui::SetScrollHereY();
+            browser.scrollToMarked = false;
+        }
+        if (pictured && ImGui::IsItemVisible())
+            drawThumbnail(session, browser, entry, pictures, corner, tall);
+        // Drawn, not laid out: the line is as tall as the selectable.
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const float top = corner.y + (tall - line) / 2;
+        const float indent = ImGui::GetStyle().FramePadding.x + (pictured ? tall * 1.5F : 0);
+        draw.AddText({corner.x + indent, top}, color::text, shown.c_str());
+        if (!entry.isFolder) {
+            const std::string bytes = sizeText(entry.bytes);
+            draw.AddText({corner.x + sizes - ImGui::CalcTextSize(bytes.c_str()).x, top}, color::dim,
+                         bytes.c_str());
+        }
+        ImGui::PopID();
+        if (pressed) {
+            mark(browser, i);
+            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+                browser.typed = browser.entries[static_cast<std::size_t>(i)].name;
+                chosen = true;
+            }
+        }
+    }
+    if (!any)
+        ImGui::TextDisabled("Nothing to open here.");
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    return chosen;
+}
+
+} // namespace
+
+void enterFolder(FileBrowser& browser, const fs::path& folder) {
+    std::error_code failed;
+    const fs::path target = fs::weakly_canonical(folder, failed);
+    fs::directory_iterator iterator(failed ? folder : target, failed);
+    if (failed) {
+        browser.error = "The folder " + folder.string() + " can't be read: " + failed.message() + ".";
+        return;
+    }
+    std::vector<FileBrowser::Entry> entries;
+    bool cut = false;
+    for (; iterator != fs::directory_iterator(); iterator.increment(failed)) {
+        if (failed)
+            break;
+        std::string name = iterator->path().filename().string();
+        if (name.starts_with('.'))
+            continue;
+        if (entries.size() == mostEntries) {
+            cut = true;
+            break;
+        }
+        std::error_code ignored;
+        const bool isFolder = iterator->is_directory(ignored);
+        const std::uintmax_t bytes = isFolder ? 0 : iterator->file_size(ignored);
+        const bool sized = !ignored;
+        const fs::file_time_type modified = iterator->last_write_time(ignored);
+        entries.push_back(
+            {std::move(name), isFolder, sized ? bytes : 0, ignored ? fs::file_time_type{} : modified});
+    }
+    std::ranges::sort(entries, [](const auto& a, const auto& b) {
+        return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
+    });
+    browser.folder = target;
+    browser.entries = std::move(entries);
+    browser.marked = -1;
+    browser.mayOverwrite = false;
+    browser.error = cut ? "Only the first " + std::to_string(mostEntries) + " entries are listed." : "";
+}
+
+void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
+                   const fs::path& startFile) {
+    const fs::path last = browser.folder;
+    browser = {};
+    browser.title = std::move(title);
+    browser.extensions = std::move(extensions);
+    browser.saving = saving;
+    browser.focusName = true;
+    std::error_code failed;
+    const fs::path here = fs::current_path(failed);
+    enterFolder(browser, !startFile.empty() ? startFile.parent_path() : !last.empty() ? last : here);
+    if (!browser.error.empty() && browser.folder.empty())
+        enterFolder(browser, here);
+    if (saving)
+        browser.typed = startFile.empty() ? "scene.json" : startFile.filename().string();
+}
+
+Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& chosen) {
+    FileBrowser& browser = session.browser;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowSize({std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F)});
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    const std::string id = browser.title + "###browser";
+    if (!ImGui::IsPopupOpen(id.c_str()))
+        ImGui::OpenPopup(id.c_str());
+    if (!ImGui::BeginPopupModal(id.c_str(), nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings))
+        return Browsing::Open;
+
+    Browsing result = Browsing::Open;
+    breadcrumbs(session, browser);
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    const float below = 2 * line + ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+    if (entryList(session, browser, pictures, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
+        result = choose(browser, chosen);
+
+    if (browser.error.empty())
+        ImGui::TextDisabled("%s", browser.saving ? "Type a name, or choose a file to replace."
+                                                 : "Choose a file, or type its path. ↑ ↓ Enter work too.");
+    else {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextUnformatted(printable(browser.error).c_str());
+        ImGui::PopStyleColor();
+        noteItem(session, "browser:error");
+        helpTip(browser.error);
+    }
+
+    if (browser.focusName) {
+        ImGui::SetKeyboardFocusHere();
+        browser.focusName = false;
+    }
+    ImGui::SetNextItemWidth(-1);
+    const std::string before = browser.typed;
+    const bool entered = ImGui::InputText(
+        "##name", &browser.typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    noteItem(session, "browser:name");
+    if (browser.typed != before) {
+        browser.mayOverwrite = false;
+        browser.error.clear();
+    }
+    const bool enterElsewhere = ImGui::IsKeyPressed(key::enter, false) && !ImGui::IsAnyItemActive();
+    if (entered || (enterElsewhere && result == Browsing::Open)) {
+        result = choose(browser, chosen);
+        browser.focusName = true;
+    }
+
+    if (!browser.extensions.empty()) {
+        std::string all = "Lists every file, not just";
+        for (const std::string& extension : browser.extensions)
+            all += " " + extension;
+        ImGui::Checkbox("All files", &browser.showAll);
+        noteItem(session, "browser:all");
+        helpTip(all);
+    }
+    const float button = em * 6;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::Button("Cancel", {button, 0}) || ImGui::IsKeyPressed(key::escape, false))
+        result = Browsing::Cancelled;
+    noteItem(session, "browser:cancel");
+    ImGui::SameLine();
+    const char* verb = !browser.saving ? "Open" : browser.mayOverwrite ? "Replace" : "Save";
+    if (ImGui::Button(verb, {button, 0}))
+        result = choose(browser, chosen);
+    noteItem(session, "browser:ok");
+
+    if (ImGui::IsKeyPressed(key::down))
+        moveMark(browser, 1);
+    if (ImGui::IsKeyPressed(key::up))
+        moveMark(browser, -1);
+    if (result != Browsing::Open)
+        ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return result;
+}
+
+} // namespace texplorer::ui

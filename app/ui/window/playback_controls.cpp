@@ -1,0 +1,131 @@
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/animation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float stepSeconds = 0.1F;
+constexpr float scrubSeconds = 10; // what the slider spans, unless the time has gone further
+// In widths of a letter m.
+constexpr float widestSlider = 11;
+constexpr float narrowestSlider = 4.5F;
+constexpr float speedWidth = 4.3F;
+constexpr float speeds[] = {0.1F, 0.25F, 0.5F, 1, 2, 4};
+
+/// A square button whose sign is drawn, so that it is crisp and centred at every scale.
+bool signButton(Session& session, const char* name, bool enabled,
+                void (*sign)(ImDrawList& draw, ImVec2 centre, float radius, ImU32 tint)) {
+    const float side = ImGui::GetFrameHeight();
+    ImGui::BeginDisabled(!enabled);
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    const std::string id = std::string("##") + name;
+    const bool pressed = ImGui::Button(id.c_str(), {side * 1.2F, side});
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    noteItem(session, name);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    sign(*ImGui::GetWindowDrawList(), {(low.x + high.x) / 2, (low.y + high.y) / 2}, side * 0.22F,
+         enabled ? color::text : color::dim);
+    return pressed;
+}
+
+void playSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
+    draw.AddTriangleFilled({c.x - 0.8F * r, c.y - r}, {c.x - 0.8F * r, c.y + r}, {c.x + r, c.y}, tint);
+}
+
+void pauseSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
+    draw.AddRectFilled({c.x - 0.85F * r, c.y - r}, {c.x - 0.25F * r, c.y + r}, tint);
+    draw.AddRectFilled({c.x + 0.25F * r, c.y - r}, {c.x + 0.85F * r, c.y + r}, tint);
+}
+
+void stepSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
+    draw.AddTriangleFilled({c.x - r, c.y - r}, {c.x - r, c.y + r}, {c.x + 0.5F * r, c.y}, tint);
+    draw.AddRectFilled({c.x + 0.6F * r, c.y - r}, {c.x + 1.1F * r, c.y + r}, tint);
+}
+
+void rewindSign(ImDrawList& draw, ImVec2 c, float r, ImU32 tint) {
+    draw.AddTriangleFilled({c.x + r, c.y - r}, {c.x + r, c.y + r}, {c.x - 0.5F * r, c.y}, tint);
+    draw.AddRectFilled({c.x - 1.1F * r, c.y - r}, {c.x - 0.6F * r, c.y + r}, tint);
+}
+
+/// Of all controls.
+float widthWith(float slider) {
+    const float em = ImGui::GetFontSize();
+    const float button = ImGui::GetFrameHeight() * 1.2F;
+    return 3 * button + 2 * em + slider + em * speedWidth + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+std::string speedName(float speed) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g×", static_cast<double>(speed));
+    return text;
+}
+
+} // namespace
+
+float leastPlaybackWidth() {
+    return widthWith(ImGui::GetFontSize() * narrowestSlider);
+}
+
+void drawPlaybackControls(Session& session) {
+    Playback& playback = session.playback;
+    const float em = ImGui::GetFontSize();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
+    if (leastPlaybackWidth() > available)
+        return; // a very narrow window keeps its menus; Space still plays
+    const float widest = em * widestSlider;
+    const float slider = std::min(widest, widest - (widthWith(widest) - available));
+    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - widthWith(slider) + em,
+                         (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2});
+
+    const bool animated = isAnimated(session.scene);
+    if (signButton(session, "rewind", playback.time != 0, rewindSign))
+        playback.time = 0;
+    helpTip("Back to time 0");
+    ImGui::SameLine(0, 0);
+    const bool running = playback.playing && animated;
+    if (signButton(session, "play", animated, running ? pauseSign : playSign))
+        playback.playing = !playback.playing;
+    helpTip(!animated          ? "Nothing moves: give a matrix step a rate, or a model a spin."
+            : playback.playing ? "Pause (Space)"
+                               : "Play (Space)");
+    ImGui::SameLine(0, 0);
+    if (signButton(session, "step", true, stepSign)) {
+        playback.playing = false;
+        playback.time += static_cast<double>(stepSeconds);
+    }
+    helpTip("Pause, and go on by 0.1 s");
+
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(slider);
+    auto shown = static_cast<float>(playback.time);
+    const float end = std::max(scrubSeconds, std::ceil(shown / scrubSeconds) * scrubSeconds);
+    if (ImGui::SliderFloat("##time", &shown, 0, end, "%.2f s", ImGuiSliderFlags_AlwaysClamp)) {
+        playback.playing = false;
+        playback.time = static_cast<double>(shown);
+    }
+    noteItem(session, "time");
+    helpTip("The scene's time. Drag to scrub.");
+
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(em * speedWidth);
+    if (ImGui::BeginCombo("##speed", speedName(playback.speed).c_str())) {
+        for (const float speed : speeds) {
+            if (ImGui::Selectable(speedName(speed).c_str(), speed == playback.speed))
+                playback.speed = speed;
+            noteItem(session, "speed:" + speedName(speed));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem(session, "speed");
+    helpTip("How fast the scene's time goes");
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,107 @@
+// What a window that died had not saved.
+
+#include "app/ui/model/document.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/modal.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/printable.h"
+
+#include <array>
+#include <ctime>
+
+namespace texplorer::ui {
+namespace {
+
+/// "02 November 2026, 14:05", where the user is.
+std::string timeText(std::filesystem::file_time_type written) {
+    const auto system = std::chrono::file_clock::to_sys(written);
+    const std::time_t seconds =
+        std::chrono::system_clock::to_time_t(std::chrono::floor<std::chrono::seconds>(system));
+    std::tm local{};
+    std::array<char, 64> text{};
+    if (!::localtime_r(&seconds, &local) ||
+        std::strftime(text.data(), text.size(), "%d %B %Y, %H:%M", &local) == 0)
+        return {};
+    return text.data();
+}
+
+void drawPicture(Session& session, const Pictures& pictures) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 size(em * 20, em * 15);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(size);
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, color::ground);
+    const std::shared_ptr<const Image> image = session.unsaved->recovery.picture();
+    if (!image)
+        return;
+    noteItem(session, "restore:picture");
+    const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
+    if (id != 0) // row 0 is the bottom one
+        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)),
+                                             low, high, {0, 1}, {1, 0});
+}
+
+} // namespace
+
+void drawRestore(Session& session, const Pictures& pictures) {
+    Recovery& recovery = session.unsaved->recovery;
+    if (!beginModal("Unsaved work"))
+        return;
+    const float em = ImGui::GetFontSize();
+    const Recovery::Offer& offer = recovery.offers().front();
+    const bool readable = offer.draft.has_value();
+    ImGui::PushTextWrapPos(em * 22);
+    if (readable) {
+        const std::string name =
+            offer.draft->file.empty() ? "A scene" : printable(offer.draft->file.filename().string());
+        ImGui::TextUnformatted((name + " had changes that were not saved when its window ended.").c_str());
+        noteItem(session, "restore:name");
+        if (!offer.draft->file.empty())
+            ImGui::TextDisabled("%s", printable(offer.draft->file.string()).c_str());
+    } else {
+        ImGui::TextUnformatted(
+            "A window ended with unsaved changes, and what was kept of them can't be read.");
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextUnformatted(printable(describe(offer.draft.error())).c_str());
+        ImGui::PopStyleColor();
+        noteItem(session, "restore:error");
+    }
+    ImGui::PopTextWrapPos();
+    const std::size_t more = recovery.offers().size() - 1;
+    ImGui::TextDisabled("%s%s", timeText(offer.written).c_str(),
+                        more == 0 ? "" : (" · " + std::to_string(more) + " more after this").c_str());
+    if (readable)
+        drawPicture(session, pictures);
+    ImGui::Dummy({0, em * 0.3F});
+    const ImVec2 size(em * 6.5F, 0);
+    const bool enter = ImGui::IsKeyPressed(key::enter, false);
+    bool restore = false;
+    if (readable) {
+        restore = ImGui::Button("Restore", size) || enter;
+        noteItem(session, "restore:restore");
+        ImGui::SameLine();
+    }
+    const bool discard = ImGui::Button("Discard", size);
+    noteItem(session, "restore:discard");
+    helpTip("It is lost for good.");
+    ImGui::SameLine();
+    const bool later = ImGui::Button("Later", size) || ImGui::IsKeyPressed(key::escape, false);
+    noteItem(session, "restore:later");
+    helpTip("It is offered again at the next start.");
+    if (restore || discard || later) {
+        ImGui::CloseCurrentPopup();
+        session.dialog = Dialog::None; // and opened again for the next one
+    }
+    ImGui::EndPopup();
+    if (restore)
+        restoreUnsaved(session, recovery.restore());
+    else if (discard)
+        recovery.discard();
+    else if (later)
+        recovery.later();
+}
+
+} // namespace texplorer::ui

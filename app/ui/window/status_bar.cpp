@@ -1,0 +1,157 @@
+#include "app/ui/model/findings.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/printable.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace texplorer::ui {
+
+namespace {
+
+/// "Reading brick.bmp · 34 %", and a way out.
+void drawProgress(Session& session, const ImageLoader::Progress& progress) {
+    using Step = ImageLoader::Step;
+    if (ImGui::SmallButton("Cancel"))
+        cancelLoad(session, progress.ticket);
+    noteItem(session, "cancel load");
+    ImGui::SameLine();
+    std::string text = progress.step == Step::Decoding ? "Decoding " : "Reading ";
+    text += printable(progress.path.filename().string());
+    if (progress.step == Step::Reading && progress.fileBytes > 0)
+        text += " · " + std::to_string(progress.bytesRead * 100 / progress.fileBytes) + " %";
+    ImGui::TextUnformatted(text.c_str());
+    noteItem(session, "loading");
+    helpTip(progress.path.string());
+}
+
+/// The same for levels that are made of an image that is there already.
+void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
+    if (ImGui::SmallButton("Cancel"))
+        levelsOf(session).cancel(progress.ticket);
+    noteItem(session, "cancel levels");
+    ImGui::SameLine();
+    std::string text = "Making the levels of " + printable(progress.what);
+    if (progress.done > 0)
+        text += " · " + std::to_string(static_cast<int>(100 * progress.done)) + " %";
+    ImGui::TextUnformatted(text.c_str());
+    noteItem(session, "making levels");
+    helpTip("What was drawn before stays until they are there.");
+}
+
+void drawNotice(Session& session) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    const bool dismissed = ImGui::SmallButton("✕");
+    noteItem(session, "dismiss notice");
+    ImGui::SameLine();
+    if (!session.notice.file.empty()) {
+        if (ImGui::SmallButton("Look inside"))
+            lookInto(session, session.notice.file);
+        noteItem(session, "look inside");
+        helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
+        ImGui::SameLine();
+    }
+    fittedText(session.notice.text, color::problem);
+    ImGui::PopStyleColor();
+    noteItem(session, "notice");
+    helpTip(session.notice.text);
+    if (dismissed)
+        session.notice = {};
+}
+
+/// The first error or warning of the diagnosis: a click leads to its control, others mend it. Ways for which
+/// a small window has no room are offered at the control.
+void drawFinding(Session& session, const Finding& finding, std::size_t count) {
+    const float forSentence = ImGui::GetFontSize() * 12;
+    for (const Fix& fix : finding.fixes) {
+        const float width =
+            ImGui::CalcTextSize(fix.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + forSentence;
+        if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
+            break;
+        if (ImGui::SmallButton(fix.label.c_str()))
+            applyFix(session, fix); // the findings are made anew with the next frame
+        noteItem(session, "fix:" + fix.label);
+        helpTip(assignmentsOf(fix));
+        ImGui::SameLine();
+    }
+    const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
+    const std::string sentence = sentenceOf(finding);
+    fittedText(more + sentence, color::problem);
+    noteItem(session, "finding");
+    if (ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    helpTip(finding.path + "\n" + sentence + "\nClick: show the setting");
+    if (ImGui::IsItemClicked())
+        reveal(session, finding.path);
+}
+
+/// "llvmpipe · 583 × 682 · 3.1 ms"
+std::string factsOf(std::span<const RenderedView> views, const view::Capabilities& capabilities,
+                    bool showsTime) {
+    const RenderedView& first = views.front();
+    const bool onlyReference = views.size() == 1 && first.renderer == RendererKind::Reference;
+    // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
+    std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
+                                      : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
+    facts += " · " + std::to_string(first.frame.size.width) + " × " + std::to_string(first.frame.size.height);
+    if (!showsTime)
+        return facts;
+    for (const RenderedView& view : views) {
+        std::array<char, 32> time{};
+        std::snprintf(time.data(), time.size(), " · %.1f ms", view.frame.milliseconds);
+        facts += view.whole ? time.data() : " · drawing";
+    }
+    return facts;
+}
+
+} // namespace
+
+void drawStatusBar(Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
+                   const Layout& layout) {
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x,
+                                                      (static_cast<float>(layout.status.height) - em) / 2});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    ImGui::TextDisabled("%s", factsOf(pictures.views, capabilities, session.showsFrameTime).c_str());
+    noteItem(session, "status");
+    helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
+            "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +
+            std::to_string(capabilities.textureUnits) + " units");
+    ImGui::SameLine();
+    ImGui::TextDisabled("·");
+    ImGui::SameLine();
+    const auto loading = session.background ? session.background->loader.progress() : std::nullopt;
+    const auto making = levelsOf(session).progress();
+    if (loading) {
+        drawProgress(session, *loading);
+    } else if (making) {
+        drawProgress(session, *making);
+    } else if (!session.notice.text.empty()) {
+        drawNotice(session);
+    } else if (const auto problems = static_cast<std::size_t>(std::ranges::count_if(
+                   session.findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
+               problems > 0 && (pictures.problems.empty() || session.findings.front().drawnOtherwise)) {
+        drawFinding(session, Finding(session.findings.front()), problems);
+    } else if (!pictures.problems.empty()) {
+        const std::size_t count = pictures.problems.size();
+        const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
+        fittedText(more + pictures.problems.front(), color::problem);
+        noteItem(session, "problem");
+        std::string all;
+        for (const std::string& each : pictures.problems)
+            all += (all.empty() ? "" : "\n") + each;
+        helpTip(all);
+    } else {
+        ImGui::TextDisabled("no GL error");
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+} // namespace texplorer::ui

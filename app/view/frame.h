@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/view/pass_shader.h"
+#include "app/view/size.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texplorer::view {
+
+/// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first,
+/// owned by the renderer and valid until it draws again.
+struct Frame {
+    unsigned texture = 0; ///< a GL texture name; 0 where nothing could be drawn
+    Size size;
+    double milliseconds = 0; ///< wall time of the draw call, without waiting for the GPU
+    std::vector<std::string>
+        problems;            ///< sentences: GL errors named with their call, textures that are missing
+    bool unfinished = false; ///< textures are still being uploaded: draw again
+    /// Of each pass, where shaders draw it; see app/render/shader_source.h. nullptr: there is none.
+    std::vector<std::shared_ptr<const PassShader>> shaders{};
+    std::uint64_t revision = 0; ///< of the picture: the same number, the same pixels as in the frame before
+};
+
+} // namespace texplorer::view

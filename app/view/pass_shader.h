@@ -1,0 +1,45 @@
+#pragma once
+
+// The shaders of a pass, for those who show them.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer::view {
+
+/// Where a line of a source was written.
+struct SourceLine {
+    std::string file; ///< "lighting.glsl"
+    int line = 0;     ///< counted from 1
+};
+
+struct StageSource {
+    std::string text;
+    std::vector<SourceLine> lines; ///< one for each line of the text
+};
+
+struct ShaderSource {
+    StageSource vertex;
+    StageSource fragment;
+};
+
+enum class ShaderStage { Vertex, Fragment };
+
+/// What the driver's compiler, or whoever put the source together, has against it.
+struct ShaderMessage {
+    std::optional<ShaderStage> stage; ///< none: both, or the files
+    int line = 0;                     ///< of the stage's source, counted from 1; 0: none is named
+    std::string sentence;             ///< with the place in the files: "lighting.glsl:12: …"
+
+    bool operator==(const ShaderMessage&) const = default;
+};
+
+/// The shaders of a pass as the shader renderer has them.
+struct PassShader {
+    ShaderSource source;
+    /// Empty: the source is what runs. Else it is the newest one, and what ran before it still does.
+    std::vector<ShaderMessage> log;
+};
+
+} // namespace texplorer::view

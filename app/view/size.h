@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace texplorer::view {
+
+/// Of a picture or a window.
+struct Size {
+    int width = 0;
+    int height = 0;
+    bool operator==(const Size&) const = default;
+};
+
+/// "640 x 480"
+[[nodiscard]] inline std::string asText(Size size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+} // namespace texplorer::view

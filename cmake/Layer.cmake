@@ -1,0 +1,23 @@
+# texplorer_layer(NAME SOURCES … PUBLIC … PRIVATE …): a folder of core as a library, texplorer::core_NAME, that links
+# the folders below it and no others. Without SOURCES it is headers alone.
+function(texplorer_layer name)
+    cmake_parse_arguments(PARSE_ARGV 1 LAYER "" "" "SOURCES;PUBLIC;PRIVATE")
+    set(target texplorer_core_${name})
+    if(LAYER_SOURCES)
+        add_library(${target} STATIC ${LAYER_SOURCES})
+        set(scope PUBLIC)
+        target_link_libraries(${target} PRIVATE ${LAYER_PRIVATE})
+        texplorer_warnings(${target})
+    else()
+        add_library(${target} INTERFACE)
+        set(scope INTERFACE)
+    endif()
+    add_library(texplorer::core_${name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME core_${name})
+    target_compile_features(${target} ${scope} cxx_std_20)
+    target_include_directories(${target} ${scope}
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/texplorer>)
+    target_link_libraries(${target} ${scope} ${LAYER_PUBLIC})
+    set_property(GLOBAL APPEND PROPERTY TEXPLORER_LAYERS ${target})
+endfunction()

@@ -1,0 +1,151 @@
+#include "core/autosave/autosave.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace texplorer {
+
+using Clock = std::chrono::steady_clock;
+
+/// What could not be written is tried again then, be it edited or not.
+constexpr std::chrono::seconds untilRetry{10};
+
+struct Autosave::State {
+    std::filesystem::path folder;
+    std::function<void()> wake;
+    std::chrono::milliseconds delay;
+
+    std::mutex mutex; // of what follows
+    std::condition_variable_any news;
+    std::optional<UnsavedScene> told;     ///< what was told last; nothing: there is nothing to lose
+    std::optional<Clock::time_point> due; ///< when it has to be written; nothing: it is
+    std::optional<Error> problem;
+    bool failing = false; ///< the last draft could not be written, and that was said
+
+    std::mutex writing; // of the place: taken before `mutex`
+    UnsavedPlace place;
+
+    std::jthread thread; // the last: it ends first
+
+    void work(const std::stop_token& stop);
+    bool write();
+    Result<void> put(const UnsavedScene& draft);
+};
+
+Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std::chrono::milliseconds delay)
+    : state_(std::make_unique<State>()) {
+    state_->folder = std::move(folder);
+    state_->wake = std::move(wake);
+    state_->delay = delay;
+    state_->thread = std::jthread([this](const std::stop_token& stop) { state_->work(stop); });
+}
+
+Autosave::~Autosave() = default;
+
+void Autosave::State::work(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        {
+            std::unique_lock lock(mutex);
+            if (!due) {
+                news.wait(lock, stop, [this] { return due.has_value(); });
+                continue;
+            }
+            // What is told meanwhile goes with it; only a request to forget is earlier.
+            const Clock::time_point then = *due;
+            if (news.wait_until(lock, stop, then, [&] { return !due || *due < then; }) ||
+                stop.stop_requested())
+                continue;
+        }
+        (void)write();
+    }
+}
+
+Result<void> Autosave::State::put(const UnsavedScene& draft) {
+    if (place.isOpen() && place.write(draft))
+        return {};
+    Result<UnsavedPlace> made =
+        UnsavedPlace::create(folder); // the first one, or the folder has been swept away
+    if (!made)
+        return fail(made.error());
+    place = std::move(*made);
+    return place.write(draft);
+}
+
+bool Autosave::State::write() {
+    const std::scoped_lock one(writing);
+    std::optional<UnsavedScene> draft;
+    {
+        const std::scoped_lock lock(mutex);
+        if (!due)
+            return !failing;
+        due.reset();
+        draft = told;
+    }
+    if (!draft) {
+        place.remove();
+        const std::scoped_lock lock(mutex);
+        failing = false; // nothing is lost that nobody wants
+        return true;
+    }
+    const Result<void> written = put(*draft);
+    const std::scoped_lock lock(mutex);
+    if (!written && !failing)
+        problem = written.error();
+    failing = !written;
+    if (failing && !due)
+        due = Clock::now() + untilRetry;
+    if (problem && wake)
+        wake();
+    return written.has_value();
+}
+
+void Autosave::keep(const std::filesystem::path& file, const std::filesystem::path& folder,
+                    const Scene& scene) {
+    const std::scoped_lock lock(state_->mutex);
+    std::optional<UnsavedScene>& told = state_->told;
+    if (told && told->scene == scene && told->file == file && told->folder == folder)
+        return;
+    told = UnsavedScene{file, folder, scene};
+    const Clock::time_point then = Clock::now() + state_->delay;
+    if (!state_->due || then < *state_->due) {
+        state_->due = then;
+        state_->news.notify_all();
+    }
+}
+
+void Autosave::adopt(UnsavedPlace place, UnsavedScene told) {
+    if (!place.isOpen())
+        return keep(told.file, told.folder, told.scene);
+    const std::scoped_lock one(state_->writing);
+    const std::scoped_lock lock(state_->mutex);
+    state_->place.remove();
+    state_->place = std::move(place);
+    state_->told = std::move(told);
+    state_->due.reset();
+    state_->failing = false;
+}
+
+void Autosave::forget() {
+    const std::scoped_lock lock(state_->mutex);
+    if (!state_->told)
+        return;
+    state_->told.reset();
+    state_->due = Clock::now();
+    state_->news.notify_all();
+}
+
+bool Autosave::flush() {
+    return state_->write();
+}
+
+std::optional<Error> Autosave::takeProblem() {
+    const std::scoped_lock lock(state_->mutex);
+    return std::exchange(state_->problem, std::nullopt);
+}
+
+const std::filesystem::path& Autosave::folder() const {
+    return state_->folder;
+}
+
+} // namespace texplorer

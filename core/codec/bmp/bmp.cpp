@@ -1,0 +1,234 @@
+#include "core/codec/bmp/bmp.h"
+
+#include "core/codec/bmp/bmp_bitfields.h"
+#include "core/codec/bmp/bmp_header.h"
+#include "core/codec/bmp/bmp_palette.h"
+#include "core/codec/bmp/bmp_rle.h"
+#include "core/codec/common/swizzle.h"
+
+#include <algorithm>
+#include <new>
+
+namespace texplorer {
+
+namespace {
+
+using bmp::Header;
+
+// Where row `y` of the file belongs.
+std::byte* placeOf(Image& image, const Header& header, std::size_t y) {
+    const auto height = static_cast<std::size_t>(image.height);
+    return image.pixels.data() + (header.topDown ? height - 1 - y : y) * image.rowBytes();
+}
+
+Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLimits& limits) {
+    const std::size_t bytes = static_cast<std::size_t>(header.width) *
+                              static_cast<std::size_t>(header.height) *
+                              static_cast<std::size_t>(bytesPerPixel(format));
+    if (bytes > limits.maxBytes)
+        return bmp::tooLarge("at most " + bmp::countOf(limits.maxBytes, "byte") +
+                             " of pixels are read, the picture has " + std::to_string(bytes));
+    Image image{format, static_cast<int>(header.width), static_cast<int>(header.height), 1, {}};
+    if (limits.pixels)
+        image.pixels.resize(image.byteCount());
+    return image;
+}
+
+void copyTrueColor(ByteView data, const Header& header, Image& image) {
+    const std::size_t rowBytes = image.rowBytes();
+    const std::size_t stride = header.rowStride();
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    if (!header.topDown && stride == rowBytes)
+        return swapRedBlue(data.data(), image.pixels.data(), width * height);
+    for (std::size_t y = 0; y < height; ++y)
+        swapRedBlue(data.data() + y * stride, placeOf(image, header, y), width);
+}
+
+void copyBitFields(ByteView data, const Header& header, const bmp::BitFields& fields, Image& image) {
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+        fields.paint(data.data() + y * header.rowStride(), placeOf(image, header, y),
+                     static_cast<std::size_t>(image.width));
+}
+
+// One, two or four bits an index, the leftmost pixel in the highest bits.
+void unpackIndices(ByteView packed, unsigned bits, std::span<std::byte> to) {
+    const unsigned perByte = 8 / bits;
+    const auto mask = static_cast<std::byte>((1U << bits) - 1);
+    for (std::size_t x = 0; x < to.size(); ++x) {
+        const auto place = static_cast<unsigned>(x % perByte);
+        to[x] = packed[x / perByte] >> (8 - bits * (place + 1)) & mask;
+    }
+}
+
+void paintIndexed(ByteView data, const Header& header, bmp::Palette& palette, Image& image) {
+    Bytes indices(header.bitsPerPixel == 8 ? 0 : static_cast<std::size_t>(image.width));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+        const ByteView row = data.subspan(y * header.rowStride(), header.rowBytes());
+        if (header.bitsPerPixel != 8)
+            unpackIndices(row, header.bitsPerPixel, indices);
+        palette.paint(header.bitsPerPixel == 8 ? row : ByteView(indices), placeOf(image, header, y));
+    }
+}
+
+// Rows that the codes left out are painted when the next one arrives, so that every row is written once.
+class RowPainter : public bmp::RleRows {
+public:
+    RowPainter(const Header& header, bmp::Palette& palette, Image& image)
+        : header_(header)
+        , palette_(palette)
+        , image_(image)
+        , blank_(static_cast<std::size_t>(image.width), std::byte{0}) {}
+
+    void row(int y, ByteView indices) override {
+        fillTo(y);
+        palette_.paint(indices, placeOf(image_, header_, static_cast<std::size_t>(y)));
+        next_ = y + 1;
+    }
+    void fillTo(int end) {
+        for (; next_ < end; ++next_)
+            palette_.paint(blank_, placeOf(image_, header_, static_cast<std::size_t>(next_)));
+    }
+
+private:
+    const Header& header_;
+    bmp::Palette& palette_;
+    Image& image_;
+    Bytes blank_;
+    int next_ = 0;
+};
+
+// Codes can skip and end early, so that any two bytes are a whole picture. Of those that paint, two bytes are
+// 255 pixels at most: whoever claims more wants memory rather than a picture.
+Result<void> checkRleClaim(ByteView codes, const Header& header) {
+    constexpr std::size_t alwaysAdmitted = std::size_t{1024} * 1024;
+    const std::size_t pixels =
+        static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    const std::size_t most = std::max(alwaysAdmitted, codes.size() * 255);
+    if (pixels <= most)
+        return {};
+    return bmp::malformed(bmp::countOf(codes.size(), "byte") + " of run-length codes are good for at most " +
+                          std::to_string(most) + " pixels, the file says " + std::to_string(pixels));
+}
+
+Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Image& image) {
+    RowPainter painter(header, palette, image);
+    const bmp::RleReport report =
+        bmp::decodeRle(codes, static_cast<int>(header.bitsPerPixel), image.width, image.height, painter);
+    painter.fillTo(image.height);
+    if (!report.ended)
+        return bmp::malformed("the run-length codes end at offset " +
+                              std::to_string(header.dataPos + report.consumed) + " within row " +
+                              std::to_string(report.row + 1) + " of " + std::to_string(image.height) +
+                              ", without an end-of-picture code");
+    if (report.clipped > 0)
+        header.notes.push_back(bmp::countOf(report.clipped, "run-length code") +
+                               " went on beyond a row's end and were cut off there");
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (report.painted < pixels)
+        header.notes.push_back("the run-length codes leave " +
+                               bmp::countOf(pixels - report.painted, "pixel") +
+                               " out; they have the palette's first colour");
+    if (header.topDown)
+        header.notes.emplace_back("run-length coded pictures should not be top-down");
+    return {};
+}
+
+// Without masks the fourth bytes are not used, but some writers keep alpha there.
+void noteUnusedAlpha(ByteView data, Header& header) {
+    if (header.bitsPerPixel != 32 || header.masksPos != 0)
+        return;
+    std::byte all{0xFF};
+    std::byte any{0};
+    const std::size_t size = header.pixelBytes();
+    for (std::size_t i = 3; i < size; i += 4) {
+        all &= data[i];
+        any |= data[i];
+    }
+    if (all != any)
+        header.notes.emplace_back("the fourth bytes of the pixels differ and may be meant as alpha; without "
+                                  "an alpha mask they are not used");
+}
+
+void noteOddMasks(Header& header) {
+    const bmp::Masks& masks = header.masks;
+    if (!std::ranges::all_of(masks, bmp::contiguous))
+        header.notes.emplace_back("the bits of a colour mask are not side by side");
+    std::uint32_t seen = 0;
+    bool overlap = false;
+    for (const std::uint32_t mask : masks) {
+        overlap = overlap || (seen & mask) != 0;
+        seen |= mask;
+    }
+    if (overlap)
+        header.notes.emplace_back("colour masks overlap");
+    if (header.bitsPerPixel == 16 && seen > 0xFFFF)
+        header.notes.emplace_back("a colour mask has bits that a 16-bit pixel lacks; they are ignored");
+}
+
+Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& limits) {
+    const ByteView data = file.subspan(header.dataPos);
+    if (header.runLengthCoded())
+        if (const Result<void> claim = checkRleClaim(data, header); !claim)
+            return fail(claim.error());
+    bmp::Palette palette(file, header);
+    Result<Image> image = imageFor(header, palette.format(), limits);
+    if (!image || !limits.pixels)
+        return image;
+    if (header.runLengthCoded()) {
+        if (const Result<void> painted = paintRle(data, header, palette, *image); !painted)
+            return fail(painted.error());
+    } else {
+        paintIndexed(data, header, palette, *image);
+    }
+    if (palette.exceeded())
+        header.notes.push_back("a pixel has colour " + std::to_string(palette.highest()) +
+                               ", the palette has " + std::to_string(header.paletteEntries) +
+                               "; it is black");
+    return image;
+}
+
+Result<Image> decodeDirect(ByteView file, Header& header, const DecodeLimits& limits) {
+    const ByteView data = file.subspan(header.dataPos);
+    if (header.bitsPerPixel == 24) {
+        Result<Image> image = imageFor(header, PixelFormat::Rgb8, limits);
+        if (image && limits.pixels)
+            copyTrueColor(data, header, *image);
+        return image;
+    }
+    noteOddMasks(header);
+    if (limits.pixels)
+        noteUnusedAlpha(data, header);
+    if (header.bitsPerPixel == 16)
+        for (std::uint32_t& mask : header.masks)
+            mask &= 0xFFFF;
+    const bmp::BitFields fields(header.masks, header.bitsPerPixel);
+    Result<Image> image =
+        imageFor(header, fields.hasAlpha() ? PixelFormat::Rgba8 : PixelFormat::Rgb8, limits);
+    if (image && limits.pixels)
+        copyBitFields(data, header, fields, *image);
+    return image;
+}
+
+} // namespace
+
+Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
+    Result<Header> header = bmp::readHeader(file, limits);
+    if (!header)
+        return fail(header.error());
+    try {
+        Result<Image> image = header->bitsPerPixel <= 8 ? decodeIndexed(file, *header, limits)
+                                                        : decodeDirect(file, *header, limits);
+        if (!image)
+            return fail(image.error());
+        TextureImage texture = textureOf(std::move(*image), "BMP");
+        texture.fileTopFirst = header->topDown;
+        texture.notes = std::move(header->notes);
+        return texture;
+    } catch (const std::bad_alloc&) {
+        return bmp::tooLarge("there is no memory for " + std::to_string(header->width) + " x " +
+                             std::to_string(header->height) + " pixels");
+    }
+}
+
+} // namespace texplorer

@@ -1,0 +1,247 @@
+#include "core/base/byte_reader.h"
+#include "core/codec/bmp/bmp.h"
+#include "core/codec/bmp/bmp_fields.h"
+#include "core/codec/bmp/bmp_header.h"
+#include "core/codec/bmp/bmp_rle.h"
+
+#include <algorithm>
+
+namespace texplorer {
+
+namespace {
+
+using bmp::countOf;
+using bmp::Header;
+
+class Dissection {
+public:
+    explicit Dissection(ByteView file)
+        : file_(file)
+        , header_(bmp::parseHeader(file)) {
+        anatomy_.format = "BMP";
+    }
+
+    Anatomy run() {
+        section("File header", 0, bmp::fileHeaderSize, "what every BMP begins with");
+        fields(bmp::fileHeaderFields(), bmp::fileHeaderSize);
+        if (stopped())
+            return std::move(anatomy_);
+        const std::size_t infoSize = bmp::headerKind(header_.headerSize) == bmp::HeaderKind::Unknown
+                                         ? 4
+                                         : std::size_t{header_.headerSize};
+        section(std::string(bmp::headerName(header_.headerSize)), bmp::fileHeaderSize, infoSize,
+                "extents and pixel format");
+        fields(bmp::infoHeaderFields(header_.headerSize), bmp::fileHeaderSize + infoSize);
+        if (infoSize == 4)
+            stop("an info header has 12, 16 to 64, 108 or 124 bytes, this one says " +
+                 std::to_string(header_.headerSize) + ": what follows can't be told");
+        if (stopped())
+            return std::move(anatomy_);
+        masks();
+        palette();
+        gap();
+        pixels();
+        profile();
+        tail();
+        return std::move(anatomy_);
+    }
+
+private:
+    [[nodiscard]] bool stopped() const { return !anatomy_.damage.empty(); }
+
+    void stop(std::string damage) {
+        if (!stopped())
+            anatomy_.damage = std::move(damage);
+    }
+
+    void add(Field field) {
+        if (field.offset + field.size > file_.size())
+            stop(field.name + " needs " + countOf(field.size, "byte") + " from offset " +
+                 std::to_string(field.offset) + ", the file has " + std::to_string(file_.size()));
+        anatomy_.fields.push_back(std::move(field));
+    }
+
+    void section(std::string name, std::size_t offset, std::size_t size, std::string meaning) {
+        // Its fields say exactly where the file ends.
+        anatomy_.fields.push_back(
+            {offset, size, std::move(name), countOf(size, "byte"), std::move(meaning), {}, 0});
+    }
+
+    void fields(std::span<const bmp::FieldRow> rows, std::size_t end) {
+        for (const bmp::FieldRow& row : rows) {
+            if (row.offset + row.size > end || stopped())
+                return;
+            const bmp::FieldContext context{file_, header_};
+            const bool there = row.offset + row.size <= file_.size();
+            add({row.offset, row.size, std::string(row.name),
+                 there ? bmp::valueOf(row, context) : std::string(), std::string(row.meaning),
+                 there ? bmp::wrongOf(row, context) : std::string(), 1});
+        }
+    }
+
+    // Those within longer headers are among their fields.
+    void masks() {
+        if (header_.masksPos == 0 || header_.headerSize != 40 || stopped())
+            return;
+        const std::size_t size = header_.palettePos - header_.masksPos;
+        section("Masks", header_.masksPos, size, "which bits of a pixel are red, green, blue and alpha");
+        fields(bmp::maskFields(), header_.palettePos);
+    }
+
+    void palette() {
+        if (stopped() || header_.paletteEntries == 0) {
+            if (!stopped() && header_.bitsPerPixel >= 1 && header_.bitsPerPixel <= 8)
+                anatomy_.fields.push_back({header_.palettePos, 0, "Palette", "no entries", "",
+                                           countOf(header_.bitsPerPixel, "bit") +
+                                               " a pixel need one, the pixels begin at offset " +
+                                               std::to_string(header_.dataPos),
+                                           0});
+            return;
+        }
+        const std::size_t entries = header_.paletteEntries;
+        const std::size_t size = entries * header_.paletteEntryBytes;
+        const std::size_t most = std::size_t{1} << std::min(header_.bitsPerPixel, 8U);
+        std::string wrong;
+        if (header_.bitsPerPixel <= 8 && entries < most && header_.colorsUsed != entries)
+            wrong = "expected " + std::to_string(header_.colorsUsed == 0 ? most : header_.colorsUsed) +
+                    " entries, there is room for " + std::to_string(entries);
+        anatomy_.fields.push_back(
+            {header_.palettePos, size, "Palette",
+             std::to_string(entries) + (entries == 1 ? " entry" : " entries"),
+             header_.paletteEntryBytes == 3 ? "blue, green, red" : "blue, green, red, a reserved byte",
+             std::move(wrong), 0});
+        // A palette of 256 says little more than its beginning and its end do.
+        constexpr std::size_t shownInFull = 16;
+        if (entries <= shownInFull) {
+            paletteEntries(0, entries);
+            return;
+        }
+        constexpr std::size_t shown = 8;
+        paletteEntries(0, shown);
+        const std::size_t left = entries - shown - 1;
+        add({entryOffset(shown), left * header_.paletteEntryBytes,
+             "entries " + std::to_string(shown) + " to " + std::to_string(entries - 2),
+             std::to_string(left) + " more", "", "", 1});
+        paletteEntries(entries - 1, entries);
+    }
+
+    [[nodiscard]] std::size_t entryOffset(std::size_t index) const {
+        return header_.palettePos + index * header_.paletteEntryBytes;
+    }
+
+    void paletteEntries(std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ByteView entry = file_.subspan(entryOffset(i), header_.paletteEntryBytes);
+            add({entryOffset(i), entry.size(), "entry " + std::to_string(i),
+                 bmp::hexColor(entry[2], entry[1], entry[0]), "", "", 1});
+        }
+    }
+
+    void gap() {
+        const std::size_t begin = header_.palettePos + header_.paletteEntries * header_.paletteEntryBytes;
+        if (stopped() || header_.dataPos <= begin)
+            return;
+        add({begin, header_.dataPos - begin, "Gap", countOf(header_.dataPos - begin, "byte"),
+             "not used; the pixels begin behind it", "", 0});
+    }
+
+    void pixels() {
+        if (stopped())
+            return;
+        if (header_.dataPos < header_.palettePos)
+            return stop("the pixels begin at offset " + std::to_string(header_.dataPos) +
+                        ", within the headers, which end at " + std::to_string(header_.palettePos));
+        if (header_.dataPos > file_.size())
+            return stop("the pixels begin at offset " + std::to_string(header_.dataPos) + ", the file has " +
+                        countOf(file_.size(), "byte"));
+        if (header_.width < 1 || header_.height < 1)
+            return stop("a picture has at least 1 x 1 pixels, this one says " +
+                        std::to_string(header_.width) + " x " + std::to_string(header_.height));
+        if (header_.runLengthCoded())
+            return runLengthCodes();
+        const bool raw = header_.compression == 0 || header_.masksPos != 0;
+        if (!raw) {
+            const std::size_t there = file_.size() - header_.dataPos;
+            const std::size_t size = header_.imageSize == 0 ? there : header_.imageSize;
+            return pixelData(size, bmp::compressionName(header_.compression, header_.headerSize),
+                             "a whole file or a coding of its own; not read");
+        }
+        if (header_.bitsPerPixel < 1)
+            return stop("a pixel has at least one bit, this file says 0");
+        const std::string order = header_.topDown ? "top row first" : "bottom row first";
+        pixelData(header_.pixelBytes(),
+                  std::to_string(header_.height) + " rows of " + countOf(header_.rowBytes(), "byte"),
+                  order + ", each padded to " + std::to_string(header_.rowStride()) + " bytes");
+    }
+
+    void pixelData(std::size_t size, std::string value, std::string meaning, std::string wrong = {}) {
+        pixelEnd_ = header_.dataPos + size;
+        add({header_.dataPos, size, "Pixel data", std::move(value), std::move(meaning), std::move(wrong), 0});
+    }
+
+    void runLengthCodes() {
+        struct Nowhere : bmp::RleRows {
+            void row(int /*y*/, ByteView /*indices*/) override {}
+        } nowhere;
+        constexpr std::int64_t most = DecodeLimits{}.maxExtent; // following codes costs what painting does
+        if (header_.width > most || header_.height > most)
+            return stop("run-length codes are followed up to " + std::to_string(most) +
+                        " pixels along each axis, this picture says " + std::to_string(header_.width) +
+                        " x " + std::to_string(header_.height));
+        const bmp::RleReport report =
+            bmp::decodeRle(file_.subspan(header_.dataPos),
+                           header_.compression == static_cast<std::uint32_t>(bmp::Compression::Rle8) ? 8 : 4,
+                           static_cast<int>(header_.width), static_cast<int>(header_.height), nowhere);
+        std::string wrong;
+        if (report.clipped > 0)
+            wrong = countOf(report.clipped, "code") + " go on beyond a row's end";
+        pixelData(report.consumed,
+                  bmp::compressionName(header_.compression, header_.headerSize) + ": " +
+                      countOf(report.runs, "run") + ", " + countOf(report.literals, "literal") + ", " +
+                      countOf(report.deltas, "delta"),
+                  "they paint " + std::to_string(report.painted) + " of " +
+                      std::to_string(header_.width * header_.height) + " pixels",
+                  std::move(wrong));
+        if (!report.ended)
+            stop("the run-length codes end at offset " + std::to_string(pixelEnd_) + " within row " +
+                 std::to_string(report.row + 1) + " of " + std::to_string(header_.height) +
+                 ", without an end-of-picture code");
+    }
+
+    void profile() {
+        if (stopped() || bmp::headerKind(header_.headerSize) != bmp::HeaderKind::V5)
+            return;
+        ByteReader reader(file_.subspan(bmp::fileHeaderSize + 112));
+        const std::size_t offset = bmp::fileHeaderSize + std::size_t{reader.u32()};
+        const std::size_t size = reader.u32();
+        if (size == 0 || offset == bmp::fileHeaderSize)
+            return;
+        add({offset, size, "Colour profile", countOf(size, "byte"), "ICC profile or its file name; not used",
+             offset < pixelEnd_ ? "begins before the pixels end, at offset " + std::to_string(pixelEnd_)
+                                : std::string(),
+             0});
+        pixelEnd_ = std::max(pixelEnd_, offset + size);
+    }
+
+    void tail() {
+        // Where the last row's padding is there, it is no tail.
+        const std::size_t end =
+            std::min((pixelEnd_ - header_.dataPos + 3) / 4 * 4 + header_.dataPos, file_.size());
+        if (stopped() || end >= file_.size())
+            return;
+        add({end, file_.size() - end, "Tail", countOf(file_.size() - end, "byte"), "not used", "", 0});
+    }
+
+    ByteView file_;
+    Header header_;
+    Anatomy anatomy_;
+    std::size_t pixelEnd_ = 0;
+};
+
+} // namespace
+
+Anatomy dissectBmp(ByteView file) {
+    return Dissection(file).run();
+}
+
+} // namespace texplorer

@@ -1,0 +1,53 @@
+#pragma once
+
+// Pixels of 16 or 32 bits whose components lie where masks say. Private to the BMP codec.
+
+#include "core/codec/bmp/bmp_header.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace texplorer::bmp {
+
+/// One component: the bits of a mask, scaled to 0 … 255 and rounded to the nearest, as OpenGL 2.1 converts
+/// normalised integers (section 2.14, table 2.9).
+class Component {
+public:
+    explicit Component(std::uint32_t mask);
+    [[nodiscard]] std::byte of(std::uint32_t pixel) const {
+        const std::uint32_t value = (pixel & mask_) >> shift_;
+        return table_.empty() ? scaled(value) : table_[value];
+    }
+
+private:
+    [[nodiscard]] std::byte scaled(std::uint32_t value) const;
+
+    std::uint32_t mask_;
+    int shift_;
+    std::uint32_t max_;
+    std::vector<std::byte> table_; ///< by value; empty for components of more than 12 bits
+};
+
+/// Writes the masks' components of rows of pixels: three where the alpha mask is 0, else four.
+class BitFields {
+public:
+    BitFields(const Masks& masks, unsigned bitsPerPixel);
+
+    [[nodiscard]] bool hasAlpha() const { return hasAlpha_; }
+    void paint(const std::byte* from, std::byte* to, std::size_t count) const;
+
+private:
+    template<std::size_t BytesPerPixel, std::size_t Components>
+    void paintAny(const std::byte* from, std::byte* to, std::size_t count) const;
+
+    std::array<Component, 4> components_;
+    std::array<std::uint8_t, 4> order_{}; ///< which byte of a pixel each component is
+    unsigned bitsPerPixel_;
+    bool hasAlpha_;
+    bool wholeBytes_ = true;
+};
+
+/// Whether the bits of a mask are side by side, as Windows asks.
+[[nodiscard]] bool contiguous(std::uint32_t mask);
+
+} // namespace texplorer::bmp

@@ -1,0 +1,300 @@
+#include "core/codec/bmp/bmp_fields.h"
+
+#include "core/base/byte_reader.h"
+#include "core/codec/bmp/bmp_bitfields.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdio>
+
+namespace texplorer::bmp {
+
+namespace {
+
+std::string checkMagic(std::int64_t value, const FieldContext& /*context*/) {
+    return value == ('B' | 'M' << 8) ? "" : "expected \"BM\"";
+}
+
+std::string checkFileSize(std::int64_t value, const FieldContext& context) {
+    const auto size = static_cast<std::int64_t>(context.file.size());
+    return value == size ? "" : "the file has " + countOf(context.file.size(), "byte");
+}
+
+std::string checkZero(std::int64_t value, const FieldContext& /*context*/) {
+    return value == 0 ? "" : "expected 0";
+}
+
+std::string checkDataPos(std::int64_t value, const FieldContext& context) {
+    if (value == 0)
+        return "expected " + std::to_string(context.header.dataPos) + ", which is taken instead";
+    if (value < static_cast<std::int64_t>(context.header.palettePos))
+        return "lies within the headers, which end at " + std::to_string(context.header.palettePos);
+    if (value > static_cast<std::int64_t>(context.file.size()))
+        return "the file has " + countOf(context.file.size(), "byte");
+    return {};
+}
+
+std::string checkHeaderSize(std::int64_t value, const FieldContext& /*context*/) {
+    return headerKind(static_cast<std::uint32_t>(value)) == HeaderKind::Unknown
+               ? "expected 12, 16 to 64, 108 or 124"
+               : "";
+}
+
+std::string checkWidth(std::int64_t value, const FieldContext& /*context*/) {
+    return value >= 1 ? "" : "expected at least 1";
+}
+
+std::string checkHeight(std::int64_t value, const FieldContext& context) {
+    if (value == 0)
+        return "expected at least 1, or at most -1 for the top row first";
+    return value < 0 && context.header.runLengthCoded() ? "run-length codes should not be top-down" : "";
+}
+
+std::string checkPlanes(std::int64_t value, const FieldContext& /*context*/) {
+    return value == 1 ? "" : "expected 1";
+}
+
+std::string checkBits(std::int64_t value, const FieldContext& context) {
+    const auto compression = static_cast<Compression>(context.header.compression);
+    if (value == 0 && (compression == Compression::Jpeg || compression == Compression::Png))
+        return {};
+    constexpr std::array<std::int64_t, 7> known{1, 2, 4, 8, 16, 24, 32};
+    return std::ranges::find(known, value) == known.end() ? "expected 1, 4, 8, 16, 24 or 32" : "";
+}
+
+std::string checkCompression(std::int64_t value, const FieldContext& context) {
+    const unsigned bits = context.header.bitsPerPixel;
+    const std::string found = ", the file has " + std::to_string(bits);
+    if (value > 6)
+        return value >= 11 && value <= 13 ? "" : "expected 0 to 6";
+    if (value == 1 && bits != 8)
+        return "needs 8 bits a pixel" + found;
+    if (value == 2 && bits != 4)
+        return "needs 4 bits a pixel" + found;
+    const bool masks =
+        (value == 3 || value == 6) && headerKind(context.header.headerSize) != HeaderKind::Os22;
+    return masks && bits != 16 && bits != 32 ? "needs 16 or 32 bits a pixel" + found : "";
+}
+
+// 0 is fine for uncompressed pixels; many writers leave it out, and some count without the padding.
+std::string checkImageSize(std::int64_t value, const FieldContext& context) {
+    const Header& header = context.header;
+    const bool raw = header.compression == 0 || header.masksPos != 0;
+    if (!raw || value == 0 || header.width < 1 || header.height < 1 || header.bitsPerPixel < 1)
+        return {};
+    const std::size_t needed = header.pixelBytes() + header.rowStride() - header.rowBytes();
+    return static_cast<std::size_t>(value) == needed ? "" : "the pixels need " + countOf(needed, "byte");
+}
+
+std::string checkColorsUsed(std::int64_t value, const FieldContext& context) {
+    const unsigned bits = context.header.bitsPerPixel;
+    if (bits < 1 || bits > 8 || value <= std::int64_t{1} << bits)
+        return {};
+    return countOf(bits, "bit") + " a pixel tell " + std::to_string(1 << bits) + " entries apart";
+}
+
+std::string checkColorsImportant(std::int64_t value, const FieldContext& context) {
+    const std::int64_t used = context.header.colorsUsed;
+    return used != 0 && value > used ? "more than the " + std::to_string(used) + " that there are" : "";
+}
+
+std::string checkMask(std::int64_t value, const FieldContext& context) {
+    const auto mask = static_cast<std::uint32_t>(value);
+    if (context.header.masksPos == 0)
+        return {}; // not used
+    if (!contiguous(mask))
+        return "its bits are not side by side";
+    return context.header.bitsPerPixel == 16 && mask > 0xFFFF ? "a pixel has 16 bits" : "";
+}
+
+constexpr std::array fileFields{
+    FieldRow{0, 2, "bfType", "what it is", Show::Letters, checkMagic},
+    FieldRow{2, 4, "bfSize", "bytes of the file", Show::Number, checkFileSize},
+    FieldRow{6, 2, "bfReserved1", "", Show::Number, checkZero},
+    FieldRow{8, 2, "bfReserved2", "", Show::Number, checkZero},
+    FieldRow{10, 4, "bfOffBits", "where the pixels begin", Show::Number, checkDataPos},
+};
+
+constexpr std::array coreFields{
+    FieldRow{14, 4, "bcSize", "bytes of this header", Show::Number, checkHeaderSize},
+    FieldRow{18, 2, "bcWidth", "pixels a row", Show::Number, checkWidth},
+    FieldRow{20, 2, "bcHeight", "rows", Show::Number, checkWidth},
+    FieldRow{22, 2, "bcPlanes", "", Show::Number, checkPlanes},
+    FieldRow{24, 2, "bcBitCount", "bits a pixel", Show::Number, checkBits},
+};
+
+// Each longer Windows header begins with the shorter one. The names are the first header's that has a field.
+constexpr std::array windowsFields{
+    FieldRow{14, 4, "biSize", "bytes of this header", Show::Number, checkHeaderSize},
+    FieldRow{18, 4, "biWidth", "pixels a row", Show::Signed, checkWidth},
+    FieldRow{22, 4, "biHeight", "rows; negative: the top row comes first", Show::Signed, checkHeight},
+    FieldRow{26, 2, "biPlanes", "", Show::Number, checkPlanes},
+    FieldRow{28, 2, "biBitCount", "bits a pixel", Show::Number, checkBits},
+    FieldRow{30, 4, "biCompression", "how the pixels are coded", Show::Compression, checkCompression},
+    FieldRow{34, 4, "biSizeImage", "bytes of the pixels", Show::Number, checkImageSize},
+    FieldRow{38, 4, "biXPelsPerMeter", "pixels a metre, across", Show::Signed},
+    FieldRow{42, 4, "biYPelsPerMeter", "pixels a metre, up", Show::Signed},
+    FieldRow{46, 4, "biClrUsed", "palette entries; 0: all that the bits can tell apart", Show::Number,
+             checkColorsUsed},
+    FieldRow{50, 4, "biClrImportant", "palette entries that matter; 0: all", Show::Number,
+             checkColorsImportant},
+    FieldRow{54, 4, "biRedMask", "which bits of a pixel are red", Show::Mask, checkMask},
+    FieldRow{58, 4, "biGreenMask", "which bits of a pixel are green", Show::Mask, checkMask},
+    FieldRow{62, 4, "biBlueMask", "which bits of a pixel are blue", Show::Mask, checkMask},
+    FieldRow{66, 4, "biAlphaMask", "which bits of a pixel are alpha; 0: none", Show::Mask, checkMask},
+    FieldRow{70, 4, "bV4CSType", "colour space", Show::ColorSpace},
+    FieldRow{74, 4, "bV4RedX", "where red lies in CIE XYZ", Show::Fixed30},
+    FieldRow{78, 4, "bV4RedY", "", Show::Fixed30},
+    FieldRow{82, 4, "bV4RedZ", "", Show::Fixed30},
+    FieldRow{86, 4, "bV4GreenX", "where green lies", Show::Fixed30},
+    FieldRow{90, 4, "bV4GreenY", "", Show::Fixed30},
+    FieldRow{94, 4, "bV4GreenZ", "", Show::Fixed30},
+    FieldRow{98, 4, "bV4BlueX", "where blue lies", Show::Fixed30},
+    FieldRow{102, 4, "bV4BlueY", "", Show::Fixed30},
+    FieldRow{106, 4, "bV4BlueZ", "", Show::Fixed30},
+    FieldRow{110, 4, "bV4GammaRed", "gamma of red", Show::Fixed16},
+    FieldRow{114, 4, "bV4GammaGreen", "gamma of green", Show::Fixed16},
+    FieldRow{118, 4, "bV4GammaBlue", "gamma of blue", Show::Fixed16},
+    FieldRow{122, 4, "bV5Intent", "rendering intent: 1 business, 2 graphics, 4 images, 8 absolute"},
+    FieldRow{126, 4, "bV5ProfileData", "where the profile begins, from offset 14"},
+    FieldRow{130, 4, "bV5ProfileSize", "bytes of the profile"},
+    FieldRow{134, 4, "bV5Reserved", "", Show::Number, checkZero},
+};
+
+constexpr std::array os2Fields{
+    FieldRow{14, 4, "cbFix", "bytes of this header", Show::Number, checkHeaderSize},
+    FieldRow{18, 4, "cx", "pixels a row", Show::Signed, checkWidth},
+    FieldRow{22, 4, "cy", "rows", Show::Signed, checkHeight},
+    FieldRow{26, 2, "cPlanes", "", Show::Number, checkPlanes},
+    FieldRow{28, 2, "cBitCount", "bits a pixel", Show::Number, checkBits},
+    FieldRow{30, 4, "ulCompression", "how the pixels are coded", Show::Compression, checkCompression},
+    FieldRow{34, 4, "cbImage", "bytes of the pixels", Show::Number, checkImageSize},
+    FieldRow{38, 4, "cxResolution", "pixels a metre, across"},
+    FieldRow{42, 4, "cyResolution", "pixels a metre, up"},
+    FieldRow{46, 4, "cclrUsed", "palette entries; 0: all that the bits can tell apart", Show::Number,
+             checkColorsUsed},
+    FieldRow{50, 4, "cclrImportant", "palette entries that matter; 0: all", Show::Number,
+             checkColorsImportant},
+    FieldRow{54, 2, "usUnits", "unit of the resolution; 0: pixels a metre", Show::Number, checkZero},
+    FieldRow{56, 2, "usReserved", "", Show::Number, checkZero},
+    FieldRow{58, 2, "usRecording", "order of the rows; 0: bottom row first", Show::Number, checkZero},
+    FieldRow{60, 2, "usRendering", "halftoning; 0: none"},
+    FieldRow{62, 4, "cSize1", "of the halftoning"},
+    FieldRow{66, 4, "cSize2", "of the halftoning"},
+    FieldRow{70, 4, "ulColorEncoding", "0: RGB", Show::Number, checkZero},
+    FieldRow{74, 4, "ulIdentifier", "for the application"},
+};
+
+constexpr std::array behindFields{
+    FieldRow{54, 4, "red mask", "which bits of a pixel are red", Show::Mask, checkMask},
+    FieldRow{58, 4, "green mask", "which bits of a pixel are green", Show::Mask, checkMask},
+    FieldRow{62, 4, "blue mask", "which bits of a pixel are blue", Show::Mask, checkMask},
+    FieldRow{66, 4, "alpha mask", "which bits of a pixel are alpha; 0: none", Show::Mask, checkMask},
+};
+
+static_assert(windowsFields.back().offset + 4 == fileHeaderSize + 124);
+static_assert(os2Fields.back().offset + 4 == fileHeaderSize + 64);
+static_assert(coreFields.back().offset + 2 == fileHeaderSize + 12);
+
+std::uint32_t numberOf(const FieldRow& row, ByteView file) {
+    ByteReader reader(file.subspan(row.offset));
+    return row.size == 2 ? reader.u16() : reader.u32();
+}
+
+std::string shortNumber(double value) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.5g", value); // NOLINT(cppcoreguidelines-pro-type-vararg)
+    return text.data();
+}
+
+std::string hex(std::uint32_t value, unsigned digits) {
+    constexpr std::string_view letters = "0123456789abcdef";
+    std::string text;
+    for (unsigned i = digits; i-- > 0;)
+        text += letters[value >> (4 * i) & 15];
+    return text;
+}
+
+// A mask's width and place: "0x0000f800, 5 bits from bit 11".
+std::string maskText(std::uint32_t mask) {
+    std::string text = "0x" + hex(mask, 8);
+    if (mask != 0)
+        text += ", " + countOf(static_cast<std::size_t>(std::popcount(mask)), "bit") + " from bit " +
+                std::to_string(std::countr_zero(mask));
+    return text;
+}
+
+std::string letters(ByteView bytes, bool reversed) {
+    std::string text;
+    for (const std::byte byte : bytes) {
+        const auto letter = std::to_integer<char>(byte);
+        text += letter >= ' ' && letter <= '~' ? letter : '?';
+    }
+    if (reversed)
+        std::ranges::reverse(text);
+    return '"' + text + '"';
+}
+
+} // namespace
+
+std::span<const FieldRow> fileHeaderFields() {
+    return fileFields;
+}
+
+std::span<const FieldRow> infoHeaderFields(std::uint32_t headerSize) {
+    switch (headerKind(headerSize)) {
+    case HeaderKind::Os21:
+        return coreFields;
+    case HeaderKind::Os22:
+        return os2Fields;
+    case HeaderKind::Unknown:
+        return std::span(windowsFields).first(1);
+    default:
+        return windowsFields;
+    }
+}
+
+std::span<const FieldRow> maskFields() {
+    return behindFields;
+}
+
+std::string valueOf(const FieldRow& row, const FieldContext& context) {
+    const std::uint32_t value = numberOf(row, context.file);
+    const double fixed = static_cast<std::int32_t>(value);
+    switch (row.show) {
+    case Show::Letters:
+        return letters(context.file.subspan(row.offset, row.size), false);
+    case Show::Number:
+        return std::to_string(value);
+    case Show::Signed:
+        return std::to_string(static_cast<std::int32_t>(value));
+    case Show::Compression:
+        return std::to_string(value) + ", " + compressionName(value, context.header.headerSize);
+    case Show::Mask:
+        return maskText(value);
+    case Show::ColorSpace: // a number, or four letters that stand last one first
+        return value <= 2 ? std::to_string(value) : letters(context.file.subspan(row.offset, row.size), true);
+    case Show::Fixed16:
+        return shortNumber(fixed / (1 << 16));
+    case Show::Fixed30:
+        return shortNumber(fixed / (1 << 30));
+    }
+    return {};
+}
+
+std::string wrongOf(const FieldRow& row, const FieldContext& context) {
+    if (!row.check)
+        return {};
+    const std::uint32_t value = numberOf(row, context.file);
+    return row.check(row.show == Show::Signed ? std::int64_t{static_cast<std::int32_t>(value)}
+                                              : std::int64_t{value},
+                     context);
+}
+
+std::string hexColor(std::byte red, std::byte green, std::byte blue) {
+    return "#" + hex(std::to_integer<std::uint32_t>(red), 2) + hex(std::to_integer<std::uint32_t>(green), 2) +
+           hex(std::to_integer<std::uint32_t>(blue), 2);
+}
+
+} // namespace texplorer::bmp

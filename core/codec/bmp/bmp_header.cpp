@@ -1,0 +1,288 @@
+#include "core/codec/bmp/bmp_header.h"
+
+#include "core/base/byte_reader.h"
+
+#include <algorithm>
+
+namespace texplorer::bmp {
+
+namespace {
+
+constexpr std::uint32_t numberOf(Compression compression) {
+    return static_cast<std::uint32_t>(compression);
+}
+
+bool hasBitFields(const Header& header) {
+    return header.compression == numberOf(Compression::BitFields) ||
+           header.compression == numberOf(Compression::AlphaBitFields);
+}
+
+// Windows' 16-bit pixels have five bits a component and 32-bit ones a byte; the rest is not used.
+//
+//   16  x rrrrr ggggg bbbbb        32  xxxxxxxx rrrrrrrr gggggggg bbbbbbbb
+Masks usualMasks(unsigned bitsPerPixel) {
+    if (bitsPerPixel == 16)
+        return {0x7C00, 0x03E0, 0x001F, 0};
+    return {0x00FF0000, 0x0000FF00, 0x000000FF, 0};
+}
+
+// The masks stand behind a header of 40 bytes and within the longer ones, both times at offset 54.
+void parseMasks(ByteView file, Header& header) {
+    if (header.bitsPerPixel != 16 && header.bitsPerPixel != 32)
+        return;
+    const HeaderKind kind = headerKind(header.headerSize);
+    if (!hasBitFields(header) || kind == HeaderKind::Os22 || kind == HeaderKind::Os21) {
+        header.masks = usualMasks(header.bitsPerPixel);
+        return;
+    }
+    header.masksPos = fileHeaderSize + 40;
+    const bool alphaFollows =
+        header.headerSize >= 56 || header.compression == numberOf(Compression::AlphaBitFields);
+    ByteReader reader(file);
+    reader.skip(header.masksPos);
+    for (std::size_t i = 0; i < (alphaFollows ? 4U : 3U); ++i)
+        header.masks[i] = reader.u32();
+    if (header.headerSize == 40)
+        header.palettePos += alphaFollows ? 16 : 12;
+
+    if ((header.masks[0] | header.masks[1] | header.masks[2]) == 0) {
+        header.notes.emplace_back("the colour masks are all 0; the usual ones were taken");
+        header.masks = usualMasks(header.bitsPerPixel);
+    }
+}
+
+// How many entries there should be and how many there is room for are two numbers; the smaller one counts.
+void placePalette(ByteView file, Header& header) {
+    const std::size_t most = header.bitsPerPixel <= 8 ? std::size_t{1} << header.bitsPerPixel : 256;
+    const bool needed = header.bitsPerPixel >= 1 && header.bitsPerPixel <= 8;
+    std::size_t claimed = header.colorsUsed;
+    if (claimed == 0 && needed)
+        claimed = most;
+    if (claimed > most) {
+        header.notes.push_back("the header says " + std::to_string(claimed) + " palette entries, " +
+                               std::to_string(most) + " can be used");
+        claimed = needed ? most : 0;
+    }
+    if (header.dataPos == 0) {
+        header.dataPos = header.palettePos + claimed * header.paletteEntryBytes;
+        header.notes.emplace_back("the header does not say where the pixels begin; they are taken to "
+                                  "follow what stands before them, at offset " +
+                                  std::to_string(header.dataPos));
+    }
+    const std::size_t end = std::min(header.dataPos, file.size());
+    const std::size_t room = end > header.palettePos ? end - header.palettePos : 0;
+    header.paletteEntries = std::min(claimed, room / header.paletteEntryBytes);
+}
+
+Result<void> checkCompression(const Header& header) {
+    const unsigned bits = header.bitsPerPixel;
+    const auto needs = [&](const std::string& which) {
+        return malformed(compressionName(header.compression, header.headerSize) + " needs " + which +
+                         " bits a pixel, the file has " + std::to_string(bits));
+    };
+    const std::string name = compressionName(header.compression, header.headerSize);
+    if (headerKind(header.headerSize) == HeaderKind::Os22 && header.compression > 2)
+        return unsupported("uncompressed and RLE pixels are read of OS/2 files, this one's compression is " +
+                           name);
+    switch (static_cast<Compression>(header.compression)) {
+    case Compression::None:
+        if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 24 && bits != 32)
+            return unsupported("1, 2, 4, 8, 16, 24 or 32 bits a pixel are read, the file has " +
+                               std::to_string(bits));
+        return {};
+    case Compression::Rle8:
+        return bits == 8 ? Result<void>() : needs("8");
+    case Compression::Rle4:
+        return bits == 4 ? Result<void>() : needs("4");
+    case Compression::BitFields:
+    case Compression::AlphaBitFields:
+        return bits == 16 || bits == 32 ? Result<void>() : needs("16 or 32");
+    case Compression::Jpeg:
+    case Compression::Png:
+        return unsupported("the file wraps a whole " + name +
+                           " file, which is meant for printers; take that out of it, it begins at offset " +
+                           std::to_string(header.dataPos));
+    default:
+        return unsupported("uncompressed, RLE and bit-field pixels are read, this file's compression is " +
+                           name);
+    }
+}
+
+Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
+    const std::string extents =
+        std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels";
+    if (header.width < 1 || header.height < 1)
+        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
+    if (header.width > limits.maxExtent || header.height > limits.maxExtent)
+        return tooLarge("at most " + std::to_string(limits.maxExtent) + " x " +
+                        std::to_string(limits.maxExtent) + " pixels are read, the file has " + extents);
+    const auto pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    if (pixels > limits.maxPixels)
+        return tooLarge("at most " + countOf(limits.maxPixels, "pixel") + " are read, the file has " +
+                        extents);
+    return {};
+}
+
+Result<void> checkPlaces(const Header& header, ByteView file) {
+    if (header.dataPos < header.palettePos)
+        return malformed("pixel data begins at offset " + std::to_string(header.dataPos) +
+                         ", within the headers, which end at " + std::to_string(header.palettePos));
+    if (header.dataPos > file.size())
+        return malformed("pixel data begins at offset " + std::to_string(header.dataPos) + ", the file has " +
+                         countOf(file.size(), "byte"));
+    if (!header.runLengthCoded() && header.pixelBytes() > file.size() - header.dataPos)
+        return malformed("pixel data needs " + countOf(header.pixelBytes(), "byte") + " from offset " +
+                         std::to_string(header.dataPos) + ", the file has " + std::to_string(file.size()));
+    if (header.bitsPerPixel <= 8 && header.paletteEntries == 0)
+        return malformed(
+            countOf(header.bitsPerPixel, "bit") + " a pixel need a palette, there is none between offset " +
+            std::to_string(header.palettePos) + " and the pixels at " + std::to_string(header.dataPos));
+    return {};
+}
+
+} // namespace
+
+tl::unexpected<Error> malformed(const std::string& message) {
+    return fail(ErrorCode::Malformed, "BMP: " + message);
+}
+
+tl::unexpected<Error> unsupported(const std::string& message) {
+    return fail(ErrorCode::Unsupported, "BMP: " + message);
+}
+
+tl::unexpected<Error> tooLarge(const std::string& message) {
+    return fail(ErrorCode::TooLarge, "BMP: " + message);
+}
+
+std::string countOf(std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+HeaderKind headerKind(std::uint32_t headerSize) {
+    switch (headerSize) {
+    case 12:
+        return HeaderKind::Os21;
+    case 40:
+        return HeaderKind::Windows3;
+    case 52:
+    case 56:
+        return HeaderKind::Windows3Masks;
+    case 108:
+        return HeaderKind::V4;
+    case 124:
+        return HeaderKind::V5;
+    default:
+        return headerSize >= 16 && headerSize <= 64 ? HeaderKind::Os22 : HeaderKind::Unknown;
+    }
+}
+
+std::string_view headerName(std::uint32_t headerSize) {
+    switch (headerKind(headerSize)) {
+    case HeaderKind::Os21:
+        return "BITMAPCOREHEADER (OS/2 1.x)";
+    case HeaderKind::Os22:
+        return "BITMAPINFOHEADER2 (OS/2 2.x)";
+    case HeaderKind::Windows3:
+        return "BITMAPINFOHEADER (Windows 3)";
+    case HeaderKind::Windows3Masks:
+        return headerSize == 52 ? "BITMAPV2INFOHEADER" : "BITMAPV3INFOHEADER";
+    case HeaderKind::V4:
+        return "BITMAPV4HEADER";
+    case HeaderKind::V5:
+        return "BITMAPV5HEADER";
+    case HeaderKind::Unknown:
+        break;
+    }
+    return "unknown header";
+}
+
+std::string compressionName(std::uint32_t compression, std::uint32_t headerSize) {
+    if (headerKind(headerSize) == HeaderKind::Os22 && (compression == 3 || compression == 4))
+        return compression == 3 ? "Huffman 1D" : "RLE24";
+    switch (static_cast<Compression>(compression)) {
+    case Compression::None:
+        return "none";
+    case Compression::Rle8:
+        return "RLE8";
+    case Compression::Rle4:
+        return "RLE4";
+    case Compression::BitFields:
+        return "bit fields";
+    case Compression::Jpeg:
+        return "JPEG";
+    case Compression::Png:
+        return "PNG";
+    case Compression::AlphaBitFields:
+        return "bit fields with alpha";
+    case Compression::Cmyk:
+        return "CMYK";
+    case Compression::CmykRle8:
+        return "CMYK with RLE8";
+    case Compression::CmykRle4:
+        return "CMYK with RLE4";
+    }
+    return "number " + std::to_string(compression);
+}
+
+Header parseHeader(ByteView file) {
+    Header header;
+    ByteReader start(file);
+    start.skip(10);
+    header.dataPos = start.u32();
+    header.headerSize = start.u32();
+
+    // What lies behind the header's own end belongs to something else.
+    const std::size_t end =
+        std::min<std::size_t>(file.size(), fileHeaderSize + std::size_t{header.headerSize});
+    ByteReader reader(file.first(end));
+    reader.skip(18);
+    if (headerKind(header.headerSize) == HeaderKind::Os21) {
+        header.width = reader.u16();
+        header.height = reader.u16();
+        reader.skip(2);
+        header.bitsPerPixel = reader.u16();
+        header.paletteEntryBytes = 3;
+    } else {
+        header.width = reader.i32();
+        header.height = reader.i32();
+        reader.skip(2);
+        header.bitsPerPixel = reader.u16();
+        header.compression = reader.u32();
+        header.imageSize = reader.u32();
+        reader.skip(8);
+        header.colorsUsed = reader.u32();
+        header.topDown = header.height < 0;
+        header.height = header.topDown ? -header.height : header.height;
+    }
+    header.palettePos = fileHeaderSize + std::size_t{header.headerSize};
+    parseMasks(file, header);
+    placePalette(file, header);
+    return header;
+}
+
+Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {
+    if (file.size() < 2 || file[0] != std::byte{'B'} || file[1] != std::byte{'M'})
+        return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
+    constexpr std::size_t shortest = fileHeaderSize + 12;
+    const auto headersNeed = [&](std::size_t size) {
+        return malformed("the headers need " + std::to_string(size) + " bytes, the file has " +
+                         std::to_string(file.size()));
+    };
+    if (file.size() < shortest)
+        return headersNeed(shortest);
+    Header header = parseHeader(file);
+    if (headerKind(header.headerSize) == HeaderKind::Unknown)
+        return unsupported("headers of 12, 16 to 64, 108 and 124 bytes are read, the file has one of " +
+                           std::to_string(header.headerSize));
+    if (file.size() < header.palettePos)
+        return headersNeed(header.palettePos);
+    if (const Result<void> checked = checkCompression(header); !checked)
+        return fail(checked.error());
+    if (const Result<void> checked = checkExtents(header, limits); !checked)
+        return fail(checked.error());
+    if (const Result<void> checked = checkPlaces(header, file); !checked)
+        return fail(checked.error());
+    return header;
+}
+
+} // namespace texplorer::bmp

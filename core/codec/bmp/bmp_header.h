@@ -1,0 +1,93 @@
+#pragma once
+
+// What stands before a BMP's pixels: the file header, the info header in every size there is, the masks and
+// the palette's place. Private to the BMP codec.
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/codec/common/decode_limits.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace texplorer::bmp {
+
+inline constexpr std::size_t fileHeaderSize = 14;
+
+enum class Compression : std::uint32_t {
+    None = 0,
+    Rle8 = 1,
+    Rle4 = 2,
+    BitFields = 3,
+    Jpeg = 4,
+    Png = 5,
+    AlphaBitFields = 6,
+    Cmyk = 11,
+    CmykRle8 = 12,
+    CmykRle4 = 13,
+};
+
+/// The info headers by their size; sizes between 16 and 64 that no Windows header has are OS/2 2.x headers
+/// that end early (what they leave out is 0).
+enum class HeaderKind : std::uint8_t { Os21, Os22, Windows3, Windows3Masks, V4, V5, Unknown };
+[[nodiscard]] HeaderKind headerKind(std::uint32_t headerSize);
+/// "BITMAPINFOHEADER (Windows 3)"
+[[nodiscard]] std::string_view headerName(std::uint32_t headerSize);
+
+/// "RLE8", "JPEG", "number 9"; OS/2 2.x gives two of the numbers another meaning.
+[[nodiscard]] std::string compressionName(std::uint32_t compression, std::uint32_t headerSize);
+
+/// Red, green, blue, alpha; an alpha mask of 0 means that there is none.
+using Masks = std::array<std::uint32_t, 4>;
+
+struct Header {
+    std::size_t dataPos = 0; ///< filled in where the file says 0
+    std::uint32_t headerSize = 0;
+    std::int64_t width = 0;
+    std::int64_t height = 0; ///< never negative
+    bool topDown = false;
+    unsigned bitsPerPixel = 0;
+    std::uint32_t compression = 0;
+    std::uint32_t imageSize = 0;
+    std::uint32_t colorsUsed = 0;
+    std::size_t masksPos = 0; ///< 0: none
+    Masks masks{};
+    std::size_t palettePos = 0;
+    std::size_t paletteEntryBytes = 4; ///< 3 in OS/2 1.x: no reserved byte
+    std::size_t paletteEntries = 0;    ///< that lie between palettePos and the pixels
+    std::vector<std::string> notes;    ///< what was odd and was survived
+
+    [[nodiscard]] bool runLengthCoded() const {
+        return compression == static_cast<std::uint32_t>(Compression::Rle8) ||
+               compression == static_cast<std::uint32_t>(Compression::Rle4);
+    }
+    [[nodiscard]] std::size_t rowBytes() const {
+        return (static_cast<std::size_t>(width) * bitsPerPixel + 7) / 8;
+    }
+    /// Rows begin at multiples of four bytes.
+    [[nodiscard]] std::size_t rowStride() const { return (rowBytes() + 3) / 4 * 4; }
+    /// The bytes that uncompressed pixels need; the padding of the last row may be missing. What no file can
+    /// have is 2^62.
+    [[nodiscard]] std::size_t pixelBytes() const {
+        constexpr std::size_t most = std::size_t{1} << 62;
+        const auto stepsUp = static_cast<std::size_t>(height - 1);
+        return stepsUp > (most - rowStride()) / rowStride() ? most : rowStride() * stepsUp + rowBytes();
+    }
+};
+
+/// The fields as they stand in the file, 0 where it ends before; nothing is checked but their arithmetic.
+/// `dataPos` and the palette are filled in. What the decoder checks next, the anatomy shows as it is.
+[[nodiscard]] Header parseHeader(ByteView file);
+
+/// A header that the decoder can work with: known, within the limits, its pixel data within the file.
+[[nodiscard]] Result<Header> readHeader(ByteView file, const DecodeLimits& limits);
+
+[[nodiscard]] tl::unexpected<Error> malformed(const std::string& message);
+[[nodiscard]] tl::unexpected<Error> unsupported(const std::string& message);
+[[nodiscard]] tl::unexpected<Error> tooLarge(const std::string& message);
+/// "1 byte", "2 bytes"
+[[nodiscard]] std::string countOf(std::size_t count, const std::string& thing);
+
+} // namespace texplorer::bmp

@@ -1,0 +1,249 @@
+#include "core/base/byte_reader.h"
+#include "core/codec/dds/dds.h"
+#include "core/codec/dds/dds_layout.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace texplorer {
+namespace {
+
+using namespace dds;
+
+/// Appends fields one after the other and hangs each finding on the field that it is about.
+class Dissection {
+public:
+    Dissection(ByteView file, Findings findings)
+        : file_(file)
+        , findings_(std::move(findings)) {}
+
+    Field& add(int depth, std::size_t offset, std::size_t size, std::string name, std::string value,
+               std::string meaning) {
+        Field field{offset, size, std::move(name), std::move(value), std::move(meaning), {}, depth};
+        if (offset + size > file_.size()) {
+            field.value.clear();
+            blame(field, "it ends at offset " + std::to_string(offset + size) + ", the file at " +
+                             std::to_string(file_.size()));
+        }
+        for (const Finding& finding : findings_)
+            if (finding.offset == offset)
+                blame(field, finding.sentence);
+        anatomy.fields.push_back(std::move(field));
+        return anatomy.fields.back();
+    }
+
+    void section(std::size_t offset, std::size_t size, std::string name, std::string meaning) {
+        anatomy.fields.push_back({offset, size, std::move(name), {}, std::move(meaning), {}, 0});
+        if (offset + size > file_.size())
+            anatomy.fields.back().wrong = "it needs " + std::to_string(size) + " bytes, the file has " +
+                                          std::to_string(file_.size() - std::min(file_.size(), offset)) +
+                                          " of them";
+    }
+
+    Field& number(std::size_t offset, std::string name, std::uint32_t value, std::string meaning) {
+        return add(1, offset, 4, std::move(name), std::to_string(value), std::move(meaning));
+    }
+
+    /// A field of bits: the value is their names.
+    Field& bits(std::size_t offset, std::string name, std::uint32_t value, std::span<const NameRow> rows) {
+        std::string meaning;
+        for (const NameRow& row : rows)
+            if ((value & row.value) != 0)
+                meaning.append(meaning.empty() ? "" : "; ").append(row.meaning);
+        return add(1, offset, 4, std::move(name), hex(value) + ": " + spellBits(value, rows),
+                   std::move(meaning));
+    }
+
+    /// A field that has one of several values.
+    Field& choice(std::size_t offset, std::string name, std::uint32_t value, std::span<const NameRow> rows) {
+        const auto row = std::ranges::find(rows, value, &NameRow::value);
+        const bool known = row != rows.end();
+        return add(1, offset, 4, std::move(name),
+                   std::to_string(value) + (known ? ": " + std::string(row->name) : ""),
+                   known ? std::string(row->meaning) : "no known value");
+    }
+
+    static void blame(Field& field, const std::string& sentence) {
+        field.wrong.append(field.wrong.empty() ? "" : "; ").append(sentence);
+    }
+
+    Anatomy anatomy{"DDS", {}, {}};
+
+private:
+    ByteView file_;
+    Findings findings_;
+};
+
+std::uint32_t wordAt(ByteView file, std::size_t offset) {
+    ByteReader reader(file);
+    reader.skip(offset);
+    return reader.u32();
+}
+
+/// What a program may have left there: text as far as it is text.
+std::string reservedText(ByteView file) {
+    const ByteView bytes =
+        file.size() <= at::reserved
+            ? ByteView{}
+            : file.subspan(at::reserved, std::min<std::size_t>(44, file.size() - at::reserved));
+    if (std::ranges::all_of(bytes, [](std::byte byte) { return byte == std::byte{0}; }))
+        return "zeros";
+    std::string text = "\"";
+    for (const std::byte byte : bytes) {
+        const auto c = std::to_integer<char>(byte);
+        text += c >= 0x20 && c <= 0x7E ? c : '.';
+    }
+    return text + "\"";
+}
+
+std::string describeFormat(const DxgiRow* format) {
+    if (format == nullptr)
+        return "not a format that is read";
+    if (!format->isRead())
+        return "known, but not read";
+    if (const BlockFormat* block = std::get_if<BlockFormat>(&format->pixels))
+        return std::string(findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(*block))->help);
+    return "uncompressed, " + std::to_string(std::get<MaskedPixels>(format->pixels).bits) + " bits a pixel";
+}
+
+std::string describeMask(std::string_view channel, std::uint32_t mask) {
+    if (mask == 0)
+        return "no " + std::string(channel);
+    const int low = std::countr_zero(mask);
+    const int high = 31 - std::countl_zero(mask);
+    std::string text(channel);
+    text += low == high ? " in bit " + std::to_string(low)
+                        : " in bits " + std::to_string(low) + " to " + std::to_string(high);
+    const bool holes = std::popcount(mask) != high - low + 1;
+    return text + (holes ? ", with holes" : "");
+}
+
+void addPixelFormat(Dissection& to, const Header& header) {
+    to.section(at::formatSize, formatSize, "DDS_PIXELFORMAT", "what a pixel is, within the header");
+    to.number(at::formatSize, "ddspf.dwSize", header.formatSize, "bytes of this structure: 32");
+    to.bits(at::formatFlags, "ddspf.dwFlags", header.formatFlags, formatFlagRows);
+    std::string code = "not a format that is read";
+    if (header.fourCC == 0)
+        code = "none: the masks say it";
+    else if (header.fourCC == fourCC("DX10"))
+        code = "a DX10 header follows that says it";
+    else if (const auto row = std::ranges::find(fourCCRows(), header.fourCC, &FourCCRow::code);
+             row != fourCCRows().end())
+        code = findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(row->format))->help;
+    to.add(1, at::fourCC, 4, "ddspf.dwFourCC", header.fourCC == 0 ? "0" : spellFourCC(header.fourCC), code);
+    to.number(at::bitCount, "ddspf.dwRGBBitCount", header.bitCount,
+              header.hasFourCC() ? "bits a pixel; without meaning beside a FourCC" : "bits a pixel");
+    constexpr std::array<std::string_view, 4> letters{"R", "G", "B", "A"};
+    constexpr std::array<std::string_view, 4> channels{"red", "green", "blue", "alpha"};
+    const bool luminance = (header.formatFlags & formatLuminance) != 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::string_view channel = luminance && i == 0 ? "luminance" : channels[i];
+        to.add(1, at::masks + 4 * i, 4, "ddspf.dw" + std::string(letters[i]) + "BitMask",
+               hex(header.masks[i]), describeMask(channel, header.masks[i]));
+    }
+}
+
+void addHeader(Dissection& to, ByteView file, const Header& header) {
+    Field& magic = to.add(0, 0, 4, "dwMagic", spellFourCC(wordAt(file, 0)), "\"DDS \" in every DDS file");
+    if (file.size() >= 4 && wordAt(file, 0) != fourCC("DDS "))
+        Dissection::blame(magic, "expected \"DDS \"");
+    to.section(at::size, headerSize, "DDS_HEADER", "the header that every DDS file has");
+    Field& size = to.number(at::size, "dwSize", header.size, "bytes of this structure: 124");
+    if (file.size() >= 8 && header.size != headerSize)
+        Dissection::blame(size, "expected 124");
+    to.bits(at::flags, "dwFlags", header.flags, flagRows);
+    to.number(at::height, "dwHeight", header.height, "rows of texels in level 0");
+    to.number(at::width, "dwWidth", header.width, "texels in a row of level 0");
+    to.number(at::pitchOrLinearSize, "dwPitchOrLinearSize", header.pitchOrLinearSize,
+              (header.flags & flagLinearSize) != 0 ? "bytes of level 0"
+              : (header.flags & flagPitch) != 0
+                  ? "bytes of a row of level 0"
+                  : "neither DDSD_PITCH nor DDSD_LINEARSIZE is set: no meaning");
+    to.number(at::depth, "dwDepth", header.depth, "slices of a volume");
+    to.number(at::mipMapCount, "dwMipMapCount", header.mipMapCount, "levels, with level 0; 0 means one");
+    to.add(1, at::reserved, 44, "dwReserved1", reservedText(file), "not used; some programs sign here");
+    addPixelFormat(to, header);
+    to.bits(at::caps, "dwCaps", header.caps, capsRows);
+    to.bits(at::caps2, "dwCaps2", header.caps2, caps2Rows);
+    to.number(at::caps3, "dwCaps3", wordAt(file, at::caps3), "not used");
+    to.number(at::caps4, "dwCaps4", wordAt(file, at::caps4), "not used");
+    to.number(at::reserved2, "dwReserved2", wordAt(file, at::reserved2), "not used");
+}
+
+void addExtendedHeader(Dissection& to, const Header& header) {
+    to.section(at::dxgiFormat, extendedEnd - legacyEnd, "DDS_HEADER_DXT10",
+               "what Direct3D 10 and later add: any DXGI format");
+    const DxgiRow* format = findDxgi(header.dxgiFormat);
+    to.add(1, at::dxgiFormat, 4, "dxgiFormat",
+           std::to_string(header.dxgiFormat) + (format ? ": " + std::string(format->name) : ""),
+           describeFormat(format));
+    to.choice(at::dimension, "resourceDimension", header.dimension, dimensionRows);
+    to.bits(at::miscFlag, "miscFlag", header.miscFlag, miscRows);
+    to.number(at::arraySize, "arraySize", header.arraySize, "textures in an array; a cube map counts as one");
+    Field& alpha = to.choice(at::miscFlags2, "miscFlags2", header.miscFlags2 & alphaModeMask, alphaModeRows);
+    if ((header.miscFlags2 & ~alphaModeMask) != 0)
+        Dissection::blame(alpha, "bits " + hex(header.miscFlags2 & ~alphaModeMask) + " have no meaning");
+}
+
+std::string describeLevel(const Layout& layout, const Level& level) {
+    const auto blocks = [](int extent) { return std::to_string((extent + 3) / 4); };
+    const std::string slices = level.depth > 1 ? " x " + std::to_string(level.depth) : "";
+    if (std::holds_alternative<BlockFormat>(layout.format.pixels))
+        return blocks(level.width) + " x " + blocks(level.height) + slices + " blocks of " +
+               std::to_string(bytesPerBlock(std::get<BlockFormat>(layout.format.pixels))) + " bytes";
+    return "rows of " +
+           std::to_string(level.size / static_cast<std::size_t>(level.height) /
+                          static_cast<std::size_t>(level.depth)) +
+           " bytes, top row first";
+}
+
+void addLevels(Dissection& to, const Layout& layout) {
+    to.section(
+        layout.begin, layout.end() - layout.begin, "pixel data",
+        std::string(layout.format.name) + ", " +
+            (layout.faces > 1 ? "face by face, each with all its levels" : "level by level, largest first"));
+    for (int face = 0; face < layout.faces; ++face)
+        for (int i = 0; i < layout.levels; ++i) {
+            const Level level = layout.at(face, i);
+            const std::string where = layout.faces > 1 ? "face " + std::string(faceName(face)) + ", " : "";
+            Field& field = to.add(1, level.offset, level.size, where + "level " + std::to_string(i), "",
+                                  describeLevel(layout, level));
+            field.value = std::to_string(level.width) + " x " + std::to_string(level.height) +
+                          (layout.depth > 1 ? " x " + std::to_string(level.depth) : "");
+        }
+}
+
+} // namespace
+
+Anatomy dissectDds(ByteView file) {
+    Findings findings;
+    const Header header = readHeader(file);
+    const Result<Layout> layout = planLayout(file, {}, findings);
+    std::string damage;
+    if (!layout)
+        damage = layout.error().message;
+    else if (const Result<int> levels = wholeLevels(*layout, file.size(), findings); !levels)
+        damage = levels.error().message;
+    else if (file.size() < layout->end())
+        damage = "DDS: the last level ends at offset " + std::to_string(layout->end()) + ", the file at " +
+                 std::to_string(file.size());
+
+    Dissection dissection(file, std::move(findings));
+    addHeader(dissection, file, header);
+    if (header.extended() && file.size() > legacyEnd)
+        addExtendedHeader(dissection, header);
+    if (layout) {
+        addLevels(dissection, *layout);
+        const std::size_t elementsEnd = std::min(layout->arrayEnd(), file.size());
+        if (elementsEnd > layout->end())
+            dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
+                           std::to_string(layout->elements - 1) + " of the array", "not read");
+        if (file.size() > elementsEnd)
+            dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
+                           "belong to nothing");
+    }
+    dissection.anatomy.damage = std::move(damage);
+    return std::move(dissection.anatomy);
+}
+
+} // namespace texplorer

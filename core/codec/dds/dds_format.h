@@ -1,0 +1,63 @@
+#pragma once
+
+// Which pixels a DDS header means: a block format, or where the channels are within a pixel.
+
+#include "core/base/result.h"
+#include "core/codec/dds/dds_header.h"
+#include "core/image/texture_image.h"
+
+#include <variant>
+
+namespace texplorer::dds {
+
+/// Uncompressed pixels: a little-endian number of `bits` bits each, with channels at any bits of it.
+struct MaskedPixels {
+    int bits = 0;                         ///< 8, 16, 24 or 32
+    std::array<std::uint32_t, 4> masks{}; ///< red (or luminance), green, blue, alpha; 0 for what isn't there
+    PixelFormat decoded = PixelFormat::Rgba8;
+
+    [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(bits) / 8; }
+    bool operator==(const MaskedPixels&) const = default;
+};
+
+struct Format {
+    std::string_view name; ///< "DXT1", "DXGI_FORMAT_BC1_UNORM_SRGB", "RGB"
+    std::variant<MaskedPixels, BlockFormat> pixels;
+    bool srgb = false;
+    AlphaMeaning alpha = AlphaMeaning::None;
+
+    /// Of a surface in the file, and of one that is decoded.
+    [[nodiscard]] std::size_t surfaceBytes(std::size_t width, std::size_t height, std::size_t depth) const;
+    [[nodiscard]] std::size_t decodedBytes(std::size_t width, std::size_t height, std::size_t depth) const;
+};
+
+/// A code of four characters that names a format.
+struct FourCCRow {
+    std::uint32_t code;
+    BlockFormat format;
+    AlphaMeaning alpha;
+    std::string_view name;
+};
+
+/// A number of the DX10 header. Formats without pixels (bits 0, no block format) are known and not read.
+struct DxgiRow {
+    std::uint32_t number;
+    std::string_view name;
+    std::variant<MaskedPixels, BlockFormat> pixels;
+    bool srgb;
+
+    [[nodiscard]] bool isRead() const {
+        const MaskedPixels* masked = std::get_if<MaskedPixels>(&pixels);
+        return masked == nullptr || masked->bits != 0;
+    }
+};
+
+[[nodiscard]] std::span<const FourCCRow> fourCCRows();
+[[nodiscard]] std::span<const DxgiRow> dxgiRows();
+[[nodiscard]] const DxgiRow* findDxgi(std::uint32_t number);
+
+/// What the header means; what was survived is added to `findings`. DXT1 is always BlockFormat::Dxt1, with
+/// what its alpha means if there is any: that only its blocks can say.
+[[nodiscard]] Result<Format> formatOf(const Header& header, Findings& findings);
+
+} // namespace texplorer::dds

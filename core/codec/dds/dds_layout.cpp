@@ -1,0 +1,279 @@
+#include "core/codec/dds/dds_layout.h"
+
+#include "core/image/mipmaps.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace texplorer::dds {
+namespace {
+
+tl::unexpected<Error> malformed(const std::string& message) {
+    return fail(ErrorCode::Malformed, "DDS: " + message);
+}
+
+std::string spell(std::uint64_t number) {
+    return std::to_string(number);
+}
+
+std::string count(std::uint64_t number, std::string_view what) {
+    return spell(number).append(" ").append(what).append(number == 1 ? "" : "s");
+}
+
+Result<void> checkHeaders(ByteView file, const Header& header) {
+    if (file.empty())
+        return malformed("the file is empty");
+    constexpr std::array magic{std::byte{'D'}, std::byte{'D'}, std::byte{'S'}, std::byte{' '}};
+    if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic))
+        return malformed("the file does not begin with \"DDS \"");
+    if (file.size() < legacyEnd)
+        return malformed("the headers need 128 bytes, the file has " + spell(file.size()));
+    if (header.size != headerSize)
+        return malformed("a header has 124 bytes, dwSize says " + spell(header.size));
+    if (file.size() < header.end())
+        return malformed("the headers need 148 bytes with the DX10 one, the file has " + spell(file.size()));
+    return {};
+}
+
+void readElements(const Header& header, Layout& layout, Findings& findings) {
+    layout.elements = std::max<std::uint32_t>(1, header.arraySize);
+    if (header.arraySize == 0)
+        findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
+    if (header.arraySize > 1)
+        findings.push_back({at::arraySize, "it is an array of " + spell(header.arraySize) +
+                                               (layout.faces > 1 ? " cube maps" : " textures") +
+                                               "; the first is read"});
+}
+
+/// What kind of texture it is, in the order in which Direct3D's loaders ask: volume before cube map.
+Result<void> readKind(const Header& header, Layout& layout, Findings& findings) {
+    const bool volumeCap = (header.caps2 & caps2Volume) != 0;
+    const bool depthFlag = (header.flags & flagDepth) != 0;
+    const auto volume = [&] {
+        layout.depth = static_cast<int>(std::max<std::uint32_t>(1, header.depth));
+        if (header.depth == 0)
+            findings.push_back({at::depth, "dwDepth of a volume is 0; it is read as one slice"});
+        else if (!depthFlag)
+            findings.push_back({at::flags, "DDSD_DEPTH is not set although it is a volume"});
+    };
+    if (header.extended() && header.dimension >= dimension1D && header.dimension <= dimension3D) {
+        const bool cube = (header.miscFlag & miscTextureCube) != 0;
+        if (cube && header.dimension != dimension2D)
+            return malformed("miscFlag says that it is a cube map, resourceDimension that it is not");
+        if (cube)
+            layout.faces = 6;
+        if (header.dimension == dimension3D)
+            volume();
+        if (header.dimension == dimension1D && header.height != 1) {
+            findings.push_back({at::height, "dwHeight of a line is " + spell(header.height) +
+                                                " where 1 is expected; it is read as 1"});
+            layout.height = 1;
+        }
+        return {};
+    }
+    if (header.extended())
+        findings.push_back({at::dimension, "resourceDimension is " + spell(header.dimension) +
+                                               ", which is no texture; dwCaps2 is followed instead"});
+
+    if (volumeCap || (depthFlag && header.depth > 1)) {
+        if (!volumeCap)
+            findings.push_back({at::caps2, "DDSCAPS2_VOLUME is not set although DDSD_DEPTH is, with " +
+                                               spell(header.depth) + " slices; it is read as a volume"});
+        if ((header.caps2 & caps2CubeMap) != 0)
+            findings.push_back(
+                {at::caps2, "DDSCAPS2_CUBEMAP and DDSCAPS2_VOLUME are both set; it is read as a volume"});
+        volume();
+        return {};
+    }
+    if (header.depth > 1)
+        findings.push_back({at::depth, "dwDepth is " + spell(header.depth) +
+                                           " although nothing says that it is a volume; it is ignored"});
+    const std::uint32_t faces = header.caps2 & caps2AllFaces;
+    if ((header.caps2 & caps2CubeMap) == 0) {
+        if (faces != 0)
+            findings.push_back({at::caps2, "faces are named although DDSCAPS2_CUBEMAP is not set; it is "
+                                           "read as one picture"});
+        return {};
+    }
+    if (faces == 0)
+        findings.push_back({at::caps2, "DDSCAPS2_CUBEMAP is set, but no face; it is read as all six"});
+    else if (faces != caps2AllFaces)
+        return fail(ErrorCode::Unsupported, "DDS: cube maps with all six faces are read, this one has " +
+                                                spell(static_cast<unsigned>(std::popcount(faces))) + ": " +
+                                                spellBits(faces, caps2Rows));
+    layout.faces = 6;
+    return {};
+}
+
+Result<void> checkExtents(const Layout& layout, const Header& header, const DecodeLimits& limits) {
+    std::string extents = spell(header.width) + " x " + spell(header.height);
+    if (layout.depth != 1)
+        extents += " x " + spell(header.depth);
+    if (header.width == 0 || layout.height == 0)
+        return malformed("a picture has at least 1 x 1 texels, this one says " + extents);
+    const auto largest = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
+    // Read as unsigned: what became negative is too large as well.
+    const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > largest; };
+    if (tooLarge(layout.width) || tooLarge(layout.height) || tooLarge(layout.depth))
+        return fail(ErrorCode::TooLarge, "DDS: at most " + spell(largest) +
+                                             " texels along each axis are read, the file has " + extents);
+    if (layout.faces == 6 && layout.width != layout.height)
+        return malformed("the faces of a cube map are square, these are " + extents);
+
+    // So many that no product of them overflows, whatever the limits are.
+    const std::size_t maxPixels = std::min(limits.maxPixels, std::size_t{1} << 40);
+    const std::size_t slice =
+        static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height);
+    if (slice > maxPixels / static_cast<std::size_t>(layout.depth))
+        return fail(ErrorCode::TooLarge,
+                    "DDS: at most " + spell(maxPixels) + " texels are read, the file has " + extents);
+    return {};
+}
+
+void readLevels(const Header& header, Layout& layout, Findings& findings) {
+    const auto full = static_cast<std::uint32_t>(mipLevelCount(layout.width, layout.height, layout.depth));
+    const std::uint32_t said = header.mipMapCount;
+    const bool flagged = (header.flags & flagMipMapCount) != 0;
+    layout.levels = static_cast<int>(std::clamp<std::uint32_t>(said, 1, full));
+    if (said == 0 && flagged)
+        findings.push_back(
+            {at::mipMapCount, "dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level is read"});
+    else if (said > full)
+        findings.push_back({at::mipMapCount, "dwMipMapCount is " + spell(said) +
+                                                 ", but the chain ends after " + count(full, "level") +
+                                                 "; no more are read"});
+    else if (said > 1 && !flagged)
+        findings.push_back({at::flags, "DDSD_MIPMAPCOUNT is not set although dwMipMapCount is " +
+                                           spell(said) + "; it is followed"});
+}
+
+/// Nothing that these say is needed. Files without both are common and are left in peace.
+void checkPitch(const Header& header, const Layout& layout, Findings& findings) {
+    const std::uint32_t said = header.pitchOrLinearSize;
+    const std::size_t level = layout.chainBytes(1);
+    const std::size_t row = layout.format.surfaceBytes(static_cast<std::size_t>(layout.width), 1, 1);
+    const bool linear = (header.flags & flagLinearSize) != 0;
+    const bool pitch = (header.flags & flagPitch) != 0;
+    // Of a volume, some writers give the size of a slice.
+    const std::size_t slice = level / static_cast<std::size_t>(layout.depth);
+    if (linear && said != level && said != slice)
+        findings.push_back({at::pitchOrLinearSize, "dwPitchOrLinearSize is " + spell(said) +
+                                                       " where level 0 has " + count(level, "byte") +
+                                                       "; it is ignored"});
+    else if (!linear && pitch && said != row)
+        findings.push_back({at::pitchOrLinearSize, "dwPitchOrLinearSize is " + spell(said) +
+                                                       " where a row has " + count(row, "byte") +
+                                                       "; it is ignored"});
+}
+
+void checkFlags(const Header& header, Findings& findings) {
+    constexpr std::uint32_t required = flagCaps | flagHeight | flagWidth | flagPixelFormat;
+    if ((header.flags & required) != required)
+        findings.push_back({at::flags, "dwFlags lacks " + spellBits(required & ~header.flags, flagRows) +
+                                           "; the fields are followed all the same"});
+}
+
+} // namespace
+
+std::string_view faceName(int face) {
+    constexpr std::array<std::string_view, 6> names{"+x", "-x", "+y", "-y", "+z", "-z"};
+    return names[static_cast<std::size_t>(face)];
+}
+
+Level Layout::at(int face, int level) const {
+    const auto extent = [&](int base) { return std::max(1, base >> level); };
+    Level found{extent(width), extent(height), extent(depth), 0, 0};
+    found.offset = begin + static_cast<std::size_t>(face) * chainBytes(levels) + chainBytes(level);
+    found.size =
+        format.surfaceBytes(static_cast<std::size_t>(found.width), static_cast<std::size_t>(found.height),
+                            static_cast<std::size_t>(found.depth));
+    return found;
+}
+
+std::size_t Layout::arrayEnd() const {
+    const std::size_t element = end() - begin;
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    return element > (most - begin) / elements ? most : begin + elements * element;
+}
+
+std::size_t Layout::chainBytes(int count) const {
+    std::size_t bytes = 0;
+    for (int level = 0; level < count; ++level)
+        bytes += format.surfaceBytes(static_cast<std::size_t>(std::max(1, width >> level)),
+                                     static_cast<std::size_t>(std::max(1, height >> level)),
+                                     static_cast<std::size_t>(std::max(1, depth >> level)));
+    return bytes;
+}
+
+Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& findings) {
+    const Header header = readHeader(file);
+    if (const Result<void> checked = checkHeaders(file, header); !checked)
+        return fail(checked.error());
+    checkFlags(header, findings);
+    const Result<Format> format = formatOf(header, findings);
+    if (!format)
+        return fail(format.error());
+
+    Layout layout;
+    layout.format = *format;
+    layout.begin = header.end();
+    layout.width = static_cast<int>(header.width);
+    layout.height = static_cast<int>(header.height);
+    if (const Result<void> kind = readKind(header, layout, findings); !kind)
+        return fail(kind.error());
+    if (header.extended())
+        readElements(header, layout, findings);
+    if (const Result<void> extents = checkExtents(layout, header, limits); !extents)
+        return fail(extents.error());
+    readLevels(header, layout, findings);
+    checkPitch(header, layout, findings);
+
+    // A count that is too high also moves every face but the first: six faces that fill the file exactly with
+    // fewer levels were written with fewer.
+    if (layout.faces > 1 && layout.arrayEnd() > file.size())
+        for (Layout fewer = layout; --fewer.levels > 0;)
+            if (fewer.arrayEnd() == file.size()) {
+                findings.push_back(
+                    {at::mipMapCount, "dwMipMapCount is " + spell(header.mipMapCount) +
+                                          ", but the file holds exactly six faces of " +
+                                          count(static_cast<unsigned>(fewer.levels), "level")});
+                return fewer;
+            }
+    return layout;
+}
+
+Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings) {
+    if (fileSize >= layout.end()) {
+        if (fileSize < layout.arrayEnd())
+            findings.push_back({at::arraySize, "its " + spell(layout.elements) + " elements need " +
+                                                   count(layout.arrayEnd(), "byte") + ", the file has " +
+                                                   spell(fileSize)});
+        if (fileSize > layout.arrayEnd())
+            findings.push_back({layout.arrayEnd(), count(fileSize - layout.arrayEnd(), "byte") +
+                                                       " after the last level: ignored"});
+        return layout.levels;
+    }
+    const auto isWhole = [&](int face, int level) {
+        const Level found = layout.at(face, level);
+        return found.offset + found.size <= fileSize;
+    };
+    for (int face = 0; face < layout.faces; ++face)
+        if (!isWhole(face, 0)) {
+            const Level base = layout.at(face, 0);
+            const std::string where = layout.faces > 1 ? " of face " + std::string(faceName(face)) : "";
+            return malformed("level 0" + where + " needs " + count(base.size, "byte") + " from offset " +
+                             spell(base.offset) + ", the file has " + spell(fileSize));
+        }
+    int levels = 1;
+    while (isWhole(layout.faces - 1, levels))
+        ++levels;
+    findings.push_back(
+        {at::mipMapCount,
+         "dwMipMapCount is " + spell(static_cast<unsigned>(layout.levels)) + ", which needs " +
+             count(layout.end(), "byte") + "; the file has " + spell(fileSize) + " and only level" +
+             (levels == 1 ? " 0 is" : "s 0 to " + std::to_string(levels - 1) + " are") + " whole"});
+    return levels;
+}
+
+} // namespace texplorer::dds

@@ -1,0 +1,55 @@
+#pragma once
+
+// Where the surfaces of a DDS file are, worked out from its header alone.
+
+#include "core/codec/dds/dds_format.h"
+#include "core/codec/common/decode_limits.h"
+
+namespace texplorer::dds {
+
+/// One level of one face.
+struct Level {
+    int width;
+    int height;
+    int depth;
+    std::size_t offset; ///< in the file
+    std::size_t size;
+};
+
+/// The faces follow each other, each with all its levels, largest first, without gaps; so do the elements of
+/// an array, of which the first is read.
+struct Layout {
+    Format format;
+    int width = 0;
+    int height = 0;
+    int depth = 1;
+    int faces = 1;
+    int levels = 1;             ///< that the header says, where it can be believed
+    std::uint32_t elements = 1; ///< of an array of such textures
+    std::size_t begin = legacyEnd;
+
+    /// level is below 31
+    [[nodiscard]] Level at(int face, int level) const;
+    /// Of `count` levels of one face.
+    [[nodiscard]] std::size_t chainBytes(int count) const;
+    /// Where the last face's last level ends, in an array that of the first element.
+    [[nodiscard]] std::size_t end() const {
+        return begin + static_cast<std::size_t>(faces) * chainBytes(levels);
+    }
+    /// Where the last element ends; as much as there is where that is beyond all numbers.
+    [[nodiscard]] std::size_t arrayEnd() const;
+};
+
+/// "+x" to "-z"
+[[nodiscard]] std::string_view faceName(int face);
+
+/// Refuses what is not read (partial cube maps, unknown formats) and what exceeds the limits;
+/// anything that Direct3D's loaders overlook is added to `findings`. The file's size is looked at only to
+/// choose between two readings of a wrong mip count, and to check that the headers are there.
+[[nodiscard]] Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& findings);
+
+/// How many levels of every face of the first element are whole in a file of this size, at most
+/// layout.levels. Refused where level 0 of a face isn't.
+[[nodiscard]] Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings);
+
+} // namespace texplorer::dds

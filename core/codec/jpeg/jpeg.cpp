@@ -1,0 +1,166 @@
+#include "core/codec/jpeg/jpeg.h"
+
+#include "core/codec/jpeg/jpeg_markers.h"
+#include "core/codec/jpeg/jpeg_reader.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <string>
+
+namespace texplorer {
+
+namespace {
+
+tl::unexpected<Error> malformed(const std::string& message) {
+    return fail(ErrorCode::Malformed, "JPEG: " + message);
+}
+
+// What is known before libjpeg-turbo allocates anything.
+struct Survey {
+    std::optional<JpegFrame> frame;
+    int orientation = 0;
+    bool adobe = false;
+    std::size_t end = 0; // behind EOI, or 0
+};
+
+Survey survey(ByteView file) {
+    Survey found;
+    JpegSegments segments(file);
+    while (const std::optional<JpegSegment> segment = segments.next()) {
+        if (segment->isFrame() && !found.frame)
+            found.frame = readJpegFrame(*segment);
+        else if (segment->marker == jpegApp1 && found.orientation == 0)
+            found.orientation = exifOrientation(segment->payload);
+        else if (segment->marker == jpegApp14 && segment->payload.size() >= 12 &&
+                 std::memcmp(segment->payload.data(), "Adobe", 5) == 0)
+            found.adobe = true;
+        else if (segment->marker == jpegEoi)
+            found.end = segments.offset();
+    }
+    return found;
+}
+
+/// "3 x 1, 2 x 1, 2 x 1"
+std::string samplingOf(const JpegFrame& frame) {
+    std::string text;
+    for (const JpegComponent& each : frame.components)
+        text.append(text.empty() ? "" : ", ")
+            .append(std::to_string(each.horizontal) + " x " + std::to_string(each.vertical));
+    return text;
+}
+
+Error inJpeg(const Error& error) {
+    return {error.code, "JPEG: " + error.message, error.where};
+}
+
+Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
+    const std::string extents =
+        std::to_string(frame.width) + " x " + std::to_string(frame.height) + " pixels";
+    if (frame.width < 1 || frame.height < 1)
+        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
+    if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
+        return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxExtent) + " x " +
+                                             std::to_string(limits.maxExtent) +
+                                             " pixels are read, the file has " + extents);
+    const std::uint64_t pixels = std::uint64_t{frame.width} * frame.height;
+    if (pixels > limits.maxPixels)
+        return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxPixels) +
+                                             " pixels are read, the file has " + std::to_string(pixels));
+    if (const std::size_t count = frame.components.size(); count != 1 && count != 3 && count != 4)
+        return fail(inJpeg(unreadableComponents(count)));
+    const auto divides = [&](std::uint8_t JpegComponent::*factor) {
+        std::uint8_t most = 0;
+        for (const JpegComponent& each : frame.components)
+            most = std::max(most, each.*factor);
+        return std::ranges::all_of(frame.components, [&](const JpegComponent& each) {
+            return each.*factor == 0 || most % each.*factor == 0;
+        });
+    };
+    if (!divides(&JpegComponent::horizontal) || !divides(&JpegComponent::vertical))
+        return fail(ErrorCode::Unsupported, "JPEG: sampling factors that divide the largest are read, the "
+                                            "components have " +
+                                                samplingOf(frame));
+    if (!frame.arithmetic() && frame.blocks() / 8 > file.size())
+        return malformed(extents + " need " + std::to_string(frame.blocks()) +
+                         " coded blocks of at least 1 bit each, the file has " + std::to_string(file.size()) +
+                         " bytes");
+    return {};
+}
+
+// In place: what is written never overtakes what is read.
+Image rgbOfCmyk(Image image, bool inverted) {
+    const auto paper = [inverted](std::byte ink) { return std::to_integer<unsigned>(inverted ? ink : ~ink); };
+    std::byte* to = image.pixels.data();
+    const std::byte* end = to + image.pixels.size();
+    for (const std::byte* from = to; from != end; from += 4, to += 3) {
+        const unsigned black = paper(from[3]);
+        for (std::size_t i = 0; i < 3; ++i)
+            to[i] = static_cast<std::byte>((paper(from[i]) * black + 127) / 255);
+    }
+    image.format = PixelFormat::Rgb8;
+    image.pixels.resize(image.pixels.size() / 4 * 3);
+    return image;
+}
+
+Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimits& limits) {
+    JpegReader reader(file);
+    const Result<JpegReader::Header> header = reader.readHeader();
+    if (!header)
+        return fail(inJpeg(header.error()));
+    // The second opinion counts: only extents that were checked may be allocated.
+    if (header->width != static_cast<int>(found.frame->width) ||
+        header->height != static_cast<int>(found.frame->height))
+        return malformed("its first frame says " + std::to_string(found.frame->width) + " x " +
+                         std::to_string(found.frame->height) + " pixels, another " +
+                         std::to_string(header->width) + " x " + std::to_string(header->height));
+    const std::uint64_t needed = std::uint64_t{found.frame->width} * found.frame->height *
+                                 static_cast<std::uint64_t>(bytesPerPixel(header->format));
+    if (needed > limits.maxBytes)
+        return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxBytes) +
+                                             " bytes of pixels are read, the file has " +
+                                             std::to_string(needed));
+    Image image{header->inks ? PixelFormat::Rgb8 : header->format, header->width, header->height, 1, {}};
+    if (limits.pixels) {
+        image = Image::uninitialised(header->format, header->width, header->height);
+        if (const Result<void> read = reader.readPixels(image); !read)
+            return fail(
+                inJpeg({read.error().code,
+                        read.error().message + " (the file has " + std::to_string(file.size()) + " bytes)",
+                        {}}));
+        if (header->inks)
+            image = rgbOfCmyk(std::move(image), found.adobe);
+    }
+
+    TextureImage texture = textureOf(std::move(image), "JPEG");
+    texture.notes = reader.notes();
+    if (found.orientation > 1)
+        texture.notes.push_back("Exif says that the camera was turned (orientation " +
+                                std::to_string(found.orientation) + "); the picture stands as it is stored");
+    if (found.end != 0 && found.end < file.size())
+        texture.notes.push_back(std::to_string(file.size() - found.end) +
+                                " bytes behind the end (EOI) left out");
+    return texture;
+}
+
+} // namespace
+
+Result<TextureImage> decodeJpeg(ByteView file, const DecodeLimits& limits) {
+    try {
+        if (file.empty())
+            return malformed("the file is empty");
+        if (file.size() < 2 || file[0] != std::byte{0xFF} || file[1] != std::byte{jpegSoi})
+            return malformed("the file does not begin with a start marker (FF D8)");
+        const Survey found = survey(file);
+        if (!found.frame)
+            return malformed("there is no frame header (SOF) in the " + std::to_string(file.size()) +
+                             " bytes of the file");
+        if (const Result<void> checked = checkFrame(*found.frame, file, limits); !checked)
+            return fail(checked.error());
+        return decode(file, found, limits);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "JPEG: there is no memory for the pixels");
+    }
+}
+
+} // namespace texplorer

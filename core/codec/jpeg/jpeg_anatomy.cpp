@@ -1,0 +1,134 @@
+#include "core/codec/jpeg/jpeg.h"
+#include "core/codec/jpeg/jpeg_markers.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace texplorer {
+
+namespace {
+
+constexpr std::size_t mostSegments = 200; // of at most sixteen fields each
+constexpr std::size_t mostComponents = 4;
+
+std::string meaningOf(const JpegSegment& segment) {
+    switch (segment.marker) {
+    case jpegSoi:
+        return "start of image";
+    case jpegEoi:
+        return "end of image";
+    case jpegSos:
+        return "start of scan";
+    case jpegDqt:
+        return "quantization tables";
+    case jpegDht:
+        return "Huffman tables";
+    case jpegDri:
+        return "restart interval";
+    case jpegCom:
+        return "comment";
+    default:
+        return segment.isFrame() ? "start of frame" : "";
+    }
+}
+
+void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
+    const JpegFrame frame = readJpegFrame(segment);
+    const std::size_t at = segment.offset + 4;
+    const auto add = [&](std::size_t offset, std::size_t size, std::string name, std::string value,
+                         std::string meaning, std::string wrong = {}) {
+        if (offset + size <= segment.payload.size())
+            fields.push_back({at + offset, size, std::move(name), std::move(value), std::move(meaning),
+                              std::move(wrong), 1});
+    };
+    add(0, 1, "precision", std::to_string(frame.precision), "bits a sample",
+        frame.precision == 8 ? "" : "only 8 are read");
+    add(1, 2, "height", std::to_string(frame.height), "pixels", frame.height > 0 ? "" : "expected 1 or more");
+    add(3, 2, "width", std::to_string(frame.width), "pixels", frame.width > 0 ? "" : "expected 1 or more");
+    add(5, 1, "components",
+        std::to_string(segment.payload.size() > 5 ? std::to_integer<int>(segment.payload[5]) : 0),
+        "1 grey, 3 colour, 4 CMYK");
+    for (std::size_t i = 0; i < std::min(frame.components.size(), mostComponents); ++i) {
+        const JpegComponent& each = frame.components[i];
+        const bool good =
+            each.horizontal >= 1 && each.horizontal <= 4 && each.vertical >= 1 && each.vertical <= 4;
+        add(6 + 3 * i, 3, "component " + std::to_string(each.id),
+            std::to_string(each.horizontal) + " x " + std::to_string(each.vertical),
+            "sampling; quantization table " + std::to_string(each.quantization),
+            good ? "" : "expected factors from 1 to 4");
+    }
+}
+
+void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
+    fields.push_back({segment.offset,
+                      segment.size(),
+                      jpegMarkerName(segment.marker),
+                      {},
+                      meaningOf(segment),
+                      segment.strayBytes == 0 ? std::string()
+                                              : std::to_string(segment.strayBytes) + " stray bytes before it",
+                      0});
+    if (segment.hasLength())
+        fields.push_back({segment.offset + 2,
+                          2,
+                          "length",
+                          std::to_string(segment.length + 2),
+                          "bytes, with these two",
+                          {},
+                          1});
+    if (segment.isFrame())
+        describeFrame(segment, fields);
+    else if (const int orientation = segment.marker == jpegApp1 ? exifOrientation(segment.payload) : 0)
+        fields.push_back({segment.offset + 4,
+                          segment.length,
+                          "Exif",
+                          "orientation " + std::to_string(orientation),
+                          "1 is upright",
+                          {},
+                          1});
+    if (segment.marker == jpegSos)
+        fields.push_back({segment.offset + segment.size(),
+                          segment.codedBytes,
+                          "coded data",
+                          {},
+                          "of this scan",
+                          segment.codedBytes > 0 ? "" : "there is none",
+                          1});
+}
+
+} // namespace
+
+Anatomy dissectJpeg(ByteView file) {
+    Anatomy anatomy{"JPEG", {}, {}};
+    JpegSegments segments(file);
+    bool ended = false;
+    for (std::size_t index = 0; const std::optional<JpegSegment> segment = segments.next(); ++index) {
+        if (index == mostSegments) {
+            anatomy.damage =
+                "the first " + std::to_string(mostSegments) + " segments are shown, there are more";
+            return anatomy;
+        }
+        describeSegment(*segment, anatomy.fields);
+        if (!segment->complete()) {
+            anatomy.damage = jpegMarkerName(segment->marker) + " at offset " +
+                             std::to_string(segment->offset) + " needs " + std::to_string(segment->size()) +
+                             " bytes, the file has " + std::to_string(file.size());
+            return anatomy;
+        }
+        ended = segment->marker == jpegEoi;
+    }
+    if (!ended)
+        anatomy.damage = "the file ends at offset " + std::to_string(file.size()) + " without an EOI";
+    else if (segments.offset() < file.size())
+        anatomy.fields.push_back({segments.offset(),
+                                  file.size() - segments.offset(),
+                                  "Trailing data",
+                                  {},
+                                  "behind the end",
+                                  "no reader looks here",
+                                  0});
+    return anatomy;
+}
+
+} // namespace texplorer

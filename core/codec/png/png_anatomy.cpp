@@ -1,0 +1,141 @@
+#include "core/base/printable.h"
+#include "core/codec/png/png.h"
+#include "core/codec/png/png_chunks.h"
+
+#include <libdeflate.h>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace texplorer {
+
+namespace {
+
+constexpr std::size_t mostChunks = 400; // of at most ten fields each
+
+struct ChunkMeaning {
+    std::string_view type;
+    std::string_view meaning;
+};
+
+constexpr std::array chunkMeanings{
+    ChunkMeaning{"IHDR", "the header"},
+    ChunkMeaning{"PLTE", "the palette"},
+    ChunkMeaning{"IDAT", "compressed pixels"},
+    ChunkMeaning{"IEND", "the end"},
+    ChunkMeaning{"tRNS", "transparency without an alpha channel"},
+    ChunkMeaning{"gAMA", "gamma times 100000"},
+    ChunkMeaning{"sRGB", "the colours are sRGB"},
+    ChunkMeaning{"pHYs", "size of a pixel"},
+    ChunkMeaning{"tEXt", "text"},
+    ChunkMeaning{"iCCP", "a colour profile"},
+};
+
+std::string meaningOf(const PngChunk& chunk) {
+    for (const ChunkMeaning& each : chunkMeanings)
+        if (each.type == chunk.type)
+            return std::string(each.meaning);
+    return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown, and can't be skipped";
+}
+
+std::string hex(std::uint32_t value) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "0x";
+    for (int shift = 28; shift >= 0; shift -= 4)
+        text += digits[value >> shift & 15];
+    return text;
+}
+
+std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
+    if ((index == 0) != (chunk.type == "IHDR"))
+        return index == 0 ? "expected IHDR first" : "a second IHDR";
+    if (chunk.type == "IDAT" && pixelsSeen && before != "IDAT")
+        return "the IDAT chunks are expected one behind the other";
+    if ((chunk.type == "PLTE" || chunk.type == "tRNS") && pixelsSeen)
+        return "expected before the first IDAT";
+    return {};
+}
+
+std::string colorTypeName(std::uint8_t type) {
+    constexpr std::array names{"grey", "", "RGB", "palette", "grey and alpha", "", "RGB and alpha"};
+    return type < names.size() ? names[type] : "";
+}
+
+void describeHeader(const PngChunk& chunk, std::vector<Field>& fields) {
+    const PngHeader header = readPngHeader(chunk.data);
+    const std::size_t at = chunk.offset + 8;
+    const auto add = [&](std::size_t offset, std::size_t size, std::string name, std::uint32_t value,
+                         std::string meaning, bool good, std::string expected) {
+        if (offset + size <= chunk.data.size())
+            fields.push_back({at + offset, size, std::move(name), std::to_string(value), std::move(meaning),
+                              good ? std::string() : std::move(expected), 1});
+    };
+    const std::string kind = colorTypeName(header.colorType);
+    add(0, 4, "width", header.width, "pixels", header.width > 0, "expected 1 or more");
+    add(4, 4, "height", header.height, "pixels", header.height > 0, "expected 1 or more");
+    add(8, 1, "bit depth", header.depth, "bits a sample",
+        header.depth <= 16 && (0x10116U >> header.depth & 1) != 0, "expected 1, 2, 4, 8 or 16");
+    add(9, 1, "colour type", header.colorType, kind, !kind.empty(), "expected 0, 2, 3, 4 or 6");
+    add(10, 1, "compression", header.compression, "deflate", header.compression == 0, "expected 0");
+    add(11, 1, "filter", header.filter, "five kinds of row filter", header.filter == 0, "expected 0");
+    add(12, 1, "interlace", header.interlace, header.interlace == 1 ? "Adam7" : "none", header.interlace < 2,
+        "expected 0 or 1");
+}
+
+void describeChunk(const PngChunk& chunk, ByteView file, std::string wrong, std::vector<Field>& fields) {
+    fields.push_back(
+        {chunk.offset, chunk.size(), printable(chunk.type), {}, meaningOf(chunk), std::move(wrong), 0});
+    fields.push_back({chunk.offset, 4, "length", std::to_string(chunk.length), "bytes of data", {}, 1});
+    if (chunk.type == "IHDR")
+        describeHeader(chunk, fields);
+    else if (chunk.length > 0)
+        fields.push_back({chunk.offset + 8, chunk.length, "data", {}, {}, {}, 1});
+    if (!chunk.complete())
+        return;
+    const std::uint32_t found =
+        libdeflate_crc32(0, file.data() + chunk.offset + 4, 4 + std::size_t{chunk.length});
+    fields.push_back({chunk.offset + 8 + chunk.length, 4, "CRC", hex(*chunk.crc), "of type and data",
+                      found == *chunk.crc ? std::string() : "the bytes give " + hex(found), 1});
+}
+
+} // namespace
+
+Anatomy dissectPng(ByteView file) {
+    Anatomy anatomy{"PNG", {}, {}};
+    anatomy.fields.push_back({0,
+                              pngSignature.size(),
+                              "Signature",
+                              {},
+                              "89 50 4e 47 0d 0a 1a 0a",
+                              hasPngSignature(file) ? std::string() : "these are other bytes",
+                              0});
+    PngChunks chunks(file);
+    std::string before;
+    bool pixelsSeen = false;
+    for (std::size_t index = 0; const std::optional<PngChunk> chunk = chunks.next(); ++index) {
+        if (index == mostChunks) {
+            anatomy.damage = "the first " + std::to_string(mostChunks) + " chunks are shown, there are more";
+            return anatomy;
+        }
+        describeChunk(*chunk, file, wrongOrder(*chunk, index, before, pixelsSeen), anatomy.fields);
+        if (!chunk->complete()) {
+            anatomy.damage = "the chunk " + printable(chunk->type) + " at offset " +
+                             std::to_string(chunk->offset) + " needs " + std::to_string(chunk->size()) +
+                             " bytes, the file has " + std::to_string(file.size());
+            return anatomy;
+        }
+        pixelsSeen = pixelsSeen || chunk->type == "IDAT";
+        before = chunk->type;
+        if (chunk->type == "IEND")
+            break;
+    }
+    const std::size_t end = chunks.offset();
+    if (before != "IEND")
+        anatomy.damage = "the file ends at offset " + std::to_string(file.size()) + " without an IEND";
+    else if (end < file.size())
+        anatomy.fields.push_back(
+            {end, file.size() - end, "Trailing data", {}, "behind the end", "no reader looks here", 0});
+    return anatomy;
+}
+
+} // namespace texplorer

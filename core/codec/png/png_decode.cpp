@@ -1,0 +1,268 @@
+#include "core/codec/png/png.h"
+#include "core/codec/png/png_chunks.h"
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstring>
+#include <new>
+#include <png.h>
+#include <string>
+#include <utility>
+
+namespace texplorer {
+
+namespace {
+
+std::string byteCountText(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " byte" : " bytes");
+}
+
+tl::unexpected<Error> malformed(const std::string& message) {
+    return fail(ErrorCode::Malformed, "PNG: " + message);
+}
+
+// What is known before libpng allocates anything.
+struct Survey {
+    PngHeader header;
+    std::size_t compressed = 0; // bytes of pixel data
+    bool animated = false;
+    std::size_t end = 0; // behind IEND, or 0
+};
+
+Survey survey(ByteView file) {
+    Survey found;
+    for (PngChunks chunks(file); const std::optional<PngChunk> chunk = chunks.next();) {
+        if (chunk->type == "IHDR" && chunk->offset == pngSignature.size())
+            found.header = readPngHeader(chunk->data);
+        else if (chunk->type == "IDAT")
+            found.compressed += chunk->data.size();
+        else if (chunk->type == "acTL")
+            found.animated = true;
+        else if (chunk->type == "IEND" && chunk->complete()) {
+            found.end = chunk->offset + chunk->size();
+            break;
+        }
+    }
+    return found;
+}
+
+Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
+    const std::string extents =
+        std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels";
+    if (header.width < 1 || header.height < 1)
+        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
+    const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
+    if (header.width > maxExtent || header.height > maxExtent)
+        return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(maxExtent) + " x " +
+                                             std::to_string(maxExtent) + " pixels are read, the file has " +
+                                             extents);
+    const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
+    if (pixels > limits.maxPixels)
+        return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(limits.maxPixels) +
+                                             " pixels are read, the file has " + std::to_string(pixels));
+    return {};
+}
+
+Result<void> checkColors(const PngHeader& header) {
+    // A bit for each depth that a colour type may have.
+    constexpr std::array<std::uint32_t, 7> depths{
+        1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16};
+    const std::uint32_t depth = header.depth;
+    if (header.colorType < depths.size() && (depths[header.colorType] & depth) != 0 &&
+        (depth & (depth - 1)) == 0)
+        return {};
+    return malformed("colour type " + std::to_string(header.colorType) + " with " + std::to_string(depth) +
+                     " bits a sample is none of the format's 15 combinations");
+}
+
+Result<void> checkSurvey(const Survey& found, ByteView file, const DecodeLimits& limits) {
+    if (Result<void> checked = checkExtents(found.header, limits); !checked)
+        return checked;
+    if (Result<void> checked = checkColors(found.header); !checked)
+        return checked;
+    if (found.compressed == 0)
+        return malformed("there is no pixel data (IDAT) in the " + std::to_string(file.size()) +
+                         " bytes of the file");
+    // Deflate's longest match is 258 bytes and takes at least two bits.
+    constexpr std::uint64_t bestRatio = 1032;
+    const std::uint64_t needed = found.header.filteredBytes();
+    if (needed / bestRatio > found.compressed)
+        return malformed(std::to_string(found.header.width) + " x " + std::to_string(found.header.height) +
+                         " pixels need " + std::to_string(needed) + " bytes, the file's " +
+                         std::to_string(found.compressed) + " bytes of pixel data can hold at most " +
+                         std::to_string(found.compressed * bestRatio));
+    return {};
+}
+
+// libpng reports an error by jumping out of its own functions, so that nothing with a destructor may live in
+// the functions that it jumps back to: all state is here, outside of them.
+struct Decoder {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    ByteView file;
+    std::size_t position = 0;
+    std::string error;
+    std::vector<std::string> notes;
+
+    Decoder() = default;
+    Decoder(const Decoder&) = delete;
+    Decoder& operator=(const Decoder&) = delete;
+    ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+
+    bool start(const DecodeLimits& limits) noexcept;
+    bool readPixels(std::byte* topRow, std::size_t rowBytes, png_uint_32 height) noexcept;
+};
+
+Decoder& decoderOf(png_voidp pointer) {
+    return *static_cast<Decoder*>(pointer);
+}
+
+// Text is made in functions of its own, which have returned before libpng jumps.
+void keepError(Decoder& decoder, png_const_charp message) noexcept {
+    try {
+        if (decoder.error.empty())
+            decoder.error =
+                std::string(message) + " (read up to offset " + std::to_string(decoder.position) + ")";
+    } catch (const std::bad_alloc&) {
+        decoder.error.clear();
+    }
+}
+
+void keepEnd(Decoder& decoder, std::size_t wanted) noexcept {
+    try {
+        decoder.error = "the file ends early: " + std::to_string(wanted) +
+                        " more bytes were expected at offset " + std::to_string(decoder.position) +
+                        ", the file has " + std::to_string(decoder.file.size());
+    } catch (const std::bad_alloc&) {
+        decoder.error.clear();
+    }
+}
+
+void onError(png_structp png, png_const_charp message) {
+    keepError(decoderOf(png_get_error_ptr(png)), message);
+    png_longjmp(png, 1);
+}
+
+void onWarning(png_structp png, png_const_charp message) {
+    constexpr std::size_t enough = 8;
+    std::vector<std::string>& notes = decoderOf(png_get_error_ptr(png)).notes;
+    try {
+        if (notes.size() < enough)
+            notes.push_back("survived: " + std::string(message));
+    } catch (const std::bad_alloc&) { // then without
+        notes.clear();
+    }
+}
+
+void onRead(png_structp png, png_bytep to, png_size_t count) {
+    Decoder& decoder = decoderOf(png_get_io_ptr(png));
+    if (count > decoder.file.size() - decoder.position) {
+        keepEnd(decoder, count);
+        png_error(png, "the file ends early");
+    }
+    std::memcpy(to, decoder.file.data() + decoder.position, count);
+    decoder.position += count;
+}
+
+// Chunks that change no pixel and may hold much; libpng would unpack them.
+constexpr png_byte skipped[] = "iCCP\0tEXt\0zTXt\0iTXt\0eXIf\0sPLT\0hIST";
+constexpr int skippedCount = sizeof skipped / 5;
+
+bool Decoder::start(const DecodeLimits& limits) noexcept {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    png_set_read_fn(png, this, onRead);
+    png_set_user_limits(png, static_cast<png_uint_32>(limits.maxExtent),
+                        static_cast<png_uint_32>(limits.maxExtent));
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, skipped, skippedCount);
+    png_read_info(png, info);
+    png_set_expand(png); // palettes to RGB, grey to 8 bits, tRNS to alpha
+    png_set_scale_16(png);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    return true;
+}
+
+bool Decoder::readPixels(std::byte* topRow, std::size_t rowBytes, png_uint_32 height) noexcept {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    for (int passes = png_set_interlace_handling(png); passes > 0; --passes) {
+        auto* row = reinterpret_cast<png_bytep>(topRow);
+        for (png_uint_32 y = 0; y < height; ++y, row -= rowBytes)
+            png_read_row(png, row, nullptr);
+    }
+    png_read_end(png, nullptr);
+    return true;
+}
+
+PixelFormat formatOf(int channels) {
+    constexpr std::array formats{PixelFormat::Luminance8, PixelFormat::LuminanceAlpha8, PixelFormat::Rgb8,
+                                 PixelFormat::Rgba8};
+    return formats[static_cast<std::size_t>(channels - 1)];
+}
+
+tl::unexpected<Error> failure(const Decoder& decoder) {
+    return malformed(decoder.error.empty() ? "libpng refused the file" : decoder.error);
+}
+
+Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimits& limits) {
+    Decoder decoder;
+    decoder.file = file;
+    decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, onError, onWarning);
+    decoder.info = decoder.png != nullptr ? png_create_info_struct(decoder.png) : nullptr;
+    if (decoder.info == nullptr)
+        return fail(ErrorCode::TooLarge, "PNG: there is no memory for the decoder");
+    if (!decoder.start(limits))
+        return failure(decoder);
+
+    const PixelFormat format = formatOf(png_get_channels(decoder.png, decoder.info));
+    const std::uint64_t needed = std::uint64_t{found.header.width} * found.header.height *
+                                 static_cast<std::uint64_t>(bytesPerPixel(format));
+    if (needed > limits.maxBytes)
+        return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(limits.maxBytes) +
+                                             " bytes of pixels are read, the file has " +
+                                             std::to_string(needed));
+    Image image{format, static_cast<int>(found.header.width), static_cast<int>(found.header.height), 1, {}};
+    if (png_get_rowbytes(decoder.png, decoder.info) != image.rowBytes())
+        return malformed("libpng's rows have " + std::to_string(png_get_rowbytes(decoder.png, decoder.info)) +
+                         " bytes, expected " + std::to_string(image.rowBytes()));
+    if (limits.pixels) {
+        image.pixels.resize(image.byteCount());
+        if (!decoder.readPixels(image.at(0, image.height - 1).data(), image.rowBytes(), found.header.height))
+            return failure(decoder);
+    }
+
+    TextureImage texture = textureOf(std::move(image), "PNG");
+    texture.srgb = png_get_valid(decoder.png, decoder.info, PNG_INFO_sRGB) != 0;
+    texture.notes = std::move(decoder.notes);
+    if (found.animated)
+        texture.notes.emplace_back("the file is an animation; its first picture is read");
+    if (found.end != 0 && found.end < file.size())
+        texture.notes.push_back(byteCountText(file.size() - found.end) + " behind the end (IEND) left out");
+    return texture;
+}
+
+} // namespace
+
+Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits) {
+    try {
+        if (file.empty())
+            return malformed("the file is empty");
+        if (!hasPngSignature(file))
+            return malformed("the file does not begin with PNG's signature of 8 bytes");
+        if (file.size() < pngHeaderEnd)
+            return malformed("the header needs " + std::to_string(pngHeaderEnd) + " bytes, the file has " +
+                             std::to_string(file.size()));
+        if (!beginsWithPngHeader(file))
+            return malformed("the first chunk is not an IHDR of 13 bytes");
+        const Survey found = survey(file);
+        if (const Result<void> checked = checkSurvey(found, file, limits); !checked)
+            return fail(checked.error());
+        return decode(file, found, limits);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge, "PNG: there is no memory for the pixels");
+    }
+}
+
+} // namespace texplorer

@@ -1,0 +1,364 @@
+#include "core/base/byte_reader.h"
+#include "core/codec/tga/tga.h"
+#include "core/codec/tga/tga_format.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace texplorer {
+
+namespace {
+
+using namespace tga;
+
+constexpr std::size_t mostEntries = 256; // of a colour map, one field each
+constexpr std::size_t mostPackets = 64;
+constexpr std::size_t mostTags = 64; // of the developer directory
+
+using Fields = std::vector<Field>;
+
+Field section(std::string name, std::size_t offset, std::size_t size, std::string value = {},
+              std::string meaning = {}, std::string wrong = {}) {
+    return {offset, size, std::move(name), std::move(value), std::move(meaning), std::move(wrong), 0};
+}
+
+Field field(std::string name, std::size_t offset, std::size_t size, std::string value,
+            std::string meaning = {}, std::string wrong = {}) {
+    return {offset, size, std::move(name), std::move(value), std::move(meaning), std::move(wrong), 1};
+}
+
+std::string beyond(std::size_t offset, std::size_t size, std::size_t fileSize) {
+    if (offset <= fileSize && size <= fileSize - offset)
+        return {};
+    return "ends at offset " + std::to_string(offset + size) + ", the file has " + countOf(fileSize);
+}
+
+// Text up to its first NUL; what can't be printed as a dot.
+std::string text(ByteView bytes) {
+    std::string shown = "\"";
+    for (const std::byte byte : bytes) {
+        const auto c = std::to_integer<unsigned char>(byte);
+        if (c == 0)
+            break;
+        shown += c >= ' ' && c < 127 ? static_cast<char>(c) : '.';
+    }
+    return shown + "\"";
+}
+
+Fields describeHeader(ByteView file, const Header& header) {
+    Fields fields{section("Header", 0, Header::headerBytes)};
+    for (const HeaderRow& row : headerRows()) {
+        if (row.offset + row.size > file.size())
+            break;
+        const std::optional<Complaint> complaint = row.complaint(header);
+        fields.push_back(field(std::string(row.name), row.offset, row.size, row.value(header),
+                               row.meaning(header), complaint ? complaint->text : ""));
+    }
+    return fields;
+}
+
+//   "red 255, green 0, blue 0, alpha 1"
+std::string describeEntry(ByteView entry, int bits) {
+    std::array<unsigned, 4> bgra{};
+    if (entry.size() == 2) {
+        const unsigned value = std::to_integer<unsigned>(entry[0]) | std::to_integer<unsigned>(entry[1]) << 8;
+        bgra = {value & 31, value >> 5 & 31, value >> 10 & 31, value >> 15};
+    } else {
+        for (std::size_t i = 0; i < entry.size(); ++i)
+            bgra[i] = std::to_integer<unsigned>(entry[i]);
+    }
+    std::string shown = "red " + std::to_string(bgra[2]) + ", green " + std::to_string(bgra[1]) + ", blue " +
+                        std::to_string(bgra[0]);
+    if (bits == 16 || bits == 32)
+        shown += ", alpha " + std::to_string(bgra[3]);
+    return shown + (entry.size() == 2 ? " of 31" : "");
+}
+
+Fields describeColorMap(ByteView file, const Header& header) {
+    if (header.mapBytes() == 0)
+        return {};
+    const std::size_t size = header.entryBytes();
+    Fields fields{section("Color Map Data", header.mapOffset(), header.mapBytes(),
+                          std::to_string(header.mapLength) + " entries of " +
+                              std::to_string(header.entryBits) + " bits",
+                          header.mapped() ? "the colours" : "not used by this picture",
+                          beyond(header.mapOffset(), header.mapBytes(), file.size()))};
+    for (std::size_t i = 0; i < std::min<std::size_t>(header.mapLength, mostEntries); ++i) {
+        const std::size_t offset = header.mapOffset() + i * size;
+        if (size > 4 || !beyond(offset, size, file.size()).empty())
+            break;
+        fields.push_back(field("Entry " + std::to_string(header.firstEntry + i), offset, size,
+                               describeEntry(file.subspan(offset, size), header.entryBits)));
+    }
+    return fields;
+}
+
+struct Packets {
+    Fields first;
+    std::size_t bytes = 0;
+    std::size_t count = 0;
+    std::size_t pixels = 0;
+    std::size_t crossing = 0; // the end of a row
+    bool cut = false;
+};
+
+// Walks all packets, as damage may be in the last, and describes the first.
+Packets walkPackets(ByteView data, const Header& header) {
+    Packets packets;
+    while (packets.pixels < header.pixelCount() && packets.bytes < data.size()) {
+        const auto head = std::to_integer<unsigned>(data[packets.bytes]);
+        const std::size_t pixels = (head & 127) + 1;
+        const std::size_t size = 1 + header.pixelBytes() * (head >= 128 ? 1 : pixels);
+        const std::size_t column = packets.pixels % header.width;
+        const bool crosses = column + pixels > header.width;
+        const bool cut = size > data.size() - packets.bytes;
+        if (packets.count < mostPackets || cut)
+            packets.first.push_back(field(
+                "Packet " + std::to_string(packets.count), header.pixelOffset() + packets.bytes, size,
+                std::to_string(pixels) + (head >= 128 ? " times the same pixel" : " raw pixels"),
+                "from column " + std::to_string(column) + " of row " +
+                    std::to_string(packets.pixels / header.width),
+                cut ? "needs " + countOf(size) + ", " + countOf(data.size() - packets.bytes) + " are left"
+                : crosses ? "runs beyond the end of its row, which version 2 forbids"
+                          : ""));
+        packets.cut = cut;
+        if (cut)
+            break;
+        packets.bytes += size;
+        packets.pixels += pixels;
+        packets.crossing += crosses ? 1 : 0;
+        ++packets.count;
+    }
+    return packets;
+}
+
+Fields describePackets(ByteView data, const Header& header, std::string& damage) {
+    Packets packets = walkPackets(data, header);
+    const std::size_t needed = header.pixelCount();
+    std::string wrong;
+    if (packets.pixels < needed) {
+        const std::string got = std::to_string(packets.pixels) + " of " + std::to_string(needed) + " pixels";
+        wrong = "ends after " + got;
+        damage = "the packets end at offset " + std::to_string(header.pixelOffset() + packets.bytes) +
+                 ", after " + got;
+    } else if (packets.crossing > 0) {
+        wrong = std::to_string(packets.crossing) + " packets run beyond the end of a row";
+    }
+    Fields fields{section("Image Data", header.pixelOffset(), packets.bytes,
+                          std::to_string(packets.count) + " packets",
+                          std::to_string(needed) + " pixels, run-length coded", wrong)};
+    std::ranges::move(packets.first, std::back_inserter(fields));
+    return fields;
+}
+
+Fields describePixels(ByteView data, const Header& header, std::string& damage) {
+    const std::size_t size = header.pixelCount() * header.pixelBytes();
+    std::string wrong;
+    if (data.size() < size) {
+        wrong = "needs " + countOf(size) + ", there are " + std::to_string(data.size());
+        damage = "pixel data needs " + countOf(size) + " from offset " +
+                 std::to_string(header.pixelOffset()) + ", there are " + std::to_string(data.size());
+    }
+    return {section("Image Data", header.pixelOffset(), size, std::to_string(header.pixelCount()) + " pixels",
+                    "rows from the " + std::string(header.topFirst() ? "top" : "bottom") +
+                        ", each from the " + (header.rightToLeft() ? "right" : "left"),
+                    wrong)};
+}
+
+Fields describeImageData(ByteView data, const Header& header, std::string& damage) {
+    if (header.pixelCount() == 0 || header.pixelBytes() == 0 || header.pixelBytes() > 4)
+        return {};
+    return header.runLengthCoded() ? describePackets(data, header, damage)
+                                   : describePixels(data, header, damage);
+}
+
+std::string pair(ByteReader& reader, std::string_view separator) {
+    const std::string first = std::to_string(reader.u16());
+    return first + std::string(separator) + std::to_string(reader.u16());
+}
+
+std::string ratio(ByteReader& reader) {
+    const int above = reader.u16();
+    const int below = reader.u16();
+    return below == 0 ? "not given" : std::to_string(above) + " / " + std::to_string(below);
+}
+
+// "2026-11-21 12:05:00"; the file has month, day, year, hour, minute, second.
+std::string dateTime(ByteReader& reader) {
+    std::array<std::string, 6> numbers;
+    for (std::string& number : numbers) {
+        number = std::to_string(reader.u16());
+        if (number.size() < 2)
+            number.insert(0, "0");
+    }
+    return numbers[2] + "-" + numbers[0] + "-" + numbers[1] + " " + numbers[3] + ":" + numbers[4] + ":" +
+           numbers[5];
+}
+
+std::string elapsed(ByteReader& reader) {
+    const std::string hours = std::to_string(reader.u16());
+    return hours + " h, " + pair(reader, " min, ") + " s";
+}
+
+std::string version(ByteReader& reader) {
+    const unsigned number = reader.u16();
+    const char letter = static_cast<char>(reader.u8());
+    std::string shown =
+        std::to_string(number / 100) + "." + std::to_string(number / 10 % 10) + std::to_string(number % 10);
+    return letter > ' ' && letter < 127 ? shown + letter : shown;
+}
+
+std::string keyColor(ByteReader& reader) {
+    std::array<std::string, 4> bgra;
+    for (std::string& component : bgra)
+        component = std::to_string(reader.u8());
+    return "red " + bgra[2] + ", green " + bgra[1] + ", blue " + bgra[0] + ", alpha " + bgra[3];
+}
+
+std::string number16(ByteReader& reader) {
+    return std::to_string(reader.u16());
+}
+
+std::string offset32(ByteReader& reader) {
+    const std::uint32_t offset = reader.u32();
+    return offset == 0 ? "0 (none)" : std::to_string(offset);
+}
+
+std::string characters(ByteReader& reader, std::size_t size) {
+    return text(reader.take(size));
+}
+
+std::string_view attributesMeaning(int type) {
+    constexpr std::array<std::string_view, 5> meanings{"no alpha", "undefined, can be ignored",
+                                                       "undefined, should be kept", "useful alpha",
+                                                       "premultiplied alpha"};
+    return type < static_cast<int>(meanings.size()) ? meanings[static_cast<std::size_t>(type)]
+                                                    : std::string_view{"reserved"};
+}
+
+Fields describeExtension(ByteView file, const Footer& footer) {
+    const std::size_t begin = footer.extensionOffset;
+    if (begin == 0 || begin >= file.size())
+        return {}; // the footer's field says that it is wrong
+    ByteReader reader(file.subspan(begin));
+    Fields fields{
+        section("Extension Area", begin, extensionBytes, {}, {}, beyond(begin, extensionBytes, file.size()))};
+    const auto add = [&](std::string_view name, auto read, std::string meaning = {}) {
+        const std::size_t offset = reader.position();
+        std::string value = read(reader);
+        if (!reader.truncated())
+            fields.push_back(field(std::string(name), begin + offset, reader.position() - offset,
+                                   std::move(value), meaning));
+    };
+    const auto chars = [](std::size_t size) { return [size](ByteReader& r) { return characters(r, size); }; };
+    add("Extension Size", number16, "bytes, 495 in version 2.0");
+    if (fields.size() > 1 && fields.back().value != std::to_string(extensionBytes))
+        fields.back().wrong = "expected 495";
+    add("Author Name", chars(41));
+    for (const int line : {1, 2, 3, 4})
+        add("Author Comments, line " + std::to_string(line), chars(81));
+    add("Date/Time Stamp", dateTime, "when it was saved");
+    add("Job Name/ID", chars(41));
+    add("Job Time", elapsed, "worked on it");
+    add("Software ID", chars(41));
+    add("Software Version", version);
+    add("Key Color", keyColor, "the background's");
+    add("Pixel Aspect Ratio", ratio, "width / height");
+    add("Gamma Value", ratio);
+    add("Color Correction Offset", offset32);
+    add("Postage Stamp Offset", offset32);
+    add("Scan Line Offset", offset32);
+    add(
+        "Attributes Type", [](ByteReader& r) { return std::to_string(r.u8()); }, "what alpha means");
+    if (Field& last = fields.back(); last.name == "Attributes Type") {
+        const int type = std::to_integer<int>(file[last.offset]);
+        last.meaning = attributesMeaning(type);
+        if (type > 4)
+            last.wrong = "expected 0 to 4";
+    }
+    return fields;
+}
+
+Fields describeDeveloper(ByteView file, const Footer& footer) {
+    const std::size_t begin = footer.developerOffset;
+    if (begin == 0 || begin >= file.size())
+        return {};
+    ByteReader reader(file.subspan(begin));
+    const std::size_t tags = reader.u16();
+    Fields fields{section("Developer Directory", begin, 2 + 10 * tags, std::to_string(tags) + " tags", {},
+                          beyond(begin, 2 + 10 * tags, file.size()))};
+    for (std::size_t i = 0; i < std::min(tags, mostTags); ++i) {
+        const std::size_t offset = begin + reader.position();
+        const std::string tag = number16(reader);
+        const std::size_t where = reader.u32();
+        const std::size_t size = reader.u32();
+        if (reader.truncated())
+            break;
+        fields.push_back(field("Tag " + tag, offset, 10,
+                               countOf(size) + " at offset " + std::to_string(where),
+                               "for the program that knows it", beyond(where, size, file.size())));
+    }
+    return fields;
+}
+
+std::string wrongOffset(std::size_t offset, std::size_t fileSize) {
+    if (offset != 0 && (offset < Header::headerBytes || offset >= fileSize - Footer::bytes))
+        return "expected 0 or an offset between header and footer (18 to " +
+               std::to_string(fileSize - Footer::bytes) + ")";
+    return {};
+}
+
+Fields describeFooter(ByteView file, const Footer& footer) {
+    const std::size_t begin = file.size() - Footer::bytes;
+    const auto shown = [](std::uint32_t offset) { return offset == 0 ? "0 (none)" : std::to_string(offset); };
+    return {section("Footer", begin, Footer::bytes, {}, "this is version 2"),
+            field("Extension Area Offset", begin, 4, shown(footer.extensionOffset), {},
+                  wrongOffset(footer.extensionOffset, file.size())),
+            field("Developer Directory Offset", begin + 4, 4, shown(footer.developerOffset), {},
+                  wrongOffset(footer.developerOffset, file.size())),
+            field("Signature", begin + 8, 16, text(file.subspan(begin + 8, 16))),
+            field("Reserved Character", begin + 24, 1, "\".\""),
+            field("Binary Zero String Terminator", begin + 25, 1, "0")};
+}
+
+} // namespace
+
+Anatomy dissectTga(ByteView file) {
+    const Header header = readHeader(file);
+    const std::optional<Footer> footer = readFooter(file);
+    Anatomy anatomy{"TGA", {}, {}};
+    std::vector<Fields> sections;
+    const auto add = [&](Fields fields) {
+        if (!fields.empty())
+            sections.push_back(std::move(fields));
+    };
+    add(describeHeader(file, header));
+    if (file.size() < Header::headerBytes) {
+        anatomy.damage = "the header needs 18 bytes, the file has " + std::to_string(file.size());
+    } else {
+        if (header.idLength > 0)
+            add({section(
+                "Image ID", Header::headerBytes, header.idLength,
+                text(file.subspan(Header::headerBytes,
+                                  std::min<std::size_t>(header.idLength, file.size() - Header::headerBytes))),
+                {}, beyond(Header::headerBytes, header.idLength, file.size()))});
+        add(describeColorMap(file, header));
+        if (header.pixelOffset() > file.size())
+            anatomy.damage = "the image ID and the colour map end at offset " +
+                             std::to_string(header.pixelOffset()) + ", the file has " + countOf(file.size());
+        else
+            add(describeImageData(pixelData(file, header, footer), header, anatomy.damage));
+    }
+    if (footer) {
+        add(describeDeveloper(file, *footer));
+        add(describeExtension(file, *footer));
+        add(describeFooter(file, *footer));
+    }
+    std::ranges::stable_sort(sections, {}, [](const Fields& fields) { return fields.front().offset; });
+    for (Fields& fields : sections)
+        std::ranges::move(fields, std::back_inserter(anatomy.fields));
+    return anatomy;
+}
+
+} // namespace texplorer

@@ -1,0 +1,234 @@
+#include "core/codec/tga/tga_format.h"
+
+#include "core/base/byte_reader.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::tga {
+
+namespace {
+
+using Check = std::optional<Complaint>;
+
+Check malformed(const std::string& expected, int found) {
+    return Complaint{Severity::Malformed, "expected " + expected + ", found " + std::to_string(found)};
+}
+
+Check fine(const Header&) {
+    return {};
+}
+
+bool isColorDepth(int bits) {
+    return bits == 15 || bits == 16 || bits == 24 || bits == 32;
+}
+
+std::string describeType(const Header& header) {
+    switch (header.imageType) {
+    case 0:
+        return "no picture";
+    case 1:
+        return "colour-mapped";
+    case 2:
+        return "true colour";
+    case 3:
+        return "grey";
+    case 9:
+        return "colour-mapped, run-length coded";
+    case 10:
+        return "true colour, run-length coded";
+    case 11:
+        return "grey, run-length coded";
+    case 32:
+        return "colour-mapped; Huffman, delta and run-length coded";
+    case 33:
+        return "colour-mapped; Huffman, delta and run-length coded, as a quadtree";
+    default:
+        return "unknown";
+    }
+}
+
+Check checkMapType(const Header& header) {
+    if (header.mapped() && header.colorMapType != 1)
+        return malformed("1, as the picture is colour-mapped", header.colorMapType);
+    if (header.colorMapType > 1)
+        return malformed("0 (no colour map) or 1 (a colour map)", header.colorMapType);
+    return {};
+}
+
+Check checkType(const Header& header) {
+    const int type = header.imageType;
+    if (type == 32 || type == 33)
+        return Complaint{Severity::Unsupported, "types 1, 2, 3, 9, 10 and 11 are read, the file has " +
+                                                    std::to_string(type) + ": " + describeType(header)};
+    if (type == 0 || describeType(header) == "unknown")
+        return malformed("type 1, 2, 3, 9, 10 or 11", type);
+    return {};
+}
+
+Check checkUnusedMapField(const Header& header, int value) {
+    if (header.colorMapType == 0 && value != 0)
+        return Complaint{Severity::Odd, "expected 0 without a colour map, found " + std::to_string(value)};
+    return {};
+}
+
+Check checkMapLength(const Header& header) {
+    if (header.mapped() && header.mapLength == 0)
+        return malformed("at least 1 entry of the colour map", 0);
+    return checkUnusedMapField(header, header.mapLength);
+}
+
+Check checkEntrySize(const Header& header) {
+    if (header.colorMapType == 0 || (header.mapLength == 0 && !header.mapped()))
+        return checkUnusedMapField(header, header.entryBits);
+    if (!isColorDepth(header.entryBits))
+        return malformed("15, 16, 24 or 32 bits an entry", header.entryBits);
+    return {};
+}
+
+Check checkExtent(int extent) {
+    return extent == 0 ? malformed("at least 1 pixel", 0) : Check{};
+}
+
+Check checkDepth(const Header& header) {
+    const int bits = header.pixelBits;
+    if (header.mapped())
+        return bits == 8 || bits == 15 || bits == 16
+                   ? Check{}
+                   : malformed("8, 15 or 16 bits for a colour map's index", bits);
+    if (header.gray())
+        return bits == 8 || bits == 16 ? Check{} : malformed("8 or 16 bits for grey", bits);
+    return isColorDepth(bits) ? Check{} : malformed("15, 16, 24 or 32 bits for true colour", bits);
+}
+
+Check checkDescriptor(const Header& header) {
+    if (header.interleave() != 0)
+        return Complaint{Severity::Unsupported, "rows one after the other are read, these are interleaved (" +
+                                                    std::to_string(header.interleave()) +
+                                                    " in bits 6 and 7)"};
+    const int bits = header.attributeBits();
+    if (bits != 0 && bits != header.alphaBits())
+        return Complaint{
+            Severity::Odd,
+            "expected " +
+                (header.alphaBits() == 0 ? std::string("0") : "0 or " + std::to_string(header.alphaBits())) +
+                " attribute bits, found " + std::to_string(bits)};
+    return {};
+}
+
+std::string describeDescriptor(const Header& header) {
+    std::string text = std::to_string(header.attributeBits()) + " attribute bits, first pixel at the ";
+    text += header.topFirst() ? "top " : "bottom ";
+    text += header.rightToLeft() ? "right" : "left";
+    return header.interleave() == 0 ? text : text + ", interleaved rows";
+}
+
+std::string bitsOf(int value) {
+    constexpr char digits[] = "0123456789abcdef";
+    return std::string("0x") + digits[value >> 4] + digits[value & 15];
+}
+
+template<auto Member>
+std::string number(const Header& header) {
+    return std::to_string(header.*Member);
+}
+
+constexpr std::array rows{
+    HeaderRow{0, 1, "ID Length", number<&Header::idLength>,
+              [](const Header&) -> std::string { return "bytes of the image ID, which follows the header"; },
+              fine},
+    HeaderRow{1, 1, "Color Map Type", number<&Header::colorMapType>,
+              [](const Header& h) -> std::string {
+                  return h.colorMapType == 0   ? "no colour map"
+                         : h.colorMapType == 1 ? "a colour map"
+                                               : "unknown";
+              },
+              checkMapType},
+    HeaderRow{2, 1, "Image Type", number<&Header::imageType>, describeType, checkType},
+    HeaderRow{3, 2, "First Entry Index", number<&Header::firstEntry>,
+              [](const Header&) -> std::string { return "the index of the first entry that is stored"; },
+              [](const Header& h) { return checkUnusedMapField(h, h.firstEntry); }},
+    HeaderRow{5, 2, "Color map Length", number<&Header::mapLength>,
+              [](const Header&) -> std::string { return "entries that are stored"; }, checkMapLength},
+    HeaderRow{7, 1, "Color map Entry Size", number<&Header::entryBits>,
+              [](const Header&) -> std::string { return "bits an entry"; }, checkEntrySize},
+    HeaderRow{8, 2, "X-origin of Image", number<&Header::xOrigin>,
+              [](const Header&) -> std::string { return "left edge on the screen"; }, fine},
+    HeaderRow{10, 2, "Y-origin of Image", number<&Header::yOrigin>,
+              [](const Header&) -> std::string { return "lower edge on the screen"; }, fine},
+    HeaderRow{12, 2, "Image Width", number<&Header::width>,
+              [](const Header&) -> std::string { return "pixels a row"; },
+              [](const Header& h) { return checkExtent(h.width); }},
+    HeaderRow{14, 2, "Image Height", number<&Header::height>,
+              [](const Header&) -> std::string { return "rows"; },
+              [](const Header& h) { return checkExtent(h.height); }},
+    HeaderRow{16, 1, "Pixel Depth", number<&Header::pixelBits>,
+              [](const Header& h) -> std::string { return h.mapped() ? "bits an index" : "bits a pixel"; },
+              checkDepth},
+    HeaderRow{17, 1, "Image Descriptor", [](const Header& h) { return bitsOf(h.descriptor); },
+              describeDescriptor, checkDescriptor},
+};
+
+static_assert(rows.size() == 12 && rows.back().offset + rows.back().size == Header::headerBytes);
+
+} // namespace
+
+int Header::alphaBits() const {
+    if (gray())
+        return pixelBits == 16 ? 8 : 0;
+    const int bits = mapped() ? entryBits : pixelBits;
+    return bits == 32 ? 8 : bits == 16 ? 1 : 0;
+}
+
+Header readHeader(ByteView file) {
+    ByteReader reader(file.first(std::min(file.size(), Header::headerBytes)));
+    Header header;
+    header.idLength = reader.u8();
+    header.colorMapType = reader.u8();
+    header.imageType = reader.u8();
+    header.firstEntry = reader.u16();
+    header.mapLength = reader.u16();
+    header.entryBits = reader.u8();
+    header.xOrigin = reader.u16();
+    header.yOrigin = reader.u16();
+    header.width = reader.u16();
+    header.height = reader.u16();
+    header.pixelBits = reader.u8();
+    header.descriptor = reader.u8();
+    return header;
+}
+
+std::span<const HeaderRow> headerRows() {
+    return rows;
+}
+
+std::optional<Footer> readFooter(ByteView file) {
+    if (file.size() < Header::headerBytes + Footer::bytes)
+        return {};
+    ByteReader reader(file.last(Footer::bytes));
+    const Footer footer{reader.u32(), reader.u32()};
+    if (!std::ranges::equal(reader.take(Footer::signature.size()),
+                            std::as_bytes(std::span(Footer::signature))))
+        return {};
+    return footer;
+}
+
+ByteView findExtension(ByteView file, const std::optional<Footer>& footer) {
+    if (!footer || footer->extensionOffset < Header::headerBytes || file.size() < extensionBytes ||
+        footer->extensionOffset > file.size() - extensionBytes)
+        return {};
+    const ByteView area = file.subspan(footer->extensionOffset, extensionBytes);
+    return ByteReader(area).u16() >= extensionBytes ? area : ByteView{};
+}
+
+ByteView pixelData(ByteView file, const Header& header, const std::optional<Footer>& footer) {
+    const std::size_t end = footer ? file.size() - Footer::bytes : file.size();
+    return header.pixelOffset() < end ? file.subspan(header.pixelOffset(), end - header.pixelOffset())
+                                      : ByteView{};
+}
+
+std::string countOf(std::size_t bytes) {
+    return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+}
+
+} // namespace texplorer::tga

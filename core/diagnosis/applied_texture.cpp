@@ -1,0 +1,74 @@
+#include "core/diagnosis/applied_texture.h"
+
+#include "core/reference/sampling/lod.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer {
+
+namespace {
+
+using reference::SampledTexture;
+
+// llvmpipe reads a second coordinate that a line doesn't have.
+bool filtersLine(const Texture& texture, const SampledTexture& shape) {
+    return shape.target == Target::Texture1D && texture.maxAnisotropy > 1;
+}
+
+void withoutAnisotropy(Texture& texture) {
+    texture.maxAnisotropy = 1;
+}
+
+// Where lambda chooses between two filters and nothing else, and a shader biases it, llvmpipe has no level of
+// detail and reads it all the same.
+bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape) {
+    const bool oneLevel =
+        !reference::wantsMipmaps(texture.minFilter) || reference::lastMipLevel(shape) == shape.baseLevel;
+    return oneLevel && texture.maxAnisotropy > 1 &&
+           reference::isLinear(texture.minFilter) != (texture.magFilter == MagFilter::Linear);
+}
+
+// Its anisotropic filter averages over an ellipse, whatever the two are.
+void withOneFilter(Texture& texture) {
+    texture.magFilter = reference::isLinear(texture.minFilter) ? MagFilter::Linear : MagFilter::Nearest;
+}
+
+// Of Mesa 22.3; tests/render/sampler_matrix.cpp says whether that is all.
+constexpr std::array flaws{
+    DriverFlaw{"llvmpipe", filtersLine, withoutAnisotropy,
+               "llvmpipe ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "
+               "without anisotropy"},
+    DriverFlaw{"llvmpipe", choosesFilterAlone, withOneFilter, ""},
+};
+
+} // namespace
+
+std::span<const DriverFlaw> driverFlaws() {
+    return flaws;
+}
+
+AppliedTexture appliedTexture(const Texture& texture, SampledTexture shape, int lastLevel,
+                              const DriverFacts& driver) {
+    AppliedTexture applied{texture, {}, {}};
+    Texture& given = applied.texture;
+    given.baseLevel = std::max(0, given.baseLevel); // GL refuses another, and keeps 0
+    given.maxLevel = std::min(given.maxLevel, lastLevel);
+    // Section 3.8.8: the base level alone is read then, and where it is doesn't matter.
+    if (!reference::wantsMipmaps(given.minFilter))
+        given.maxLevel = std::max(given.maxLevel, given.baseLevel);
+    reference::setParameters(shape, given, lastLevel);
+    applied.completeness = reference::checkCompleteness(shape);
+    if (!applied.completeness.complete())
+        return applied;
+    for (const DriverFlaw& flaw : flaws) {
+        if (!driver.renderer.starts_with(flaw.driver) || !flaw.meets(given, shape))
+            continue;
+        flaw.avoid(given);
+        if (!flaw.sentence.empty())
+            applied.heldBack.push_back(flaw.sentence);
+    }
+    return applied;
+}
+
+} // namespace texplorer

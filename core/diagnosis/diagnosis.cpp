@@ -1,0 +1,143 @@
+#include "core/diagnosis/diagnosis.h"
+
+#include "core/diagnosis/applied_texture.h"
+#include "core/diagnosis/diagnosis_rules.h"
+#include "core/scene/params/params.h"
+
+#include <algorithm>
+
+namespace texplorer {
+
+namespace diagnosis {
+
+bool TextureFacts::hasTarget(Target target) const {
+    return as(target) != nullptr;
+}
+
+const TargetFacts* TextureFacts::as(Target target) const {
+    const auto found = std::ranges::find(targets, target, &TargetFacts::target);
+    return found == targets.end() ? nullptr : &*found;
+}
+
+const TextureFacts* Case::textureOf(const Unit& unit) const {
+    const bool exists = unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < textures.size();
+    return exists ? &textures[static_cast<std::size_t>(unit.texture)] : nullptr;
+}
+
+bool Case::works(const Unit& unit) const {
+    const TextureFacts* texture = textureOf(unit);
+    if (!unit.enabled || !texture || !texture->image)
+        return false;
+    const TargetFacts* facts = texture->as(unit.target);
+    return facts && facts->completeness.complete();
+}
+
+std::string at(std::string_view list, std::size_t index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+std::string unitPath(std::size_t pass, std::size_t unit) {
+    return at("passes", pass) + "." + at("units", unit) + ".";
+}
+
+TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
+                    const DriverFacts& driver) {
+    TargetFacts facts{target, planLevels(texture, image, target), {}, {}, texture.internalFormat};
+    // Completeness asks for extents alone: these levels have no texels.
+    reference::SampledTexture sampled;
+    sampled.target = target;
+    for (const PlannedLevel& each : facts.plan.levels) {
+        for (int face = 0; face < facesOf(target); ++face)
+            sampled.levelToFill(each.number,
+                                face) = {each.width, each.height, each.depth, facts.plan.border, {}};
+    }
+    if (facts.plan.blocks)
+        facts.format = reference::baseFormat(*facts.plan.blocks);
+    sampled.format = facts.format;
+    AppliedTexture applied = appliedTexture(texture, std::move(sampled), facts.plan.lastLevel, driver);
+    facts.completeness = std::move(applied.completeness);
+    facts.heldBack = std::move(applied.heldBack);
+    return facts;
+}
+
+namespace {
+
+std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images, const DriverFacts& driver) {
+    std::vector<TextureFacts> all(scene.textures.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Texture& texture = scene.textures[i];
+        TextureFacts& facts = all[i];
+        facts.image = images.find(texture);
+        if (facts.image && (facts.image->surfaces.empty() || byteCount(facts.image->surfaces.front()) == 0))
+            facts.image = nullptr;
+        const auto binds = [&](const Unit& unit) { return unit.texture == static_cast<int>(i); };
+        forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
+            facts.shown |= binds(unit) && unit.enabled;
+        });
+        static const TextureImage none;
+        const TextureImage& image = facts.image ? *facts.image : none;
+        forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
+            if (binds(unit) && unit.enabled == facts.shown && !facts.hasTarget(unit.target))
+                facts.targets.push_back(factsAs(unit.target, texture, image, driver));
+        });
+        if (facts.targets.empty())
+            facts.targets.push_back(factsAs(Target::Texture2D, texture, image, driver));
+    }
+    return all;
+}
+
+} // namespace
+} // namespace diagnosis
+
+std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, const DriverFacts& driver) {
+    using namespace diagnosis;
+    const Case about{scene, driver, factsOf(scene, images, driver)};
+    std::vector<Finding> findings;
+    Report report(findings);
+    for (const std::span<const Rule> rules :
+         {textureRules(), unitRules(), combineRules(), passRules(), lightRules(), textureEffectRules()}) {
+        for (const Rule& rule : rules) {
+            report.begin(rule.name, rule.severity, rule.drawnOtherwise);
+            rule.find(about, report);
+        }
+    }
+    std::ranges::stable_sort(findings, {}, &Finding::severity);
+    return findings;
+}
+
+Result<void> apply(const Fix& fix, Scene& scene) {
+    Scene mended = scene;
+    for (const Assignment& each : fix.assignments) {
+        if (const Result<void> set = setParam(mended, each.path, each.value); !set)
+            return fail(set.error());
+    }
+    scene = std::move(mended);
+    return {};
+}
+
+bool isPartOf(std::string_view path, std::string_view whole) {
+    return path.starts_with(whole) &&
+           (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
+}
+
+const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path) {
+    const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
+        return each.severity <= Severity::Warning && isPartOf(each.path, path);
+    });
+    return found == findings.end() ? nullptr : &*found;
+}
+
+const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path) {
+    const auto isMending = [&](const Finding& each) { // what would give the rest an effect has one itself
+        return std::ranges::any_of(each.fixes, [&](const Fix& fix) {
+            return std::ranges::any_of(fix.assignments,
+                                       [&](const Assignment& set) { return set.path == path; });
+        });
+    };
+    const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
+        return each.severity >= Severity::Hint && isPartOf(path, each.path) && !isMending(each);
+    });
+    return found == findings.end() ? nullptr : &*found;
+}
+
+} // namespace texplorer

@@ -1,0 +1,172 @@
+// Which settings of a texture object change nothing at present.
+
+#include "core/image/border.h"
+#include "core/image/power_of_two.h"
+#include "core/reference/sampling/lod.h"
+#include "core/diagnosis/diagnosis_rules.h"
+
+#include <algorithm>
+
+namespace texplorer::diagnosis {
+namespace {
+
+/// A setting and why it changes nothing: an empty reason says that it does.
+struct Setting {
+    std::string_view key;
+    std::string (*reason)(const Texture& texture, const TextureFacts& facts);
+};
+
+/// Section 3.8.7: GL_CLAMP leaves the image by half a texel, which a linear filter alone sees.
+bool showsBorder(const Texture& texture, Wrap wrap) {
+    return wrap == Wrap::ClampToBorder || (wrap == Wrap::Clamp && (texture.magFilter == MagFilter::Linear ||
+                                                                   reference::isLinear(texture.minFilter)));
+}
+
+std::string noFlip(const Texture& texture, const TextureFacts& facts) {
+    if (texture.source == SourceKind::Pattern)
+        return "a built-in pattern is upright";
+    const auto isCube = [](const TargetFacts& each) { return each.target == Target::CubeMap; };
+    if (std::ranges::any_of(facts.targets, isCube)) // whose rows begin at the top
+        return facts.image && facts.image->fileTopFirst && std::ranges::all_of(facts.targets, isCube)
+                   ? "the file begins with the top row, as the faces of a cube map do"
+                   : "";
+    if (facts.image && !facts.image->fileTopFirst)
+        return "the file begins with the bottom row, as OpenGL does";
+    return {};
+}
+
+std::string noInternalFormat(const Texture&, const TextureFacts& facts) {
+    const bool compressed = std::ranges::all_of(
+        facts.targets, [](const TargetFacts& each) { return each.plan.blocks.has_value(); });
+    return compressed ? "a compressed texture has a format of its own" : "";
+}
+
+std::string noScaling(const Texture&, const TextureFacts& facts) {
+    if (!facts.image)
+        return {};
+    const Surface& base = facts.image->surfaces.front();
+    return arePowersOfTwo(widthOf(base), heightOf(base), depthOf(base)) ? "the image's size is a power of two"
+                                                                        : "";
+}
+
+std::string noWrapT(const Texture&, const TextureFacts& facts) {
+    const bool line = std::ranges::all_of(
+        facts.targets, [](const TargetFacts& each) { return each.target == Target::Texture1D; });
+    return line ? "a 1D texture has only s" : "";
+}
+
+std::string noWrapR(const Texture&, const TextureFacts& facts) {
+    return facts.hasTarget(Target::Texture3D)
+               ? ""
+               : "only a 3D texture has r; the unit's target is " + nameOf(facts.targets.front().target);
+}
+
+std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
+    const bool shown = showsBorder(texture, texture.wrapS) ||
+                       (showsBorder(texture, texture.wrapT) && noWrapT(texture, facts).empty()) ||
+                       (showsBorder(texture, texture.wrapR) && facts.hasTarget(Target::Texture3D));
+    return shown ? ""
+                 : "no wrap mode shows the border; " + nameOf(Wrap::ClampToBorder) + " does, and " +
+                       nameOf(Wrap::Clamp) + " under a linear filter";
+}
+
+/// Where the border is cut off the image, the image is another one.
+std::string noBorder(const Texture& texture, const TextureFacts& facts) {
+    const bool cuts = facts.image && std::ranges::any_of(facts.targets, [&](const TargetFacts& each) {
+                          const Surface& base = facts.image->surfaces.front();
+                          const int axes = axesOf(each.target);
+                          return texture.mipmaps != MipPolicy::FromFile &&
+                                 hasBorderExtents(widthOf(base), heightOf(base), depthOf(base), axes);
+                      });
+    return cuts ? "" : noBorderColor(texture, facts);
+}
+
+std::string noMipmaps(const Texture& texture, const TextureFacts&) {
+    return reference::wantsMipmaps(texture.minFilter) ? "" : nameOf(texture.minFilter) + " reads no mipmaps";
+}
+
+/// Without mipmaps λ decides only which of the two filters is taken.
+std::string noLod(const Texture& texture, const TextureFacts&) {
+    const bool same =
+        static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter);
+    return same ? nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same" : "";
+}
+
+constexpr std::array settings{
+    Setting{"flip", noFlip},        Setting{"internalFormat", noInternalFormat},
+    Setting{"npot", noScaling},     Setting{"wrapT", noWrapT},
+    Setting{"wrapR", noWrapR},      Setting{"borderColor", noBorderColor},
+    Setting{"border", noBorder},    Setting{"mipFilter", noMipmaps},
+    Setting{"mipGamma", noMipmaps}, Setting{"maxLevel", noMipmaps},
+    Setting{"minLod", noLod},       Setting{"maxLod", noLod},
+};
+
+void noEffect(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        for (const Setting& setting : settings) {
+            std::string reason = setting.reason(about.scene.textures[i], about.textures[i]);
+            if (!reason.empty())
+                report.add(at("textures", i) + "." + std::string(setting.key), std::move(reason));
+        }
+    }
+}
+
+/// A border of texels stands where the border colour would (below equation 3.23).
+void ownBorder(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        if (about.scene.textures[i].border != 0 && about.driver.textureBorders)
+            report.add(at("textures", i) + ".borderColor", "the texture has a border of its own texels");
+    }
+}
+
+void notShown(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        if (about.textures[i].shown)
+            continue;
+        std::vector<Fix> fixes;
+        forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+            if (fixes.empty() && !unit.enabled && unit.texture == static_cast<int>(i))
+                fixes = {{"Switch the unit on", {{path + "enabled", "true"}}}};
+        });
+        report.add(at("textures", i), "no unit that is on shows this texture", std::move(fixes));
+    }
+}
+
+/// What belongs to another choice than the one that is made.
+void unused(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        const std::string path = at("textures", i) + ".";
+        const auto unless = [&](bool used, const char* key, const std::string& chosen) {
+            if (!used)
+                report.add(path + key, "it is not used with " + chosen);
+        };
+        unless(texture.source == SourceKind::Pattern, "pattern", nameOf(texture.source));
+        unless(texture.source == SourceKind::File, "file", nameOf(texture.source));
+        unless(texture.transparency == Transparency::Stencil, "stencilColor", nameOf(texture.transparency));
+        const bool cached = texture.compression == Compression::Cached;
+        unless(cached || texture.compression == Compression::Driver, "compressedFormat",
+               nameOf(texture.compression));
+        unless(cached, "compressionQuality", nameOf(texture.compression));
+        const bool averages =
+            texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
+        unless(averages, "mipFilter", nameOf(texture.mipmaps));
+        unless(averages, "mipGamma", nameOf(texture.mipmaps));
+        unless(texture.mipmaps != MipPolicy::FromFile, "npot", nameOf(texture.mipmaps));
+    }
+}
+
+constexpr std::array rules{
+    Rule{"texture-setting", Severity::Hint, noEffect},
+    Rule{"own-border", Severity::Hint, ownBorder},
+    Rule{"texture-not-shown", Severity::Hint, notShown},
+    Rule{"other-texture-choice", Severity::Unused, unused},
+};
+
+} // namespace
+
+std::span<const Rule> textureEffectRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

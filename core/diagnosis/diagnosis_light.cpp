@@ -1,0 +1,84 @@
+// Light and material: which of their settings reach no pixel.
+
+#include "core/diagnosis/color_flow.h"
+
+#include <algorithm>
+
+namespace texplorer::diagnosis {
+namespace {
+
+constexpr const char* blocked = "the texture units let nothing of the primary colour through";
+
+bool isBlack(const glm::vec4& color) {
+    return color.r == 0 && color.g == 0 && color.b == 0;
+}
+
+/// Why there is no highlight, whatever its other settings are; nullptr: there may be one.
+const char* whyDull(const Scene& scene) {
+    if (isBlack(scene.material.specular))
+        return "the material's specular colour is black";
+    return isBlack(scene.light.specular) ? "the light's specular colour is black" : nullptr;
+}
+
+/// Section 3.9: the colour sum adds the highlight after texturing.
+bool addsHighlight(const Scene& scene) {
+    return scene.light.colorControl == ColorControl::SeparateSpecular && !whyDull(scene);
+}
+
+void addAll(Report& report, std::initializer_list<const char*> paths, const char* reason) {
+    for (const char* path : paths)
+        report.add(path, reason);
+}
+
+void noColor(const Case& about, Report& report) {
+    if (std::ranges::none_of(about.scene.passes,
+                             [&](const Pass& pass) { return primaryInFragments(about, pass).any(); }))
+        report.add("material.color", blocked);
+}
+
+/// Alpha is the same with lighting and without it (section 2.14.1).
+void noLighting(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        if (!primaryInFragments(about, about.scene.passes[p]).rgb && !addsHighlight(about.scene))
+            report.add(at("passes", p) + ".lighting", blocked);
+    }
+}
+
+void noLight(const Case& about, Report& report) {
+    const Scene& scene = about.scene;
+    if (std::ranges::none_of(scene.passes, &Pass::lighting)) {
+        addAll(report, {"light", "material.specular", "material.shininess"}, "no pass has lighting");
+        report.add("material.shadeModel", "without lighting all vertices have the same colour");
+        return;
+    }
+    const char* dull = whyDull(scene);
+    if (dull)
+        addAll(report, {"light.colorControl"}, dull);
+    const bool shown = std::ranges::any_of(
+        scene.passes, [&](const Pass& pass) { return pass.lighting && primaryInFragments(about, pass).rgb; });
+    if (!shown)
+        addAll(report, {"light.ambient", "light.diffuse", "light.modelAmbient"}, blocked);
+    if (!shown && !addsHighlight(scene))
+        return addAll(report,
+                      {"light.position", "light.specular", "light.localViewer", "material.specular",
+                       "material.shininess", "material.shadeModel"},
+                      blocked);
+    if (dull) {
+        report.add(isBlack(scene.material.specular) ? "light.specular" : "material.specular", dull);
+        addAll(report, {"material.shininess", "light.localViewer"}, dull);
+    }
+}
+
+constexpr std::array rules{
+    Rule{"light", Severity::Hint, noLight},
+    Rule{"lighting", Severity::Hint, noLighting},
+    Rule{"color", Severity::Hint, noColor},
+};
+
+} // namespace
+
+std::span<const Rule> lightRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,209 @@
+// Passes and models.
+
+#include "core/diagnosis/diagnosis_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::diagnosis {
+namespace {
+
+template<class Visit> ///< visit(pass, "passes[0].", number)
+void forEachPass(const Scene& scene, Visit visit) {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p)
+        visit(scene.passes[p], at("passes", p) + ".", p);
+}
+
+void nothingPasses(const Case& about, Report& report) {
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        if (pass.alphaTest && pass.alphaFunc == CompareFunc::Never)
+            report.add(path + "alphaFunc",
+                       nameOf(pass.alphaFunc) + " lets no fragment through: this pass draws nothing",
+                       Fix{"Switch the alpha test off", {{path + "alphaTest", "false"}}});
+        if (pass.depthTest && pass.depthFunc == CompareFunc::Never)
+            report.add(path + "depthFunc",
+                       nameOf(pass.depthFunc) + " lets no fragment through: this pass draws nothing",
+                       Fix{"Set " + nameOf(CompareFunc::LessEqual),
+                           {{path + "depthFunc", nameOf(CompareFunc::LessEqual)}}});
+    });
+}
+
+/// The same triangles have the same depths in every pass (appendix A.2): none is less than itself.
+void hiddenPass(const Case& about, Report& report) {
+    bool drawn = false; // whether a pass before has written the depth of all that one sees
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        const bool strict = pass.depthFunc == CompareFunc::Less;
+        if (drawn && pass.depthTest && strict)
+            report.add(path + "depthFunc",
+                       "a pass before has drawn the same surfaces, and no depth is less than itself: this "
+                       "pass draws nothing",
+                       Fix{"Set " + nameOf(CompareFunc::LessEqual),
+                           {{path + "depthFunc", nameOf(CompareFunc::LessEqual)}}});
+        const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
+        drawn |= pass.depthTest && writes && !pass.alphaTest;
+    });
+}
+
+/// Whether models may hide each other, or themselves: a closed shape has a far side, and two flat ones stand
+/// one behind the other unless they share a plane.
+bool canHide(const std::vector<Model>& models) {
+    const Model* first = nullptr;
+    for (const Model& each : models) {
+        if (!each.visible)
+            continue;
+        if (each.shape != Shape::Quad && each.shape != Shape::Floor)
+            return true;
+        const int across = each.shape == Shape::Floor ? 1 : 2; // the axis that the flat shape is upright to
+        const bool turned = each.rotation != glm::vec3(0) || each.spin != glm::vec3(0);
+        if (first && (turned || each.shape != first->shape || each.rotation != first->rotation ||
+                      each.spin != first->spin || each.position[across] != first->position[across]))
+            return true;
+        first = &each;
+    }
+    return false;
+}
+
+/// GL's initial state draws the far side of a cube over its near side. What is blended has its own order.
+void noDepthTest(const Case& about, Report& report) {
+    if (!canHide(about.scene.models))
+        return;
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t p) {
+        const bool blends =
+            pass.blend && (pass.blendSrc != BlendFactor::One || pass.blendDst != BlendFactor::Zero);
+        if (pass.depthTest || blends)
+            return;
+        Fix fix{"Switch the depth test on", {{path + "depthTest", "true"}}};
+        if (p > 0) // no depth is less than that of a pass before
+            fix.assignments.push_back({path + "depthFunc", nameOf(CompareFunc::LessEqual)});
+        report.add(path + "depthTest", "there is no depth test: what is drawn last covers what is nearer",
+                   std::move(fix));
+    });
+}
+
+void noFragmentTest(const Case& about, Report& report) {
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        if (!pass.depthTest)
+            report.add(path + "depthFunc", "the depth test is off");
+        if (!pass.alphaTest) {
+            report.add(path + "alphaFunc", "the alpha test is off");
+            report.add(path + "alphaRef", "the alpha test is off");
+        } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
+            report.add(path + "alphaRef", nameOf(pass.alphaFunc) + " compares with nothing");
+        if (!pass.blend) {
+            report.add(path + "blendSrc", "blending is off");
+            report.add(path + "blendDst", "blending is off");
+        } else if (pass.blendSrc == BlendFactor::One && pass.blendDst == BlendFactor::Zero)
+            report.add(path + "blend", "with these factors the new colour replaces the old one, as without");
+    });
+}
+
+/// Coordinates that reach the texture: those of units that are on.
+void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const bool on = std::ranges::any_of(about.scene.passes,
+                                                [&](const Pass& pass) { return pass.units[u].enabled; });
+            const bool ownQ = std::ranges::any_of(about.scene.passes, [&](const Pass& pass) {
+                return pass.units[u].enabled && !pass.units[u].texGenQ.enabled;
+            });
+            if (!on)
+                continue;
+            const auto isBad = [&](const glm::vec4& each) {
+                const bool finite = std::isfinite(each.x) && std::isfinite(each.y) && std::isfinite(each.z) &&
+                                    std::isfinite(each.w);
+                return wantsInfinite ? !finite : finite && ownQ && each.w == 0;
+            };
+            const TexCoords& list = about.scene.models[m].texCoords[u];
+            const auto first = std::ranges::find_if(list, isBad);
+            if (first == list.end())
+                continue;
+            const std::string vertex = std::to_string(first - list.begin());
+            const auto others = std::count_if(first + 1, list.end(), isBad);
+            std::string sentence = wantsInfinite
+                                       ? "a coordinate of vertex " + vertex + " is infinite or no number"
+                                       : "q of vertex " + vertex + " is 0, and s, t and r are divided by it";
+            if (others > 0)
+                sentence += "; so it is with " + std::to_string(others) + " more";
+            report.add(at("models", m) + ".texCoords" + std::to_string(u) + "[" + vertex + "]",
+                       std::move(sentence));
+        }
+    }
+}
+
+void infiniteCoordinates(const Case& about, Report& report) {
+    badCoordinates(about, report, true);
+}
+
+void zeroQ(const Case& about, Report& report) {
+    badCoordinates(about, report, false);
+}
+
+void hiddenModel(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const std::string path = at("models", m);
+        if (!about.scene.models[m].visible)
+            report.add(path, "the model is hidden", Fix{"Show it", {{path + ".visible", "true"}}});
+    }
+}
+
+void unreadCoordinates(const Case& about, Report& report) {
+    const std::vector<Pass>& passes = about.scene.passes;
+    for (std::size_t u = 0; u < maxUnits; ++u) {
+        const bool off =
+            std::ranges::none_of(passes, [&](const Pass& pass) { return pass.units[u].enabled; });
+        const bool generated = std::ranges::all_of(passes, [&](const Pass& pass) {
+            const Unit& unit = pass.units[u];
+            return !unit.enabled || (unit.texGenS.enabled && unit.texGenT.enabled && unit.texGenR.enabled &&
+                                     unit.texGenQ.enabled);
+        });
+        for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
+            report.add(at("models", m) + ".texCoords" + std::to_string(u),
+                       "unit " + std::to_string(u) + (off ? " is off" : " generates all of its coordinates"));
+    }
+}
+
+void otherShape(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Shape shape = about.scene.models[m].shape;
+        if (shape == Shape::Sphere)
+            continue;
+        for (const char* key : {"slices", "stacks"})
+            report.add(at("models", m) + "." + key, "a " + nameOf(shape) + " has none");
+    }
+}
+
+void ignoredHint(const Case& about, Report& report) {
+    const View& view = about.scene.view;
+    if (view.perspectiveHint == HintMode::Fastest && view.projection == Projection::Perspective)
+        report.add("view.perspectiveHint",
+                   "fixed function may ignore this hint, and most drivers do; the shaders and the reference "
+                   "interpolate without perspective",
+                   Fix{"Correct the perspective", {{"view.perspectiveHint", nameOf(HintMode::Nicest)}}});
+}
+
+void nothingToCorrect(const Case& about, Report& report) {
+    if (about.scene.view.projection == Projection::Orthographic)
+        report.add("view.perspectiveHint", "an orthographic view has no perspective to correct");
+}
+
+constexpr std::array rules{
+    Rule{"infinite-coordinate", Severity::Error, infiniteCoordinates},
+    Rule{"zero-q-of-vertex", Severity::Warning, zeroQ},
+    Rule{"nothing-passes", Severity::Warning, nothingPasses},
+    Rule{"hidden-pass", Severity::Warning, hiddenPass},
+    Rule{"no-depth-test", Severity::Warning, noDepthTest},
+    Rule{"ignored-hint", Severity::Warning, ignoredHint},
+    Rule{"no-perspective", Severity::Hint, nothingToCorrect},
+    Rule{"fragment-test", Severity::Hint, noFragmentTest},
+    Rule{"hidden-model", Severity::Hint, hiddenModel},
+    Rule{"unread-coordinates", Severity::Hint, unreadCoordinates},
+    Rule{"other-shape", Severity::Unused, otherShape},
+};
+
+} // namespace
+
+std::span<const Rule> passRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,122 @@
+#pragma once
+
+// How the rules of the diagnosis are written: a row each, {name, severity, function}. Only diagnosis*.cpp
+// include this.
+
+#include "core/reference/sampling/completeness.h"
+#include "core/diagnosis/diagnosis.h"
+#include "core/texture/level_plan.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace texplorer::diagnosis {
+
+/// A texture as one target takes it.
+struct TargetFacts {
+    Target target = Target::Texture2D;
+    LevelPlan plan;
+    reference::Completeness completeness;
+    std::vector<std::string_view> heldBack; ///< what the driver is not given
+    BaseFormat format = BaseFormat::Rgba;   ///< that the environment sees
+};
+
+/// What the rules ask about a texture again and again.
+struct TextureFacts {
+    std::shared_ptr<const TextureImage> image; ///< nullptr: not loaded
+    bool shown = false;                        ///< by a unit that is on
+    /// The targets of the units that are on and show it; where there are none, of those that are off.
+    std::vector<TargetFacts> targets;
+
+    [[nodiscard]] bool hasTarget(Target target) const;
+    [[nodiscard]] const TargetFacts* as(Target target) const;
+};
+
+/// What `texture` is as one target takes it. Whether it is complete is no driver's concern.
+[[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
+                                  const DriverFacts& driver = {});
+
+struct Case {
+    const Scene& scene;
+    const DriverFacts& driver;
+    std::vector<TextureFacts> textures; ///< one for each of the scene's
+
+    /// The texture that a unit names, or nullptr where there is none.
+    [[nodiscard]] const TextureFacts* textureOf(const Unit& unit) const;
+    /// Whether a unit changes colours: it is on and its texture is there and complete.
+    [[nodiscard]] bool works(const Unit& unit) const;
+};
+
+/// Takes what a rule finds.
+class Report {
+public:
+    explicit Report(std::vector<Finding>& findings)
+        : findings_(findings) {}
+
+    void begin(std::string_view rule, Severity severity, bool drawnOtherwise) {
+        rule_ = rule;
+        severity_ = severity;
+        drawnOtherwise_ = drawnOtherwise;
+    }
+    void add(std::string path, std::string sentence, std::vector<Fix> fixes = {}) {
+        findings_.push_back(
+            {rule_, severity_, std::move(path), std::move(sentence), std::move(fixes), drawnOtherwise_});
+    }
+    void add(std::string path, std::string sentence, Fix fix) {
+        add(std::move(path), std::move(sentence), std::vector{std::move(fix)});
+    }
+
+private:
+    std::vector<Finding>& findings_;
+    std::string_view rule_;
+    Severity severity_ = Severity::Warning;
+    bool drawnOtherwise_ = false;
+};
+
+struct Rule {
+    std::string_view name;
+    Severity severity;
+    void (*find)(const Case& about, Report& report);
+    bool drawnOtherwise = false; ///< a renderer reports it, too
+};
+
+[[nodiscard]] std::span<const Rule> textureRules();       ///< what is wrong with textures
+[[nodiscard]] std::span<const Rule> textureEffectRules(); ///< which of their settings do nothing
+[[nodiscard]] std::span<const Rule> unitRules();
+[[nodiscard]] std::span<const Rule> combineRules();
+[[nodiscard]] std::span<const Rule> passRules();  ///< models, too
+[[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
+
+/// "textures[3]"
+[[nodiscard]] std::string at(std::string_view list, std::size_t index);
+/// "passes[0].units[1]."
+[[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit);
+
+/// One of GL_COMBINE's arguments.
+struct Argument {
+    std::string_view sourceKey;  ///< "source0Rgb"
+    std::string_view operandKey; ///< "operand0Rgb"
+    CombineSource source = CombineSource::Texture;
+    bool read = false; ///< by the function that is chosen
+    bool ofAlpha = false;
+};
+[[nodiscard]] std::array<Argument, 6> argumentsOf(const Combine& combine);
+
+template<class Visit> ///< visit(unit, "passes[0].units[1].", pass number)
+void forEachUnit(const Scene& scene, Visit visit) {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            visit(scene.passes[p].units[u], unitPath(p, u), p);
+    }
+}
+
+/// The name of an enumerator, as GL or a scene file has it.
+template<Enumerated E>
+[[nodiscard]] std::string nameOf(E value) {
+    return std::string(rowOf(value).name);
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,241 @@
+// What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
+
+#include "core/image/power_of_two.h"
+#include "core/reference/sampling/lod.h"
+#include "core/diagnosis/diagnosis_rules.h"
+#include "core/scene/params/param_text.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace texplorer::diagnosis {
+namespace {
+
+template<class Visit> ///< visit(texture, its facts, "textures[0].")
+void forEachTexture(const Case& about, Visit visit) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i)
+        visit(about.scene.textures[i], about.textures[i], at("textures", i) + ".");
+}
+
+void missingFile(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (facts.image)
+            return;
+        report.add(path + "file", texture.file.empty() ? "the texture wants an image file, but names none"
+                                                       : texture.file + " can't be found or read");
+    });
+}
+
+/// What a texture could be instead, and how one says so.
+struct Cure {
+    Fix fix;
+    Texture texture;
+};
+
+/// The settings that section 3.8.10 makes completeness depend on, each set so that the levels that are there
+/// may do: make the others, read no more than these, read none but the base level.
+std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::string& path) {
+    std::vector<Cure> cures;
+    const auto add = [&](std::string label, const char* key, std::string value, auto set) {
+        Texture cured = texture;
+        set(cured);
+        cures.push_back({{std::move(label), {{path + key, std::move(value)}}}, std::move(cured)});
+    };
+    const auto begin = [&](int level) {
+        add("Begin at level " + std::to_string(level), "baseLevel", std::to_string(level),
+            [&](Texture& cured) { cured.baseLevel = level; });
+    };
+    if (texture.baseLevel <= lastLevel && texture.baseLevel > texture.maxLevel)
+        begin(texture.maxLevel);
+    if (texture.baseLevel > 0)
+        begin(0);
+    if (texture.mipmaps != MipPolicy::Generated)
+        add("Generate mipmaps", "mipmaps", nameOf(MipPolicy::Generated),
+            [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
+    for (int level = lastLevel; level >= texture.baseLevel; --level)
+        add("End at level " + std::to_string(level), "maxLevel", std::to_string(level),
+            [&](Texture& cured) { cured.maxLevel = level; });
+    if (reference::wantsMipmaps(texture.minFilter)) {
+        const MinFilter filter =
+            reference::isLinear(texture.minFilter) ? MinFilter::Linear : MinFilter::Nearest;
+        add("Set " + nameOf(filter), "minFilter", nameOf(filter),
+            [&](Texture& cured) { cured.minFilter = filter; });
+    }
+    return cures;
+}
+
+/// Those of them that make the texture complete for all of its targets, one for each setting.
+std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, const std::string& path) {
+    const auto completes = [&](const Texture& cured) {
+        return std::ranges::all_of(facts.targets, [&](const TargetFacts& each) {
+            return factsAs(each.target, cured, *facts.image).completeness.complete();
+        });
+    };
+    int lastLevel = 0;
+    for (const TargetFacts& each : facts.targets) {
+        if (!each.plan.levels.empty())
+            lastLevel = std::max(lastLevel, each.plan.levels.back().number);
+    }
+    std::vector<Fix> fixes;
+    for (Cure& cure : curesOf(texture, lastLevel, path)) {
+        const bool settled = std::ranges::any_of(fixes, [&](const Fix& fix) {
+            return fix.assignments.front().path == cure.fix.assignments.front().path;
+        });
+        if (!settled && completes(cure.texture))
+            fixes.push_back(std::move(cure.fix));
+    }
+    if (!fixes.empty() || texture.baseLevel == 0)
+        return fixes;
+    Texture whole = texture; // one setting alone does not do
+    whole.baseLevel = 0;
+    fixes = fixesOf(whole, facts, path);
+    for (Fix& fix : fixes) {
+        fix.label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(fix.label.front())));
+        fix.label = "Begin at level 0 and " + fix.label;
+        fix.assignments.push_back({path + "baseLevel", "0"});
+    }
+    return fixes;
+}
+
+/// OpenGL 2.1, section 3.8.10.
+void incomplete(const Case& about, Report& report) {
+    using Rule = reference::CompletenessRule;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (!facts.image || !facts.shown)
+            return;
+        const auto broken = std::ranges::find_if(
+            facts.targets, [](const TargetFacts& each) { return !each.completeness.complete(); });
+        if (broken == facts.targets.end())
+            return;
+        const std::string sentence = broken->completeness.reason + "; drawn as if the unit were off";
+        const char* key = texture.mipmaps == MipPolicy::None ? "minFilter" : "mipmaps";
+        if (broken->completeness.rule == Rule::BaseLevelMissing ||
+            broken->completeness.rule == Rule::BaseAboveMaxLevel)
+            key = "baseLevel";
+        else if (broken->completeness.rule == Rule::CubeFaces)
+            key = texture.source == SourceKind::File ? "file" : "pattern";
+        report.add(path + key, sentence, fixesOf(texture, facts, path));
+    });
+}
+
+/// Section 3.8.8, equation 3.18: λ is undefined where its limits have changed places.
+void lodRange(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (texture.minLod <= texture.maxLod)
+            return;
+        const std::string low = formatNumber(texture.minLod);
+        const std::string high = formatNumber(texture.maxLod);
+        report.add(path + "minLod",
+                   "the least level of detail, " + low + ", exceeds the greatest, " + high +
+                       ": OpenGL leaves undefined what is drawn",
+                   Fix{"Exchange them", {{path + "minLod", high}, {path + "maxLod", low}}});
+    });
+}
+
+void anisotropyLimit(const Case& about, Report& report) {
+    const float limit = about.driver.maxAnisotropy;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (texture.maxAnisotropy <= limit)
+            return;
+        const std::string most = formatNumber(limit);
+        report.add(path + "maxAnisotropy",
+                   limit <= 1 ? std::string("the driver has no anisotropic filtering")
+                              : "an anisotropy of " + formatNumber(texture.maxAnisotropy) +
+                                    " exceeds the driver's " + most + ", which is used instead",
+                   Fix{"Set anisotropy to " + most, {{path + "maxAnisotropy", most}}});
+    });
+}
+
+/// What this driver doesn't survive.
+void heldBack(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
+        for (const TargetFacts& each : facts.targets) {
+            for (const std::string_view sentence : each.heldBack)
+                report.add(path + "maxAnisotropy", std::string(sentence),
+                           Fix{"Set anisotropy to 1", {{path + "maxAnisotropy", "1"}}});
+        }
+    });
+}
+
+std::string extentsOf(const PlannedLevel& level) {
+    std::string text = std::to_string(level.width) + " x " + std::to_string(level.height);
+    return level.depth > 1 ? text + " x " + std::to_string(level.depth) : text;
+}
+
+void nonPowerOfTwo(const Case& about, Report& report) {
+    if (about.driver.nonPowerOfTwo)
+        return;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        const LevelPlan& plan = facts.targets.front().plan;
+        if (plan.levels.empty() ||
+            arePowersOfTwo(plan.levels.front().width, plan.levels.front().height, plan.levels.front().depth))
+            return;
+        std::vector<Fix> fixes;
+        if (texture.mipmaps != MipPolicy::FromFile)
+            fixes = {{"Scale it", {{path + "npot", nameOf(NpotPolicy::PowerOfTwo)}}}};
+        report.add(path + "npot",
+                   extentsOf(plan.levels.front()) +
+                       " texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
+                   std::move(fixes));
+    });
+}
+
+void sizeLimit(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        for (const TargetFacts& each : facts.targets) {
+            const int limit = each.target == Target::Texture3D ? about.driver.max3DTextureSize
+                              : each.target == Target::CubeMap ? about.driver.maxCubeMapSize
+                                                               : about.driver.maxTextureSize;
+            if (each.plan.levels.empty())
+                continue;
+            const PlannedLevel& base = each.plan.levels.front();
+            if (std::max({base.width, base.height, base.depth}) <= limit)
+                continue;
+            report.add(path + (texture.source == SourceKind::File ? "file" : "pattern"),
+                       extentsOf(base) + " texels exceed the driver's " + std::to_string(limit) + " for " +
+                           nameOf(each.target) + ": drawn without it");
+        }
+    });
+}
+
+void lacksFormat(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
+        const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
+        if (!blocks || (isS3tc(*blocks) ? about.driver.s3tc : about.driver.rgtc))
+            return;
+        report.add(path + "compression",
+                   "the driver has no " + nameOf(*blocks) + ": the texture is uploaded decompressed");
+    });
+}
+
+void lostBorder(const Case& about, Report& report) {
+    if (about.driver.textureBorders)
+        return;
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (texture.border != 0)
+            report.add(path + "border",
+                       "the driver takes a texture's border away, and the border colour stands for it: the "
+                       "reference renderer shows the border",
+                       Fix{"Do without it", {{path + "border", "0"}}});
+    });
+}
+
+constexpr std::array rules{
+    Rule{"missing-file", Severity::Error, missingFile, true},
+    Rule{"size-limit", Severity::Error, sizeLimit, true},
+    Rule{"incomplete", Severity::Warning, incomplete},
+    Rule{"lod-range", Severity::Warning, lodRange},
+    Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},
+    Rule{"held-back", Severity::Warning, heldBack, true},
+    Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
+    Rule{"missing-format", Severity::Warning, lacksFormat, true},
+    Rule{"lost-border", Severity::Warning, lostBorder},
+};
+
+} // namespace
+
+std::span<const Rule> textureRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

@@ -1,0 +1,321 @@
+// Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
+// collapse, and what changes nothing.
+
+#include "core/gl/combine_arguments.h"
+#include "core/reference/sampling/lod.h"
+#include "core/diagnosis/color_flow.h"
+#include "core/scene/params/param_text.h"
+
+#include <algorithm>
+
+namespace texplorer::diagnosis {
+namespace {
+
+struct Generated {
+    const char* key;
+    TexGen Unit::*state;
+};
+constexpr std::array<Generated, 4> generated{{{"texGenS", &Unit::texGenS},
+                                              {"texGenT", &Unit::texGenT},
+                                              {"texGenR", &Unit::texGenR},
+                                              {"texGenQ", &Unit::texGenQ}}};
+
+void missingTexture(const Case& about, Report& report) {
+    const std::size_t count = about.textures.size();
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (!unit.enabled || about.textureOf(unit))
+            return;
+        report.add(path + "texture",
+                   "there is no texture " + std::to_string(unit.texture) + ", the scene has " +
+                       std::to_string(count),
+                   count > 0 ? Fix{"Bind texture 0", {{path + "texture", "0"}}}
+                             : Fix{"Switch the unit off", {{path + "enabled", "false"}}});
+    });
+}
+
+void unitLimit(const Case& about, Report& report) {
+    const auto limit = static_cast<std::size_t>(std::max(0, about.driver.textureUnits));
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        for (std::size_t u = limit; u < maxUnits; ++u) {
+            if (about.scene.passes[p].units[u].enabled)
+                report.add(unitPath(p, u) + "enabled", "the driver has " + std::to_string(limit) +
+                                                           " texture units: drawn without this one");
+        }
+    }
+}
+
+/// Table 3.21 has no entry for DECAL with these base formats.
+void undefinedDecal(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        const TextureFacts* texture = about.textureOf(unit);
+        const TargetFacts* facts = texture ? texture->as(unit.target) : nullptr;
+        if (!unit.enabled || unit.envMode != EnvMode::Decal || !facts || facts->format == BaseFormat::Rgb ||
+            facts->format == BaseFormat::Rgba)
+            return;
+        report.add(path + "envMode",
+                   nameOf(unit.envMode) + " of a " + nameOf(facts->format) +
+                       " texture is undefined: it needs " + nameOf(BaseFormat::Rgb) + " or " +
+                       nameOf(BaseFormat::Rgba),
+                   Fix{"Make it " + nameOf(BaseFormat::Rgba),
+                       {{at("textures", static_cast<std::size_t>(unit.texture)) + ".internalFormat",
+                         nameOf(BaseFormat::Rgba)}}});
+    });
+}
+
+void collapsingMatrix(const Case& about, Report& report) {
+    constexpr std::string_view letters = "str";
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (!unit.enabled)
+            return;
+        for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
+            const MatrixStep& step = unit.matrix[i];
+            const std::string amount = path + at("matrix", i) + ".amount";
+            if (step.op == MatrixOp::Rotate && step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
+                report.add(amount, "an axis of length 0: OpenGL leaves undefined where this rotates",
+                           Fix{"Rotate about r", {{amount, "0,0,1"}}});
+            if (step.op != MatrixOp::Scale)
+                continue;
+            std::string collapsed;
+            std::string mended;
+            for (int axis = 0; axis < 3; ++axis) {
+                const bool zero = step.amount[axis] == 0 && step.rate[axis] == 0;
+                if (zero && axis < coordinatesOf(unit.target))
+                    collapsed += (collapsed.empty() ? "" : " and ") +
+                                 std::string(1, letters[static_cast<std::size_t>(axis)]);
+                mended += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
+            }
+            if (!collapsed.empty())
+                report.add(amount,
+                           "a scale of 0 gives all vertices the same " + collapsed +
+                               ": the image shrinks to a line or a texel",
+                           Fix{"Scale by 1", {{amount, mended}}});
+        }
+    });
+}
+
+/// Whether r can be anything but 0 when it comes from the models: the meshes have none.
+bool modelsHaveR(const Scene& scene, std::size_t unit) {
+    return std::ranges::any_of(scene.models, [&](const Model& model) {
+        return std::ranges::any_of(model.texCoords[unit], [](const glm::vec4& each) { return each.z != 0; });
+    });
+}
+
+void flatDirection(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const Unit& unit = about.scene.passes[p].units[u];
+            if (!unit.enabled || unit.target != Target::CubeMap || unit.texGenR.enabled ||
+                !unit.matrix.empty() || modelsHaveR(about.scene, u))
+                continue;
+            Fix fix{"Reflect", {}};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::string own = unitPath(p, u) + generated[axis].key;
+                fix.assignments.push_back({own + ".mode", nameOf(TexGenMode::ReflectionMap)});
+                fix.assignments.push_back({own + ".enabled", "true"});
+            }
+            report.add(unitPath(p, u) + "target",
+                       "a cube map takes s, t and r as a direction, and r is 0 at every vertex: only a line "
+                       "around the sides of the cube is seen; " +
+                           nameOf(TexGenMode::ReflectionMap) + " or " + nameOf(TexGenMode::NormalMap) +
+                           " generates all three",
+                       std::move(fix));
+        }
+    }
+}
+
+/// Section 3.8.7 wraps s and t of the one face that is hit: GL_REPEAT blends opposite edges.
+void cubeSeams(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        const bool linear = texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
+        const auto leaves = [](Wrap wrap) {
+            return wrap != Wrap::ClampToEdge && wrap != Wrap::MirroredRepeat;
+        };
+        if (!about.textures[i].shown || !about.textures[i].hasTarget(Target::CubeMap) || !linear ||
+            (!leaves(texture.wrapS) && !leaves(texture.wrapT)))
+            continue;
+        const std::string path = at("textures", i) + ".";
+        const bool ofS = leaves(texture.wrapS);
+        const std::string edge = nameOf(Wrap::ClampToEdge);
+        report.add(path + (ofS ? "wrapS" : "wrapT"),
+                   nameOf(ofS ? texture.wrapS : texture.wrapT) +
+                       " reaches beyond the edge of each face of a cube map, which then shows as a "
+                       "seam; some drivers take " +
+                       edge + " whatever is asked for",
+                   Fix{"Clamp to the edges", {{path + "wrapS", edge}, {path + "wrapT", edge}}});
+    }
+}
+
+/// GL's initial planes for q are 0: whoever enables it alone divides by zero.
+void generatedZeroQ(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        const TexGen& q = unit.texGenQ;
+        const bool object = q.mode == TexGenMode::ObjectLinear;
+        if (!unit.enabled || !q.enabled || (object ? q.objectPlane : q.eyePlane) != glm::vec4(0))
+            return;
+        const std::string plane = path + (object ? "texGenQ.objectPlane" : "texGenQ.eyePlane");
+        report.add(plane, "this plane makes q 0 everywhere, and s, t and r are divided by it",
+                   Fix{"Make q 1", {{plane, "0,0,0,1"}}});
+    });
+}
+
+/// A scene's list of units may choose all but the one thing that counts.
+void unitOff(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (unit.enabled)
+            return;
+        std::vector<Fix> fixes;
+        if (about.textureOf(unit))
+            fixes = {{"Switch the unit on", {{path + "enabled", "true"}}}};
+        report.add(path.substr(0, path.size() - 1), "the unit is off", std::move(fixes));
+    });
+}
+
+bool readsConstant(const Case& about, const Unit& unit) {
+    const TextureFacts* texture = about.textureOf(unit);
+    const TargetFacts* facts = texture ? texture->as(unit.target) : nullptr;
+    if (unit.envMode == EnvMode::Blend) // table 3.22: an alpha texture leaves the colour alone
+        return !facts || facts->format != BaseFormat::Alpha;
+    if (unit.envMode != EnvMode::Combine)
+        return false;
+    return std::ranges::any_of(argumentsOf(unit.combine), [](const Argument& each) {
+        return each.read && each.source == CombineSource::Constant;
+    });
+}
+
+void noEnvColor(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (!readsConstant(about, unit))
+            report.add(path + "envColor", "the environment colour is used only by " + nameOf(EnvMode::Blend) +
+                                              " and by " + nameOf(EnvMode::Combine) + "'s " +
+                                              nameOf(CombineSource::Constant));
+    });
+}
+
+void noLodBias(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (!about.textureOf(unit))
+            return;
+        const Texture& texture = about.scene.textures[static_cast<std::size_t>(unit.texture)];
+        if (static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter))
+            report.add(path + "lodBias",
+                       nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same");
+    });
+}
+
+void noGeneration(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        for (const Generated& each : generated) {
+            const TexGen& state = unit.*each.state;
+            const std::string own = path + each.key + ".";
+            const std::string reason = state.enabled ? nameOf(state.mode) + " does not read this plane"
+                                                     : "the vertex's own coordinate is taken";
+            if (!state.enabled)
+                report.add(own + "mode", reason);
+            if (!state.enabled || state.mode != TexGenMode::ObjectLinear)
+                report.add(own + "objectPlane", reason);
+            if (!state.enabled || state.mode != TexGenMode::EyeLinear)
+                report.add(own + "eyePlane", reason);
+        }
+        // Without a matrix that could carry them over, coordinates that the target has not are lost.
+        const int axes = coordinatesOf(unit.target);
+        for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
+            const Generated& each = generated[static_cast<std::size_t>(axis)];
+            if ((unit.*each.state).enabled)
+                report.add(path + each.key + ".enabled",
+                           nameOf(unit.target) + " does not look at this coordinate");
+        }
+    });
+}
+
+/// The later unit that ends what leaves this one, or nothing where some of it reaches the fragment.
+std::optional<std::size_t> overrulerOf(const Case& about, const Pass& pass, std::size_t unit) {
+    const auto limit = static_cast<std::size_t>(std::max(0, about.driver.textureUnits));
+    ColorFlow flow = wholeColor;
+    for (std::size_t later = unit + 1; later < std::min<std::size_t>(maxUnits, limit); ++later) {
+        if (!about.works(pass.units[later]))
+            continue;
+        flow = flowThrough(about, pass, pass.units[later], flow, {});
+        if (!flow.all().any())
+            return later;
+    }
+    return std::nullopt;
+}
+
+/// Whether a crossbar takes this unit's texture.
+bool isAsked(const Case& about, const Pass& pass, std::size_t asked) {
+    return std::ranges::any_of(pass.units, [&](const Unit& unit) {
+        return about.works(unit) && unit.envMode == EnvMode::Combine &&
+               std::ranges::any_of(argumentsOf(unit.combine), [&](const Argument& each) {
+                   return each.read && crossbarUnit(each.source) == asked;
+               });
+    });
+}
+
+void overruledUnit(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
+        const Pass& pass = about.scene.passes[p];
+        const auto index = static_cast<std::size_t>(&unit - pass.units.data());
+        const auto later = about.works(unit) ? overrulerOf(about, pass, index) : std::nullopt;
+        if (!later)
+            return;
+        const std::string reason =
+            "unit " + std::to_string(*later) + " lets nothing of the units before it through";
+        if (!isAsked(about, pass, index))
+            return report.add(path.substr(0, path.size() - 1), reason);
+        for (const char* key : {"envMode", "envColor", "combine"}) // its texture is read elsewhere
+            report.add(path + key, reason);
+    });
+}
+
+void overruledTexture(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        bool reaches = !about.textures[i].shown;
+        forEachUnit(about.scene, [&](const Unit& unit, const std::string&, std::size_t p) {
+            if (!unit.enabled || unit.texture != static_cast<int>(i))
+                return;
+            const Pass& pass = about.scene.passes[p];
+            const auto index = static_cast<std::size_t>(&unit - pass.units.data());
+            reaches |= !about.works(unit) || isAsked(about, pass, index) || !overrulerOf(about, pass, index);
+        });
+        if (!reaches)
+            report.add(at("textures", i), "later units let nothing through of those that show it");
+    }
+}
+
+void otherOperation(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
+            if (unit.matrix[i].op == MatrixOp::Rotate)
+                continue;
+            for (const char* key : {"angle", "angleRate"})
+                report.add(path + at("matrix", i) + "." + key,
+                           "only " + nameOf(MatrixOp::Rotate) + " has an angle");
+        }
+    });
+}
+
+constexpr std::array rules{
+    Rule{"missing-texture", Severity::Error, missingTexture, true},
+    Rule{"unit-limit", Severity::Warning, unitLimit, true},
+    Rule{"undefined-decal", Severity::Warning, undefinedDecal},
+    Rule{"collapsing-matrix", Severity::Warning, collapsingMatrix},
+    Rule{"zero-q", Severity::Warning, generatedZeroQ},
+    Rule{"flat-direction", Severity::Warning, flatDirection},
+    Rule{"cube-seams", Severity::Warning, cubeSeams},
+    Rule{"unit-off", Severity::Hint, unitOff},
+    Rule{"env-color", Severity::Hint, noEnvColor},
+    Rule{"lod-bias", Severity::Hint, noLodBias},
+    Rule{"generation", Severity::Hint, noGeneration},
+    Rule{"overruled-unit", Severity::Hint, overruledUnit},
+    Rule{"overruled-texture", Severity::Hint, overruledTexture},
+    Rule{"other-matrix-operation", Severity::Unused, otherOperation},
+};
+
+} // namespace
+
+std::span<const Rule> unitRules() {
+    return rules;
+}
+
+} // namespace texplorer::diagnosis

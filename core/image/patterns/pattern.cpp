@@ -1,0 +1,33 @@
+#include "core/image/patterns/pattern.h"
+
+#include "core/image/patterns/patterns.h"
+
+namespace texplorer {
+
+Image drawPattern(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::Checker:
+        return drawChecker();
+    case Pattern::CheckerRed:
+        return drawCheckerRed();
+    case Pattern::UvTemplate:
+        return drawUvTemplate();
+    case Pattern::Brick:
+        return drawBrick();
+    case Pattern::BrickHeight:
+        return drawBrickHeight();
+    case Pattern::ColorLine:
+        return drawColorLine();
+    case Pattern::Tree:
+        return drawTree();
+    case Pattern::MipColors:
+        return drawMipColors();
+    case Pattern::Marble:
+        return drawMarble();
+    case Pattern::CubeFaces:
+        return drawCubeFaces();
+    }
+    return drawChecker();
+}
+
+} // namespace texplorer

@@ -1,0 +1,285 @@
+#include "core/reference/explain/explanation_steps.h"
+
+#include "core/reference/shading/equation_text.h"
+#include "core/reference/explain/sampling_steps.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace texplorer::reference {
+
+namespace {
+
+/// From here on a power of ten is shorter.
+constexpr float largest = 1e6F;
+
+std::string vectorText(glm::vec3 v) {
+    return "(" + columnText(v.x) + ", " + columnText(v.y) + ", " + columnText(v.z) + ")";
+}
+
+std::string colorText(glm::vec4 c) {
+    return numberText(c.r) + " " + numberText(c.g) + " " + numberText(c.b) + " " + numberText(c.a);
+}
+
+std::string nameOf(const EnumRow& row) {
+    return std::string(row.name);
+}
+
+/// The heading of a table with a column for each corner.
+StepRow corners(const FragmentExplanation& fragment) {
+    StepRow row{"vertex", {}, {}, true};
+    for (const VertexExplanation& vertex : fragment.vertices)
+        row.cells.push_back({std::to_string(vertex.vertex), Ink::Dim});
+    return row;
+}
+
+/// One line of such a table.
+template<class Text>
+StepRow perCorner(const char* label, const FragmentExplanation& fragment, Text&& text) {
+    StepRow row{label};
+    for (const VertexExplanation& vertex : fragment.vertices)
+        row.cells.push_back({text(vertex)});
+    return row;
+}
+
+Step triangleStep(const FragmentExplanation& fragment) {
+    Step step{StepKind::Triangle, -1, "Triangle", {}};
+    std::string shares;
+    for (const VertexExplanation& vertex : fragment.vertices) {
+        shares += (shares.empty() ? "" : ", ") + numberText(std::round(vertex.weight * 1000) / 10) + " %";
+    }
+    step.summary = shares;
+    step.rows = {
+        corners(fragment),
+        perCorner("share here", fragment, [](const auto& v) { return columnText(v.weight); }),
+        perCorner("x, y, z of the model", fragment,
+                  [](const auto& v) { return vectorText(glm::vec3(v.object)); }),
+        perCorner("in eye coordinates", fragment, [](const auto& v) { return vectorText(glm::vec3(v.eye)); }),
+        perCorner("normal there", fragment, [](const auto& v) { return vectorText(v.normal); }),
+        perCorner("w", fragment, [](const auto& v) { return columnText(v.clip.w); })};
+    if (fragment.clipped)
+        step.rows.push_back(
+            {"It reaches out of the view and was clipped; the shares are those of its own corners."});
+    return step;
+}
+
+Step primaryStep(const FragmentExplanation& fragment) {
+    Step step{StepKind::PrimaryColor, -1, "Primary colour", colorText(fragment.primary), fragment.primary};
+    if (!fragment.lighting) {
+        step.rows = {{"Lighting is off: the current colour (glColor), the same at every vertex."}};
+        return step;
+    }
+    const auto term = [](glm::vec3 LightingTerms::*member) {
+        return [member](const VertexExplanation& v) { return vectorText((*v.lighting).*member); };
+    };
+    step.rows = {
+        corners(fragment),
+        perCorner("cosine, normal to light", fragment,
+                  [](const auto& v) { return columnText(v.lighting->nDotVP); }),
+        perCorner("cosine, normal to half-way", fragment,
+                  [](const auto& v) { return columnText(v.lighting->nDotH); }),
+        perCorner("scene's ambient", fragment, term(&LightingTerms::scene)),
+        perCorner("+ ambient", fragment, term(&LightingTerms::ambient)),
+        perCorner("+ diffuse", fragment, term(&LightingTerms::diffuse)),
+        perCorner(fragment.separateSpecular ? "specular, apart" : "+ specular", fragment,
+                  term(&LightingTerms::specular)),
+        perCorner("= primary, clamped", fragment,
+                  [](const auto& v) { return vectorText(glm::vec3(v.primary)); }),
+    };
+    step.rows.push_back({fragment.flat ? "Flat shading: the colour of the last vertex."
+                                       : "Smooth shading: interpolated between the vertices."});
+    if (fragment.separateSpecular)
+        step.rows.push_back({"secondary, after texturing",
+                             {{vectorText(glm::vec3(fragment.secondary))}},
+                             glm::vec4(glm::vec3(fragment.secondary), 1)});
+    return step;
+}
+
+Step environmentStep(const UnitExplanation& unit) {
+    Step step{StepKind::Environment, unit.unit, "Environment", {}};
+    step.summary = nameOf(rowOf(unit.mode)) + ": " + colorText(unit.result);
+    step.swatch = unit.result;
+    const auto input = [&](const char* label, glm::vec4 color) {
+        StepRow row{label, {}, color};
+        for (int i = 0; i < 4; ++i)
+            row.cells.push_back({numberText(color[i])});
+        step.rows.push_back(std::move(row));
+    };
+    step.rows.push_back(
+        {"", {{"red", Ink::Dim}, {"green", Ink::Dim}, {"blue", Ink::Dim}, {"alpha", Ink::Dim}}, {}, true});
+    input("Cp, Ap: incoming", unit.inputs.previous);
+    input("Cs, As: texture", unit.inputs.source);
+    const std::string written = unit.equations.color.symbols + unit.equations.alpha.symbols;
+    if (written.find("Cc") != std::string::npos || written.find("Ac") != std::string::npos)
+        input("Cc, Ac: constant", unit.inputs.constant);
+    if (written.find("Cf") != std::string::npos || written.find("Af") != std::string::npos)
+        input("Cf, Af: primary", unit.inputs.primary);
+    step.rows.push_back({unit.equations.color.symbols, {}, {}, false, Ink::Dim});
+    constexpr std::array names{"red", "green", "blue"};
+    for (std::size_t i = 0; i < unit.equations.color.numbers.size(); ++i)
+        step.rows.push_back({names.at(std::min<std::size_t>(i, 2)), {{unit.equations.color.numbers[i]}}});
+    step.rows.push_back({unit.equations.alpha.symbols, {}, {}, false, Ink::Dim});
+    for (const std::string& numbers : unit.equations.alpha.numbers)
+        step.rows.push_back({"alpha", {{numbers}}});
+    if (unit.equations.undefined)
+        step.rows.push_back(
+            {unit.mode == EnvMode::Combine
+                 ? std::string("Undefined: an argument is the texture of a unit that samples nothing. The "
+                               "incoming colour is passed on.")
+                 : nameOf(rowOf(unit.mode)) + " is undefined for " + nameOf(rowOf(unit.format)) +
+                       ": the incoming colour is passed on.",
+             {},
+             {},
+             false,
+             Ink::Bad});
+    return step;
+}
+
+Step colorSumStep(const FragmentExplanation& fragment) {
+    Step step{StepKind::ColorSum, -1, "Colour sum", colorText(fragment.color), fragment.color};
+    constexpr std::array names{"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i) {
+        const float sum = fragment.textured[i] + fragment.secondary[i];
+        step.rows.push_back({names.at(static_cast<std::size_t>(i)),
+                             {{numberText(fragment.textured[i]) + " + " + numberText(fragment.secondary[i]) +
+                               " = " + numberText(sum) + (sum > 1 ? ", clamped to 1" : "")}}});
+    }
+    return step;
+}
+
+template<class T>
+Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, const std::string& value,
+              const std::string& with) {
+    Step step{kind, -1, title, "off"};
+    if (!test.enabled)
+        return step;
+    step.summary =
+        value + " " + nameOf(rowOf(test.function)) + " " + with + ": " + (test.passed ? "passed" : "failed");
+    step.rows = {{"of the fragment", {{value}}},
+                 {kind == StepKind::AlphaTest ? "reference value" : "in the depth buffer", {{with}}},
+                 {test.passed ? "passed" : "failed: nothing is written",
+                  {},
+                  {},
+                  false,
+                  test.passed ? Ink::Good : Ink::Bad}};
+    return step;
+}
+
+std::string depthText(std::uint32_t depth) {
+    return std::to_string(depth) + " (" + numberText(static_cast<float>(depth) / 16777215.0F) + ")";
+}
+
+Step blendStep(const FragmentExplanation& fragment) {
+    const BlendExplanation& blend = fragment.blend;
+    Step step{StepKind::Blending, -1, "Blending", "off"};
+    if (!blend.enabled)
+        return step;
+    step.summary = colorText(blend.result);
+    step.swatch = blend.result;
+    step.rows.push_back({"source " + colorText(blend.source), {}, blend.source});
+    step.rows.push_back({"  times " + nameOf(rowOf(blend.sourceFactor)), {{colorText(blend.sourceWeight)}}});
+    step.rows.push_back({"destination " + colorText(blend.destination), {}, blend.destination});
+    step.rows.push_back(
+        {"  times " + nameOf(rowOf(blend.destinationFactor)), {{colorText(blend.destinationWeight)}}});
+    constexpr std::array names{"red", "green", "blue", "alpha"};
+    for (int i = 0; i < 4; ++i)
+        step.rows.push_back(
+            {names.at(static_cast<std::size_t>(i)),
+             {{numberText(blend.source[i]) + " * " + numberText(blend.sourceWeight[i]) + " + " +
+               numberText(blend.destination[i]) + " * " + numberText(blend.destinationWeight[i]) + " = " +
+               numberText(blend.result[i])}}});
+    return step;
+}
+
+glm::vec4 colorOfBytes(const PixelBytes& bytes) {
+    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
+}
+
+Step framebufferStep(const FragmentExplanation& fragment) {
+    Step step{StepKind::Framebuffer, -1, "Framebuffer", bytesText(fragment.after),
+              colorOfBytes(fragment.after)};
+    step.rows = {{"before", {{bytesText(fragment.before)}}, colorOfBytes(fragment.before)},
+                 {"after", {{bytesText(fragment.after)}}, colorOfBytes(fragment.after)}};
+    return step;
+}
+
+} // namespace
+
+std::string numberText(float value) {
+    if (std::abs(value) < largest || !std::isfinite(value))
+        return shortNumber(value);
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(value));
+    return text.data();
+}
+
+std::string amountText(float value) {
+    const std::string text = numberText(value);
+    return text != "0" || value == 0 ? text : value > 0 ? "< 0.0001" : "> -0.0001";
+}
+
+std::string columnText(float value, int digits) {
+    if (!(std::abs(value) < largest))
+        return numberText(value);
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, static_cast<double>(value));
+    const std::string number = text.data();
+    const bool isZero = number.find_first_of("123456789") == std::string::npos;
+    return isZero && number.front() == '-' ? number.substr(1) : number;
+}
+
+std::string bytesText(const PixelBytes& bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes)
+        text += (text.empty() ? "" : " ") + std::to_string(byte);
+    return text;
+}
+
+FragmentSteps stepsOf(const FragmentExplanation& fragment) {
+    FragmentSteps text;
+    const std::string shape(rowOf(fragment.shape).label);
+    text.title = shape + (fragment.face.empty() || fragment.face == shape ? "" : ", " + fragment.face) +
+                 ", triangle " + std::to_string(fragment.triangle) + " (models[" +
+                 std::to_string(fragment.model) + "], pass " + std::to_string(fragment.pass) + ")";
+    text.drawn = fragment.outcome == FragmentOutcome::Drawn;
+    text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
+                   : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"
+                                                                          : "drawn";
+    std::vector<Step>& steps = text.steps;
+    steps.push_back(triangleStep(fragment));
+    steps.push_back(primaryStep(fragment));
+    for (const UnitExplanation& unit : fragment.units) {
+        for (Step& step : samplingSteps(fragment, unit))
+            steps.push_back(std::move(step));
+        steps.push_back(environmentStep(unit));
+    }
+    for (const IdleUnit& idle : fragment.idle)
+        steps.push_back({StepKind::IdleUnit,
+                         idle.unit,
+                         "Without effect",
+                         "as if it were off",
+                         {},
+                         {{idle.reason, {}, {}, false, Ink::Bad}}});
+    if (fragment.separateSpecular)
+        steps.push_back(colorSumStep(fragment));
+    steps.push_back(testStep(StepKind::AlphaTest, "Alpha test", fragment.alphaTest,
+                             numberText(fragment.alphaTest.value), numberText(fragment.alphaTest.with)));
+    steps.push_back(testStep(StepKind::DepthTest, "Depth test", fragment.depthTest,
+                             depthText(fragment.depthTest.value), depthText(fragment.depthTest.with)));
+    if (text.drawn) {
+        steps.push_back(blendStep(fragment));
+        steps.push_back(framebufferStep(fragment));
+    }
+    return text;
+}
+
+std::vector<FragmentSteps> stepsOf(const Explanation& explanation) {
+    std::vector<FragmentSteps> all;
+    for (const FragmentExplanation& fragment : explanation.fragments)
+        all.push_back(stepsOf(fragment));
+    return all;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,78 @@
+#pragma once
+
+// An Explanation in words, for a terminal and for a window alike: what OpenGL did, in its order, as steps
+// that can be folded.
+
+#include "core/reference/explain/explanation.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer::reference {
+
+/// What colour a reader gives a number: s is red, t green and r blue everywhere.
+enum class Ink : std::uint8_t { Plain, S, T, R, Q, Dim, Good, Bad };
+
+struct StepCell {
+    std::string text;
+    Ink ink = Ink::Plain;
+};
+
+/// A line of a small table, or a sentence: the label alone.
+struct StepRow {
+    std::string label;
+    std::vector<StepCell> cells{};
+    std::optional<glm::vec4> swatch{}; ///< the colour that the line is about
+    bool heading = false;              ///< names the columns of the rows below
+    Ink ink = Ink::Plain;              ///< of the label
+};
+
+enum class StepKind : std::uint8_t {
+    Triangle,
+    PrimaryColor,
+    Coordinates,
+    LevelOfDetail,
+    Wrap,
+    Texels,
+    Environment,
+    IdleUnit,
+    ColorSum,
+    AlphaTest,
+    DepthTest,
+    Blending,
+    Framebuffer,
+};
+
+struct Step {
+    StepKind kind = StepKind::Triangle;
+    int unit = -1; ///< the texture unit that it is about; -1: none
+    std::string title;
+    std::string summary;               ///< what came of it
+    std::optional<glm::vec4> swatch{}; ///< the same as a colour
+    std::vector<StepRow> rows{};
+};
+
+struct FragmentSteps {
+    std::string title;   ///< "Sphere, Stack 3, triangle 17 (models[1], pass 0)"
+    std::string outcome; ///< "drawn", "failed the depth test"
+    bool drawn = true;
+    std::vector<Step> steps;
+};
+
+[[nodiscard]] FragmentSteps stepsOf(const FragmentExplanation& fragment);
+[[nodiscard]] std::vector<FragmentSteps> stepsOf(const Explanation& explanation);
+
+/// "181 90 12 255".
+[[nodiscard]] std::string bytesText(const PixelBytes& bytes);
+
+/// A number for a reader: at most four digits after the point, a power of ten for what is large.
+[[nodiscard]] std::string numberText(float value);
+
+/// The same, of which one wants to know that it isn't 0: "< 0.0001".
+[[nodiscard]] std::string amountText(float value);
+
+/// With so many digits after the point that numbers in a column stand below each other.
+[[nodiscard]] std::string columnText(float value, int digits = 4);
+
+} // namespace texplorer::reference

@@ -1,0 +1,271 @@
+#include "core/reference/explain/sampling_steps.h"
+
+#include "core/reference/sampling/wrap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::reference {
+
+namespace {
+
+constexpr std::array<const char*, 4> coordinateNames{"s", "t", "r", "q"};
+constexpr std::array<Ink, 4> coordinateInks{Ink::S, Ink::T, Ink::R, Ink::Q};
+
+/// A filter of so many samples or fewer is shown as it is, tap by tap.
+constexpr std::size_t fewTaps = 8;
+constexpr std::size_t mostTapsShown = 48;
+
+StepRow heading(const char* label, int count) {
+    StepRow row{label, {}, {}, true};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        row.cells.push_back({coordinateNames.at(i), coordinateInks.at(i)});
+    return row;
+}
+
+StepRow coordinates(std::string label, glm::vec4 values, int count = 4, int digits = 4) {
+    StepRow row{std::move(label)};
+    for (int i = 0; i < count; ++i)
+        row.cells.push_back({columnText(values[i], digits), coordinateInks.at(static_cast<std::size_t>(i))});
+    return row;
+}
+
+/// Of the coordinates of one pixel and the next, in which small numbers count.
+constexpr int derivativeDigits = 6;
+
+std::string percent(float share) {
+    return numberText(std::round(share * 1000) / 10) + " %";
+}
+
+Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
+    const int axes = coordinatesOf(unit.target);
+    Step step{StepKind::Coordinates, unit.unit, "Texture coordinates", {}};
+    for (int i = 0; i < axes; ++i)
+        step.summary += std::string(i > 0 ? ", " : "") + coordinateNames.at(static_cast<std::size_t>(i)) +
+                        " " + numberText(unit.coords[i]);
+    const auto stage = [&](const char* title, glm::vec4 CoordinateSteps::*member) {
+        step.rows.push_back(heading(title, 4));
+        for (std::size_t i = 0; i < 3; ++i)
+            step.rows.push_back(coordinates("  at vertex " + std::to_string(fragment.vertices[i].vertex),
+                                            unit.vertices[i].*member));
+        step.rows.push_back(coordinates("  here", unit.pixel.*member));
+    };
+    stage("given", &CoordinateSteps::given);
+    std::string generated;
+    for (std::size_t i = 0; i < 4; ++i)
+        generated += unit.generates[i] ? std::string(generated.empty() ? "" : ", ") + coordinateNames[i] : "";
+    if (unit.flipped)
+        step.rows.push_back({"The image is upside down: t becomes q - t."});
+    if (!generated.empty())
+        step.rows.push_back(
+            {generated + (generated.size() > 1 ? " are" : " is") + " generated at each vertex."});
+    if (unit.flipped || !generated.empty())
+        stage("generated", &CoordinateSteps::generated);
+    if (unit.matrix != glm::mat4(1))
+        stage("after the matrix", &CoordinateSteps::transformed);
+    step.rows.push_back(coordinates("over q", glm::vec4(unit.coords, 0), 3));
+    if (unit.sample.cube) {
+        const auto& [face, place, change] = *unit.sample.cube;
+        step.rows.push_back(
+            coordinates("a direction, which hits face " + std::string(rowOf(cubeFaceAt(face)).label) + " at",
+                        glm::vec4(place, 0), 2));
+    }
+    if (!std::isfinite(unit.coords.s) || (axes > 1 && !std::isfinite(unit.coords.t)) ||
+        (axes > 2 && !std::isfinite(unit.coords.r)))
+        step.rows.push_back(
+            {unit.pixel.transformed.q == 0
+                 ? "q is 0: the quotient is undefined. What is not a number counts as 0 here."
+                 : "A coordinate is infinite or not a number: undefined. It counts as 0 here.",
+             {},
+             {},
+             false,
+             Ink::Bad});
+    return step;
+}
+
+/// Whether the filter that decided blends neighbours.
+bool isLinearHere(const UnitExplanation& unit) {
+    return unit.sample.lod.magnified ? unit.magFilter == MagFilter::Linear : isLinear(unit.minFilter);
+}
+
+Step lodStep(const UnitExplanation& unit) {
+    const Lod& lod = unit.sample.lod;
+    const int axes = axesOf(unit.target);
+    Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
+    step.summary = "lambda " + numberText(lod.lambda) + ": " + (lod.magnified ? "magnified" : "minified");
+    const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
+    step.rows.push_back(
+        heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
+    step.rows.push_back(coordinates("  d/dx", glm::vec4(change.dx, 0), axes, derivativeDigits));
+    step.rows.push_back(coordinates("  d/dy", glm::vec4(change.dy, 0), axes, derivativeDigits));
+    const auto value = [&](std::string label, double number) {
+        step.rows.push_back({std::move(label), {{amountText(static_cast<float>(number))}}});
+    };
+    value("texels a pixel, in x", lod.lengthX);
+    value("texels a pixel, in y", lod.lengthY);
+    if (lod.ellipse)
+        step.rows.push_back({"anisotropic, up to " + numberText(unit.maxAnisotropy) +
+                             ": averaged over the ellipse that the pixel covers, whatever the filters are"});
+    else if (lod.probes > 1)
+        value("anisotropic, up to " + numberText(unit.maxAnisotropy) + ": probes",
+              static_cast<float>(lod.probes));
+    value(lod.probes > 1 ? "rho = the longer, over the probes"
+          : lod.ellipse  ? "rho"
+                         : "rho = the longer",
+          lod.rho);
+    value("log2(rho)", lod.base);
+    if (lod.bias != 0)
+        value("+ LOD bias", lod.bias);
+    if (lod.bias != unit.lodBias)
+        step.rows.push_back({"The bias " + numberText(unit.lodBias) + " was clamped."});
+    if (lod.lambda != lod.biased)
+        step.rows.push_back({"clamped to " + numberText(unit.minLod) + " ... " + numberText(unit.maxLod),
+                             {{numberText(lod.lambda)}}});
+    if (!lod.ellipse)
+        step.rows.push_back({whyMagnified(unit)});
+    if (lod.undefined)
+        step.rows.push_back({unit.minLod > unit.maxLod
+                                 ? "The least LOD is above the greatest: undefined. The greatest wins here."
+                                 : "A derivative is infinite or not a number: undefined. rho is 1 here.",
+                             {},
+                             {},
+                             false,
+                             Ink::Bad});
+    return step;
+}
+
+std::string texelText(int index, int size) {
+    return index >= 0 && index < size ? "texel " + std::to_string(index) : "the border";
+}
+
+/// Which texels of a row `u` falls on. The centre of texel i is at i + 0.5, which a linear filter goes by.
+std::string texelsText(bool linear, Wrap wrap, float u, int size) {
+    if (!linear)
+        return "its whole part: " + texelText(nearestTexel(u, size), size);
+    const auto [first, second, share] = linearTexels(wrap, u, size);
+    return "- 0.5 = " + numberText(u - 0.5F) + ": " + texelText(first, size) + " and " +
+           texelText(second, size) + ", shares " + numberText(1 - share) + " and " + numberText(share);
+}
+
+Step wrapStep(const UnitExplanation& unit) {
+    Step step{StepKind::Wrap, unit.unit, "Levels and wrapping", {}};
+    for (const LevelShare& share : unit.sample.levels)
+        step.summary += (step.summary.empty() ? "level " : ", level ") + std::to_string(share.level) +
+                        (unit.sample.levels.size() > 1 ? ": " + percent(share.weight) : "");
+    for (const LevelExtent& extent : unit.extents) {
+        std::string size = std::to_string(extent.size.x);
+        for (int axis = 1; axis < axesOf(unit.target); ++axis)
+            size += " x " + std::to_string(extent.size[axis]);
+        step.rows.push_back({"level " + std::to_string(extent.level), {{size + " texels"}}, {}, true});
+        for (int axis = 0; axis < axesOf(unit.target); ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            const auto found = std::ranges::find_if(unit.sample.wrapped, [&](const WrappedCoordinate& each) {
+                return each.level == extent.level && each.axis == axis;
+            });
+            if (found == unit.sample.wrapped.end())
+                continue;
+            const std::string wrapped = numberText(found->given) + " lands at texel " +
+                                        numberText(found->texels) + " of " +
+                                        std::to_string(extent.size[axis]);
+            step.rows.push_back(
+                {std::string("  ") + coordinateNames.at(i) + ", " + std::string(rowOf(unit.wrap.at(i)).name),
+                 {{wrapped, coordinateInks.at(i)}}});
+            if (!unit.sample.lod.ellipse) // which weighs all texels in it
+                step.rows.push_back(
+                    {"",
+                     {{texelsText(isLinearHere(unit), unit.wrap.at(i), found->texels, extent.size[axis]),
+                       coordinateInks.at(i)}}});
+        }
+    }
+    if (unit.sample.probes.size() > 1)
+        step.rows.push_back(
+            {"Shown is the first of " + std::to_string(unit.sample.probes.size()) + " probes."});
+    return step;
+}
+
+std::string placeText(const Tap& tap, Target target, bool severalLevels) {
+    const int axes = axesOf(target);
+    std::string text =
+        target == Target::CubeMap ? std::string(rowOf(cubeFaceAt(tap.index.z)).label) + " " : "";
+    text += (severalLevels ? "level " + std::to_string(tap.level) + " (" : "(") + std::to_string(tap.index.x);
+    for (int axis = 1; axis < axes; ++axis)
+        text += ", " + std::to_string(tap.index[axis]);
+    return text + ")";
+}
+
+/// Three digits are enough to tell colours apart, and leave room beside them.
+std::string shorter(float value) {
+    return columnText(value, 3);
+}
+
+Step texelsStep(const UnitExplanation& unit) {
+    Step step{StepKind::Texels, unit.unit, "Texels", {}};
+    const glm::vec4 color = unit.sample.color;
+    step.swatch = color;
+    step.summary = numberText(color.r) + " " + numberText(color.g) + " " + numberText(color.b) + " " +
+                   numberText(color.a);
+    step.rows.push_back({"texel",
+                         {{"weight", Ink::Dim},
+                          {"red", Ink::Dim},
+                          {"green", Ink::Dim},
+                          {"blue", Ink::Dim},
+                          {"alpha", Ink::Dim}},
+                         {},
+                         true});
+    const std::vector<Tap> taps = mergedTaps(unit.sample);
+    for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
+        const Tap& tap = taps[i];
+        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
+                        (tap.border ? " border" : ""),
+                    {{columnText(tap.weight)}},
+                    tap.color};
+        for (int c = 0; c < 4; ++c)
+            row.cells.push_back({shorter(tap.color[c])});
+        step.rows.push_back(std::move(row));
+    }
+    if (taps.size() > mostTapsShown)
+        step.rows.push_back(
+            {"and " + std::to_string(taps.size() - mostTapsShown) + " more, of lesser weight"});
+    StepRow sum{"filtered", {{columnText(1)}}, color};
+    for (int c = 0; c < 4; ++c)
+        sum.cells.push_back({shorter(color[c])});
+    step.rows.push_back(std::move(sum));
+    return step;
+}
+
+} // namespace
+
+std::vector<Step> samplingSteps(const FragmentExplanation& fragment, const UnitExplanation& unit) {
+    return {coordinatesStep(fragment, unit), lodStep(unit), wrapStep(unit), texelsStep(unit)};
+}
+
+std::string whyMagnified(const UnitExplanation& unit) {
+    const Lod& lod = unit.sample.lod;
+    const std::string mag(rowOf(unit.magFilter).name);
+    const std::string min(rowOf(unit.minFilter).name);
+    const std::string c =
+        lod.switchOver > 0 ? numberText(lod.switchOver) + " (as " + mag + " meets " + min + ")" : "0";
+    return lod.magnified ? "lambda is not above " + c + ": the magnification filter decides, " + mag + "."
+                         : "lambda is above " + c + ": the minification filter decides, " + min + ".";
+}
+
+std::vector<Tap> mergedTaps(const SampleRecord& sample) {
+    if (sample.taps.size() <= fewTaps)
+        return sample.taps;
+    std::vector<Tap> taps = sample.taps;
+    const auto key = [](const Tap& tap) {
+        return std::array{tap.level, tap.index.z, tap.index.y, tap.index.x};
+    };
+    std::ranges::stable_sort(taps, {}, key);
+    std::vector<Tap> merged;
+    for (const Tap& tap : taps) {
+        if (!merged.empty() && key(merged.back()) == key(tap))
+            merged.back().weight += tap.weight;
+        else
+            merged.push_back(tap);
+    }
+    std::ranges::stable_sort(merged, std::ranges::greater(), &Tap::weight);
+    return merged;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/reference/explain/explanation_steps.h"
+
+namespace texplorer::reference {
+
+/// From texture coordinates to a filtered colour: four steps.
+[[nodiscard]] std::vector<Step> samplingSteps(const FragmentExplanation& fragment,
+                                              const UnitExplanation& unit);
+
+/// Why the sample is magnified or minified, as a sentence.
+[[nodiscard]] std::string whyMagnified(const UnitExplanation& unit);
+
+/// The taps with those of one texel added up, the heaviest first where there are many.
+[[nodiscard]] std::vector<Tap> mergedTaps(const SampleRecord& sample);
+
+} // namespace texplorer::reference

@@ -1,0 +1,20 @@
+#include "core/reference/raster/kernel_headers.h"
+
+#define TEXPLORER_LANES 4
+
+namespace texplorer::reference {
+namespace {
+namespace four {
+
+#include "core/reference/sampling/lanes.inl"
+#include "core/reference/sampling/sample.inl"
+#include "core/reference/raster/shade.inl"
+
+} // namespace four
+} // namespace
+
+const Kernel* fourLanes() {
+    return &four::kernel;
+}
+
+} // namespace texplorer::reference

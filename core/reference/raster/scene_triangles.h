@@ -1,0 +1,21 @@
+#pragma once
+
+// The triangles of a scene, ready for rasterising, in the order in which OpenGL draws them: pass by pass, in
+// each model by model.
+
+#include "core/reference/shading/pass_state.h"
+#include "core/reference/raster/triangle.h"
+#include "core/scene/scene.h"
+
+#include <functional>
+#include <span>
+#include <stop_token>
+
+namespace texplorer::reference {
+
+/// Calls `work` for each, clipped and set up. Their `pass` points into `passes`, which must outlive them.
+/// Leaves out models that are invisible, and the rest after a stop request. Throws std::bad_alloc.
+void eachTriangle(const Scene& scene, std::span<const PassState> passes, double time, Viewport viewport,
+                  const std::stop_token& stop, const std::function<void(const Triangle&)>& work);
+
+} // namespace texplorer::reference

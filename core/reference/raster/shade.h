@@ -1,0 +1,35 @@
+#pragma once
+
+// A fragment's colour: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum) and 4.1 (what becomes of it).
+
+#include "core/reference/raster/canvas.h"
+#include "core/reference/shading/pass_state.h"
+#include "core/reference/raster/triangle.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+
+namespace texplorer::reference {
+
+/// What a unit samples at: coordinates over q, and how they change from pixel to pixel.
+struct TexturePlace {
+    glm::vec4 homogeneous{0}; ///< s, t, r, q as interpolated
+    glm::vec3 coords{0};
+    Derivatives derivatives;
+};
+
+/// `offset` is the pixel's centre, relative to the triangle's origin. With q = 0 the coordinates are infinite
+/// or NaN, which the sampler defines.
+[[nodiscard]] TexturePlace texturePlace(const Triangle& triangle, std::size_t unit, glm::vec2 offset);
+
+/// Section 2.14.9: clamped to [0, 1].
+[[nodiscard]] glm::vec4 primaryColor(const Triangle& triangle, glm::vec2 offset);
+
+/// The colour after texturing and colour sum.
+[[nodiscard]] glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset);
+
+/// Window depth in 24 bits. NaN counts as 0.
+[[nodiscard]] std::uint32_t fragmentDepth(const Triangle& triangle, glm::vec2 offset);
+
+} // namespace texplorer::reference

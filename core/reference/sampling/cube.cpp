@@ -1,0 +1,74 @@
+#include "core/reference/sampling/cube.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace texplorer::reference {
+
+namespace {
+
+/// A row of table 3.19: which components of the direction are sc and tc, and with which sign.
+struct FaceAxes {
+    int s;
+    float sSign;
+    int t;
+    float tSign;
+    int major;
+};
+
+constexpr int x = 0;
+constexpr int y = 1;
+constexpr int z = 2;
+
+constexpr std::array<FaceAxes, 6> table{{
+    {z, -1, y, -1, x}, // +x: sc = -rz, tc = -ry
+    {z, +1, y, -1, x}, // -x: sc =  rz, tc = -ry
+    {x, +1, z, +1, y}, // +y: sc =  rx, tc =  rz
+    {x, +1, z, -1, y}, // -y: sc =  rx, tc = -rz
+    {x, +1, y, -1, z}, // +z: sc =  rx, tc = -ry
+    {x, -1, y, -1, z}, // -z: sc = -rx, tc = -ry
+}};
+
+int majorAxis(glm::vec3 direction) {
+    const float ax = std::abs(direction.x);
+    const float ay = std::abs(direction.y);
+    const float az = std::abs(direction.z);
+    return ax >= ay && ax >= az ? x : ay >= az ? y : z;
+}
+
+/// What is finite stays so: beyond the range of a float it becomes the largest one.
+float asFloat(double value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isfinite(value) ? std::clamp(value, -most, most) : value);
+}
+
+} // namespace
+
+CubePlace cubePlace(glm::vec3 direction, const Derivatives& derivatives) {
+    const int major = majorAxis(direction);
+    const float length = std::abs(direction[major]);
+    CubePlace place;
+    place.coords = {0.5F, 0.5F, 0};
+    if (!std::isfinite(direction.x) || !std::isfinite(direction.y) || !std::isfinite(direction.z) ||
+        !(length > 0))
+        return place;
+    place.face = 2 * major + (direction[major] < 0 ? 1 : 0);
+    const FaceAxes& axes = table[static_cast<std::size_t>(place.face)];
+    const float s = axes.sSign * direction[axes.s] / length;
+    const float t = axes.tSign * direction[axes.t] / length;
+    place.coords = {(s + 1) / 2, (t + 1) / 2, 0};
+    // (sc / |ma|)' = (sc' - (sc / |ma|) |ma|') / |ma|; section 3.8.8 lets u and v be those of one face.
+    const double sign = direction[major] < 0 ? -1 : 1;
+    const auto onFace = [&](glm::dvec3 change) {
+        const double growth = sign * change[axes.major];
+        return glm::vec3(
+            asFloat((double{axes.sSign} * change[axes.s] - double{s} * growth) / double{length} / 2),
+            asFloat((double{axes.tSign} * change[axes.t] - double{t} * growth) / double{length} / 2), 0);
+    };
+    place.derivatives = {onFace(derivatives.dx), onFace(derivatives.dy)};
+    return place;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,112 @@
+#include "core/reference/sampling/lod.h"
+
+#include "core/image/mipmaps.h"
+#include "core/reference/sampling/lanes.h"
+#include "core/reference/sampling/wrap.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::reference {
+
+namespace {
+
+/// Equation 3.21's rho for one screen axis: sqrt((du/dx)^2 + (dv/dx)^2 + (dw/dx)^2). In floats, as the kernel
+/// has it, unless their range is too small for the square: a double's is not.
+double footprint(glm::vec3 derivative, const Level& base, int axes) {
+    glm::dvec3 texels(0);
+    for (int axis = 0; axis < axes; ++axis)
+        texels[axis] = double{derivative[axis]} * base.size()[axis];
+    const glm::vec3 rounded(texels);
+    const float square = glm::dot(rounded, rounded);
+    return std::isnormal(square) ? double{std::sqrt(square)} : glm::length(texels);
+}
+
+/// log2(rho), in floats likewise.
+float baseLambda(double rho) {
+    const auto rounded = static_cast<float>(rho);
+    return std::isnormal(rounded) ? logarithm2(rounded) : static_cast<float>(std::log2(rho));
+}
+
+/// EXT_texture_filter_anisotropic: N = min(ceil(Pmax / Pmin), maxAniso). Pmin may be 0.
+int probeCount(double longer, double shorter, float limit) {
+    const float ratio = longer > 0 ? std::ceil(static_cast<float>(longer / shorter)) : 1.0F;
+    return std::max(1, static_cast<int>(std::min({ratio, std::floor(limit), 1024.0F})));
+}
+
+/// Mesa's ellipse is for pictures, whatever their filters are; other targets take the probes.
+bool averagesOverEllipse(const SampledTexture& texture, const SampleOptions& options) {
+    return options.anisotropy == AnisotropyMethod::Ellipse && texture.target == Target::Texture2D;
+}
+
+} // namespace
+
+Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
+                  const SampleOptions& options) {
+    Lod lod;
+    lod.switchOver = switchOverOf(texture.magFilter, texture.minFilter);
+    const Level* base = texture.level(texture.baseLevel);
+    if (!base)
+        return lod;
+    lod.lengthX = footprint(derivatives.dx, *base, axesOf(texture.target));
+    lod.lengthY = footprint(derivatives.dy, *base, axesOf(texture.target));
+    const double longer = std::max(lod.lengthX, lod.lengthY);
+    const double shorter = std::min(lod.lengthX, lod.lengthY);
+    lod.undefined = !std::isfinite(lod.lengthX) || !std::isfinite(lod.lengthY);
+    // Without a derivative there is nothing to minify by: as if one texel covered one pixel.
+    lod.rho = lod.undefined ? 1.0 : longer;
+    if (texture.maxAnisotropy > 1 && !lod.undefined && averagesOverEllipse(texture, options)) {
+        lod.ellipse = longer > shorter;
+        lod.rho = std::max(shorter, longer / double{texture.maxAnisotropy});
+    } else if (texture.maxAnisotropy > 1 && !lod.undefined) {
+        lod.probes = probeCount(longer, shorter, texture.maxAnisotropy);
+        lod.rho = longer / lod.probes;
+    }
+    lod.base = baseLambda(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
+    const float bias = options.objectBias + options.unitBias + options.shaderBias;
+    lod.bias = std::isnan(bias) ? 0.0F : std::clamp(bias, -options.maxBias, options.maxBias);
+    lod.biased = lod.base + lod.bias;
+    // Equation 3.20; undefined where the limits contradict each other: the upper one wins here.
+    lod.undefined = lod.undefined || texture.minLod > texture.maxLod;
+    lod.lambda = std::min(std::max(lod.biased, texture.minLod), texture.maxLod);
+    lod.magnified = !(lod.lambda > lod.switchOver);
+    return lod;
+}
+
+int lastMipLevel(const SampledTexture& texture) {
+    const Level* base = texture.level(texture.baseLevel);
+    if (!base)
+        return texture.baseLevel;
+    const int axes = axesOf(texture.target);
+    const int steps = mipLevelCount(base->width, axes > 1 ? base->height : 1, axes > 2 ? base->depth : 1) - 1;
+    return std::max(texture.baseLevel, std::min(texture.baseLevel + steps, texture.maxLevel));
+}
+
+LevelChoice chooseLevels(const SampledTexture& texture, const Lod& lod) {
+    const int base = texture.baseLevel;
+    if (lod.magnified) // section 3.8.9
+        return {base, base, 0, texture.magFilter == MagFilter::Linear};
+    const bool linear = isLinear(texture.minFilter);
+    if (!wantsMipmaps(texture.minFilter))
+        return {base, base, 0, linear};
+
+    const int steps = lastMipLevel(texture) - base;
+    const float lambda = lod.lambda;
+    if (!blendsLevels(texture.minFilter) && !lod.ellipse) { // which takes the larger level, and one alone
+        // Equation 3.25: half-way between two levels the lower one is taken. Its ceil(lambda + 1/2) - 1 is
+        // ceil(lambda - 1/2), a difference that needs no rounding.
+        int step = 0;
+        if (lambda > 0.5F)
+            step = lambda <= static_cast<float>(steps) + 0.5F ? -floorToInt(0.5F - lambda) : steps;
+        return {base + step, base + step, 0, linear};
+    }
+    // Equations 3.26 and 3.27.
+    if (lambda >= static_cast<float>(steps))
+        return {base + steps, base + steps, 0, linear};
+    const int step = floorToInt(lambda);
+    return {base + step, base + step + 1, lambda - std::floor(lambda), linear};
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,195 @@
+#include "core/reference/sampling/sampler.h"
+
+#include "core/reference/sampling/ellipse.h"
+#include "core/reference/sampling/texel.h"
+#include "core/reference/sampling/wrap.h"
+
+#include <array>
+
+namespace texplorer::reference {
+
+namespace {
+
+// A recorder is told of every step. The one that keeps nothing costs nothing.
+
+struct KeepNothing {
+    static void lod(const Lod& /*lod*/) {}
+    static void cube(const CubePlace& /*place*/) {}
+    static void level(int /*number*/, float /*weight*/) {}
+    static void probe(glm::vec3 /*coords*/) {}
+    static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
+    static void tap(const Tap& /*tap*/) {}
+};
+
+struct KeepAll {
+    SampleRecord& record;
+    void lod(const Lod& lod) const { record.lod = lod; }
+    void cube(const CubePlace& place) const { record.cube = place; }
+    void level(int number, float weight) const { record.levels.push_back({number, weight}); }
+    void probe(glm::vec3 coords) const { record.probes.push_back(coords); }
+    void wrapped(int level, int axis, float given, float texels) const {
+        record.wrapped.push_back({level, axis, given, texels});
+    }
+    void tap(const Tap& tap) const { record.taps.push_back(tap); }
+};
+
+struct WeighTexel {
+    const TexelPlace& texel;
+    float& weight;
+    static void lod(const Lod& /*lod*/) {}
+    static void cube(const CubePlace& /*place*/) {}
+    static void level(int /*number*/, float /*weight*/) {}
+    static void probe(glm::vec3 /*coords*/) {}
+    static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
+    void tap(const Tap& tap) const {
+        if (tap.level == texel.level && tap.index == texel.index)
+            weight += tap.weight;
+    }
+};
+
+/// The filters of one level. Section 3.8.8: NEAREST takes tau_ijk, LINEAR the weighted sum of 2, 4 or 8.
+template<class Recorder>
+class LevelFilter {
+public:
+    /// `face`: of a cube map, else 0.
+    LevelFilter(const SampledTexture& texture, int face, const Recorder& recorder)
+        : texture_(texture)
+        , face_(face)
+        , recorder_(recorder) {}
+
+    glm::vec4 operator()(int number, bool linear, glm::vec3 coords, float weight) const {
+        const Level* level = texture_.level(number, face_);
+        if (!level)
+            return {0, 0, 0, 1};
+        glm::vec3 uvw(0);
+        for (int axis = 0; axis < axes(); ++axis) {
+            uvw[axis] = wrapCoordinate(wrap(axis), coords[axis], level->size()[axis]);
+            recorder_.wrapped(number, axis, coords[axis], uvw[axis]);
+        }
+        return linear ? linearly(*level, number, uvw, weight) : nearest(*level, number, uvw, weight);
+    }
+
+private:
+    [[nodiscard]] int axes() const { return axesOf(texture_.target); }
+    [[nodiscard]] Wrap wrap(int axis) const { return texture_.wrap[static_cast<std::size_t>(axis)]; }
+
+    glm::vec4 nearest(const Level& level, int number, glm::vec3 uvw, float weight) const {
+        glm::ivec3 index(0);
+        for (int axis = 0; axis < axes(); ++axis)
+            index[axis] = nearestTexel(uvw[axis], level.size()[axis]);
+        return read(level, number, index, weight);
+    }
+
+    /// Equations 3.22 to 3.24: the corners of a line, square or cube of texel centres.
+    glm::vec4 linearly(const Level& level, int number, glm::vec3 uvw, float weight) const {
+        std::array<TexelPair, 3> pairs{TexelPair{0, 0, 0}, TexelPair{0, 0, 0}, TexelPair{0, 0, 0}};
+        for (int axis = 0; axis < axes(); ++axis)
+            pairs[static_cast<std::size_t>(axis)] = linearTexels(wrap(axis), uvw[axis], level.size()[axis]);
+        glm::vec4 sum(0);
+        for (int corner = 0; corner < 1 << axes(); ++corner) {
+            glm::ivec3 index(0);
+            float share = 1;
+            for (int axis = 0; axis < axes(); ++axis) {
+                const TexelPair& pair = pairs[static_cast<std::size_t>(axis)];
+                const bool second = ((corner >> axis) & 1) != 0;
+                index[axis] = second ? pair.second : pair.first;
+                share *= second ? pair.share : 1 - pair.share;
+            }
+            sum += share * read(level, number, index, weight * share);
+        }
+        return sum;
+    }
+
+    glm::vec4 read(const Level& level, int number, glm::ivec3 index, float weight) const {
+        const bool border = isBeyond(level, index, axes());
+        const glm::vec4 color = border ? texture_.borderColor : texelAt(level, index, axes());
+        if (texture_.target == Target::CubeMap)
+            index.z = face_;
+        recorder_.tap({number, index, weight, color, border});
+        return color;
+    }
+
+    const SampledTexture& texture_;
+    int face_;
+    const Recorder& recorder_;
+};
+
+/// One place: one level, or two that are blended (equation 3.28). For a cube map `coords` is a direction.
+template<class Recorder>
+glm::vec4 filterLevels(const SampledTexture& texture, const LevelChoice& choice, glm::vec3 coords,
+                       float weight, const Recorder& recorder) {
+    int face = 0;
+    if (texture.target == Target::CubeMap) {
+        const CubePlace place = cubePlace(coords, {});
+        face = place.face;
+        coords = place.coords;
+    }
+    const LevelFilter<Recorder> filter(texture, face, recorder);
+    if (choice.first == choice.second)
+        return filter(choice.first, choice.linear, coords, weight);
+    const float share = choice.share;
+    return (1 - share) * filter(choice.first, choice.linear, coords, weight * (1 - share)) +
+           share * filter(choice.second, choice.linear, coords, weight * share);
+}
+
+template<class Recorder>
+glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
+                     const SampleOptions& options, const Recorder& recorder) {
+    Derivatives onImage = derivatives;
+    if (texture.target == Target::CubeMap) {
+        const CubePlace place = cubePlace(coords, derivatives);
+        recorder.cube(place);
+        onImage = place.derivatives;
+    }
+    const Lod lod = levelOfDetail(texture, onImage, options);
+    recorder.lod(lod);
+    const LevelChoice choice = chooseLevels(texture, lod);
+    // Mesa does this for magnified textures, too.
+    if (lod.ellipse && choice.first < lastMipLevel(texture)) {
+        recorder.level(choice.first, 1);
+        recorder.probe(coords);
+        return averageOverEllipse(texture, choice.first, coords, derivatives, recorder);
+    }
+    recorder.level(choice.first, 1 - choice.share);
+    if (choice.second != choice.first)
+        recorder.level(choice.second, choice.share);
+    if (lod.probes == 1) {
+        recorder.probe(coords);
+        return filterLevels(texture, choice, coords, 1, recorder);
+    }
+    // EXT_texture_filter_anisotropic: N samples along the axis in which the footprint is longer, at
+    // x - 1/2 + i/(N + 1) for i from 1 to N, with equal weights.
+    const glm::vec3 along = lod.lengthX > lod.lengthY ? derivatives.dx : derivatives.dy;
+    const auto n = static_cast<float>(lod.probes);
+    glm::vec4 sum(0);
+    for (int i = 1; i <= lod.probes; ++i) {
+        const glm::vec3 at = coords + along * (static_cast<float>(i) / (n + 1) - 0.5F);
+        recorder.probe(at);
+        sum += filterLevels(texture, choice, at, 1 / n, recorder);
+    }
+    return sum / n;
+}
+
+} // namespace
+
+glm::vec4 sample(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
+                 const SampleOptions& options) {
+    return sampleWith(texture, coords, derivatives, options, KeepNothing{});
+}
+
+SampleRecord explainSample(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
+                           const SampleOptions& options) {
+    SampleRecord record;
+    record.color = sampleWith(texture, coords, derivatives, options, KeepAll{record});
+    return record;
+}
+
+float texelWeight(const SampledTexture& texture, glm::vec3 coords, const Derivatives& derivatives,
+                  const SampleOptions& options, const TexelPlace& texel) {
+    float weight = 0;
+    [[maybe_unused]] const glm::vec4 color =
+        sampleWith(texture, coords, derivatives, options, WeighTexel{texel, weight});
+    return weight;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,74 @@
+#include "core/reference/sampling/texture_store.h"
+
+#include "core/reference/sampling/completeness.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::reference {
+
+/// Without an image where the work was stopped: the next one asks again.
+TextureStore::Slot TextureStore::filled(std::shared_ptr<const TextureImage> image, Texture settings,
+                                        Target target, const LevelWork& work, const std::string& where) {
+    Slot slot;
+    const Result<TextureLevels> levels = prepareLevels(settings, image, target, work);
+    if (levels)
+        slot.notes = levels->notes;
+    Result<SampledTexture> sampled =
+        levels ? sampledTexture(settings, *levels, target, slot.notes, work.stop) : fail(levels.error());
+    if (sampled) {
+        slot.texture.sampled = *std::move(sampled);
+        slot.texture.lateFlip = levels->lateFlip;
+        slot.lastLevel = levels->lastLevel;
+        slot.usable = true;
+    } else if (sampled.error().code == ErrorCode::Cancelled)
+        return {};
+    else
+        slot.notes = {describe(sampled.error()) + "; drawn without it"};
+    for (std::string& note : slot.notes)
+        note = where + ": " + note;
+    slot.image = std::move(image);
+    slot.settings = std::move(settings);
+    return slot;
+}
+
+const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index, Target target,
+                                           const ImageSource& images, const LevelWork& work,
+                                           std::vector<std::string>& problems) {
+    const Texture& texture = scene.textures[index];
+    const std::string where = "textures[" + std::to_string(index) + "]";
+    const auto say = [&problems](const std::string& sentence) {
+        if (std::ranges::find(problems, sentence) == problems.end())
+            problems.push_back(sentence);
+    };
+    std::shared_ptr<const TextureImage> image = images.find(texture);
+    if (!image || !hasPixels(*image)) {
+        say(where + ": " + (texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded") +
+            "; drawn without it");
+        return nullptr;
+    }
+    Slot& slot = slots_[{index, target}];
+    if (Texture settings = imageSettings(texture); slot.image != image || slot.settings != settings) {
+        slot = Slot{}; // before the new one takes its memory
+        slot = filled(std::move(image), std::move(settings), target, work, where);
+    }
+    std::ranges::for_each(slot.notes, say);
+    if (!slot.usable)
+        return nullptr;
+    setParameters(slot.texture.sampled, texture, slot.lastLevel);
+    slot.texture.complete = checkCompleteness(slot.texture.sampled).complete();
+    return &slot.texture;
+}
+
+void TextureStore::keepOnly(const Scene& scene) {
+    std::erase_if(slots_, [&scene](const auto& entry) {
+        const auto& [index, target] = entry.first;
+        return std::ranges::none_of(scene.passes, [&, index = index, target = target](const Pass& pass) {
+            return std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                return unit.enabled && std::cmp_equal(unit.texture, index) && unit.target == target;
+            });
+        });
+    });
+}
+
+} // namespace texplorer::reference

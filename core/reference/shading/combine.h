@@ -1,0 +1,27 @@
+#pragma once
+
+// GL_COMBINE: OpenGL 2.1, section 3.8.13, tables 3.23 to 3.25, with crossbar: an argument may be the texture
+// colour of any unit.
+
+#include "core/gl/combine.h"
+#include "core/reference/shading/environment.h"
+
+#include <span>
+
+namespace texplorer::reference {
+
+/// `textures` are the texture source colours of all units, for the crossbar; one that is not there (its unit
+/// is off) makes the result undefined: the incoming colour is passed on.
+[[nodiscard]] EnvironmentResult evaluate(const Combine& combine, const EnvironmentInputs& inputs,
+                                         std::span<const glm::vec4* const> textures = {});
+
+/// The same before the clamp to [0, 1].
+[[nodiscard]] EnvironmentResult evaluateUnclamped(const Combine& combine, const EnvironmentInputs& inputs,
+                                                  std::span<const glm::vec4* const> textures = {});
+
+/// The equations of the colour and of alpha, the arguments spelled as what they are: Cs and As of the
+/// texture, Cs2 of unit 2's, Cp of the incoming colour, Cf of the primary one, Cc of the constant.
+[[nodiscard]] EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs& inputs,
+                                               std::span<const glm::vec4* const> textures = {});
+
+} // namespace texplorer::reference

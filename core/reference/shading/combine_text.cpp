@@ -1,0 +1,157 @@
+#include "core/gl/combine_arguments.h"
+#include "core/gl/combine_equation.h"
+#include "core/reference/shading/combine.h"
+#include "core/reference/shading/equation_text.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace texplorer::reference {
+
+namespace {
+
+/// "Cs", or "As2" where the operand takes the alpha of unit 2.
+std::string symbolOf(const CombineArgument& argument, bool alpha) {
+    std::string symbol(alpha ? "A" : "C");
+    switch (argument.source) {
+    case CombineSource::Texture:
+        return symbol + "s";
+    case CombineSource::Constant:
+        return symbol + "c";
+    case CombineSource::PrimaryColor:
+        return symbol + "f";
+    case CombineSource::Previous:
+        return symbol + "p";
+    default:
+        return symbol + "s" + std::to_string(crossbarUnit(argument.source).value_or(0));
+    }
+}
+
+std::string withOperand(const CombineArgument& argument, bool forAlpha) {
+    switch (argument.operand) {
+    case OperandRgb::SrcColor:
+        return symbolOf(argument, forAlpha);
+    case OperandRgb::OneMinusSrcColor:
+        return "(1 - " + symbolOf(argument, forAlpha) + ")";
+    case OperandRgb::SrcAlpha:
+        return symbolOf(argument, true);
+    case OperandRgb::OneMinusSrcAlpha:
+        return "(1 - " + symbolOf(argument, true) + ")";
+    }
+    return symbolOf(argument, forAlpha);
+}
+
+void replaceAll(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+}
+
+/// The function with its arguments and its scale, in the signs that the other environments are written with.
+std::string functionText(CombineRgb function, const CombineArguments& arguments, CombineScale scale,
+                         bool forAlpha) {
+    std::string text(equationOf(function));
+    replaceAll(text, "×", "*");
+    replaceAll(text, "−", "-");
+    replaceAll(text, "½", "0.5");
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        replaceAll(text, "Arg" + std::to_string(i), withOperand(arguments[i], forAlpha));
+    if (scale == CombineScale::One)
+        return text;
+    const std::string factor = std::to_string(static_cast<int>(scale)) + " * ";
+    return text.find(' ') == std::string::npos ? factor + text : factor + "(" + text + ")";
+}
+
+bool isDot(CombineRgb function) {
+    return function == CombineRgb::Dot3Rgb || function == CombineRgb::Dot3Rgba;
+}
+
+/// Every symbol's value in one component.
+class Values {
+public:
+    Values(const EnvironmentInputs& inputs, std::span<const glm::vec4* const> textures)
+        : inputs_(inputs)
+        , textures_(textures) {}
+
+    [[nodiscard]] std::string operator()(std::string_view symbols, int component) const {
+        const auto textureOf = [&](std::size_t unit) {
+            return unit < textures_.size() && textures_[unit] ? *textures_[unit] : glm::vec4(0);
+        };
+        const std::array units{textureOf(0), textureOf(1), textureOf(2), textureOf(3)};
+        return inNumbers(symbols, {{"Cp", inputs_.previous[component]},
+                                   {"Cs", inputs_.source[component]},
+                                   {"Cc", inputs_.constant[component]},
+                                   {"Cf", inputs_.primary[component]},
+                                   {"Ap", inputs_.previous.a},
+                                   {"As", inputs_.source.a},
+                                   {"Ac", inputs_.constant.a},
+                                   {"Af", inputs_.primary.a},
+                                   {"Cs0", units[0][component]},
+                                   {"Cs1", units[1][component]},
+                                   {"Cs2", units[2][component]},
+                                   {"Cs3", units[3][component]},
+                                   {"As0", units[0].a},
+                                   {"As1", units[1].a},
+                                   {"As2", units[2].a},
+                                   {"As3", units[3].a}});
+    }
+
+private:
+    const EnvironmentInputs& inputs_;
+    std::span<const glm::vec4* const> textures_;
+};
+
+/// Red's, green's and blue's terms of a dot product differ, so that each is written with its own numbers.
+std::string dotNumbers(const CombineArguments& arguments, CombineScale scale, const Values& values) {
+    const std::string term =
+        "(" + withOperand(arguments[0], false) + " - 0.5) * (" + withOperand(arguments[1], false) + " - 0.5)";
+    std::string sum;
+    for (int component = 0; component < 3; ++component)
+        sum += (component == 0 ? "" : " + ") + values(term, component);
+    const std::string text = "4 * (" + sum + ")";
+    return scale == CombineScale::One ? text : std::to_string(static_cast<int>(scale)) + " * " + text;
+}
+
+std::string resultText(float value) {
+    const float clamped = std::clamp(value, 0.0F, 1.0F);
+    return " = " + shortNumber(value) + (clamped != value ? ", clamped to " + shortNumber(clamped) : "");
+}
+
+} // namespace
+
+EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs& inputs,
+                                 std::span<const glm::vec4* const> textures) {
+    const Values values(inputs, textures);
+    EnvironmentEquations equations;
+    const EnvironmentResult result = evaluateUnclamped(combine, inputs, textures);
+    equations.undefined = result.undefined;
+    if (equations.undefined) {
+        equations.color.symbols = "Cv = undefined; here Cp";
+        equations.alpha.symbols = "Av = undefined; here Ap";
+        for (int i = 0; i < 4; ++i)
+            (i < 3 ? equations.color : equations.alpha)
+                .numbers.push_back(shortNumber(inputs.previous[i]) + resultText(inputs.previous[i]));
+        return equations;
+    }
+    const CombineArguments rgb = rgbArguments(combine);
+    const bool dot = isDot(combine.rgb);
+    const std::string color = functionText(combine.rgb, rgb, combine.rgbScale, false);
+    equations.color.symbols = "Cv = " + color;
+    for (int i = 0; i < 3; ++i)
+        equations.color.numbers.push_back(
+            (dot ? dotNumbers(rgb, combine.rgbScale, values) : values(color, i)) +
+            resultText(result.color[i]));
+    if (combine.rgb == CombineRgb::Dot3Rgba) { // the same product, with alpha's scale
+        equations.alpha.symbols = "Av = " + functionText(combine.rgb, rgb, combine.alphaScale, false);
+        equations.alpha.numbers.push_back(dotNumbers(rgb, combine.alphaScale, values) +
+                                          resultText(result.color.a));
+        return equations;
+    }
+    const std::string alpha = functionText(static_cast<CombineRgb>(combine.alpha), alphaArguments(combine),
+                                           combine.alphaScale, true);
+    equations.alpha.symbols = "Av = " + alpha;
+    equations.alpha.numbers.push_back(values(alpha, 3) + resultText(result.color.a));
+    return equations;
+}
+
+} // namespace texplorer::reference

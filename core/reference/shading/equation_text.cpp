@@ -1,0 +1,44 @@
+#include "core/reference/shading/equation_text.h"
+
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+namespace texplorer::reference {
+
+std::string shortNumber(float value) {
+    std::array<char, 64> text{};
+    const int length = std::snprintf(text.data(), text.size(), "%.4f", static_cast<double>(value));
+    std::string number(text.data(), static_cast<std::size_t>(length));
+    if (number.find('.') == std::string::npos) // "inf", "nan"
+        return number;
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.')
+        number.pop_back();
+    return number == "-0" ? "0" : number;
+}
+
+std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands) {
+    const auto isWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    std::string text;
+    for (std::size_t at = 0; at < equation.size();) {
+        std::size_t end = at;
+        while (end < equation.size() && isWord(equation[end]))
+            ++end;
+        if (end == at) {
+            text += equation[at++];
+            continue;
+        }
+        const std::string_view word = equation.substr(at, end - at);
+        at = end;
+        const Operand* found = nullptr;
+        for (const Operand& each : operands) {
+            if (each.symbol == word)
+                found = &each;
+        }
+        text += found ? shortNumber(found->value) : std::string(word);
+    }
+    return text;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,68 @@
+#include "core/reference/shading/pass_state.h"
+
+#include "core/scene/animation.h"
+
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+namespace texplorer::reference {
+
+namespace {
+
+UnitState unitState(const Unit& unit, const StoredTexture& stored, double time, AnisotropyMethod anisotropy) {
+    UnitState state;
+    state.texture = stored.complete ? &stored.sampled : nullptr;
+    state.unit = &unit;
+    state.envColor = glm::clamp(unit.envColor, 0.0F, 1.0F);
+    state.sampling.unitBias = unit.lodBias;
+    state.sampling.anisotropy = anisotropy;
+    if (state.texture)
+        state.sampler = FastSampler(*state.texture, state.sampling);
+    if (stored.lateFlip == LateFlip::Matrix)
+        state.matrix = glm::scale(glm::translate(glm::mat4(1), {0, 1, 0}), {1, -1, 1});
+    state.matrix *= textureMatrix(unit.matrix, time);
+    state.flipsCoordinates = stored.lateFlip == LateFlip::Coordinates;
+    return state;
+}
+
+} // namespace
+
+std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
+                                  const LevelWork& work, AnisotropyMethod anisotropy, TextureStore& store,
+                                  std::vector<std::string>& problems) {
+    std::vector<PassState> states;
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        const Pass& pass = scene.passes[i];
+        PassState& state = states.emplace_back();
+        state.pass = &pass;
+        state.perspective = scene.view.perspectiveHint != HintMode::Fastest;
+        state.flat = scene.material.shadeModel == ShadeModel::Flat;
+        state.separateSpecular = pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;
+        for (std::size_t u = 0; u < pass.units.size(); ++u) {
+            const Unit& unit = pass.units[u];
+            if (!unit.enabled)
+                continue;
+            if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
+                problems.push_back("passes[" + std::to_string(i) + "].units[" + std::to_string(u) +
+                                   "]: there is no texture " + std::to_string(unit.texture) +
+                                   ", the scene has " + std::to_string(scene.textures.size()) +
+                                   "; drawn without it");
+                continue;
+            }
+            const StoredTexture* stored = store.prepare(scene, static_cast<std::size_t>(unit.texture),
+                                                        unit.target, images, work, problems);
+            if (!stored)
+                continue;
+            state.units[u] = unitState(unit, *stored, time, anisotropy);
+            const SampledTexture* texture = state.units[u].texture;
+            if (!texture)
+                continue;
+            state.unitsUsed = static_cast<int>(u) + 1;
+            state.steps[state.stepCount++] = {u, environmentCell(unit.envMode, texture->format),
+                                              unit.envMode == EnvMode::Combine};
+        }
+    }
+    return states;
+}
+
+} // namespace texplorer::reference

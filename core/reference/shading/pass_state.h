@@ -1,0 +1,54 @@
+#pragma once
+
+// A pass as the reference draws it: what a Scene says, looked up once.
+
+#include "core/reference/shading/environment.h"
+#include "core/reference/sampling/fast_sampler.h"
+#include "core/reference/sampling/lod.h"
+#include "core/reference/sampling/texture_store.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace texplorer::reference {
+
+/// A unit that takes part. Its coordinates are matrix * coordinate.
+struct UnitState {
+    const SampledTexture* texture = nullptr; ///< nullptr: the unit is off, or its texture incomplete
+    const Unit* unit = nullptr;              ///< what the scene says of it
+    glm::vec4 envColor{0};                   ///< clamped
+    SampleOptions sampling{};
+    FastSampler sampler{}; ///< of `texture`, with `sampling`
+    glm::mat4 matrix{1};
+    bool flipsCoordinates = false; ///< t becomes q - t before the matrix
+};
+
+/// What a unit that has a texture does to the colour.
+struct TextureStep {
+    std::size_t unit = 0;
+    EnvCell cell{}; ///< undefined if it combines
+    bool combines = false;
+};
+
+struct PassState {
+    const Pass* pass = nullptr;
+    std::array<UnitState, maxUnits> units{};
+    int unitsUsed = 0; ///< one more than the last unit that takes part
+    std::array<TextureStep, maxUnits> steps{};
+    std::size_t stepCount = 0;
+    bool flat = false;
+    bool perspective = true;       ///< off: GL_PERSPECTIVE_CORRECTION_HINT is GL_FASTEST
+    bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)
+};
+
+/// Every pass of the scene. Sentences about what could not be drawn are added to `problems`. Throws
+/// std::bad_alloc.
+[[nodiscard]] std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
+                                                const LevelWork& work, AnisotropyMethod anisotropy,
+                                                TextureStore& store, std::vector<std::string>& problems);
+
+} // namespace texplorer::reference

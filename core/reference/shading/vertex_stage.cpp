@@ -1,0 +1,83 @@
+#include "core/reference/shading/vertex_stage.h"
+
+#include "core/reference/shading/tex_gen.h"
+#include "core/scene/tex_coords.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <cmath>
+
+namespace texplorer::reference {
+
+namespace {
+
+/// The cofactors: the inverse transpose but for a factor, which GL_NORMALIZE takes away again. They exist for
+/// a model of size 0, too.
+glm::mat3 cofactors(const glm::mat3& m) {
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+glm::vec3 normalized(glm::vec3 v) {
+    const float length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : glm::vec3(0);
+}
+
+} // namespace
+
+VertexStage::VertexStage(const Scene& scene, const PassState& pass, const glm::mat4& modelview,
+                         const glm::mat4& projection)
+    : scene_(scene)
+    , pass_(pass)
+    , modelview_(modelview)
+    , clip_(projection * modelview)
+    , normal_(cofactors(glm::mat3(modelview))) {
+    if (glm::dot(normal_[0], glm::vec3(modelview[0])) < 0) // a model of negative size is mirrored
+        normal_ *= -1.0F;
+}
+
+VertexRecord VertexStage::explain(const Vertex& vertex,
+                                  const std::array<glm::vec4, maxUnits>& texCoords) const {
+    VertexRecord record;
+    ShadedVertex& shaded = record.shaded;
+    shaded.clip = clip(vertex);
+    const glm::vec4 position(vertex.position, 1);
+    record.eye = modelview_ * position;
+    record.normal = normalized(normal_ * vertex.normal);
+    if (pass_.pass->lighting)
+        record.lighting = lightingTerms(scene_.light, scene_.material, glm::vec3(record.eye), record.normal);
+    const VertexColors colors = pass_.pass->lighting
+                                    ? litColors(record.lighting, scene_.material, scene_.light.colorControl)
+                                    : unlitColors(scene_.material);
+    shaded.primary = colors.primary;
+    shaded.secondary = colors.secondary;
+    for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
+        const UnitState& unit = pass_.units[u];
+        glm::vec4 coord = texCoords[u];
+        if (!unit.texture)
+            continue;
+        if (unit.flipsCoordinates)
+            coord.t = coord.q - coord.t;
+        record.generated[u] = generateCoordinates(*unit.unit, coord, {position, record.eye, record.normal});
+        shaded.texCoords[u] = unit.matrix * record.generated[u]; // section 2.11.2
+    }
+    return record;
+}
+
+std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Model& model, const Mesh& mesh,
+                                        const PassState& pass) {
+    std::array<TexCoords, maxUnits> lists;
+    for (int u = 0; u < pass.unitsUsed; ++u)
+        lists[static_cast<std::size_t>(u)] = effectiveTexCoords(model, mesh, u);
+    std::vector<ShadedVertex> shaded;
+    shaded.reserve(mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        std::array<glm::vec4, maxUnits> coords{};
+        for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u)
+            coords[u] = lists[u][i];
+        shaded.push_back(stage(mesh.vertices[i], coords));
+    }
+    return shaded;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/reference/shading/lighting.h"
+#include "core/reference/shading/pass_state.h"
+#include "core/reference/shading/vertex.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <vector>
+
+namespace texplorer::reference {
+
+/// A vertex with everything that it went through.
+struct VertexRecord {
+    glm::vec4 eye{0, 0, 0, 1};
+    glm::vec3 normal{0};                         ///< in eye coordinates, of unit length
+    LightingTerms lighting{};                    ///< where the pass is lit
+    std::array<glm::vec4, maxUnits> generated{}; ///< coordinates before the texture matrix
+    ShadedVertex shaded;
+};
+
+/// One vertex of a model: clip coordinates, colours and generated coordinates. `modelview` and `projection`
+/// as in section 2.11.
+class VertexStage {
+public:
+    VertexStage(const Scene& scene, const PassState& pass, const glm::mat4& modelview,
+                const glm::mat4& projection);
+
+    /// `texCoords` holds one coordinate a unit, as the scene gives them.
+    [[nodiscard]] ShadedVertex operator()(const Vertex& vertex,
+                                          const std::array<glm::vec4, maxUnits>& texCoords) const {
+        return explain(vertex, texCoords).shaded;
+    }
+
+    [[nodiscard]] VertexRecord explain(const Vertex& vertex,
+                                       const std::array<glm::vec4, maxUnits>& texCoords) const;
+
+    /// The clip coordinates alone.
+    [[nodiscard]] glm::vec4 clip(const Vertex& vertex) const { return clip_ * glm::vec4(vertex.position, 1); }
+
+private:
+    const Scene& scene_;
+    const PassState& pass_;
+    glm::mat4 modelview_;
+    glm::mat4 clip_;
+    glm::mat3 normal_; ///< the inverse transpose of modelview (section 2.11.3)
+};
+
+/// All vertices of a model, as a pass draws it.
+[[nodiscard]] std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Model& model,
+                                                      const Mesh& mesh, const PassState& pass);
+
+} // namespace texplorer::reference

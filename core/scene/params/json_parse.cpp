@@ -1,0 +1,380 @@
+// Reads a scene while the text is parsed, without a document in between: every token is held against the
+// tables at once. What the tables don't foresee ends the reading there, so that neither deep nesting nor long
+// lists can cost more memory than a scene may have.
+
+#include "core/scene/params/json.h"
+#include "core/scene/params/json_problem.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+#include "core/scene/params/scene_check.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace texplorer {
+namespace {
+
+/// Numbers are read as float at once: by way of double some would be rounded twice.
+using Json =
+    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
+
+constexpr std::string_view versionKey = "version";
+constexpr std::string_view schemaKey = "$schema"; // for editors that check while one types
+
+std::size_t maxVertexCount() {
+    std::size_t count = 0;
+    for (const EnumRow& shape : shapeRows)
+        count = std::max(count, vertexCount(static_cast<Shape>(shape.value), maxSubdivision, maxSubdivision));
+    return count;
+}
+
+/// An object or array that has begun and not ended.
+struct Frame {
+    enum class Kind { Object, List, Numbers, TexCoords };
+
+    Kind kind;
+    void* owner;                        ///< the struct that the object, or the member, belongs to
+    const StructTable* table = nullptr; ///< Object: its members
+    const ParamRow* row =
+        nullptr; ///< Object: the member that comes next; Numbers, TexCoords: what they are for
+    const ChildRow* child = nullptr; ///< Object: the member that comes next; List: what its elements are
+    bool versionNext = false;        ///< Object: what comes next is the version
+    bool schemaNext = false;         ///< Object: what comes next names a schema, and is not looked at
+    std::string key{};               ///< Object: the last key, for the pointer
+    std::uint64_t seen = 0;          ///< Object: one bit for each member that occurred
+    std::size_t count = 0;           ///< elements so far
+    glm::vec4 numbers{0, 0, 0, 1};   ///< Numbers
+    TexCoords coords{};              ///< TexCoords
+};
+
+class Reader : public nlohmann::json_sax<Json> {
+public:
+    explicit Reader(Scene& scene)
+        : scene_(scene) {}
+
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+    bool null() override { return refuse("null"); }
+    bool boolean(bool value) override {
+        const ParamRow* row = rowNext();
+        if (!row || row->kind != Kind::Bool)
+            return refuse(value ? "true" : "false");
+        return store(*row, value);
+    }
+    bool number_integer(std::int64_t value) override {
+        return number(static_cast<float>(value), value, std::to_string(value));
+    }
+    bool number_unsigned(std::uint64_t value) override {
+        std::optional<std::int64_t> whole;
+        if (value <= INT64_MAX)
+            whole = static_cast<std::int64_t>(value);
+        return number(static_cast<float>(value), whole, std::to_string(value));
+    }
+    bool number_float(float value, const std::string& text) override {
+        std::optional<std::int64_t> whole;
+        if (std::trunc(value) == value && std::abs(value) <= 1e9F)
+            whole = static_cast<std::int64_t>(value);
+        return number(value, whole, shortened(text));
+    }
+    bool string(std::string& value) override;
+    bool binary(Json::binary_t&) override { return refuse("binary data"); } // JSON has none
+    bool start_object(std::size_t) override;
+    bool key(std::string& key) override;
+    bool end_object() override;
+    bool start_array(std::size_t) override;
+    bool end_array() override;
+    bool parse_error(std::size_t, const std::string& token, const Json::exception& problem) override;
+
+private:
+    /// The parameter that a scalar or an array of numbers would be for; nullptr where none may come.
+    const ParamRow* rowNext() const {
+        return !frames_.empty() && frames_.back().kind == Frame::Kind::Object ? frames_.back().row : nullptr;
+    }
+
+    bool number(float value, std::optional<std::int64_t> whole, const std::string& text);
+    bool version(std::optional<std::int64_t> number, const std::string& text);
+    bool store(const ParamRow& row, const Value& value);
+    std::string expected() const;
+    std::string pointer() const;
+
+    bool stop(ErrorCode code, std::string message) {
+        error_ = Error{code, std::move(message), pointer()};
+        return false;
+    }
+    bool refuse(const std::string& found) {
+        return stop(ErrorCode::OutOfRange, "expected " + expected() + ", found " + found);
+    }
+
+    Scene& scene_;
+    std::vector<Frame> frames_;
+    std::optional<Error> error_;
+};
+
+/// A key as RFC 6901 writes it in a pointer.
+std::string pointerPart(std::string_view key) {
+    std::string text;
+    for (const char c : shortened(key))
+        text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return text;
+}
+
+std::string Reader::pointer() const {
+    std::string text;
+    for (const Frame& frame : frames_) {
+        if (frame.kind != Frame::Kind::Object)
+            text += "/" + std::to_string(frame.count);
+        else if (!frame.key.empty())
+            text += "/" + pointerPart(frame.key);
+    }
+    return text;
+}
+
+std::string Reader::expected() const {
+    if (frames_.empty())
+        return "an object";
+    const Frame& frame = frames_.back();
+    switch (frame.kind) {
+    case Frame::Kind::Object:
+        if (frame.versionNext)
+            return "a version number from 1 to " + std::to_string(sceneFormatVersion);
+        if (frame.schemaNext)
+            return "a text";
+        if (frame.row)
+            return describeAccepted(*frame.row);
+        return frame.child->indexed ? "an array" : "an object";
+    case Frame::Kind::List:
+        return "an object";
+    case Frame::Kind::Numbers:
+        return "a number";
+    case Frame::Kind::TexCoords:
+        return "an array of 2 to 4 numbers";
+    }
+    return {};
+}
+
+bool Reader::store(const ParamRow& row, const Value& value) {
+    if (auto checked = checkValue(row, value); !checked)
+        return stop(checked.error().code, checked.error().message);
+    row.write(frames_.back().owner, value);
+    return true;
+}
+
+bool Reader::version(std::optional<std::int64_t> number, const std::string& text) {
+    if (number && *number > sceneFormatVersion)
+        return stop(ErrorCode::Unsupported, "the file has version " + text +
+                                                ", this Texplorer reads versions up to " +
+                                                std::to_string(sceneFormatVersion));
+    return number && *number >= 1 ? true : refuse(text);
+}
+
+bool Reader::number(float value, std::optional<std::int64_t> whole, const std::string& text) {
+    if (!frames_.empty() && frames_.back().kind == Frame::Kind::Numbers) {
+        Frame& frame = frames_.back();
+        const std::size_t limit = frame.row->kind == Kind::Vec3 ? 3 : 4;
+        if (frame.count == limit)
+            return stop(ErrorCode::OutOfRange, "expected " + describeAccepted(*frame.row) +
+                                                   ", found more than " + std::to_string(limit));
+        frame.numbers[static_cast<glm::vec4::length_type>(frame.count++)] = value;
+        return true;
+    }
+    if (!frames_.empty() && frames_.back().versionNext)
+        return version(whole, text);
+    const ParamRow* row = rowNext();
+    if (row && row->kind == Kind::Float)
+        return store(*row, value);
+    if (row && row->kind == Kind::Int && whole && *whole >= INT32_MIN && *whole <= INT32_MAX)
+        return store(*row, static_cast<int>(*whole));
+    // Some names are numbers: GL_RGB_SCALE is 1, 2 or 4.
+    if (row && row->kind == Kind::Enum && whole)
+        if (const EnumRow* named = findRow(row->choices, std::to_string(whole.value_or(0))))
+            return store(*row, EnumValue{named->value});
+    return refuse(text);
+}
+
+bool Reader::string(std::string& value) {
+    if (!frames_.empty() && frames_.back().schemaNext)
+        return true;
+    const ParamRow* row = rowNext();
+    if (!row || (row->kind != Kind::Enum && row->kind != Kind::Text))
+        return refuse(inQuotes(value));
+    const auto parsed = parseValue(*row, value);
+    return parsed ? store(*row, *parsed) : stop(parsed.error().code, parsed.error().message);
+}
+
+bool Reader::start_object(std::size_t) {
+    if (frames_.empty()) {
+        frames_.push_back({.kind = Frame::Kind::Object, .owner = &scene_, .table = &sceneTable()});
+        return true;
+    }
+    Frame& frame = frames_.back();
+    const ChildRow* child = frame.child;
+    std::size_t index = 0;
+    if (frame.kind == Frame::Kind::List) {
+        index = frame.count;
+        if (index == child->maxCount)
+            return stop(ErrorCode::TooLarge,
+                        "expected at most " + std::to_string(child->maxCount) + " elements, found more");
+        if (child->minCount != child->maxCount)
+            child->resize(frame.owner, index + 1);
+    } else if (frame.kind != Frame::Kind::Object || !child || child->indexed) {
+        return refuse("an object");
+    }
+    void* owner = child->at(frame.owner, index);
+    frames_.push_back({.kind = Frame::Kind::Object, .owner = owner, .table = child->table});
+    return true;
+}
+
+bool Reader::key(std::string& key) {
+    Frame& frame = frames_.back();
+    const bool root = frames_.size() == 1;
+    frame.key = key;
+    frame.row = findParam(*frame.table, key);
+    frame.child = findChild(*frame.table, key);
+    frame.versionNext = root && key == versionKey;
+    frame.schemaNext = root && key == schemaKey;
+
+    std::size_t bit = frame.schemaNext ? 62 : 63;
+    if (frame.row)
+        bit = static_cast<std::size_t>(frame.row - frame.table->params.data());
+    else if (frame.child)
+        bit =
+            frame.table->params.size() + static_cast<std::size_t>(frame.child - frame.table->children.data());
+    else if (!frame.versionNext && !frame.schemaNext) {
+        auto names = tableKeys(*frame.table);
+        if (root)
+            names.insert(names.begin(), versionKey);
+        return stop(ErrorCode::OutOfRange, "unknown key; " + suggestName(key, names));
+    }
+    if ((frame.seen >> bit & 1U) != 0)
+        return stop(ErrorCode::Malformed, "expected each key once, found " + inQuotes(key) + " twice");
+    frame.seen |= std::uint64_t{1} << bit;
+    return true;
+}
+
+bool Reader::start_array(std::size_t) {
+    if (frames_.empty())
+        return refuse("an array");
+    Frame& frame = frames_.back();
+    if (frame.kind == Frame::Kind::TexCoords) {
+        static const std::size_t limit = maxVertexCount();
+        if (frame.count == limit)
+            return stop(ErrorCode::TooLarge,
+                        "expected at most " + std::to_string(limit) + " coordinates, found more");
+        frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = frame.row});
+        return true;
+    }
+    if (frame.kind == Frame::Kind::Object && frame.child && frame.child->indexed) {
+        frame.child->resize(frame.owner, 0); // a list that is present replaces what was there
+        frames_.push_back({.kind = Frame::Kind::List, .owner = frame.owner, .child = frame.child});
+        return true;
+    }
+    const ParamRow* row = rowNext();
+    if (row && row->kind == Kind::TexCoordList) {
+        frames_.push_back({.kind = Frame::Kind::TexCoords, .owner = frame.owner, .row = row});
+        return true;
+    }
+    if (row && (row->kind == Kind::Vec3 || row->kind == Kind::Vec4 || row->kind == Kind::Color)) {
+        frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = row});
+        return true;
+    }
+    return refuse("an array");
+}
+
+bool Reader::end_object() {
+    frames_.pop_back();
+    if (!frames_.empty() && frames_.back().kind == Frame::Kind::List)
+        ++frames_.back().count;
+    return true;
+}
+
+bool Reader::end_array() {
+    const Frame ended = std::move(frames_.back());
+    frames_.pop_back(); // so that an error points at the array, not beyond its end
+    switch (ended.kind) {
+    case Frame::Kind::Object:
+        break;
+    case Frame::Kind::List:
+        if (ended.child->minCount != ended.child->maxCount && ended.count < ended.child->minCount)
+            return stop(ErrorCode::OutOfRange, "expected " + std::to_string(ended.child->minCount) + " to " +
+                                                   std::to_string(ended.child->maxCount) +
+                                                   " elements, found " + std::to_string(ended.count));
+        break;
+    case Frame::Kind::TexCoords:
+        return store(*ended.row, ended.coords);
+    case Frame::Kind::Numbers: {
+        const bool coordinate = ended.row->kind == Kind::TexCoordList;
+        if (ended.count < (coordinate ? 2U : ended.row->kind == Kind::Vec3 ? 3U : 4U))
+            return refuse(std::to_string(ended.count));
+        if (!coordinate)
+            return store(*ended.row, ended.row->kind == Kind::Vec3 ? Value(glm::vec3(ended.numbers))
+                                                                   : Value(ended.numbers));
+        frames_.back().coords.push_back(ended.numbers);
+        ++frames_.back().count;
+        break;
+    }
+    }
+    return true;
+}
+
+bool Reader::parse_error(std::size_t, const std::string& token, const Json::exception& problem) {
+    constexpr int numberOverflow = 406;
+    if (problem.id == numberOverflow)
+        return refuse(shortened(token));
+
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'"
+    std::string_view text = problem.what();
+    constexpr std::string_view before = "parse error at ";
+    if (const std::size_t at = text.find(before); at != std::string_view::npos)
+        text.remove_prefix(at + before.size());
+    text = text.substr(0, text.find("; last read")); // which may be long, and not even UTF-8
+    const std::size_t colon = text.find(": ");
+    error_ = colon == std::string_view::npos
+                 ? Error{ErrorCode::Malformed, std::string(text), {}}
+                 : Error{ErrorCode::Malformed, readableProblem(text.substr(colon + 2)),
+                         std::string(text.substr(0, colon))};
+    return false;
+}
+
+/// What the tables can't see: members that must fit each other.
+Result<void> checkTogether(const Scene& scene) {
+    for (std::size_t m = 0; m < scene.models.size(); ++m)
+        for (const ParamRow& row : modelTable().params) {
+            if (row.kind != Kind::TexCoordList)
+                continue;
+            const Model& model = scene.models[m];
+            if (auto fits = checkTexCoordCount(model, std::get<TexCoords>(row.read(&model))); !fits)
+                return fail(fits.error().code, fits.error().message,
+                            "/models/" + std::to_string(m) + "/" + std::string(row.key));
+        }
+    for (std::size_t p = 0; p < scene.passes.size(); ++p)
+        for (std::size_t u = 0; u < scene.passes[p].units.size(); ++u)
+            if (auto found = checkUnitTexture(scene, scene.passes[p].units[u]); !found)
+                return fail(found.error().code, found.error().message,
+                            "/passes/" + std::to_string(p) + "/units/" + std::to_string(u) + "/texture");
+    return {};
+}
+
+} // namespace
+
+Result<Scene> parseScene(std::string_view json) {
+    if (json.size() > maxSceneBytes)
+        return fail(ErrorCode::TooLarge, "expected a scene of at most " + std::to_string(maxSceneBytes) +
+                                             " bytes, found " + std::to_string(json.size()));
+    if (json.empty())
+        return fail(ErrorCode::Malformed, "expected an object, found an empty file");
+
+    Scene scene = defaultScene();
+    Reader reader(scene);
+    const bool parsed = Json::sax_parse(json.begin(), json.end(), &reader);
+    if (reader.error())
+        return fail(*reader.error());
+    if (!parsed)
+        return fail(ErrorCode::Malformed, "expected a scene in JSON");
+    if (auto checked = checkTogether(scene); !checked)
+        return fail(std::move(checked.error()));
+    return scene;
+}
+
+} // namespace texplorer

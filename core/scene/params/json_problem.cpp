@@ -1,0 +1,67 @@
+#include "core/scene/params/json_problem.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer {
+
+namespace {
+
+/// What was being read, and what may come there.
+struct Place {
+    std::string_view context;
+    std::string_view inside;
+    std::string_view expected;
+};
+
+constexpr std::array places{
+    Place{"object key", "an object", "a key in quotes"},
+    Place{"object separator", "an object", "':' after the key"},
+    Place{"object", "an object", "',' or '}'"},
+    Place{"array", "an array", "',' or ']'"},
+    Place{"value", "", "a value"},
+};
+
+constexpr std::string_view before = "syntax error while parsing ";
+constexpr std::string_view unexpected = "unexpected ";
+constexpr std::string_view theEnd = "end of input";
+
+/// "string literal" is the library's name for it.
+std::string foundText(std::string_view token) {
+    if (token == "string literal")
+        return "a text in quotes";
+    if (token == "number literal")
+        return "a number";
+    if (const std::size_t at = token.find(" literal"); at != std::string_view::npos)
+        token = token.substr(0, at);
+    return std::string(token);
+}
+
+} // namespace
+
+std::string readableProblem(std::string_view said) {
+    const std::size_t dash = said.find(" - ");
+    if (!said.starts_with(before) || dash == std::string_view::npos)
+        return std::string(said);
+    const std::string_view context = said.substr(before.size(), dash - before.size());
+    std::string_view problem = said.substr(dash + 3);
+    const auto* place = std::ranges::find(places, context, &Place::context);
+    if (place == places.end())
+        return std::string(said);
+    const std::string expected = "expected " + std::string(place->expected);
+    if (problem == "invalid literal") // neither a word nor a sign that JSON has
+        return expected + ", found what is no part of JSON";
+    if (!problem.starts_with(unexpected)) // "invalid string: missing closing quote"
+        return std::string(problem);
+    problem.remove_prefix(unexpected.size());
+    const std::size_t semicolon = problem.find("; expected ");
+    const std::string_view token = problem.substr(0, semicolon);
+    if (semicolon != std::string_view::npos && problem.substr(semicolon).ends_with(theEnd))
+        return "expected the end of the file, found " + foundText(token);
+    if (token != theEnd)
+        return expected + ", found " + foundText(token);
+    return "the file ends" +
+           (place->inside.empty() ? "" : " in the middle of " + std::string(place->inside)) + "; " + expected;
+}
+
+} // namespace texplorer

@@ -1,0 +1,168 @@
+#pragma once
+
+// How the tables of params_*.cpp are written: param<&Texture::minFilter>(…) generates a row's read, write and
+// kind from the member itself, so that a row can't disagree with its struct. Only those files include this.
+
+#include "core/scene/params/params.h"
+
+namespace texplorer::build {
+
+template<class>
+struct MemberOf;
+template<class O, class T>
+struct MemberOf<T O::*> {
+    using Owner = O;
+    using Type = T;
+};
+template<auto Member>
+using Owner = typename MemberOf<decltype(Member)>::Owner;
+template<auto Member>
+using Type = typename MemberOf<decltype(Member)>::Type;
+
+template<auto Member>
+const Type<Member>& get(const void* owner) {
+    return static_cast<const Owner<Member>*>(owner)->*Member;
+}
+template<auto Member>
+Type<Member>& get(void* owner) {
+    return static_cast<Owner<Member>*>(owner)->*Member;
+}
+
+template<class T>
+consteval Kind kindOf() {
+    if constexpr (std::is_same_v<T, bool>)
+        return Kind::Bool;
+    else if constexpr (std::is_same_v<T, int>)
+        return Kind::Int;
+    else if constexpr (std::is_same_v<T, float>)
+        return Kind::Float;
+    else if constexpr (std::is_same_v<T, glm::vec3>)
+        return Kind::Vec3;
+    else if constexpr (std::is_same_v<T, glm::vec4>)
+        return Kind::Vec4;
+    else if constexpr (std::is_same_v<T, std::string>)
+        return Kind::Text;
+    else {
+        static_assert(Enumerated<T>, "a member needs a Kind or an EnumTable");
+        return Kind::Enum;
+    }
+}
+
+template<auto Member>
+Value read(const void* owner) {
+    using T = Type<Member>;
+    if constexpr (Enumerated<T>)
+        return EnumValue{static_cast<std::uint32_t>(get<Member>(owner))};
+    else
+        return Value(std::in_place_type<T>, get<Member>(owner));
+}
+
+template<auto Member>
+void write(void* owner, const Value& value) {
+    using T = Type<Member>;
+    if constexpr (Enumerated<T>)
+        get<Member>(owner) = static_cast<T>(std::get<EnumValue>(value).number);
+    else
+        get<Member>(owner) = std::get<T>(value);
+}
+
+template<class T>
+constexpr std::span<const EnumRow> choicesOf() {
+    if constexpr (Enumerated<T>)
+        return EnumTable<T>::rows;
+    else
+        return {};
+}
+
+/// A row for a member. Numbers need a range; the others leave it out.
+template<auto Member>
+constexpr ParamRow param(std::string_view key, std::string_view group, std::string_view label,
+                         std::string_view glCall, std::string_view help, Range range = {}) {
+    return {key,          group,
+            label,        help,
+            glCall,       kindOf<Type<Member>>(),
+            range,        choicesOf<Type<Member>>(),
+            read<Member>, write<Member>};
+}
+
+/// A row for a vec4 that is a colour: 0 to 1 in each component, as GL clamps it.
+template<auto Member>
+constexpr ParamRow color(std::string_view key, std::string_view group, std::string_view label,
+                         std::string_view glCall, std::string_view help) {
+    static_assert(std::is_same_v<Type<Member>, glm::vec4>);
+    ParamRow row = param<Member>(key, group, label, glCall, help, {0, 1, 0.005F, {}});
+    row.kind = Kind::Color;
+    return row;
+}
+
+/// A row for one element of an array of texture-coordinate lists.
+template<auto Member, std::size_t Index>
+constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::string_view label,
+                             std::string_view glCall, std::string_view help) {
+    constexpr auto readList = [](const void* owner) -> Value { return get<Member>(owner)[Index]; };
+    constexpr auto writeList = [](void* owner, const Value& value) {
+        get<Member>(owner)[Index] = std::get<TexCoords>(value);
+    };
+    return {key, group, label, help, glCall, Kind::TexCoordList, {}, {}, readList, writeList};
+}
+
+/// A member that is one struct. Its initial value is the one that its owner gives it.
+template<auto Member>
+ChildRow single(std::string_view key, std::string_view label, const StructTable& table) {
+    return {key,
+            label,
+            &table,
+            false,
+            1,
+            1,
+            [](const void*) -> std::size_t { return 1; },
+            [](void* owner, std::size_t) -> void* { return &get<Member>(owner); },
+            [](void* owner, std::size_t count) {
+                if (count == 0)
+                    get<Member>(owner) = Owner<Member>{}.*Member;
+            },
+            [](const void* owner, std::size_t) { return get<Member>(owner) == Owner<Member>{}.*Member; }};
+}
+
+/// A member that is a vector or an array of structs.
+template<auto Member>
+ChildRow many(std::string_view key, std::string_view label, const StructTable& table, std::size_t minCount,
+              std::size_t maxCount) {
+    using List = Type<Member>;
+    using T = typename List::value_type;
+    return {key,
+            label,
+            &table,
+            true,
+            minCount,
+            maxCount,
+            [](const void* owner) -> std::size_t { return get<Member>(owner).size(); },
+            [](void* owner, std::size_t index) -> void* { return &get<Member>(owner)[index]; },
+            [](void* owner, std::size_t count) {
+                List& list = get<Member>(owner);
+                if constexpr (requires { list.resize(count); })
+                    list.resize(count);
+                else
+                    for (std::size_t i = count; i < list.size(); ++i)
+                        list[i] = T{};
+            },
+            [](const void* owner, std::size_t index) { return get<Member>(owner)[index] == T{}; }};
+}
+
+/// Stands for any member while members are counted.
+struct Anything {
+    template<class T>
+    operator T() const;
+};
+
+/// How many members an aggregate has: the longest list of initialisers that it takes. A table whose
+/// static_assert compares with it can't forget a member.
+template<class T, class... Initialisers>
+consteval std::size_t memberCount() {
+    if constexpr (requires { T{Initialisers{}..., Anything{}}; })
+        return memberCount<T, Initialisers..., Anything>();
+    else
+        return sizeof...(Initialisers);
+}
+
+} // namespace texplorer::build

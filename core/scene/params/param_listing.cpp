@@ -1,0 +1,195 @@
+#include "core/scene/params/param_listing.h"
+
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
+
+#include <nlohmann/json.hpp>
+
+namespace texplorer {
+namespace {
+
+/// Keeps the order of its members, and floats as short as they are.
+using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, float>;
+
+struct Visitor {
+    std::function<void(const std::string& path, const ParamRow& row, const Value& initial)> param;
+    std::function<void(const std::string& path, const ChildRow& child)> list;
+};
+
+/// Walks the tables with one element in each list, as it is when it is new.
+void walk(const StructTable& table, void* owner, const std::string& prefix, const Visitor& visitor) {
+    for (const ParamRow& row : table.params)
+        visitor.param(prefix + std::string(row.key), row, row.read(owner));
+    for (const ChildRow& child : table.children) {
+        std::string path = prefix + std::string(child.key);
+        if (child.indexed) {
+            path += "[]";
+            visitor.list(path, child);
+        }
+        if (child.minCount != child.maxCount) {
+            child.resize(owner, 0);
+            child.resize(owner, 1);
+        }
+        walk(*child.table, child.at(owner, 0), path + ".", visitor);
+    }
+}
+
+void walkAll(const Visitor& visitor) {
+    Scene start = defaultScene(); // what a scene that says nothing begins with
+    walk(sceneTable(), &start, "", visitor);
+}
+
+std::string_view kindName(Kind kind) {
+    switch (kind) {
+    case Kind::Bool:
+        return "bool";
+    case Kind::Int:
+        return "int";
+    case Kind::Float:
+        return "float";
+    case Kind::Vec3:
+        return "vec3";
+    case Kind::Vec4:
+        return "vec4";
+    case Kind::Color:
+        return "color";
+    case Kind::Enum:
+        return "enum";
+    case Kind::Text:
+        return "text";
+    case Kind::TexCoordList:
+        return "texCoords";
+    }
+    return {};
+}
+
+bool hasRange(Kind kind) {
+    return kind == Kind::Int || kind == Kind::Float || kind == Kind::Vec3 || kind == Kind::Vec4 ||
+           kind == Kind::Color;
+}
+
+template<class Vector>
+Json jsonVector(const Vector& vector) {
+    Json numbers = Json::array();
+    for (int i = 0; i < Vector::length(); ++i)
+        numbers.push_back(vector[i]);
+    return numbers;
+}
+
+/// The value as scene files hold it.
+Json jsonValue(const ParamRow& row, const Value& value) {
+    switch (row.kind) {
+    case Kind::Bool:
+        return std::get<bool>(value);
+    case Kind::Int:
+        return std::get<int>(value);
+    case Kind::Float:
+        return std::get<float>(value);
+    case Kind::Vec3:
+        return jsonVector(std::get<glm::vec3>(value));
+    case Kind::Vec4:
+    case Kind::Color:
+        return jsonVector(std::get<glm::vec4>(value));
+    case Kind::Enum:
+    case Kind::Text:
+        return formatValue(row, value);
+    case Kind::TexCoordList:
+        return Json::array();
+    }
+    return {};
+}
+
+/// Breaks a text between words into lines of at most 100 columns, each with this indent.
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t firstIndent) {
+    constexpr std::size_t width = 100;
+    std::string out(firstIndent, ' ');
+    std::size_t column = indent;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        if (column > indent && column + 1 + word.size() > width) {
+            out.append("\n").append(indent, ' ');
+            column = indent;
+        } else if (column > indent) {
+            out += ' ';
+            ++column;
+        }
+        out += word;
+        column += word.size();
+    }
+    return out + "\n";
+}
+
+} // namespace
+
+std::string listParams() {
+    std::string out;
+    const auto list = [&](const std::string& path, const ChildRow& child) {
+        out += path + "   ";
+        if (child.minCount == child.maxCount)
+            out += "always " + std::to_string(child.maxCount) + " of them";
+        else
+            out += std::to_string(child.minCount) + " to " + std::to_string(child.maxCount) + " of them";
+        out += ", counted from 0\n\n";
+    };
+    const auto param = [&](const std::string& path, const ParamRow& row, const Value& initial) {
+        out += path;
+        if (const std::string text = formatValue(row, initial); !text.empty())
+            out += " = " + text;
+        out += "\n" + wrapped(row.help, 4, 4);
+        if (row.kind == Kind::Enum) {
+            std::size_t longest = 0;
+            for (const EnumRow& choice : row.choices)
+                longest = std::max(longest, choice.name.size());
+            for (const EnumRow& choice : row.choices) {
+                out.append(6, ' ').append(choice.name);
+                out += wrapped(choice.help, longest + 8, longest + 2 - choice.name.size());
+            }
+        } else {
+            out += "    Accepts " + describeAccepted(row) + ".\n";
+        }
+        if (row.kind == Kind::TexCoordList)
+            out += "    One vertex is " + path + "[].\n";
+        if (!row.glCall.empty())
+            out.append("    ").append(row.glCall).append("\n");
+        out += "\n";
+    };
+    walkAll({param, list});
+    out.pop_back();
+    return out;
+}
+
+std::string listParamsJson() {
+    Json params = Json::array();
+    Json lists = Json::array();
+    const auto list = [&](const std::string& path, const ChildRow& child) {
+        lists.push_back({{"path", path}, {"minCount", child.minCount}, {"maxCount", child.maxCount}});
+    };
+    const auto param = [&](const std::string& path, const ParamRow& row, const Value& initial) {
+        Json entry{{"path", path},
+                   {"kind", kindName(row.kind)},
+                   {"group", row.group},
+                   {"label", row.label},
+                   {"help", row.help},
+                   {"glCall", row.glCall},
+                   {"default", jsonValue(row, initial)}};
+        if (hasRange(row.kind))
+            entry["range"] = {{"min", row.range.min},
+                              {"max", row.range.max},
+                              {"step", row.range.step},
+                              {"unit", row.range.unit}};
+        for (const EnumRow& choice : row.choices)
+            entry["choices"].push_back({{"name", choice.name},
+                                        {"label", choice.label},
+                                        {"help", choice.help},
+                                        {"since", choice.since}});
+        params.push_back(std::move(entry));
+    };
+    walkAll({param, list});
+    const Json all{
+        {"version", sceneFormatVersion}, {"parameters", std::move(params)}, {"lists", std::move(lists)}};
+    return all.dump(2) + "\n";
+}
+
+} // namespace texplorer

@@ -1,0 +1,221 @@
+// Parameters by their path: "passes[0].units[1].envMode".
+
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+#include "core/scene/params/scene_check.h"
+
+#include <charconv>
+#include <optional>
+
+namespace texplorer {
+namespace {
+
+/// Where a path leads: a row of the struct at `owner`, and for texture coordinates perhaps one vertex of it.
+struct Place {
+    const StructTable* table = nullptr;
+    void* owner = nullptr;
+    const ParamRow* row = nullptr;
+    std::optional<std::size_t> vertex;
+};
+
+/// One part of a path, "textures[0]": its key and, where it has one, the text between the brackets.
+struct Part {
+    std::string_view whole;
+    std::string_view key;
+    std::optional<std::string_view> index;
+};
+
+std::string lowerFirst(std::string_view name) {
+    std::string text(name);
+    text.front() = static_cast<char>(text.front() - 'A' + 'a');
+    return text;
+}
+
+std::optional<std::size_t> parseIndex(std::string_view text) {
+    std::size_t index = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, index);
+    if (error == std::errc::result_out_of_range && stop == end)
+        return static_cast<std::size_t>(-1); // beyond any list, and said so by whoever compares
+    if (error != std::errc() || stop != end || text.empty())
+        return std::nullopt;
+    return index;
+}
+
+class Walker {
+public:
+    Walker(Scene& scene, std::string_view path)
+        : rest_(path) {
+        place_.table = &sceneTable();
+        place_.owner = &scene;
+    }
+
+    Result<Place> walk() {
+        while (!place_.row) {
+            const Part part = next();
+            const ParamRow* row = findParam(*place_.table, part.key);
+            const ChildRow* child = findChild(*place_.table, part.key);
+            walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
+            if (!row && !child)
+                return refuse("no such parameter; " + suggestName(part.key, tableKeys(*place_.table)));
+            auto entered = row ? enter(*row, part) : enter(*child, part);
+            if (!entered)
+                return fail(std::move(entered.error()));
+        }
+        return place_;
+    }
+
+private:
+    Part next() {
+        const std::size_t dot = rest_.find('.');
+        Part part{rest_.substr(0, dot), rest_.substr(0, dot), {}};
+        rest_ = dot == std::string_view::npos ? std::string_view() : rest_.substr(dot + 1);
+        dotted_ = dot != std::string_view::npos;
+        const std::size_t bracket = part.whole.find('[');
+        if (bracket != std::string_view::npos && part.whole.ends_with(']')) {
+            part.key = part.whole.substr(0, bracket);
+            part.index = part.whole.substr(bracket + 1, part.whole.size() - bracket - 2);
+        }
+        return part;
+    }
+
+    Result<void> enter(const ParamRow& row, const Part& part) {
+        if (dotted_)
+            return refuse("it is a value and has no parts, expected the path to end here");
+        place_.row = &row;
+        if (!part.index)
+            return {};
+        if (row.kind != Kind::TexCoordList)
+            return refuse("it is a single value, expected no index");
+        const Model& model = *static_cast<const Model*>(place_.owner);
+        const std::size_t count = vertexCount(model.shape, model.slices, model.stacks);
+        place_.vertex = parseIndex(*part.index);
+        if (!place_.vertex)
+            return refuse("expected the number of a vertex in the brackets, found " + inQuotes(*part.index));
+        if (*place_.vertex >= count)
+            return refuse("the " + std::string(rowOf(model.shape).name) + " has " + std::to_string(count) +
+                          " vertices, expected 0 to " + std::to_string(count - 1));
+        return {};
+    }
+
+    Result<void> enter(const ChildRow& child, const Part& part) {
+        if (child.indexed != part.index.has_value())
+            return refuse(child.indexed
+                              ? "an index is needed, as in " + std::string(child.key) + "[0]; " + has(child)
+                              : "it is not a list, expected no index");
+        std::size_t index = 0;
+        if (part.index) {
+            const auto parsed = parseIndex(*part.index);
+            if (!parsed)
+                return refuse("expected a number in the brackets, found " + inQuotes(*part.index));
+            if (*parsed >= child.size(place_.owner))
+                return refuse("expected the number of one that exists, counted from 0; " + has(child));
+            index = *parsed;
+        }
+        place_.owner = child.at(place_.owner, index);
+        place_.table = child.table;
+        if (!dotted_)
+            return refuse("it has parameters of its own; " + suggestName("", tableKeys(*child.table)));
+        return {};
+    }
+
+    /// "the scene has 1"
+    std::string has(const ChildRow& child) const {
+        return "the " + lowerFirst(place_.table->name) + " has " + std::to_string(child.size(place_.owner));
+    }
+
+    tl::unexpected<Error> refuse(std::string message) const {
+        return fail(ErrorCode::OutOfRange, std::move(message), walked_);
+    }
+
+    Place place_;
+    std::string_view rest_;
+    std::string walked_;
+    bool dotted_ = false;
+};
+
+/// The list of coordinates at a place, taken from the mesh where the scene has none that fits.
+TexCoords filledTexCoords(const Place& place) {
+    const Model& model = *static_cast<const Model*>(place.owner);
+    TexCoords list = std::get<TexCoords>(place.row->read(place.owner));
+    if (!list.empty() && checkTexCoordCount(model, list))
+        return list;
+    const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
+    list.resize(mesh.vertices.size());
+    std::ranges::transform(mesh.vertices, list.begin(), &Vertex::texCoord);
+    return list;
+}
+
+Result<void> checkInScene(const Scene& scene, const Place& place) {
+    if (place.row->kind == Kind::TexCoordList)
+        return checkTexCoordCount(*static_cast<const Model*>(place.owner),
+                                  std::get<TexCoords>(place.row->read(place.owner)));
+    if (place.table == &unitTable())
+        return checkUnitTexture(scene, *static_cast<const Unit*>(place.owner));
+    return {};
+}
+
+void visitStruct(const StructTable& table, void* owner, const std::string& prefix,
+                 const std::function<void(const std::string&, const ParamRow&, const Value&)>& visit) {
+    for (const ParamRow& row : table.params)
+        visit(prefix + std::string(row.key), row, row.read(owner));
+    for (const ChildRow& child : table.children)
+        for (std::size_t i = 0; i < child.size(owner); ++i) {
+            std::string path = prefix + std::string(child.key);
+            if (child.indexed)
+                path += "[" + std::to_string(i) + "]";
+            visitStruct(*child.table, child.at(owner, i), path + ".", visit);
+        }
+}
+
+} // namespace
+
+void forEachParam(
+    const Scene& scene,
+    const std::function<void(const std::string& path, const ParamRow& row, const Value& value)>& visit) {
+    // The tables reach members through void*; nothing is written on this way.
+    visitStruct(sceneTable(), const_cast<Scene*>(&scene), "", visit);
+}
+
+Result<std::string> getParam(const Scene& scene, std::string_view path) {
+    const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // only read below
+    if (!place)
+        return fail(place.error());
+    if (place->vertex)
+        return formatTexCoord(filledTexCoords(*place)[*place->vertex]);
+    return formatValue(*place->row, place->row->read(place->owner));
+}
+
+Result<void> setParam(Scene& scene, std::string_view path, std::string_view text) {
+    const auto place = Walker(scene, path).walk();
+    if (!place)
+        return fail(place.error());
+
+    const auto refuse = [&](Error error) {
+        return fail(error.code, std::move(error.message), std::string(path));
+    };
+    Value value;
+    if (place->vertex) {
+        const auto coord = parseTexCoord(text);
+        if (!coord)
+            return refuse(coord.error());
+        TexCoords list = filledTexCoords(*place);
+        list[*place->vertex] = *coord;
+        value = std::move(list);
+    } else {
+        auto parsed = parseValue(*place->row, text);
+        if (!parsed)
+            return refuse(std::move(parsed.error()));
+        value = std::move(*parsed);
+    }
+
+    const Value before = place->row->read(place->owner);
+    place->row->write(place->owner, value);
+    if (auto checked = checkInScene(scene, *place); !checked) {
+        place->row->write(place->owner, before);
+        return refuse(std::move(checked.error()));
+    }
+    return {};
+}
+
+} // namespace texplorer

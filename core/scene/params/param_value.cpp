@@ -1,0 +1,339 @@
+// What a row accepts, and its values as text.
+
+#include "core/base/utf8.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace texplorer {
+namespace {
+
+std::string withUnit(const Range& range) {
+    std::string text = "from " + formatNumber(range.min) + " to " + formatNumber(range.max);
+    if (!range.unit.empty())
+        text.append(" ").append(range.unit);
+    return text;
+}
+
+Result<void> refuse(const ParamRow& row, const std::string& found) {
+    return fail(ErrorCode::OutOfRange, "expected " + describeAccepted(row) + ", found " + found);
+}
+
+std::size_t alternativeOf(Kind kind) {
+    switch (kind) {
+    case Kind::Bool:
+        return Value(false).index();
+    case Kind::Int:
+        return Value(0).index();
+    case Kind::Float:
+        return Value(0.0F).index();
+    case Kind::Vec3:
+        return Value(glm::vec3()).index();
+    case Kind::Vec4:
+    case Kind::Color:
+        return Value(glm::vec4()).index();
+    case Kind::Enum:
+        return Value(EnumValue{}).index();
+    case Kind::Text:
+        return Value(std::string()).index();
+    case Kind::TexCoordList:
+        return Value(TexCoords()).index();
+    }
+    return std::variant_npos;
+}
+
+template<class Vector>
+std::string joinNumbers(const Vector& vector, int count, std::string_view separator = ",") {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text.append(i == 0 ? "" : separator).append(formatNumber(vector[i]));
+    return text;
+}
+
+bool accepts(const Range& range, float number) {
+    return number >= range.min && number <= range.max; // false for NaN
+}
+
+template<class Vector>
+Result<void> checkComponents(const ParamRow& row, const Vector& vector) {
+    for (int i = 0; i < Vector::length(); ++i)
+        if (!accepts(row.range, vector[i]))
+            return refuse(row, formatNumber(vector[i]));
+    return {};
+}
+
+Result<void> checkText(const ParamRow& row, const std::string& text) {
+    if (text.size() > maxTextBytes)
+        return refuse(row, std::to_string(text.size()) + " bytes");
+    if (text.find('\0') != std::string::npos)
+        return refuse(row, "a zero byte in it");
+    if (!isUtf8(text))
+        return refuse(row, "bytes that are not UTF-8");
+    return {};
+}
+
+Result<void> checkTexCoords(const ParamRow& row, const TexCoords& list) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+        for (int c = 0; c < 4; ++c)
+            if (!std::isfinite(list[i][c]))
+                return refuse(row, formatNumber(list[i][c]) + " at vertex " + std::to_string(i));
+    return {};
+}
+
+std::string_view trim(std::string_view text) {
+    constexpr std::string_view blank = " \t";
+    const std::size_t first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(trim(text.substr(0, end)));
+        if (end == std::string_view::npos)
+            return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// The whole text as a finite number.
+template<class Number>
+std::optional<Number> parseNumber(std::string_view text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stop != end || text.empty())
+        return std::nullopt;
+    if constexpr (std::is_floating_point_v<Number>)
+        if (!std::isfinite(number))
+            return std::nullopt;
+    return number;
+}
+
+/// Fills as many components as the text has, from `minCount` to 4.
+std::optional<glm::vec4> parseVector(std::string_view text, std::size_t minCount, std::size_t maxCount,
+                                     glm::vec4 vector) {
+    const auto parts = split(text, ',');
+    if (parts.size() < minCount || parts.size() > maxCount)
+        return std::nullopt;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto number = parseNumber<float>(parts[i]);
+        if (!number)
+            return std::nullopt;
+        vector[static_cast<glm::vec4::length_type>(i)] = *number;
+    }
+    return vector;
+}
+
+std::optional<Value> readTexCoords(std::string_view text) {
+    TexCoords list;
+    if (text.empty())
+        return list;
+    for (const std::string_view vertex : split(text, ';')) {
+        const auto coord = parseVector(vertex, 2, 4, {0, 0, 0, 1});
+        if (!coord)
+            return std::nullopt;
+        list.push_back(*coord);
+    }
+    return list;
+}
+
+/// The value that the text spells, whether or not its number is in range.
+std::optional<Value> readValue(const ParamRow& row, std::string_view text) {
+    switch (row.kind) {
+    case Kind::Bool:
+        if (text == "true" || text == "false")
+            return text == "true";
+        return std::nullopt;
+    case Kind::Int:
+        if (const auto number = parseNumber<int>(text))
+            return *number;
+        return std::nullopt;
+    case Kind::Float:
+        if (const auto number = parseNumber<float>(text))
+            return *number;
+        return std::nullopt;
+    case Kind::Vec3:
+        if (const auto vector = parseVector(text, 3, 3, {}))
+            return glm::vec3(*vector);
+        return std::nullopt;
+    case Kind::Vec4:
+    case Kind::Color:
+        if (const auto vector = parseVector(text, 4, 4, {}))
+            return *vector;
+        return std::nullopt;
+    case Kind::Enum:
+        if (const EnumRow* found = findRow(row.choices, text))
+            return EnumValue{found->value};
+        return std::nullopt;
+    case Kind::Text:
+        return std::string(text);
+    case Kind::TexCoordList:
+        return readTexCoords(text);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string formatTexCoord(glm::vec4 coord) {
+    const int count = coord.q != 1 ? 4 : coord.p != 0 ? 3 : 2;
+    return joinNumbers(coord, count);
+}
+
+Result<glm::vec4> parseTexCoord(std::string_view text) {
+    if (const auto coord = parseVector(text, 2, 4, {0, 0, 0, 1}))
+        return *coord;
+    return fail(ErrorCode::OutOfRange,
+                "expected 2 to 4 finite numbers separated by commas, found " + inQuotes(text));
+}
+
+std::string describeAccepted(const ParamRow& row) {
+    switch (row.kind) {
+    case Kind::Bool:
+        return "true or false";
+    case Kind::Int:
+        return "a whole number " + withUnit(row.range);
+    case Kind::Float:
+        return "a number " + withUnit(row.range);
+    case Kind::Vec3:
+        return "3 numbers, each " + withUnit(row.range);
+    case Kind::Vec4:
+        return "4 numbers, each " + withUnit(row.range);
+    case Kind::Color:
+        return "4 numbers (red, green, blue, alpha), each " + withUnit(row.range);
+    case Kind::Enum:
+        return "one of " + listNames(row.choices);
+    case Kind::Text:
+        return "UTF-8 text of at most " + std::to_string(maxTextBytes) + " bytes";
+    case Kind::TexCoordList:
+        return "2 to 4 finite numbers for each vertex";
+    }
+    return {};
+}
+
+Result<void> checkValue(const ParamRow& row, const Value& value) {
+    if (value.index() != alternativeOf(row.kind))
+        return refuse(row, "a value of another kind");
+    switch (row.kind) {
+    case Kind::Bool:
+        return {};
+    case Kind::Int:
+        if (!accepts(row.range, static_cast<float>(std::get<int>(value))))
+            return refuse(row, std::to_string(std::get<int>(value)));
+        return {};
+    case Kind::Float:
+        if (!accepts(row.range, std::get<float>(value)))
+            return refuse(row, formatNumber(std::get<float>(value)));
+        return {};
+    case Kind::Vec3:
+        return checkComponents(row, std::get<glm::vec3>(value));
+    case Kind::Vec4:
+    case Kind::Color:
+        return checkComponents(row, std::get<glm::vec4>(value));
+    case Kind::Enum:
+        if (!findRow(row.choices, std::get<EnumValue>(value).number))
+            return refuse(row, "the number " + std::to_string(std::get<EnumValue>(value).number));
+        return {};
+    case Kind::Text:
+        return checkText(row, std::get<std::string>(value));
+    case Kind::TexCoordList:
+        return checkTexCoords(row, std::get<TexCoords>(value));
+    }
+    return {};
+}
+
+std::string formatValue(const ParamRow& row, const Value& value) {
+    switch (row.kind) {
+    case Kind::Bool:
+        return std::get<bool>(value) ? "true" : "false";
+    case Kind::Int:
+        return std::to_string(std::get<int>(value));
+    case Kind::Float:
+        return formatNumber(std::get<float>(value));
+    case Kind::Vec3:
+        return joinNumbers(std::get<glm::vec3>(value), 3);
+    case Kind::Vec4:
+    case Kind::Color:
+        return joinNumbers(std::get<glm::vec4>(value), 4);
+    case Kind::Enum: {
+        const EnumRow* found = findRow(row.choices, std::get<EnumValue>(value).number);
+        return found ? std::string(found->name) : std::to_string(std::get<EnumValue>(value).number);
+    }
+    case Kind::Text:
+        return std::get<std::string>(value);
+    case Kind::TexCoordList: {
+        std::string text;
+        for (const glm::vec4& coord : std::get<TexCoords>(value))
+            text.append(text.empty() ? "" : ";").append(formatTexCoord(coord));
+        return text;
+    }
+    }
+    return {};
+}
+
+Result<Value> parseValue(const ParamRow& row, std::string_view text) {
+    const bool exact = row.kind == Kind::Text || row.kind == Kind::Enum;
+    const auto value = readValue(row, exact ? text : trim(text));
+    if (!value) {
+        std::string found = inQuotes(text);
+        if (row.kind == Kind::Enum) {
+            std::vector<std::string_view> names;
+            for (const EnumRow& choice : row.choices)
+                names.push_back(choice.name);
+            if (const auto near = nearestName(text, names); !near.empty())
+                found += "; did you mean " + inQuotes(near) + "?";
+        }
+        return fail(refuse(row, found).error());
+    }
+    if (auto checked = checkValue(row, *value); !checked)
+        return fail(std::move(checked.error()));
+    return *value;
+}
+
+std::string formatCall(const ParamRow& row, const Value& value) {
+    std::string call(row.glCall);
+    std::string_view place = "{}";
+    if (row.kind == Kind::Bool && call.find(place) == std::string::npos) {
+        constexpr std::string_view enable = "glEnable";
+        if (!std::get<bool>(value) && call.starts_with(enable))
+            call.replace(0, enable.size(), "glDisable");
+        return call;
+    }
+
+    std::string text;
+    constexpr std::string_view negated = "-{}"; // of every component, and without a second sign
+    const bool negates = call.find(negated) != std::string::npos;
+    if (negates)
+        place = negated;
+    if (row.kind == Kind::Bool)
+        text = std::get<bool>(value) ? "GL_TRUE" : "GL_FALSE";
+    else if (row.kind == Kind::Float && negates)
+        text = formatNumber(0 - std::get<float>(value));
+    else if (row.kind == Kind::Vec3)
+        text = joinNumbers(negates ? glm::vec3(0) - std::get<glm::vec3>(value) : std::get<glm::vec3>(value),
+                           3, ", ");
+    else if (row.kind == Kind::Vec4 || row.kind == Kind::Color)
+        text = joinNumbers(std::get<glm::vec4>(value), 4, ", ");
+    else if (row.kind == Kind::TexCoordList)
+        text = row.key; // called once a vertex
+    else
+        text = formatValue(row, value);
+    // glLightfv takes a pointer to its numbers, glColor4f takes them one by one.
+    const std::size_t parenthesis = call.find('(');
+    if (text.find(',') != std::string::npos && parenthesis != std::string::npos && parenthesis > 0 &&
+        call[parenthesis - 1] == 'v')
+        text = "{" + text + "}";
+
+    for (std::size_t at = call.find(place); at != std::string::npos; at = call.find(place, at + text.size()))
+        call.replace(at, place.size(), text);
+    return call;
+}
+
+} // namespace texplorer

@@ -1,0 +1,33 @@
+#include "core/texture/image_budget.h"
+
+#include "core/codec/registry.h"
+
+namespace texplorer {
+
+std::string sceneImageBytesText() {
+    constexpr std::size_t gibibyte = std::size_t{1} << 30;
+    static_assert(sceneImageBytes % gibibyte == 0);
+    return std::to_string(sceneImageBytes / gibibyte) + " GiB";
+}
+
+Error beyondBudget(std::size_t needed, std::size_t left) {
+    return {ErrorCode::TooLarge,
+            "the image needs " + std::to_string(needed) + " bytes, and of the " +
+                std::to_string(sceneImageBytes) + " that a scene's images may take together, " +
+                std::to_string(left) + " are left",
+            {}};
+}
+
+Result<TextureImage> decodeWithin(ByteView file, std::size_t left, Decoding decoding) {
+    DecodeLimits limits;
+    limits.pixels = false;
+    Result<TextureImage> outline =
+        decoding == Decoding::Outline ? outlineTexture(file, dissect(file)) : decodeTexture(file, limits);
+    if (!outline)
+        return outline;
+    if (const std::size_t needed = byteCount(*outline); needed > left)
+        return fail(beyondBudget(needed, left));
+    return decoding == Decoding::Outline ? std::move(outline) : decodeTexture(file);
+}
+
+} // namespace texplorer

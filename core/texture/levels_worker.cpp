@@ -1,0 +1,376 @@
+#include "core/texture/levels_worker.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <new>
+#include <stop_token>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace texplorer {
+
+namespace {
+
+/// What is made while one waits: a few milliseconds' work.
+constexpr std::size_t quickTexels = std::size_t{256} * 256;
+
+constexpr std::size_t mostEntries = 32;
+
+bool isQuick(const LevelsRequest& request) {
+    if (!request.image || request.image->surfaces.empty())
+        return true;
+    if (request.settings.compression == Compression::Cached)
+        return false;
+    const Surface& base = request.image->surfaces.front();
+    const auto extent = [](int value) { return static_cast<std::size_t>(std::max(value, 1)); };
+    return extent(widthOf(base)) * extent(heightOf(base)) * extent(depthOf(base)) <= quickTexels;
+}
+
+std::string nameOf(const Texture& settings) {
+    return settings.source == SourceKind::File ? std::filesystem::path(settings.file).filename().string()
+                                               : std::string(rowOf(settings.pattern).label);
+}
+
+std::optional<BlockFormat> formatOf(const std::vector<TextureLevel>& levels) {
+    if (levels.empty())
+        return std::nullopt;
+    const auto* blocks = std::get_if<BlockImage>(&*levels.front().surface);
+    return blocks ? std::optional(blocks->format) : std::nullopt;
+}
+
+PreparedLevels make(const LevelsRequest& request, const LevelWork& work) {
+    if (!request.image)
+        return fail(ErrorCode::NotFound, "the image is not loaded");
+    return prepareLevels(request.settings, request.image, request.target, work);
+}
+
+std::shared_ptr<const LevelsSummary> summarise(const PreparedLevels& levels) {
+    auto summary = std::make_shared<LevelsSummary>();
+    if (!levels) {
+        summary->problem = describe(levels.error());
+        return summary;
+    }
+    summary->report = reportOn(*levels);
+    summary->byDriver = levels->driverFormat.has_value();
+    summary->compressed = summary->byDriver ? levels->driverFormat : formatOf(levels->levels);
+    summary->notes = levels->notes;
+    return summary;
+}
+
+/// The driver's levels, measured against what it was given.
+std::shared_ptr<const LevelsSummary> measure(const PreparedLevels& from,
+                                             const std::vector<TextureLevel>& made) {
+    auto summary = std::make_shared<LevelsSummary>();
+    MipChain source;
+    for (const TextureLevel& level : from->levels) {
+        const Image* image = std::get_if<Image>(&*level.surface);
+        source.push_back(image ? *image : Image{});
+    }
+    summary->report = reportOn(made, source);
+    summary->byDriver = true;
+    summary->compressed = formatOf(made);
+    summary->notes = from->notes;
+    return summary;
+}
+
+} // namespace
+
+struct LevelsWorker::State {
+    State(When chosen, std::function<void()> onNews, LevelWork how)
+        : when(chosen)
+        , wake(std::move(onNews))
+        , levelWork(std::move(how)) {}
+
+    struct Entry {
+        LevelsRequest request;
+        Ticket ticket = 0;                            ///< of the work that it waits for; 0: none
+        std::shared_ptr<const PreparedLevels> levels; ///< until the renderer has taken them
+        std::shared_ptr<const LevelsSummary> summary;
+        bool cancelled = false;
+        std::uint64_t frame = 0;      ///< in which it was asked for last
+        std::uint64_t readyFrame = 0; ///< in which `levels` came
+    };
+    struct Job {
+        Ticket ticket = 0;
+        LevelsRequest request;
+        /// Measure `made` against this, or free it where there is none; nullptr: make levels.
+        std::shared_ptr<const PreparedLevels> from;
+        std::vector<TextureLevel> made;
+    };
+    struct Done {
+        Ticket ticket = 0;
+        std::shared_ptr<const PreparedLevels> levels; ///< nullptr: only measured
+        std::shared_ptr<const LevelsSummary> summary;
+    };
+
+    When when;
+    std::function<void()> wake;
+    LevelWork levelWork;       ///< of what is made while one waits
+    std::deque<Entry> entries; ///< of the thread that asks
+    std::uint64_t frame = 1;
+    Ticket lastTicket = 0;
+
+    mutable std::mutex mutex; // guards what follows
+    std::condition_variable_any arrived;
+    mutable std::condition_variable finished;
+    std::deque<Job> waiting;
+    Ticket current = 0;
+    bool currentIsMade = false; ///< levels, not a measurement
+    std::string currentName;
+    bool dropsCurrent = false;
+    std::stop_source currentStop; ///< requested when the current work is no longer wanted
+    std::vector<Done> done;
+
+    std::atomic<float> currentDone = 0;
+
+    std::jthread thread; // last: it ends before the rest does
+
+    Entry* find(const LevelsRequest& request) {
+        const auto found = std::ranges::find(entries, request, &Entry::request);
+        return found == entries.end() ? nullptr : &*found;
+    }
+    Entry& entryOf(const LevelsRequest& request);
+    void ask(Entry& entry);
+    void give(Job job);
+    void drop(Ticket ticket);
+    void run(const std::stop_token& stop);
+    static Done work(const Job& job, const LevelWork& how);
+    void tell() const {
+        if (wake)
+            wake();
+    }
+};
+
+LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& request) {
+    Entry* found = find(request);
+    Entry& entry = found ? *found : entries.emplace_back(Entry{request, 0, {}, {}, false, 0, 0});
+    entry.frame = frame;
+    return entry;
+}
+
+LevelsWorker::State::Done LevelsWorker::State::work(const Job& job, const LevelWork& how) {
+    if (job.from)
+        return {job.ticket, nullptr, job.made.empty() ? nullptr : measure(*job.from, job.made)};
+    auto levels = std::make_shared<const PreparedLevels>(make(job.request, how));
+    auto summary = summarise(*levels);
+    return {job.ticket, std::move(levels), std::move(summary)};
+}
+
+/// Levels are made: now, or on the thread.
+void LevelsWorker::State::ask(Entry& entry) {
+    if (entry.ticket != 0 || entry.cancelled)
+        return;
+    Job job{++lastTicket, entry.request, {}, {}};
+    if (when == When::WhenReady && !isQuick(entry.request)) {
+        entry.ticket = job.ticket;
+        return give(std::move(job));
+    }
+    Done made = work(job, levelWork);
+    entry.levels = std::move(made.levels);
+    entry.summary = std::move(made.summary);
+    entry.readyFrame = frame;
+}
+
+void LevelsWorker::State::give(Job job) {
+    {
+        const std::scoped_lock lock(mutex);
+        waiting.push_back(std::move(job));
+    }
+    if (!thread.joinable()) {
+        try {
+            thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+        } catch (const std::system_error&) { // no thread to be had: slower, but it works
+            const std::scoped_lock lock(mutex);
+            const Job taken = std::move(waiting.back());
+            waiting.pop_back();
+            done.push_back(work(taken, levelWork));
+            return;
+        }
+    }
+    arrived.notify_one();
+}
+
+void LevelsWorker::State::drop(Ticket ticket) {
+    {
+        const std::scoped_lock lock(mutex);
+        std::erase_if(waiting, [&](const Job& job) { return job.ticket == ticket; });
+        std::erase_if(done, [&](const Done& each) { return each.ticket == ticket; });
+        if (current == ticket) {
+            dropsCurrent = true;
+            currentStop.request_stop();
+        }
+    }
+    finished.notify_all();
+}
+
+void LevelsWorker::State::run(const std::stop_token& stop) {
+    for (;;) {
+        Job job;
+        std::stop_source ends;
+        {
+            std::unique_lock lock(mutex);
+            if (!arrived.wait(lock, stop, [this] { return !waiting.empty(); }) || stop.stop_requested())
+                return;
+            job = std::move(waiting.front());
+            waiting.pop_front();
+            current = job.ticket;
+            currentIsMade = !job.from;
+            currentName = nameOf(job.request.settings);
+            dropsCurrent = false;
+            currentStop = ends;
+            currentDone = 0;
+        }
+        tell();
+        Done made;
+        const std::stop_callback atTheEnd(stop, [&ends] { ends.request_stop(); });
+        const auto progress = [this](float share) {
+            const int before = static_cast<int>(100 * currentDone.exchange(share));
+            if (static_cast<int>(100 * share) != before)
+                tell();
+        };
+        try {
+            made = work(job, {levelWork.cache, progress, ends.get_token()});
+        } catch (const std::bad_alloc&) {
+            made.ticket = job.ticket;
+            made.levels = std::make_shared<const PreparedLevels>(
+                fail(ErrorCode::TooLarge, "there is no memory for the numbers about its levels"));
+            made.summary = summarise(*made.levels);
+        }
+        {
+            const std::scoped_lock lock(mutex);
+            if (!dropsCurrent && made.summary)
+                done.push_back(std::move(made));
+            current = 0;
+        }
+        finished.notify_all();
+        tell();
+    }
+}
+
+LevelsWorker::LevelsWorker(When when, std::function<void()> wake, LevelWork work)
+    : state_(std::make_unique<State>(when, std::move(wake), std::move(work))) {}
+
+LevelsWorker::~LevelsWorker() = default;
+
+std::shared_ptr<const PreparedLevels> LevelsWorker::prepare(const LevelsRequest& request) {
+    State::Entry& entry = state_->entryOf(request);
+    if (entry.cancelled)
+        return std::make_shared<const PreparedLevels>(
+            fail(ErrorCode::Cancelled, "making its levels was cancelled"));
+    if (!entry.levels)
+        state_->ask(entry);
+    return std::exchange(entry.levels, nullptr);
+}
+
+bool LevelsWorker::isLive() const {
+    return state_->when == When::WhenReady;
+}
+
+void LevelsWorker::uploaded(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
+                            std::vector<TextureLevel> made) {
+    if (!levels || !*levels)
+        return;
+    const bool later = isLive() && !isQuick(request);
+    State::Job job{++state_->lastTicket, request, std::move(levels), std::move(made)};
+    if (job.made.empty()) { // only to be freed, which `run` does
+        if (later)
+            state_->give(std::move(job));
+        return;
+    }
+    State::Entry& entry = state_->entryOf(request);
+    if (entry.ticket != 0)
+        return;
+    if (!later) {
+        entry.summary = State::work(job, state_->levelWork).summary;
+        return;
+    }
+    entry.ticket = job.ticket;
+    state_->give(std::move(job));
+}
+
+std::shared_ptr<const LevelsSummary> LevelsWorker::summary(const LevelsRequest& request) {
+    State::Entry& entry = state_->entryOf(request);
+    if (!entry.summary && !entry.levels)
+        state_->ask(entry);
+    return entry.summary;
+}
+
+bool LevelsWorker::receive() {
+    State& state = *state_;
+    std::vector<State::Done> done;
+    {
+        const std::scoped_lock lock(state.mutex);
+        done = std::exchange(state.done, {});
+    }
+    for (State::Done& each : done) {
+        const auto entry = std::ranges::find(state.entries, each.ticket, &State::Entry::ticket);
+        if (entry == state.entries.end())
+            continue;
+        entry->ticket = 0;
+        entry->summary = std::move(each.summary);
+        if (each.levels) {
+            entry->levels = std::move(each.levels);
+            entry->readyFrame = state.frame + 1;
+        }
+    }
+    std::erase_if(state.entries, [&](const State::Entry& entry) {
+        const bool forsaken = entry.ticket != 0 && !entry.summary && entry.frame != state.frame;
+        if (forsaken)
+            state.drop(entry.ticket);
+        return forsaken;
+    });
+    for (State::Entry& entry : state.entries) { // nobody has come for them: they are large
+        if (entry.readyFrame < state.frame)
+            entry.levels.reset();
+    }
+    while (state.entries.size() > mostEntries) {
+        const auto oldest = std::ranges::min_element(state.entries, {}, &State::Entry::frame);
+        if (oldest->ticket != 0)
+            state.drop(oldest->ticket);
+        state.entries.erase(oldest);
+    }
+    ++state.frame;
+    return !done.empty();
+}
+
+std::optional<LevelsWorker::Progress> LevelsWorker::progress() const {
+    const std::scoped_lock lock(state_->mutex);
+    if (state_->current != 0 && state_->currentIsMade && !state_->dropsCurrent)
+        return Progress{state_->current, state_->currentName, state_->currentDone};
+    const auto next = std::ranges::find_if(state_->waiting, [](const State::Job& job) { return !job.from; });
+    if (next == state_->waiting.end())
+        return std::nullopt;
+    return Progress{next->ticket, nameOf(next->request.settings), 0};
+}
+
+void LevelsWorker::cancel(Ticket ticket) {
+    state_->drop(ticket);
+    const auto entry = std::ranges::find(state_->entries, ticket, &State::Entry::ticket);
+    if (entry == state_->entries.end())
+        return;
+    entry->ticket = 0;
+    entry->cancelled = true;
+}
+
+void LevelsWorker::retry(const LevelsRequest& request) {
+    if (State::Entry* entry = state_->find(request))
+        entry->cancelled = false;
+}
+
+bool LevelsWorker::isCancelled(const LevelsRequest& request) const {
+    const State::Entry* entry = state_->find(request);
+    return entry && entry->cancelled;
+}
+
+void LevelsWorker::wait() const {
+    std::unique_lock lock(state_->mutex);
+    state_->finished.wait(
+        lock, [this] { return state_->waiting.empty() && (state_->current == 0 || state_->dropsCurrent); });
+}
+
+} // namespace texplorer

@@ -1,0 +1,188 @@
+// No test waits for a clock: a delay of nothing writes at once, and one of a day never.
+
+#include "core/autosave/autosave.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+
+#include <condition_variable>
+#include <fstream>
+#include <mutex>
+#include <thread>
+
+namespace texplorer {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class Autosaving : public testing::Test {
+protected:
+    [[nodiscard]] static Scene sceneOf(float shininess) {
+        Scene scene = defaultScene();
+        scene.material.shininess = shininess;
+        return scene;
+    }
+    /// Of the one draft in the folder; -1: there is none.
+    [[nodiscard]] float written() const {
+        if (fs::exists(folder))
+            for (const fs::directory_entry& each : fs::directory_iterator(folder)) {
+                if (each.path().extension() != ".scene")
+                    continue;
+                std::ifstream file(each.path());
+                const std::string text((std::istreambuf_iterator<char>(file)), {});
+                return parseUnsaved(text).value().scene.material.shininess;
+            }
+        return -1;
+    }
+    void waitUntilWritten(float shininess) const {
+        while (written() != shininess)
+            std::this_thread::yield();
+    }
+    test::TempDir parent;
+    fs::path folder = parent / "unsaved";
+};
+
+TEST_F(Autosaving, WritesOnItsOwn) {
+    Autosave autosave(folder, {}, 0ms);
+    autosave.keep("/a/b.json", "/a", sceneOf(7));
+    waitUntilWritten(7);
+    autosave.keep("/a/b.json", "/a", sceneOf(8));
+    waitUntilWritten(8);
+}
+
+TEST_F(Autosaving, IsDoneWithinTwoSeconds) {
+    static_assert(Autosave::usualDelay <= 1500ms, "the disk needs time, too");
+}
+
+TEST_F(Autosaving, WaitsForItsDelayAndWritesTheLastOfManyEdits) {
+    Autosave autosave(folder, {}, 24h);
+    for (int i = 1; i <= 100; ++i)
+        autosave.keep({}, {}, sceneOf(static_cast<float>(i)));
+    EXPECT_EQ(written(), -1);
+    EXPECT_TRUE(autosave.flush());
+    EXPECT_EQ(written(), 100);
+}
+
+TEST_F(Autosaving, MakesNothingWhereNothingWasEdited) {
+    {
+        Autosave autosave(folder, {}, 0ms);
+        autosave.forget();
+        EXPECT_TRUE(autosave.flush());
+    }
+    EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(Autosaving, WhatIsSavedLeavesNoTrace) {
+    {
+        Autosave autosave(folder, {}, 24h);
+        autosave.keep({}, {}, sceneOf(1));
+        ASSERT_TRUE(autosave.flush());
+        autosave.forget();
+        ASSERT_TRUE(autosave.flush());
+        EXPECT_EQ(written(), -1);
+        autosave.keep({}, {}, sceneOf(2)); // and edited again
+        ASSERT_TRUE(autosave.flush());
+        EXPECT_EQ(written(), 2);
+        autosave.forget();
+        ASSERT_TRUE(autosave.flush());
+    }
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(Autosaving, WhatIsNotForgottenStaysForTheNextStart) {
+    {
+        Autosave autosave(folder, {}, 24h);
+        autosave.keep("/a/b.json", "/a", sceneOf(4));
+        ASSERT_TRUE(autosave.flush());
+    }
+    const std::vector<Orphan> orphans = claimOrphans(folder);
+    ASSERT_EQ(orphans.size(), 1U);
+    const UnsavedScene draft = orphans[0].place.read().value();
+    EXPECT_EQ(draft.file, "/a/b.json");
+    EXPECT_EQ(draft.folder, "/a");
+    EXPECT_EQ(draft.scene, sceneOf(4));
+}
+
+TEST_F(Autosaving, GoesOnWithADraftThatItAdopts) {
+    {
+        Autosave before(folder, {}, 24h);
+        before.keep({}, {}, sceneOf(5));
+        ASSERT_TRUE(before.flush());
+    }
+    Autosave autosave(folder, {}, 24h);
+    autosave.keep({}, {}, sceneOf(1)); // its own, which is given up
+    ASSERT_TRUE(autosave.flush());
+    std::vector<Orphan> orphans = claimOrphans(folder);
+    ASSERT_EQ(orphans.size(), 1U);
+    const UnsavedScene draft = orphans[0].place.read().value();
+    autosave.adopt(std::move(orphans[0].place), draft);
+    EXPECT_EQ(written(), 5);
+    EXPECT_TRUE(claimOrphans(folder).empty());
+    autosave.keep({}, {}, sceneOf(6));
+    ASSERT_TRUE(autosave.flush());
+    EXPECT_EQ(written(), 6) << "the same draft";
+    autosave.forget();
+    ASSERT_TRUE(autosave.flush());
+    EXPECT_EQ(written(), -1);
+}
+
+TEST_F(Autosaving, SaysOnceWhyItCantAndAgainWhenItCouldMeanwhile) {
+    std::ofstream(parent / "file") << "x";
+    std::mutex mutex;
+    std::condition_variable news;
+    int woken = 0;
+    Autosave autosave(
+        parent / "file" / "unsaved",
+        [&] {
+            const std::scoped_lock lock(mutex);
+            ++woken;
+            news.notify_all();
+        },
+        0ms);
+    autosave.keep({}, {}, sceneOf(1));
+    {
+        std::unique_lock lock(mutex);
+        news.wait(lock, [&] { return woken > 0; });
+    }
+    const std::optional<Error> problem = autosave.takeProblem();
+    ASSERT_TRUE(problem);
+    EXPECT_THAT(describe(*problem), testing::HasSubstr((parent / "file").string()));
+    autosave.keep({}, {}, sceneOf(2));
+    EXPECT_FALSE(autosave.flush());
+    EXPECT_FALSE(autosave.takeProblem()) << "not with every edit";
+
+    fs::remove(parent / "file"); // somebody has mended it
+    autosave.keep({}, {}, sceneOf(3));
+    EXPECT_TRUE(autosave.flush());
+    EXPECT_TRUE(fs::exists(parent / "file" / "unsaved"));
+    fs::remove_all(parent / "file");
+    std::ofstream(parent / "file") << "x";
+    autosave.keep({}, {}, sceneOf(4));
+    EXPECT_FALSE(autosave.flush());
+    EXPECT_TRUE(autosave.takeProblem());
+}
+
+TEST_F(Autosaving, HasNothingToLoseOnceItIsForgotten) {
+    std::ofstream(folder) << "x";
+    Autosave autosave(folder, {}, 24h);
+    autosave.keep({}, {}, sceneOf(1));
+    EXPECT_FALSE(autosave.flush());
+    autosave.forget();
+    EXPECT_TRUE(autosave.flush());
+    EXPECT_TRUE(autosave.flush());
+}
+
+TEST_F(Autosaving, TriesAgainWhatCouldNotBeWritten) {
+    std::ofstream(folder) << "x";
+    Autosave autosave(folder, {}, 24h);
+    autosave.keep({}, {}, sceneOf(1));
+    EXPECT_FALSE(autosave.flush());
+    EXPECT_FALSE(autosave.flush());
+    fs::remove(folder); // mended, and nothing was edited since
+    EXPECT_TRUE(autosave.flush());
+    EXPECT_EQ(written(), 1);
+}
+
+} // namespace
+} // namespace texplorer

@@ -1,0 +1,689 @@
+// A row is a mistake, what is said about it and where, and what mends it: the fix that is offered, or an
+// edit.
+
+#include "core/diagnosis/diagnosis.h"
+#include "core/scene/params/params.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace texplorer {
+namespace {
+
+struct Stage {
+    Scene scene = defaultScene();
+    ImageSource images;
+    DriverFacts driver;
+
+    Texture& texture() { return scene.textures[0]; }
+    Pass& pass() { return scene.passes[0]; }
+    Unit& unit(std::size_t index = 0) { return scene.passes[0].units[index]; }
+    Combine& combine() {
+        unit().envMode = EnvMode::Combine;
+        return unit().combine;
+    }
+    void showFile(int width, int height, int levels = 1) {
+        texture().source = SourceKind::File;
+        texture().file = "image";
+        TextureImage image;
+        image.levels = levels;
+        for (int level = 0; level < levels; ++level)
+            image.surfaces.emplace_back(Image::uninitialised(PixelFormat::Rgba8, std::max(1, width >> level),
+                                                             std::max(1, height >> level)));
+        images.put("image", std::move(image));
+    }
+    [[nodiscard]] std::vector<Finding> findings() const { return diagnose(scene, images, driver); }
+};
+
+const Finding* find(const std::vector<Finding>& findings, std::string_view rule, std::string_view path) {
+    for (const Finding& each : findings) {
+        if (each.rule == rule && each.path == path)
+            return &each;
+    }
+    return nullptr;
+}
+
+struct Row {
+    const char* name;
+    const char* rule;
+    Severity severity;
+    const char* path;
+    const char* words; ///< part of the sentence
+    void (*spoil)(Stage& s);
+    void (*mend)(Stage& s) = nullptr; ///< nullptr: the finding's fixes do
+};
+
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
+
+class Diagnosis : public testing::TestWithParam<Row> {};
+
+TEST_P(Diagnosis, FindsItAndNoLongerOnceItIsMended) {
+    const Row& row = GetParam();
+    Stage stage;
+    row.spoil(stage);
+    const std::vector<Finding> findings = stage.findings();
+    const Finding* found = find(findings, row.rule, row.path);
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->severity, row.severity);
+    EXPECT_THAT(found->sentence, testing::HasSubstr(row.words));
+    ASSERT_TRUE(row.mend || !found->fixes.empty());
+    if (row.mend) {
+        row.mend(stage);
+        EXPECT_EQ(find(stage.findings(), row.rule, row.path), nullptr);
+    }
+    for (const Fix& fix : found->fixes) {
+        Stage mended = stage;
+        if (row.mend)
+            row.spoil(mended);
+        const Result<void> applied = apply(fix, mended.scene);
+        ASSERT_TRUE(applied) << describe(applied.error());
+        EXPECT_EQ(find(mended.findings(), row.rule, row.path), nullptr) << fix.label;
+    }
+}
+
+using enum Severity;
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+INSTANTIATE_TEST_SUITE_P(
+    Texture, Diagnosis,
+    testing::Values(
+        Row{"NoFile", "missing-file", Error, "textures[0].file", "names none",
+            [](Stage& s) { s.texture().source = SourceKind::File; },
+            [](Stage& s) { s.texture().source = SourceKind::Pattern; }},
+        Row{"FileNotThere", "missing-file", Error, "textures[0].file", "earth.jpg can't be found or read",
+            [](Stage& s) {
+                s.texture().source = SourceKind::File;
+                s.texture().file = "earth.jpg";
+            },
+            [](Stage& s) { s.showFile(4, 4); }},
+        Row{"NoMipmaps", "incomplete", Warning, "textures[0].minFilter", "level 1 is missing",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::None; }},
+        Row{"NoMipmapsByFilter", "incomplete", Warning, "textures[0].minFilter", "GL_LINEAR_MIPMAP_LINEAR",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::None; },
+            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; }},
+        Row{"OneMissing", "incomplete", Warning, "textures[0].mipmaps", "level 3 is missing",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Missing; }},
+        Row{"BaseBeyondTheLevels", "incomplete", Warning, "textures[0].baseLevel", "base level is 50",
+            [](Stage& s) { s.texture().baseLevel = 50; }},
+        Row{"BaseAboveMax", "incomplete", Warning, "textures[0].baseLevel", "exceeds its maximal level 2",
+            [](Stage& s) {
+                s.texture().baseLevel = 3;
+                s.texture().maxLevel = 2;
+            }},
+        Row{"BaseAboveTheFilesLast", "incomplete", Warning, "textures[0].baseLevel", "base level is 2",
+            [](Stage& s) {
+                s.showFile(8, 8, 2);
+                s.texture().mipmaps = MipPolicy::FromFile;
+                s.texture().baseLevel = 2;
+            }},
+        Row{"LodLimitsExchanged", "lod-range", Warning, "textures[0].minLod", "undefined",
+            [](Stage& s) {
+                s.texture().minLod = 3;
+                s.texture().maxLod = 1;
+            }},
+        Row{"AnisotropyBeyondTheDriver", "anisotropy-limit", Warning, "textures[0].maxAnisotropy",
+            "16 exceeds the driver's 8",
+            [](Stage& s) {
+                s.driver.maxAnisotropy = 8;
+                s.texture().maxAnisotropy = 16;
+            }},
+        Row{"NoAnisotropyAtAll", "anisotropy-limit", Warning, "textures[0].maxAnisotropy",
+            "has no anisotropic",
+            [](Stage& s) {
+                s.driver.maxAnisotropy = 1;
+                s.texture().maxAnisotropy = 2;
+            }},
+        Row{"AnisotropyThatTheDriverDoesNotSurvive", "held-back", Warning, "textures[0].maxAnisotropy",
+            "drawn without anisotropy",
+            [](Stage& s) {
+                s.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+                s.unit().target = Target::Texture1D;
+                s.texture().maxAnisotropy = 2;
+            }},
+        Row{"NonPowerOfTwo", "non-power-of-two", Warning, "textures[0].npot", "6 x 4",
+            [](Stage& s) {
+                s.driver.nonPowerOfTwo = false;
+                s.showFile(6, 4);
+            }},
+        Row{"TooLarge", "size-limit", Error, "textures[0].file", "64 x 2 texels exceed the driver's 32",
+            [](Stage& s) {
+                s.driver.maxTextureSize = 32;
+                s.showFile(64, 2);
+            },
+            [](Stage& s) { s.showFile(32, 2); }},
+        Row{"FacesNotSquare", "incomplete", Warning, "textures[0].file",
+            "must be square, and they have 8 x 4",
+            [](Stage& s) {
+                s.showFile(8, 4);
+                s.unit().target = Target::CubeMap;
+            },
+            [](Stage& s) { s.showFile(24, 4); }},
+        Row{"CubeTooLarge", "size-limit", Error, "textures[0].file", "64 x 64 texels exceed the driver's 32",
+            [](Stage& s) {
+                s.driver.maxCubeMapSize = 32;
+                s.showFile(384, 64);
+                s.unit().target = Target::CubeMap;
+            },
+            [](Stage& s) { s.showFile(192, 32); }},
+        Row{"CubeSeams", "cube-seams", Warning, "textures[0].wrapS", "GL_REPEAT reaches beyond the edge",
+            [](Stage& s) { s.unit().target = Target::CubeMap; }},
+        Row{"CubeSeamsOfT", "cube-seams", Warning, "textures[0].wrapT", "GL_CLAMP reaches beyond the edge",
+            [](Stage& s) {
+                s.unit().target = Target::CubeMap;
+                s.texture().wrapS = Wrap::ClampToEdge;
+                s.texture().wrapT = Wrap::Clamp;
+            },
+            [](Stage& s) {
+                s.texture().minFilter = MinFilter::Nearest;
+                s.texture().magFilter = MagFilter::Nearest;
+            }},
+        Row{"FlatDirection", "flat-direction", Warning, "passes[0].units[0].target", "r is 0 at every vertex",
+            [](Stage& s) { s.unit().target = Target::CubeMap; }},
+        Row{"FlatDirectionOfVertices", "flat-direction", Warning, "passes[0].units[0].target",
+            "as a direction", [](Stage& s) { s.unit().target = Target::CubeMap; },
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0].assign(24, {1, 1, 1, 1});
+            }},
+        Row{"LostBorder", "lost-border", Warning, "textures[0].border", "the reference renderer shows",
+            [](Stage& s) {
+                s.driver.textureBorders = false;
+                s.texture().border = 1;
+            }},
+        Row{"BorderNotSeen", "texture-setting", Hint, "textures[0].border", "no wrap mode shows the border",
+            [](Stage& s) { s.texture().border = 1; },
+            [](Stage& s) { s.texture().wrapT = Wrap::ClampToBorder; }},
+        Row{"BorderNotSeenUnlessCutOff", "texture-setting", Hint, "textures[0].border", "no wrap mode",
+            [](Stage& s) {
+                s.texture().border = 1;
+                s.showFile(64, 64);
+            },
+            [](Stage& s) { s.showFile(66, 66); }},
+        Row{"OwnBorder", "own-border", Hint, "textures[0].borderColor", "a border of its own texels",
+            [](Stage& s) { s.texture().border = 1; }, [](Stage& s) { s.driver.textureBorders = false; }},
+        Row{"IgnoredHint", "ignored-hint", Warning, "view.perspectiveHint", "may ignore this hint",
+            [](Stage& s) { s.scene.view.perspectiveHint = HintMode::Fastest; }},
+        Row{"NoPerspective", "no-perspective", Hint, "view.perspectiveHint", "no perspective to correct",
+            [](Stage& s) { s.scene.view.projection = Projection::Orthographic; },
+            [](Stage& s) { s.scene.view.projection = Projection::Perspective; }},
+        Row{"NoS3tc", "missing-format", Warning, "textures[0].compression", "DXT1",
+            [](Stage& s) {
+                s.driver.s3tc = false;
+                s.texture().compression = Compression::Driver;
+            },
+            [](Stage& s) { s.driver.s3tc = true; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Setting, Diagnosis,
+    testing::Values(
+        Row{"FlipOfAPattern", "texture-setting", Hint, "textures[0].flip", "upright", [](Stage&) {},
+            [](Stage& s) { s.showFile(4, 4); }},
+        Row{"FormatOfCompressed", "texture-setting", Hint, "textures[0].internalFormat", "compressed",
+            [](Stage& s) { s.texture().compression = Compression::Driver; },
+            [](Stage& s) { s.unit().target = Target::Texture1D; }},
+        Row{"ScalingAPowerOfTwo", "texture-setting", Hint, "textures[0].npot", "power of two", [](Stage&) {},
+            [](Stage& s) { s.showFile(5, 4); }},
+        Row{"WrapTOfALine", "texture-setting", Hint, "textures[0].wrapT", "only s",
+            [](Stage& s) { s.unit().target = Target::Texture1D; },
+            [](Stage& s) { s.unit().target = Target::Texture2D; }},
+        Row{"WrapROfAPicture", "texture-setting", Hint, "textures[0].wrapR", "GL_TEXTURE_2D", [](Stage&) {},
+            [](Stage& s) { s.unit().target = Target::Texture3D; }},
+        Row{"BorderNotShown", "texture-setting", Hint, "textures[0].borderColor", "no wrap mode",
+            [](Stage&) {}, [](Stage& s) { s.texture().wrapT = Wrap::ClampToBorder; }},
+        Row{"BorderOfClampUnderNearest", "texture-setting", Hint, "textures[0].borderColor", "linear filter",
+            [](Stage& s) {
+                s.texture().wrapS = Wrap::Clamp;
+                s.texture().minFilter = MinFilter::NearestMipmapLinear;
+                s.texture().magFilter = MagFilter::Nearest;
+            },
+            [](Stage& s) { s.texture().magFilter = MagFilter::Linear; }},
+        Row{"BorderOfRWithoutR", "texture-setting", Hint, "textures[0].borderColor", "no wrap mode",
+            [](Stage& s) { s.texture().wrapR = Wrap::ClampToBorder; },
+            [](Stage& s) { s.unit().target = Target::Texture3D; }},
+        Row{"MipFilterUnread", "texture-setting", Hint, "textures[0].mipFilter",
+            "GL_NEAREST reads no mipmaps", [](Stage& s) { s.texture().minFilter = MinFilter::Nearest; },
+            [](Stage& s) { s.texture().minFilter = MinFilter::NearestMipmapNearest; }},
+        Row{"MaxLevelUnread", "texture-setting", Hint, "textures[0].maxLevel", "GL_LINEAR reads no mipmaps",
+            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; },
+            [](Stage& s) { s.texture().minFilter = MinFilter::LinearMipmapNearest; }},
+        Row{"MinLodUnread", "texture-setting", Hint, "textures[0].minLod", "both filters are the same",
+            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; },
+            [](Stage& s) { s.texture().magFilter = MagFilter::Nearest; }},
+        Row{"MaxLodUnread", "texture-setting", Hint, "textures[0].maxLod", "both filters are the same",
+            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; },
+            [](Stage& s) { s.texture().magFilter = MagFilter::Nearest; }},
+        Row{"TextureNotShown", "texture-not-shown", Hint, "textures[0]", "no unit",
+            [](Stage& s) { s.unit().enabled = false; }, [](Stage& s) { s.unit(2).enabled = true; }},
+        Row{"FileOfAPattern", "other-texture-choice", Unused, "textures[0].file", "pattern", [](Stage&) {},
+            [](Stage& s) { s.showFile(4, 4); }},
+        Row{"PatternOfAFile", "other-texture-choice", Unused, "textures[0].pattern", "file",
+            [](Stage& s) { s.showFile(4, 4); }, [](Stage& s) { s.texture().source = SourceKind::Pattern; }},
+        Row{"ColourWithoutStencil", "other-texture-choice", Unused, "textures[0].stencilColor", "file",
+            [](Stage&) {}, [](Stage& s) { s.texture().transparency = Transparency::Stencil; }},
+        Row{"FormatWithoutCompression", "other-texture-choice", Unused, "textures[0].compressedFormat",
+            "file", [](Stage&) {}, [](Stage& s) { s.texture().compression = Compression::Driver; }},
+        Row{"MipGammaOfColours", "other-texture-choice", Unused, "textures[0].mipGamma", "colored",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Colored; },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Generated; }},
+        Row{"ScalingOfFileLevels", "other-texture-choice", Unused, "textures[0].npot", "file",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::FromFile; },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::None; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Unit, Diagnosis,
+    testing::Values(
+        Row{"NoSuchTexture", "missing-texture", Error, "passes[0].units[0].texture", "there is no texture 7",
+            [](Stage& s) { s.unit().texture = 7; }},
+        Row{"NegativeTexture", "missing-texture", Error, "passes[0].units[0].texture",
+            "there is no texture -1", [](Stage& s) { s.unit().texture = -1; }},
+        Row{"NoTextureAtAll", "missing-texture", Error, "passes[0].units[0].texture", "the scene has 0",
+            [](Stage& s) { s.scene.textures.clear(); }},
+        Row{"TooFewUnits", "unit-limit", Warning, "passes[0].units[2].enabled", "has 2 texture units",
+            [](Stage& s) {
+                s.driver.textureUnits = 2;
+                s.unit(2).enabled = true;
+            },
+            [](Stage& s) { s.driver.textureUnits = 3; }},
+        Row{"DecalOfLuminance", "undefined-decal", Warning, "passes[0].units[0].envMode",
+            "GL_LUMINANCE texture",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Decal;
+                s.texture().internalFormat = BaseFormat::Luminance;
+            }},
+        Row{"DecalOfIntensity", "undefined-decal", Warning, "passes[0].units[0].envMode", "GL_INTENSITY",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Decal;
+                s.texture().internalFormat = BaseFormat::Intensity;
+            },
+            [](Stage& s) { s.texture().compression = Compression::Driver; }},
+        Row{"CrossbarOfAUnitThatIsOff", "undefined-crossbar", Warning,
+            "passes[0].units[0].combine.source1Rgb", "GL_TEXTURE2 is undefined: unit 2 is off",
+            [](Stage& s) { s.combine().source1Rgb = CombineSource::Texture2; }},
+        Row{"CrossbarSwitchedOn", "undefined-crossbar", Warning, "passes[0].units[0].combine.source0Alpha",
+            "GL_TEXTURE1", [](Stage& s) { s.combine().source0Alpha = CombineSource::Texture1; },
+            [](Stage& s) { s.unit(1).enabled = true; }},
+        Row{"CrossbarOfAnUnreadArgument", "undefined-crossbar", Warning,
+            "passes[0].units[0].combine.source2Rgb", "unit 3",
+            [](Stage& s) {
+                s.combine().source2Rgb = CombineSource::Texture3;
+                s.combine().rgb = CombineRgb::Interpolate;
+            },
+            [](Stage& s) { s.combine().rgb = CombineRgb::Modulate; }},
+        Row{"ScaleOfZero", "collapsing-matrix", Warning, "passes[0].units[0].matrix[0].amount", "same t",
+            [](Stage& s) {
+                s.unit().matrix = {{MatrixOp::Scale, {2, 0, 0}}};
+            }},
+        Row{"AxisOfZero", "collapsing-matrix", Warning, "passes[0].units[0].matrix[0].amount", "length 0",
+            [](Stage& s) {
+                s.unit().matrix = {{MatrixOp::Rotate, {0, 0, 0}}};
+            }},
+        Row{"GeneratedQ", "zero-q", Warning, "passes[0].units[0].texGenQ.eyePlane", "q 0 everywhere",
+            [](Stage& s) { s.unit().texGenQ.enabled = true; }},
+        Row{"GeneratedQOfTheObject", "zero-q", Warning, "passes[0].units[0].texGenQ.objectPlane", "q 0",
+            [](Stage& s) {
+                s.unit().texGenQ.enabled = true;
+                s.unit().texGenQ.mode = TexGenMode::ObjectLinear;
+            }},
+        Row{"EnvColor", "env-color", Hint, "passes[0].units[0].envColor", "GL_CONSTANT", [](Stage&) {},
+            [](Stage& s) { s.unit().envMode = EnvMode::Blend; }},
+        Row{"EnvColorOfAlphaBlend", "env-color", Hint, "passes[0].units[0].envColor", "GL_BLEND",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Blend;
+                s.texture().internalFormat = BaseFormat::Alpha;
+            },
+            [](Stage& s) { s.texture().internalFormat = BaseFormat::Luminance; }},
+        Row{"EnvColorOfCombine", "env-color", Hint, "passes[0].units[0].envColor", "GL_COMBINE",
+            [](Stage& s) { s.combine(); }, [](Stage& s) { s.combine().rgb = CombineRgb::Interpolate; }},
+        Row{"LodBias", "lod-bias", Hint, "passes[0].units[0].lodBias", "no mipmaps",
+            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; },
+            [](Stage& s) { s.texture().minFilter = MinFilter::Nearest; }},
+        Row{"PlaneOfTheOtherMode", "generation", Hint, "passes[0].units[0].texGenS.objectPlane",
+            "GL_EYE_LINEAR does not", [](Stage& s) { s.unit().texGenS.enabled = true; },
+            [](Stage& s) { s.unit().texGenS.mode = TexGenMode::ObjectLinear; }},
+        Row{"GenerationOff", "generation", Hint, "passes[0].units[0].texGenT.mode", "own coordinate",
+            [](Stage&) {}, [](Stage& s) { s.unit().texGenT.enabled = true; }},
+        Row{"GeneratedRUnread", "generation", Hint, "passes[0].units[0].texGenR.enabled", "GL_TEXTURE_2D",
+            [](Stage& s) { s.unit().texGenR.enabled = true; },
+            [](Stage& s) {
+                s.unit().matrix.push_back({MatrixOp::Rotate, {1, 0, 0}});
+            }},
+        Row{"SecondArgument", "unread-argument", Hint, "passes[0].units[0].combine.operand1Rgb",
+            "GL_REPLACE reads 1 argument", [](Stage& s) { s.combine().rgb = CombineRgb::Replace; },
+            [](Stage& s) { s.combine().rgb = CombineRgb::Subtract; }},
+        Row{"AlphaOfDot3", "unread-argument", Hint, "passes[0].units[0].combine.alpha", "GL_DOT3_RGBA",
+            [](Stage& s) { s.combine().rgb = CombineRgb::Dot3Rgba; },
+            [](Stage& s) { s.combine().rgb = CombineRgb::Dot3Rgb; }},
+        Row{"CombineUnderModulate", "other-environment", Unused, "passes[0].units[0].combine", "GL_MODULATE",
+            [](Stage&) {}, [](Stage& s) { s.combine(); }},
+        Row{"UnitOff", "unit-off", Hint, "passes[0].units[0]", "the unit is off",
+            [](Stage& s) {
+                s.unit().enabled = false;
+                s.unit().envMode = EnvMode::Replace;
+            }},
+        Row{"ItsTextureNotShown", "texture-not-shown", Hint, "textures[0]", "no unit that is on",
+            [](Stage& s) { s.unit().enabled = false; }},
+        Row{"OverruledByReplace", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
+            [](Stage& s) {
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Replace;
+            },
+            [](Stage& s) { s.texture().internalFormat = BaseFormat::Rgb; }},
+        Row{"OverruledUnlessAsked", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
+            [](Stage& s) {
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Combine;
+                s.unit(1).combine.source1Rgb = CombineSource::Texture;
+                s.unit(1).combine.source1Alpha = CombineSource::Texture;
+            },
+            [](Stage& s) { s.unit(1).combine.source0Rgb = CombineSource::Texture0; }},
+        Row{"OverruledByTwoTogether", "overruled-unit", Hint, "passes[0].units[0]", "unit 2",
+            [](Stage& s) {
+                s.unit(1).enabled = s.unit(2).enabled = true;
+                for (std::size_t u = 1; u <= 2; ++u) {
+                    s.unit(u).envMode = EnvMode::Combine;
+                    s.unit(u).combine.rgb = CombineRgb::Replace;
+                    s.unit(u).combine.alpha = CombineAlpha::Replace;
+                }
+                s.unit(1).combine.source0Alpha = CombineSource::Previous; // its colour is the texture's
+                s.unit(2).combine.source0Rgb = CombineSource::Previous;   // its alpha is the texture's
+            },
+            [](Stage& s) { s.unit(2).combine.source0Alpha = CombineSource::Previous; }},
+        Row{"OverruledButAskedForItsTexture", "overruled-unit", Hint, "passes[0].units[0].envMode", "unit 1",
+            [](Stage& s) {
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Combine;
+                s.unit(1).combine.rgb = CombineRgb::Replace;
+                s.unit(1).combine.alpha = CombineAlpha::Replace;
+                s.unit(1).combine.source0Rgb = CombineSource::Texture0;
+            },
+            [](Stage& s) { s.unit(1).combine.source0Alpha = CombineSource::Previous; }},
+        Row{"OverruledUnlessTheDriverLacksTheUnit", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
+            [](Stage& s) {
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Replace;
+            },
+            [](Stage& s) { s.driver.textureUnits = 1; }},
+        Row{"TextureOfAnOverruledUnit", "overruled-texture", Hint, "textures[0]", "let nothing through",
+            [](Stage& s) {
+                s.scene.textures.push_back(s.texture());
+                s.unit(1).enabled = true;
+                s.unit(1).texture = 1;
+                s.unit(1).envMode = EnvMode::Replace;
+            },
+            [](Stage& s) { s.unit(1).texture = 0; }},
+        Row{"OverruledUnlessItIsUndefined", "overruled-unit", Hint, "passes[0].units[0]", "unit 2",
+            [](Stage& s) {
+                s.unit(1).enabled = s.unit(2).enabled = true;
+                s.unit(2).envMode = EnvMode::Combine;
+                s.unit(2).combine.rgb = CombineRgb::Replace;
+                s.unit(2).combine.alpha = CombineAlpha::Replace;
+                s.unit(2).combine.source0Rgb = CombineSource::Texture1;
+                s.unit(2).combine.source0Alpha = CombineSource::Texture1;
+            },
+            [](Stage& s) { s.unit(1).enabled = false; }},
+        Row{"AngleOfAScale", "other-matrix-operation", Unused, "passes[0].units[0].matrix[0].angle", "rotate",
+            [](Stage& s) {
+                s.unit().matrix = {{MatrixOp::Scale, {1, 1, 1}}};
+            },
+            [](Stage& s) { s.unit().matrix[0].op = MatrixOp::Rotate; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Pass, Diagnosis,
+    testing::Values(
+        Row{"InfiniteCoordinate", "infinite-coordinate", Error, "models[0].texCoords0[1]",
+            "so it is with 1 more",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0] = {{0, 0, 0, 1}, {infinite, 0, 0, 1}, {0, NAN, 0, 1}};
+            },
+            [](Stage& s) { s.scene.models[0].texCoords[0].clear(); }},
+        Row{"ZeroQ", "zero-q-of-vertex", Warning, "models[0].texCoords0[0]", "q of vertex 0 is 0",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0] = {{1, 1, 0, 0}};
+            },
+            [](Stage& s) { s.unit().enabled = false; }},
+        Row{"NothingPassesAlpha", "nothing-passes", Warning, "passes[0].alphaFunc", "draws nothing",
+            [](Stage& s) {
+                s.pass().alphaTest = true;
+                s.pass().alphaFunc = CompareFunc::Never;
+            }},
+        Row{"NothingPassesDepth", "nothing-passes", Warning, "passes[0].depthFunc", "draws nothing",
+            [](Stage& s) { s.pass().depthFunc = CompareFunc::Never; }},
+        Row{"SecondPassWithLess", "hidden-pass", Warning, "passes[1].depthFunc",
+            "no depth is less than itself", [](Stage& s) { s.scene.passes.push_back(s.pass()); }},
+        Row{"NoDepthTest", "no-depth-test", Warning, "passes[0].depthTest", "covers what is nearer",
+            [](Stage& s) { s.pass().depthTest = false; }},
+        Row{"NoDepthTestOfOneSquare", "no-depth-test", Warning, "passes[0].depthTest", "no depth test",
+            [](Stage& s) { s.pass().depthTest = false; },
+            [](Stage& s) {
+                s.scene.models.resize(1);
+                s.scene.models[0].shape = Shape::Quad;
+            }},
+        Row{"NoDepthTestOfSquaresBehindEachOther", "no-depth-test", Warning, "passes[0].depthTest",
+            "no depth test",
+            [](Stage& s) {
+                s.pass().depthTest = false;
+                s.scene.models.assign(2, {.shape = Shape::Quad});
+                s.scene.models[1].position.z = -1;
+            },
+            [](Stage& s) {
+                s.scene.models[1].position = {3, 0, 0};
+            }},
+        Row{"NoDepthTestOfWhatIsBlended", "no-depth-test", Warning, "passes[1].depthTest", "no depth test",
+            [](Stage& s) {
+                s.scene.passes.push_back({});
+                s.scene.passes[1].blend = true;
+            },
+            [](Stage& s) { s.scene.passes[1].blendDst = BlendFactor::One; }},
+        Row{"DepthFunc", "fragment-test", Hint, "passes[0].depthFunc", "off",
+            [](Stage& s) { s.pass().depthTest = false; }, [](Stage& s) { s.pass().depthTest = true; }},
+        Row{"AlphaFunc", "fragment-test", Hint, "passes[0].alphaFunc", "off", [](Stage&) {},
+            [](Stage& s) { s.pass().alphaTest = true; }},
+        Row{"AlphaRef", "fragment-test", Hint, "passes[0].alphaRef", "GL_ALWAYS compares with nothing",
+            [](Stage& s) { s.pass().alphaTest = true; },
+            [](Stage& s) { s.pass().alphaFunc = CompareFunc::Greater; }},
+        Row{"BlendFactor", "fragment-test", Hint, "passes[0].blendDst", "off", [](Stage&) {},
+            [](Stage& s) { s.pass().blend = true; }},
+        Row{"BlendThatReplaces", "fragment-test", Hint, "passes[0].blend", "as without",
+            [](Stage& s) { s.pass().blend = true; }, [](Stage& s) { s.pass().blendDst = BlendFactor::One; }},
+        Row{"Light", "light", Hint, "light", "no pass has lighting",
+            [](Stage& s) { s.pass().lighting = false; }, [](Stage& s) { s.pass().lighting = true; }},
+        Row{"ShininessWithoutLight", "light", Hint, "material.shininess", "no pass has lighting",
+            [](Stage& s) { s.pass().lighting = false; }, [](Stage& s) { s.pass().lighting = true; }},
+        Row{"ShininessOfNothing", "light", Hint, "material.shininess", "black",
+            [](Stage& s) {
+                s.scene.light.specular = {0, 0, 0, 1};
+            },
+            [](Stage& s) {
+                s.scene.light.specular = {0, 1, 0, 1};
+            }},
+        Row{"LightOnADullMaterial", "light", Hint, "light.specular", "material's specular colour is black",
+            [](Stage& s) {
+                s.scene.material.specular = {0, 0, 0, 1};
+            },
+            [](Stage& s) {
+                s.scene.material.specular = {1, 1, 1, 1};
+            }},
+        Row{"ColorUnderReplace", "color", Hint, "material.color", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.texture().internalFormat = BaseFormat::Luminance; }}, // its alpha stays
+        Row{"ColorUnderReplaceOfOnePass", "color", Hint, "material.color", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) {
+                s.scene.passes.push_back(s.pass());
+                s.scene.passes[1].units[0].enabled = false;
+            }},
+        Row{"LightingUnderReplace", "lighting", Hint, "passes[0].lighting", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},
+        Row{"LightingUnderReplaceOfLuminance", "lighting", Hint, "passes[0].lighting", "primary colour",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Replace;
+                s.texture().internalFormat = BaseFormat::Luminance;
+            },
+            [](Stage& s) { s.texture().internalFormat = BaseFormat::Alpha; }},
+        Row{"SpecularUnderReplace", "light", Hint, "material.specular", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},
+        Row{"ShininessUnderReplace", "light", Hint, "material.shininess", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.unit().envMode = EnvMode::Decal; }},
+        Row{"DiffuseUnderReplaceAndSeparate", "light", Hint, "light.diffuse", "nothing of the primary colour",
+            [](Stage& s) {
+                s.unit().envMode = EnvMode::Replace;
+                s.scene.light.colorControl = ColorControl::SeparateSpecular;
+            },
+            [](Stage& s) { s.unit().enabled = false; }},
+        Row{"HiddenModel", "hidden-model", Hint, "models[1]", "hidden",
+            [](Stage& s) { s.scene.models[1].visible = false; }},
+        Row{"CoordinatesOfAUnitThatIsOff", "unread-coordinates", Hint, "models[0].texCoords2",
+            "unit 2 is off",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[2].assign(24, {1, 1, 0, 1});
+            },
+            [](Stage& s) { s.unit(2).enabled = true; }},
+        Row{"CoordinatesOfAUnitThatMakesItsOwn", "unread-coordinates", Hint, "models[0].texCoords0",
+            "generates all",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0].assign(24, {1, 1, 0, 1});
+                for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR, &Unit::texGenQ})
+                    (s.unit().*each).enabled = true;
+            },
+            [](Stage& s) { s.unit().texGenQ.enabled = false; }},
+        Row{"SlicesOfACube", "other-shape", Unused, "models[0].slices", "cube", [](Stage&) {},
+            [](Stage& s) { s.scene.models[0].shape = Shape::Sphere; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DiagnosisOfAll, TheDefaultSceneIsFreeOfErrorsAndWarnings) {
+    for (const Finding& each : Stage().findings())
+        EXPECT_GE(each.severity, Severity::Hint) << each.path << ": " << each.sentence;
+}
+
+TEST(DiagnosisOfAll, EveryPathIsThatOfAParameterOrOfAStruct) {
+    Stage stage;
+    stage.scene.passes.resize(2);
+    stage.combine().rgb = CombineRgb::Dot3Rgba;
+    stage.unit().matrix.resize(2);
+    std::set<std::string> paths;
+    forEachParam(stage.scene, [&](const std::string& path, const ParamRow&, const Value&) {
+        for (std::size_t end = path.find('.'); end != std::string::npos; end = path.find('.', end + 1))
+            paths.insert(path.substr(0, end));
+        paths.insert(path);
+    });
+    const std::vector<Finding> findings = stage.findings();
+    EXPECT_GT(findings.size(), 50U);
+    for (const Finding& each : findings) {
+        EXPECT_TRUE(paths.contains(each.path)) << each.path;
+        EXPECT_FALSE(each.sentence.empty()) << each.path;
+        EXPECT_FALSE(each.sentence.ends_with('.')) << each.sentence;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(findings, {}, &Finding::severity));
+}
+
+TEST(DiagnosisOfAll, AStructSpeaksForAllBelowIt) {
+    const std::vector<Finding> findings = Stage().findings();
+    const Finding* found = idleReasonOf(findings, "passes[0].units[0].combine.source0Rgb");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->path, "passes[0].units[0].combine");
+    EXPECT_EQ(idleReasonOf(findings, "textures[0].minFilter"), nullptr);
+    EXPECT_EQ(problemOf(findings, "textures[0].minFilter"), nullptr);
+    EXPECT_EQ(idleReasonOf({{"r", Hint, "textures[1]", "s", {}}}, "textures[10].file"), nullptr);
+}
+
+TEST(DiagnosisOfAll, TheSwitchOfAUnitThatIsOffHasAnEffect) {
+    Stage stage;
+    stage.unit().enabled = false;
+    const std::vector<Finding> findings = stage.findings();
+    EXPECT_NE(idleReasonOf(findings, "passes[0].units[0].envMode"), nullptr);
+    EXPECT_NE(idleReasonOf(findings, "passes[0].units[0].matrix[0].amount"), nullptr);
+    EXPECT_EQ(idleReasonOf(findings, "passes[0].units[0].enabled"), nullptr);
+}
+
+TEST(DiagnosisOfAll, TheColorControlStillBringsTheHighlightBack) {
+    Stage stage;
+    stage.unit().envMode = EnvMode::Replace;
+    EXPECT_EQ(idleReasonOf(stage.findings(), "light.colorControl"), nullptr);
+    stage.scene.light.colorControl = ColorControl::SeparateSpecular;
+    for (const char* path : {"light.position", "light.specular", "material.shininess", "passes[0].lighting"})
+        EXPECT_EQ(idleReasonOf(stage.findings(), path), nullptr) << path;
+}
+
+TEST(DiagnosisOfAll, TheSwitchOfAHiddenModelHasAnEffect) {
+    Stage stage;
+    stage.scene.models[1].visible = false;
+    EXPECT_NE(idleReasonOf(stage.findings(), "models[1].size"), nullptr);
+    EXPECT_EQ(idleReasonOf(stage.findings(), "models[1].visible"), nullptr);
+    EXPECT_EQ(idleReasonOf(stage.findings(), "models[0].size"), nullptr);
+}
+
+TEST(DiagnosisOfAll, ALaterPassIsMendedWithoutHidingIt) {
+    Stage stage;
+    stage.scene.passes.push_back({});
+    const std::vector<Finding> before = stage.findings();
+    const Finding* found = find(before, "no-depth-test", "passes[1].depthTest");
+    ASSERT_NE(found, nullptr);
+    ASSERT_TRUE(apply(found->fixes.front(), stage.scene));
+    for (const Finding& each : stage.findings())
+        EXPECT_GE(each.severity, Hint) << each.path << ": " << each.sentence;
+}
+
+std::vector<std::string> labelsOf(const std::vector<Fix>& fixes) {
+    std::vector<std::string> labels;
+    for (const Fix& each : fixes)
+        labels.push_back(each.label);
+    return labels;
+}
+
+TEST(DiagnosisOfIncompleteTextures, OffersEachSettingThatCompletes) {
+    using testing::ElementsAre;
+    const auto fixes = [](void (*spoil)(Stage&)) {
+        Stage stage;
+        spoil(stage);
+        for (const Finding& each : stage.findings()) {
+            if (each.rule == "incomplete")
+                return labelsOf(each.fixes);
+        }
+        return std::vector<std::string>{};
+    };
+    EXPECT_THAT(fixes([](Stage& s) { s.texture().mipmaps = MipPolicy::None; }),
+                ElementsAre("Generate mipmaps", "End at level 0", "Set GL_LINEAR"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.texture().mipmaps = MipPolicy::Missing; // level 3 isn't there
+                    s.texture().minFilter = MinFilter::NearestMipmapLinear;
+                }),
+                ElementsAre("Generate mipmaps", "End at level 2", "Set GL_NEAREST"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.texture().baseLevel = 3;
+                    s.texture().maxLevel = 2;
+                }),
+                ElementsAre("Begin at level 2", "End at level 6", "Set GL_LINEAR"));
+    EXPECT_THAT(fixes([](Stage& s) { s.texture().baseLevel = 50; }), ElementsAre("Begin at level 0"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.texture().baseLevel = 50;
+                    s.texture().mipmaps = MipPolicy::None;
+                }),
+                ElementsAre("Begin at level 0 and generate mipmaps", "Begin at level 0 and end at level 0",
+                            "Begin at level 0 and set GL_LINEAR"));
+    EXPECT_THAT(fixes([](Stage& s) {
+                    s.showFile(8, 4);
+                    s.unit().target = Target::CubeMap;
+                }),
+                testing::IsEmpty());
+}
+
+TEST(DiagnosisOfAll, AFixThatNoLongerFitsChangesNothing) {
+    Scene scene = defaultScene();
+    const Fix fix{"", {{"textures[0].baseLevel", "3"}, {"textures[5].baseLevel", "3"}}};
+    EXPECT_FALSE(apply(fix, scene));
+    EXPECT_EQ(scene, defaultScene());
+}
+
+} // namespace
+} // namespace texplorer

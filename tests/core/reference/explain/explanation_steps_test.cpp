@@ -1,0 +1,193 @@
+// The words; their numbers are tested in probe_test.cpp.
+
+#include "core/reference/explain/explanation_steps.h"
+#include "core/reference/probe.h"
+#include "core/reference/explain/sampling_steps.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace texplorer::reference {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Everything that a pixel in the middle of a square says.
+std::string textOf(void (*change)(Scene& scene)) {
+    Scene scene = defaultScene();
+    scene.models.resize(1);
+    scene.models[0] = Model{};
+    scene.models[0].shape = Shape::Quad;
+    scene.view = View{};
+    change(scene);
+    const Result<Explanation> found = probe(scene, ImageSource(), 0, 9, 9, {4, 4});
+    EXPECT_TRUE(found);
+    std::string text;
+    for (const FragmentSteps& fragment : stepsOf(found.value_or(Explanation{}))) {
+        text += fragment.title + ": " + fragment.outcome + "\n";
+        for (const Step& step : fragment.steps) {
+            text += step.title + ": " + step.summary + "\n";
+            for (const StepRow& row : step.rows) {
+                text += row.label;
+                for (const StepCell& cell : row.cells)
+                    text += " | " + cell.text;
+                text += "\n";
+            }
+        }
+    }
+    return text;
+}
+
+struct Case {
+    const char* name;
+    void (*change)(Scene& scene);
+    const char* expected;
+};
+class Steps : public testing::TestWithParam<Case> {};
+TEST_P(Steps, SayIt) {
+    EXPECT_THAT(textOf(GetParam().change), HasSubstr(GetParam().expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Steps,
+    testing::Values(
+        Case{"Title", [](Scene&) {}, "Square, Front, triangle 1 (models[0], pass 0): drawn"},
+        Case{"Flat", [](Scene& it) { it.material.shadeModel = ShadeModel::Flat; }, "Flat shading"},
+        Case{"Unlit", [](Scene& it) { it.passes[0].lighting = false; }, "Lighting is off"},
+        Case{"Magnified", [](Scene& it) { it.passes[0].units[0].lodBias = -16; },
+             "lambda is not above 0: the magnification filter decides, GL_LINEAR."},
+        Case{"Minified", [](Scene& it) { it.passes[0].units[0].lodBias = 3; },
+             "lambda is above 0: the minification filter decides, GL_LINEAR_MIPMAP_LINEAR."},
+        Case{"SwitchOver",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::NearestMipmapLinear;
+                 it.passes[0].units[0].lodBias = -16;
+             },
+             "lambda is not above 0.5 (as GL_LINEAR meets GL_NEAREST_MIPMAP_LINEAR)"},
+        Case{"Clamped", [](Scene& it) { it.textures[0].minLod = 4; }, "clamped to 4 ... 1000 | 4"},
+        // In the middle of the middle pixel of a square with 64 x 64 texels s is 0.5: where texel 32 begins.
+        Case{"Linear", [](Scene& it) { it.textures[0].minFilter = MinFilter::Linear; },
+             "0.5 lands at texel 32 of 64\n | - 0.5 = 31.5: texel 31 and texel 32, shares 0.5 and 0.5"},
+        Case{"Nearest",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::Nearest, it.textures[0].magFilter = MagFilter::Nearest;
+             },
+             "0.5 lands at texel 32 of 64\n | its whole part: texel 32"},
+        Case{"LinearAcrossTheRim",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::Linear;
+                 it.models[0].texCoords[0] = TexCoords(4, {0, 0, 0, 1});
+             },
+             "- 0.5 = -0.5: texel 63 and texel 0, shares 0.5 and 0.5"},
+        Case{"LinearIntoTheBorder",
+             [](Scene& it) {
+                 it.textures[0].minFilter = MinFilter::Linear;
+                 it.textures[0].wrapS = it.textures[0].wrapT = Wrap::Clamp;
+                 it.models[0].texCoords[0] = TexCoords(4, {1, 1, 0, 1});
+             },
+             "- 0.5 = 63.5: texel 63 and the border, shares 0.5 and 0.5"},
+        Case{"TooLong",
+             [](Scene& it) {
+                 for (const float s : {0.0F, 1e30F})
+                     it.models[0].texCoords[0].insert(it.models[0].texCoords[0].end(), 2, {s, 0, 0, 1});
+             },
+             "log2(rho) | 103.6148"},
+        Case{"Contradiction",
+             [](Scene& it) {
+                 it.textures[0].minLod = 4;
+                 it.textures[0].maxLod = 2;
+             },
+             "undefined. The greatest wins here."},
+        Case{"Bias", [](Scene& it) { it.passes[0].units[0].lodBias = 90; }, "The bias 90 was clamped."},
+        Case{"Generated",
+             [](Scene& it) {
+                 it.passes[0].units[0].texGenS.enabled = it.passes[0].units[0].texGenT.enabled = true;
+             },
+             "s, t are generated at each vertex."},
+        Case{"NoQ",
+             [](Scene& it) {
+                 it.models[0].texCoords[0] = TexCoords(4, {1, 1, 0, 0});
+             },
+             "q is 0: the quotient is undefined."},
+        Case{"Nan",
+             [](Scene& it) {
+                 it.models[0].texCoords[0] = TexCoords(4, glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+             },
+             "A coordinate is infinite or not a number: undefined."},
+        Case{"Decal",
+             [](Scene& it) {
+                 it.passes[0].units[0].envMode = EnvMode::Decal;
+                 it.textures[0].internalFormat = BaseFormat::Luminance;
+             },
+             "GL_DECAL is undefined for GL_LUMINANCE: the incoming colour is passed on."},
+        Case{"Combine",
+             [](Scene& it) {
+                 it.passes[0].units[0].envMode = EnvMode::Combine;
+                 it.passes[0].units[0].combine.source0Rgb = CombineSource::Texture3;
+             },
+             "Undefined: an argument is the texture of a unit that samples nothing."},
+        Case{"Idle",
+             [](Scene& it) { it.passes[0].units[2].enabled = true, it.passes[0].units[2].texture = 9; },
+             "there is no textures[9]"},
+        Case{"Specular", [](Scene& it) { it.light.colorControl = ColorControl::SeparateSpecular; },
+             "Colour sum: "},
+        Case{"Anisotropic",
+             [](Scene& it) {
+                 it.models[0].rotation = {80, 0, 0};
+                 it.textures[0].maxAnisotropy = 4;
+             },
+             "anisotropic, up to 4: probes"},
+        Case{"Alpha",
+             [](Scene& it) {
+                 it.passes[0].alphaTest = true;
+                 it.passes[0].alphaFunc = CompareFunc::Never;
+             },
+             "failed: nothing is written"},
+        Case{"Blended", [](Scene& it) { it.passes[0].blend = true; }, "  times GL_ZERO"},
+        Case{"Clipped",
+             [](Scene& it) {
+                 it.view.distance = 0.1F, it.models[0].rotation = {85, 0, 0};
+             },
+             "was clipped"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(MergedTaps, AddUpWhatIsReadTwice) {
+    SampleRecord sample;
+    for (int i = 0; i < 12; ++i)
+        sample.taps.push_back({.level = 1, .index = {i % 2, 0, 0}, .weight = i % 2 == 0 ? 0.1F : 0.05F});
+    const std::vector<Tap> taps = mergedTaps(sample);
+    ASSERT_EQ(taps.size(), 2U);
+    EXPECT_EQ(taps[0].index.x, 0);
+    EXPECT_FLOAT_EQ(taps[0].weight, 0.6F);
+    EXPECT_FLOAT_EQ(taps[1].weight, 0.3F);
+}
+
+TEST(NumberText, IsShort) {
+    const auto texts = [](std::initializer_list<float> values) {
+        std::vector<std::string> all;
+        for (const float value : values)
+            all.push_back(numberText(value));
+        return all;
+    };
+    EXPECT_THAT(
+        texts({0, 1, -2.5F, 0.333333F, 0.00012345F, 3e38F, -1e-30F, std::numeric_limits<float>::infinity()}),
+        ElementsAre("0", "1", "-2.5", "0.3333", "0.0001", "3e+38", "0", "inf"));
+    EXPECT_EQ(amountText(1.4e-6F), "< 0.0001");
+    EXPECT_EQ(amountText(-4.31e-7F), "> -0.0001");
+    EXPECT_EQ(amountText(0), "0");
+    EXPECT_EQ(amountText(0.25F), "0.25");
+}
+
+TEST(ColumnText, HasTheSameDigitsInEachLine) {
+    EXPECT_EQ(columnText(0.5F), "0.5000");
+    EXPECT_EQ(columnText(-12.25F), "-12.2500");
+    EXPECT_EQ(columnText(-4.31e-7F), "0.0000");
+    EXPECT_EQ(columnText(0.0021306F, 6), "0.002131");
+    EXPECT_EQ(columnText(3e38F), "3e+38");
+    EXPECT_EQ(columnText(std::numeric_limits<float>::infinity()), "inf");
+}
+
+} // namespace
+} // namespace texplorer::reference

@@ -1,0 +1,163 @@
+// Cube maps: table 3.19 of OpenGL 2.1, worked out by hand.
+
+#include "core/reference/sampling/completeness.h"
+#include "core/reference/sampling/sampler.h"
+#include "tests/core/reference/textures.h"
+
+#include <limits>
+
+namespace texplorer::reference {
+namespace {
+
+using namespace testing_support;
+
+struct Hit {
+    const char* name;
+    glm::vec3 direction;
+    int face;
+    float s;
+    float t;
+};
+class CubeDirection : public testing::TestWithParam<Hit> {};
+
+// s = (sc / |ma| + 1) / 2, t = (tc / |ma| + 1) / 2
+TEST_P(CubeDirection, HitsAFaceAtAPlace) {
+    const CubePlace place = cubePlace(GetParam().direction, {});
+    EXPECT_EQ(place.face, GetParam().face);
+    EXPECT_FLOAT_EQ(place.coords.s, GetParam().s);
+    EXPECT_FLOAT_EQ(place.coords.t, GetParam().t);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CubeDirection,
+    testing::Values(Hit{"PositiveX", {2, 1, 0.5F}, 0, 0.375F, 0.25F},     // sc = -0.5, tc = -1, ma = 2
+                    Hit{"NegativeX", {-2, 1, 0.5F}, 1, 0.625F, 0.25F},    // sc = 0.5, tc = -1
+                    Hit{"PositiveY", {0.5F, 4, 2}, 2, 0.5625F, 0.75F},    // sc = 0.5, tc = 2
+                    Hit{"NegativeY", {0.5F, -4, 2}, 3, 0.5625F, 0.25F},   // sc = 0.5, tc = -2
+                    Hit{"PositiveZ", {1, 2, 4}, 4, 0.625F, 0.25F},        // sc = 1, tc = -2
+                    Hit{"NegativeZ", {1, 2, -4}, 5, 0.375F, 0.25F},       // sc = -1, tc = -2
+                    Hit{"Largest", {3e38F, 2e38F, 0}, 0, 0.5F, 1.0F / 6}, // tc = -2e38
+                    Hit{"LargestCorner", {-3e38F, 3e38F, -3e38F}, 1, 0, 0},
+                    Hit{"Least", {0, 0x1p-149F, 0}, 2, 0.5F, 0.5F}, Hit{"Zero", {0, 0, 0}, 0, 0.5F, 0.5F},
+                    Hit{"NoNumber", {std::numeric_limits<float>::quiet_NaN(), 1, 0}, 0, 0.5F, 0.5F},
+                    Hit{"Infinite", {0, std::numeric_limits<float>::infinity(), 0}, 0, 0.5F, 0.5F},
+                    Hit{"Corner", {-1, 1, -1}, 1, 0, 0}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+// The change over a small step, as a difference.
+TEST(CubePlace, DerivativesAreThoseOfTheFace) {
+    for (const glm::vec3 direction : {glm::vec3(2, 1, 0.5F), glm::vec3(-2, 0.3F, 1), glm::vec3(0.5F, 3, 1),
+                                      glm::vec3(1, -3, 0.2F), glm::vec3(1, 1, 5), glm::vec3(1, -2, -5)}) {
+        const glm::vec3 step{0.4F, -0.7F, 0.9F};
+        const CubePlace place = cubePlace(direction, {step, -2.0F * step});
+        constexpr float small = 1e-2F;
+        const glm::vec3 difference = (cubePlace(direction + small * step, {}).coords -
+                                      cubePlace(direction - small * step, {}).coords) /
+                                     (2 * small);
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_NEAR(place.derivatives.dx[axis], difference[axis], 2e-3F);
+            EXPECT_NEAR(place.derivatives.dy[axis], -2 * difference[axis], 4e-3F);
+        }
+    }
+}
+
+// s = rx / rz of +z: s' = (rx' - s rz') / rz / 2, whose terms may be beyond what a float holds.
+TEST(CubePlace, DerivativesOfFiniteDirectionsAreFinite) {
+    EXPECT_FLOAT_EQ(cubePlace({0, 0, 3e38F}, {{3e38F, 0, -3e38F}, {}}).derivatives.dx.s, 0.5F);
+    EXPECT_FLOAT_EQ(cubePlace({1.5e38F, 0, 3e38F}, {{3e38F, 0, -3e38F}, {}}).derivatives.dx.s, 0.75F);
+    // 5e40, which no float is: the largest one stands for it, and the smallest level is read.
+    SampledTexture texture = leveledTexture(8);
+    texture.target = Target::CubeMap;
+    texture.otherFaces.assign(5, texture.levels);
+    texture.minFilter = MinFilter::LinearMipmapLinear;
+    const SampleRecord record = explainSample(texture, {0, 0, 1e-3F}, {{1e38F, 0, 0}, {}});
+    EXPECT_FALSE(record.lod.undefined);
+    EXPECT_TRUE(isNear(record.color, {0.3F, 0, 0, 1}));
+}
+
+/// Face f is f / 10 in red; its texels i, j are told by green and blue.
+SampledTexture cubeTexture(int extent) {
+    SampledTexture texture;
+    texture.target = Target::CubeMap;
+    texture.magFilter = MagFilter::Nearest;
+    texture.minFilter = MinFilter::Nearest;
+    texture.wrap.fill(Wrap::ClampToEdge);
+    for (int face = 0; face < 6; ++face)
+        texture.levelToFill(0, face) = makeLevel({extent, extent, 1}, [face](int i, int j, int) {
+            return glm::vec4(static_cast<float>(face), static_cast<float>(i), static_cast<float>(j), 10) /
+                   10.0F;
+        });
+    return texture;
+}
+
+TEST(SampleOfACubeMap, ReadsTheFaceThatIsHit) {
+    const SampledTexture texture = cubeTexture(4);
+    const SampleRecord record = explainSample(texture, {1, 2, -4}, {}); // s = 0.375, t = 0.25 on -z
+    EXPECT_TRUE(isNear(record.color, {0.5F, 0.1F, 0.1F, 1}));
+    ASSERT_EQ(record.taps.size(), 1U);
+    EXPECT_EQ(record.taps[0].index, glm::ivec3(1, 1, 5)); // of the face -z
+    ASSERT_TRUE(record.cube);
+    EXPECT_EQ(record.cube->face, 5);
+    EXPECT_EQ(sample(texture, {1, 2, -4}, {}), record.color);
+}
+
+TEST(SampleOfACubeMap, KnowsTheShareOfATexelOfAFace) {
+    const SampledTexture texture = cubeTexture(4);
+    EXPECT_EQ(texelWeight(texture, {1, 2, -4}, {}, {}, {0, {1, 1, 5}}), 1);
+    EXPECT_EQ(texelWeight(texture, {1, 2, -4}, {}, {}, {0, {1, 1, 4}}), 0);
+}
+
+// Half-way between the last texel and the first one of the same face; the neighbour is not asked.
+TEST(SampleOfACubeMap, StaysOnItsFaceAtAnEdge) {
+    SampledTexture texture = cubeTexture(4);
+    texture.magFilter = MagFilter::Linear;
+    texture.wrap.fill(Wrap::Repeat);
+    EXPECT_TRUE(isNear(sample(texture, {0.999999F, 0, 1}, {}), {0.4F, 0.15F, 0.15F, 1}, 1e-4F));
+    texture.wrap.fill(Wrap::ClampToEdge);
+    EXPECT_TRUE(isNear(sample(texture, {0.999999F, 0, 1}, {}), {0.4F, 0.3F, 0.15F, 1}, 1e-4F));
+}
+
+// dx moves s of +z by 3 texels a pixel: (1/2 sc') * 16 = 3
+TEST(SampleOfACubeMap, LambdaIsThatOfTheFace) {
+    SampledTexture texture = cubeTexture(16);
+    texture.minFilter = MinFilter::LinearMipmapLinear;
+    const SampleRecord record = explainSample(texture, {0, 0, 1}, {{0.375F, 0, 0.2F}, {0, 0.125F, 0}});
+    EXPECT_NEAR(record.lod.lengthX, 3, 1e-6);
+    EXPECT_NEAR(record.lod.lengthY, 1, 1e-6);
+}
+
+TEST(CompletenessOfACubeMap, WantsSixSquaresOfOneSize) {
+    SampledTexture texture = cubeTexture(4);
+    EXPECT_TRUE(checkCompleteness(texture).complete());
+    const SampledTexture whole = texture;
+
+    texture.otherFaces[2][0] = makeLevel({2, 2, 1}, [](int, int, int) { return glm::vec4(1); });
+    EXPECT_EQ(checkCompleteness(texture).rule, CompletenessRule::CubeFaces);
+    EXPECT_EQ(
+        checkCompleteness(texture).reason,
+        "the texture is incomplete: the faces of a cube map must have one size; +x has 4 x 4 texels and "
+        "-y 2 x 2");
+    texture = whole;
+    texture.otherFaces.pop_back();
+    EXPECT_EQ(checkCompleteness(texture).reason,
+              "the texture is incomplete: a cube map has six faces, and -z is missing");
+    texture = whole;
+    for (int face = 0; face < 6; ++face)
+        texture.levelToFill(0, face) = makeLevel({4, 2, 1}, [](int, int, int) { return glm::vec4(1); });
+    EXPECT_EQ(
+        checkCompleteness(texture).reason,
+        "the texture is incomplete: the faces of a cube map must be square, and they have 4 x 2 texels");
+
+    texture = whole;
+    texture.minFilter = MinFilter::LinearMipmapLinear;
+    for (int level = 1; level < 3; ++level)
+        for (int face = 0; face < 6; ++face)
+            texture.levelToFill(level, face) =
+                makeLevel({4 >> level, 4 >> level, 1}, [](int, int, int) { return glm::vec4(1); });
+    EXPECT_TRUE(checkCompleteness(texture).complete());
+    texture.otherFaces[4][1] = {};
+    EXPECT_EQ(checkCompleteness(texture).rule, CompletenessRule::LevelMissing);
+}
+
+} // namespace
+} // namespace texplorer::reference

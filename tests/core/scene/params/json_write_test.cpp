@@ -1,0 +1,270 @@
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+namespace texplorer {
+namespace {
+
+TEST(WriteScene, ReadsLikeThis) {
+    Scene scene;
+    scene.view.background = {0.1F, 0, 0.25F, 1};
+    scene.models = {Model{.shape = Shape::Quad}};
+    scene.models[0].texCoords[1] = {{0, 0, 0, 1}, {1, 0, 0.5F, 1}, {1, 1, 0, 2}, {-0.0F, 1, 0, 1}};
+    scene.textures = {Texture{.file = "a \"b\"\n\xC3\xA9.png"}};
+    scene.passes[0].units[1].enabled = true;
+    EXPECT_EQ(writeScene(scene), R"({
+  "version": 1,
+  "view": {
+    "azimuth": 0,
+    "elevation": 0,
+    "distance": 6,
+    "target": [0, 0, 0],
+    "projection": "perspective",
+    "fieldOfView": 40,
+    "perspectiveHint": "GL_DONT_CARE",
+    "background": [0.1, 0, 0.25, 1]
+  },
+  "light": {
+    "position": [0, 0, 1, 0],
+    "ambient": [0, 0, 0, 1],
+    "diffuse": [1, 1, 1, 1],
+    "specular": [1, 1, 1, 1],
+    "modelAmbient": [0.2, 0.2, 0.2, 1],
+    "colorControl": "GL_SINGLE_COLOR",
+    "localViewer": false
+  },
+  "material": {
+    "color": [1, 1, 1, 1],
+    "specular": [0, 0, 0, 1],
+    "shininess": 0,
+    "shadeModel": "GL_SMOOTH"
+  },
+  "models": [
+    {
+      "shape": "quad",
+      "visible": true,
+      "slices": 32,
+      "stacks": 16,
+      "position": [0, 0, 0],
+      "rotation": [0, 0, 0],
+      "spin": [0, 0, 0],
+      "size": 1,
+      "texCoords1": [
+        [0, 0],
+        [1, 0, 0.5],
+        [1, 1, 0, 2],
+        [-0.0, 1]
+      ]
+    }
+  ],
+  "textures": [
+    {
+      "source": "pattern",
+      "pattern": "checker",
+      "file": "a \"b\"\n)"
+                                 "\xC3\xA9"
+                                 R"(.png",
+      "flip": "blocks",
+      "transparency": "file",
+      "stencilColor": [0, 0, 0, 1],
+      "internalFormat": "GL_RGBA",
+      "border": 0,
+      "compression": "file",
+      "compressedFormat": "GL_COMPRESSED_RGB_S3TC_DXT1_EXT",
+      "compressionQuality": "normal",
+      "magFilter": "GL_LINEAR",
+      "minFilter": "GL_NEAREST_MIPMAP_LINEAR",
+      "wrapS": "GL_REPEAT",
+      "wrapT": "GL_REPEAT",
+      "wrapR": "GL_REPEAT",
+      "borderColor": [0, 0, 0, 0],
+      "mipmaps": "none",
+      "mipFilter": "box",
+      "mipGamma": false,
+      "npot": "keep",
+      "baseLevel": 0,
+      "maxLevel": 1000,
+      "minLod": -1000,
+      "maxLod": 1000,
+      "maxAnisotropy": 1,
+      "priority": 1
+    }
+  ],
+  "passes": [
+    {
+      "lighting": false,
+      "depthTest": false,
+      "depthFunc": "GL_LESS",
+      "alphaTest": false,
+      "alphaFunc": "GL_ALWAYS",
+      "alphaRef": 0,
+      "blend": false,
+      "blendSrc": "GL_ONE",
+      "blendDst": "GL_ZERO",
+      "units": [
+        {
+          "enabled": false,
+          "target": "GL_TEXTURE_2D",
+          "texture": 0,
+          "envMode": "GL_MODULATE",
+          "envColor": [0, 0, 0, 0],
+          "lodBias": 0,
+          "matrix": []
+        },
+        {
+          "enabled": true,
+          "target": "GL_TEXTURE_2D",
+          "texture": 0,
+          "envMode": "GL_MODULATE",
+          "envColor": [0, 0, 0, 0],
+          "lodBias": 0,
+          "matrix": []
+        }
+      ]
+    }
+  ]
+}
+)");
+    EXPECT_EQ(parseScene(writeScene(scene)).value(), scene);
+}
+
+TEST(WriteScene, LeavesOutTheStateOfAUnitThatNobodyTouched) {
+    Scene scene;
+    scene.passes[0].units[0].texGenT.enabled = true;
+    scene.passes[0].units[1].combine.rgbScale = CombineScale::Two;
+    const std::string text = writeScene(scene);
+    const auto count = [&](std::string_view key) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1))
+            ++found;
+        return found;
+    };
+    EXPECT_EQ(count("\"texGenT\""), 1U);
+    EXPECT_EQ(count("\"texGenS\""), 0U);
+    EXPECT_EQ(count("\"combine\""), 1U);
+    EXPECT_EQ(parseScene(text).value(), scene);
+}
+
+TEST(WriteScene, LeavesOutCoordinatesThatDoNotFitTheirMesh) {
+    Scene scene;
+    scene.models = {Model{.shape = Shape::Sphere}};
+    scene.models[0].texCoords[0].resize(24);
+    EXPECT_EQ(writeScene(scene).find("texCoords"), std::string::npos);
+    EXPECT_TRUE(parseScene(writeScene(scene)));
+}
+
+TEST(WriteScene, IsJsonEvenForAFileNameThatIsNotUtf8) {
+    Scene scene;
+    scene.textures = {Texture{.file = "\xff.png"}};
+    EXPECT_EQ(parseScene(writeScene(scene)).value().textures[0].file, "\xEF\xBF\xBD.png");
+}
+
+/// Scenes made from the tables alone: any number in range, any choice, any count that is allowed.
+class RandomScenes {
+public:
+    explicit RandomScenes(std::uint32_t seed)
+        : random_(seed) {}
+
+    Scene next() {
+        Scene scene;
+        fill(sceneTable(), &scene);
+        // What the tables don't know of each other.
+        for (Model& model : scene.models)
+            for (TexCoords& coords : model.texCoords)
+                if (below(2) == 0)
+                    for (std::size_t i = vertexCount(model.shape, model.slices, model.stacks); i > 0; --i)
+                        coords.emplace_back(anyFloat(), anyFloat(), below(2) == 0 ? 0 : anyFloat(),
+                                            below(2) == 0 ? 1 : anyFloat());
+        for (Pass& pass : scene.passes)
+            for (Unit& unit : pass.units) {
+                unit.enabled = unit.enabled && !scene.textures.empty();
+                if (unit.enabled)
+                    unit.texture = static_cast<int>(below(scene.textures.size()));
+            }
+        return scene;
+    }
+
+private:
+    std::size_t below(std::size_t count) { return random_() % count; }
+
+    /// Every finite float is as likely as any other.
+    float anyFloat() {
+        for (;;)
+            if (const float number = std::bit_cast<float>(static_cast<std::uint32_t>(random_()));
+                std::isfinite(number))
+                return number;
+    }
+
+    float in(const Range& range) {
+        const float part = static_cast<float>(random_()) / static_cast<float>(std::mt19937::max());
+        return std::clamp(range.min + part * (range.max - range.min), range.min, range.max);
+    }
+
+    Value value(const ParamRow& row) {
+        switch (row.kind) {
+        case Kind::Bool:
+            return below(2) == 0;
+        case Kind::Int:
+            if (row.range.max == maxSubdivision) // meshes small enough to be written three hundred times
+                return static_cast<int>(row.range.min) + static_cast<int>(below(6));
+            return static_cast<int>(in(row.range));
+        case Kind::Float:
+            return in(row.range);
+        case Kind::Vec3:
+            return glm::vec3(in(row.range), in(row.range), in(row.range));
+        case Kind::Vec4:
+        case Kind::Color:
+            return glm::vec4(in(row.range), in(row.range), in(row.range), in(row.range));
+        case Kind::Enum:
+            return EnumValue{row.choices[below(row.choices.size())].value};
+        case Kind::Text: {
+            static constexpr std::array<std::string_view, 8> pieces{
+                "a", "/", "\\", "\"", "\n", "\x7f", "\xC3\xA9", "\xF0\x9F\xA7\xB1"};
+            std::string text;
+            for (std::size_t i = below(12); i > 0; --i)
+                text += pieces[below(pieces.size())];
+            return text;
+        }
+        case Kind::TexCoordList:
+            return TexCoords{};
+        }
+        return {};
+    }
+
+    void fill(const StructTable& table, void* owner) {
+        for (const ParamRow& row : table.params)
+            row.write(owner, value(row));
+        for (const ChildRow& child : table.children) {
+            if (child.indexed && child.minCount != child.maxCount)
+                child.resize(owner, child.minCount + below(std::min<std::size_t>(child.maxCount, 3)));
+            for (std::size_t i = 0; i < child.size(owner); ++i)
+                if (below(8) != 0) // some stay as they are by default
+                    fill(*child.table, child.at(owner, i));
+        }
+    }
+
+    std::mt19937 random_;
+};
+
+TEST(SceneJson, RandomScenesComeBackExactly) {
+    RandomScenes scenes(20240229);
+    for (int i = 0; i < 300; ++i) {
+        const Scene scene = scenes.next();
+        forEachParam(scene, [](const std::string& path, const ParamRow& row, const Value& value) {
+            ASSERT_TRUE(checkValue(row, value)) << path << ": the generator is wrong";
+        });
+        const std::string text = writeScene(scene);
+        const auto read = parseScene(text);
+        ASSERT_TRUE(read) << "scene " << i << ": " << describe(read.error()) << "\n" << text;
+        ASSERT_EQ(*read, scene) << "scene " << i << "\n" << text;
+        ASSERT_EQ(writeScene(*read), text) << "scene " << i;
+    }
+}
+
+} // namespace
+} // namespace texplorer

@@ -1,0 +1,364 @@
+#include "app/ui/widgets/keys.h"
+#include "app/ui/view/panes.h"
+#include "app/ui/view/probed_pixel.h"
+#include "core/reference/probe.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::ui::test {
+namespace {
+
+class ExplainTab : public Workbench {
+protected:
+    void open() {
+        session->wantedTab = Tab::Explain;
+        frames(3);
+    }
+    /// A place in the view where the cube is.
+    [[nodiscard]] ImVec2 onTheCube() const {
+        return {static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.3F,
+                static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F};
+    }
+    /// A place in the middle of a texel of a level's small picture.
+    ImVec2 inPatch(int level) { return place("patch:level " + std::to_string(level)); }
+};
+
+TEST_F(ExplainTab, SaysWhatToDoFirst) {
+    open();
+    EXPECT_TRUE(has("explain:none"));
+    EXPECT_FALSE(has("probed pixel"));
+}
+
+TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
+    open();
+    clickAt(onTheCube());
+    ASSERT_TRUE(session->explaining.pixel);
+    const Panes panes(layout, session->views, {layout.picture.width, layout.picture.height});
+    const auto expected = panes.pixelAt(onTheCube());
+    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
+    const reference::Explanation* found = explanationOf(*session);
+    ASSERT_NE(found, nullptr);
+    const auto alone = reference::probe(session->scene, session->images, 0, layout.picture.width,
+                                        layout.picture.height, *session->explaining.pixel);
+    EXPECT_EQ(found->bytes, alone->bytes);
+    EXPECT_NE(found->seen(), nullptr);
+    EXPECT_TRUE(has("explain:pixel"));
+    EXPECT_TRUE(has("explain:Texels"));
+    EXPECT_TRUE(has("probed pixel"));
+}
+
+TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
+    open();
+    const std::shared_ptr<const TextureImage> image = session->images.find(session->scene.textures[0]);
+    const long before = image.use_count();
+    clickAt(onTheCube());
+    ASSERT_TRUE(session->explaining.pixel);
+    EXPECT_EQ(image.use_count(), before + 1);
+    session->explaining.pixel.reset();
+    frames(1);
+    EXPECT_EQ(image.use_count(), before);
+}
+
+TEST_F(ExplainTab, AClickElsewhereMeansNothing) {
+    clickAt(onTheCube());
+    EXPECT_FALSE(session->explaining.pixel);
+}
+
+TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
+    moveTo(onTheCube());
+    ImGui::GetIO().KeysDown[int{'E'}] = true;
+    frames(3);
+    EXPECT_TRUE(session->explaining.isOpen);
+    const auto first = session->explaining.pixel;
+    ASSERT_TRUE(first);
+    moveTo({onTheCube().x + 7, onTheCube().y - 5});
+    ImGui::GetIO().KeysDown[int{'E'}] = false;
+    frames(2);
+    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
+    moveTo(onTheCube());
+    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5})) << "it stays";
+}
+
+TEST_F(ExplainTab, TellsThatNothingCoversAPixel) {
+    open();
+    clickAt({static_cast<float>(layout.picture.x + 40), static_cast<float>(layout.picture.y + 60)});
+    ASSERT_NE(explanationOf(*session), nullptr);
+    EXPECT_TRUE(explanationOf(*session)->fragments.empty());
+    EXPECT_FALSE(has("explain:fragment 0"));
+}
+
+TEST_F(ExplainTab, FollowsTheScene) {
+    open();
+    clickAt(onTheCube());
+    const reference::PixelBytes before = explanationOf(*session)->bytes;
+    session->scene.material.color = {1, 0, 0, 1};
+    session->scene.passes[0].units[0].enabled = false;
+    frames(2);
+    EXPECT_NE(explanationOf(*session)->bytes, before);
+    EXPECT_FALSE(has("explain:Texels"));
+    EXPECT_EQ(probedUnit(*session), nullptr);
+}
+
+TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
+    open();
+    const auto worker =
+        std::make_shared<reference::ProbeWorker>(reference::ProbeWorker::When::WhenReady, [] {});
+    session->probeWorkerAtOnce = worker;
+    clickAt(onTheCube());
+    worker->wait();
+    (void)picture();
+    ASSERT_NE(explanationOf(*session), nullptr);
+    const std::string compared = "explain:compared " + std::string(rowOf(RendererKind::Fixed).label);
+    EXPECT_TRUE(has(compared));
+    session->scene.view.azimuth += 20;
+    (void)picture(); // asks, and has an answer about the view before
+    EXPECT_NE(explanationOf(*session), nullptr);
+    EXPECT_FALSE(has(compared));
+    worker->wait();
+    (void)picture();
+    EXPECT_TRUE(has(compared));
+}
+
+TEST_F(ExplainTab, StepsUnfold) {
+    open();
+    clickAt(onTheCube());
+    EXPECT_FALSE(has("explain:rows of Primary colour"));
+    click("explain:Primary colour");
+    (void)picture();
+    EXPECT_TRUE(has("explain:rows of Primary colour"));
+}
+
+// A summary that is longer than the column goes on below.
+TEST_F(ExplainTab, NothingIsCutInANarrowColumn) {
+    start(defaultScene(), 900, 600);
+    open();
+    clickAt({static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.2F,
+             static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F});
+    ASSERT_TRUE(has("explain:summary of Level of detail"));
+    int summaries = 0;
+    for (const auto& [name, item] : session->probe->items) {
+        if (!name.starts_with("explain:summary of"))
+            continue;
+        ++summaries;
+        EXPECT_LE(item.right, static_cast<float>(layout.details.right())) << name;
+    }
+    EXPECT_GT(summaries, 4);
+}
+
+TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
+    open();
+    clickAt(onTheCube());
+    const reference::UnitExplanation* unit = probedUnit(*session);
+    ASSERT_NE(unit, nullptr);
+    const int level = unit->patches.front().level;
+    clickAt(inPatch(level));
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel.level, level);
+    EXPECT_TRUE(has("explain:texel"));
+    ASSERT_TRUE(session->explaining.light);
+    EXPECT_EQ(session->explaining.light->width, layout.picture.width);
+    const auto& found = *session->explaining.answer->contributions;
+    ASSERT_TRUE(found);
+    clickAt(inPatch(level)); // once more: no longer
+    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_FALSE(session->explaining.light);
+}
+
+TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
+    open();
+    // The middle of texel 60, 50 of 64 x 64, where no vertex is.
+    const auto at = [&](float s, float t) {
+        const ImVec2 low = place("coord:0");
+        const ImVec2 high = place("coord:2");
+        return ImVec2(low.x + (high.x - low.x) * s, low.y + (high.y - low.y) * t);
+    };
+    clickAt(at(60.5F / 64, 50.5F / 64));
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
+    EXPECT_TRUE(session->explaining.light);
+    session->wantedTab = Tab::Vertices;
+    frames(3);
+    clickAt(at(20.5F / 64, 20.5F / 64));
+    EXPECT_EQ(session->explaining.texel->texel.index.x, 60) << "only while the tab is open";
+}
+
+// Level 6 of 64 x 64 has one row: below it lies the border, which wrapping leads to. A line has no rows.
+TEST_F(ExplainTab, TheBorderOfALevelOfOneRowCanBeAskedFor) {
+    open();
+    texture().baseLevel = 6;
+    texture().wrapT = Wrap::ClampToBorder;
+    frames(2);
+    const ImVec2 low = place("coord:0");
+    const ImVec2 high = place("coord:2");
+    const ImVec2 below((low.x + high.x) / 2, low.y + (low.y - high.y) * 0.2F);
+    clickAt(below);
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
+    unit().target = Target::Texture1D;
+    frames(2);
+    clickAt(below);
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
+}
+
+// Whichever texel of the image a pixel reads, the small pictures don't lie on it.
+TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
+    open();
+    const auto overlap = [](const Probe::Item& a, const Probe::Item& b) {
+        return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    };
+    int seen = 0;
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 0; x < 6; ++x) {
+            clickAt({static_cast<float>(layout.picture.x) + 40 + static_cast<float>(x) * 38,
+                     static_cast<float>(layout.picture.y) + 200 + static_cast<float>(y) * 42});
+            if (!probedUnit(*session))
+                continue;
+            ++seen;
+            const Probe::Item& marks = session->probe->items.at("texel marks");
+            for (const auto& [name, item] : session->probe->items)
+                EXPECT_FALSE(name.starts_with("patch:") && overlap(item, marks)) << name << x << y;
+        }
+    }
+    EXPECT_GT(seen, 20);
+}
+
+TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
+    open();
+    texture().pattern = Pattern::CubeFaces;
+    unit().target = Target::CubeMap;
+    frames(2);
+    clickAt(onTheCube());
+    const reference::UnitExplanation* found = probedUnit(*session);
+    ASSERT_NE(found, nullptr);
+    ASSERT_TRUE(found->sample.cube);
+    ASSERT_FALSE(found->patches.empty());
+    EXPECT_EQ(found->patches.front().layer, found->sample.cube->face);
+    clickAt(inPatch(found->patches.front().level));
+    ASSERT_TRUE(session->explaining.texel);
+    EXPECT_EQ(session->explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
+    (void)picture();
+}
+
+TEST_F(ExplainTab, EscapeLetsGoOfTheTexelAndThenOfThePixel) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    ASSERT_TRUE(session->explaining.texel);
+    key(key::escape);
+    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_TRUE(session->explaining.pixel);
+    key(key::escape);
+    EXPECT_FALSE(session->explaining.pixel);
+}
+
+TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    click("explain:clear texel");
+    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_TRUE(session->explaining.pixel);
+    EXPECT_FALSE(has("explain:clear texel"));
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    session->explaining.pixel.reset();
+    frames(2);
+    click("explain:clear texel");
+    EXPECT_FALSE(session->explaining.texel);
+}
+
+TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
+    open();
+    const auto pick = [&] {
+        session->explaining.pixel.reset();
+        session->explaining.texel.reset();
+        clickAt(onTheCube());
+        clickAt(inPatch(probedUnit(*session)->patches.front().level));
+        ASSERT_TRUE(session->explaining.texel);
+    };
+    pick();
+    texture().wrapS = Wrap::Clamp; // the same image, looked up otherwise
+    frames(2);
+    EXPECT_TRUE(session->explaining.texel);
+    texture().pattern = Pattern::Brick;
+    frames(2);
+    EXPECT_FALSE(session->explaining.texel);
+    pick();
+    scene().textures.push_back({.pattern = Pattern::UvTemplate});
+    unit().texture = 1;
+    frames(2);
+    EXPECT_FALSE(session->explaining.texel);
+    texture().pattern = Pattern::Brick;
+    unit().texture = 0;
+    frames(2);
+    pick();
+    unit().enabled = false;
+    scene().textures.clear();
+    frames(2);
+    EXPECT_FALSE(session->explaining.texel);
+}
+
+TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
+    for (const int width : {1280, 1024, 640}) {
+        SCOPED_TRACE(width);
+        start(defaultScene(), width, 700);
+        open();
+        for (const Target target : {Target::Texture2D, Target::CubeMap}) {
+            texture().pattern = target == Target::CubeMap ? Pattern::CubeFaces : Pattern::Checker;
+            unit().target = target;
+            frames(2);
+            session->explaining.pixel.reset();
+            for (int step = 1; step < 20 && !probedUnit(*session); ++step) // until it hits a model
+                clickAt(
+                    {static_cast<float>(layout.picture.x + layout.picture.width * step / 20), onTheCube().y});
+            ASSERT_NE(probedUnit(*session), nullptr);
+            int titles = 0;
+            std::vector<Probe::Item> seen;
+            for (const auto& [name, item] : session->probe->items) {
+                if (!name.starts_with("patch title:"))
+                    continue;
+                ++titles;
+                EXPECT_LE(item.right, static_cast<float>(layout.texture.right())) << name;
+                EXPECT_GE(item.left, static_cast<float>(layout.texture.x)) << name;
+                for (const Probe::Item& other : seen)
+                    EXPECT_FALSE(item.left < other.right && other.left < item.right &&
+                                 item.top < other.bottom && other.top < item.bottom)
+                        << name;
+                seen.push_back(item);
+            }
+            EXPECT_GT(titles, 0);
+        }
+    }
+}
+
+TEST_F(ExplainTab, ClearForgetsIt) {
+    open();
+    clickAt(onTheCube());
+    click("explain:clear");
+    EXPECT_FALSE(session->explaining.pixel);
+    EXPECT_FALSE(session->explaining.answer);
+    EXPECT_TRUE(has("explain:none"));
+}
+
+// The picture became smaller: there is no such pixel any more.
+TEST_F(ExplainTab, ForgetsAPixelThatIsGone) {
+    open();
+    session->explaining.pixel = {layout.picture.width, 0};
+    frames(2);
+    EXPECT_FALSE(session->explaining.pixel);
+}
+
+TEST_F(ExplainTab, DrawsWithoutAnyError) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    (void)picture();
+    session->scene.textures[0].maxAnisotropy = 16;
+    session->scene.models[0].shape = Shape::Floor;
+    session->scene.models[0].texCoords = {};
+    (void)picture();
+    session->scene.models[0].texCoords[0] = TexCoords(4, glm::vec4(1e30F, -1e30F, 0, 0));
+    (void)picture();
+}
+
+} // namespace
+} // namespace texplorer::ui::test

@@ -1,0 +1,432 @@
+#include "app/ui/model/findings.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/window/panels.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "core/scene/params/params.h"
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui::test {
+namespace {
+
+constexpr const char* sections[] = {"Texture",        "Unit and environment",
+                                    "Combine",        "Generated coordinates",
+                                    "Texture matrix", "Model",
+                                    "Pass",           "Light",
+                                    "Material",       "View"};
+
+class ParametersPanel : public Workbench {};
+
+TEST_F(ParametersPanel, AComboChoosesAnEnumerator) {
+    choose("textures[0].wrapS", "GL_CLAMP_TO_EDGE");
+    EXPECT_EQ(texture().wrapS, Wrap::ClampToEdge);
+    EXPECT_EQ(texture().wrapT, Wrap::Repeat);
+    EXPECT_EQ(session->lastChanged, "textures[0].wrapS");
+    choose("textures[0].minFilter", "GL_NEAREST");
+    EXPECT_EQ(texture().minFilter, MinFilter::Nearest);
+}
+
+TEST_F(ParametersPanel, ADragIsOneStepOfUndo) {
+    scrollTo("textures[0].maxAnisotropy");
+    drag(place("textures[0].maxAnisotropy"), {100, 0}); // 0.05 a pixel
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
+    drag(place("textures[0].maxAnisotropy"), {40, 0});
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
+    key('Z', {ctrl});
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().maxAnisotropy, 1);
+    EXPECT_FALSE(session->history.canUndo());
+    key('Z', {ctrl, shift});
+    key('Y', {ctrl});
+    EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
+}
+
+TEST_F(ParametersPanel, ADragEndsAtTheEndOfTheRange) {
+    scrollTo("textures[0].maxAnisotropy");
+    drag(place("textures[0].maxAnisotropy"), {2000, 0});
+    EXPECT_EQ(texture().maxAnisotropy, 16);
+    drag(place("textures[0].maxAnisotropy"), {-2000, 0});
+    EXPECT_EQ(texture().maxAnisotropy, 1);
+}
+
+TEST_F(ParametersPanel, ANumberCanBeTypedAndIsBroughtIntoItsRange) {
+    scrollTo("textures[0].maxAnisotropy");
+    const ImVec2 at = place("textures[0].maxAnisotropy");
+    moveTo(at);
+    ImGui::GetIO().KeysDown[ctrl] = true;
+    ImGui::GetIO().KeyCtrl = true;
+    ImGui::GetIO().MouseDown[0] = true;
+    frames(1);
+    ImGui::GetIO().MouseDown[0] = false;
+    ImGui::GetIO().KeysDown[ctrl] = false;
+    ImGui::GetIO().KeyCtrl = false;
+    frames(2);
+    type("1e999");
+    key(key::enter);
+    EXPECT_EQ(texture().maxAnisotropy, 16);
+}
+
+TEST_F(ParametersPanel, AColourIsPickedAndUndoneAtOnce) {
+    unit().envMode = EnvMode::Blend;
+    scrollTo("passes[0].units[0].envColor");
+    click("passes[0].units[0].envColor");
+    const std::string picker = "passes[0].units[0].envColor#picker";
+    const Probe::Item box = session->probe->items.at(picker);
+    // The upper right of the picker's square: saturated and bright.
+    drag({box.left + 20, box.top + 60}, {60, -40});
+    const glm::vec4 picked = unit().envColor;
+    EXPECT_GT(picked.r, 0.5F);
+    EXPECT_LT(picked.g, picked.r);
+    key(key::escape); // closes the picker
+    EXPECT_FALSE(has(picker));
+    key('Z', {ctrl});
+    EXPECT_EQ(unit().envColor, glm::vec4(0));
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+TEST_F(ParametersPanel, ACheckboxSwitches) {
+    scrollTo("passes[0].units[0].enabled");
+    click("passes[0].units[0].enabled");
+    EXPECT_FALSE(unit().enabled);
+    click("passes[0].units[0].enabled");
+    EXPECT_TRUE(unit().enabled);
+}
+
+TEST_F(ParametersPanel, TheSignBesideAChangedValueResetsItToGlsInitialOne) {
+    EXPECT_FALSE(has("textures[0].wrapT#reset"));
+    choose("textures[0].wrapT", "GL_CLAMP");
+    click("textures[0].wrapT#reset");
+    EXPECT_EQ(texture().wrapT, Wrap::Repeat);
+    EXPECT_FALSE(has("textures[0].wrapT#reset"));
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().wrapT, Wrap::Clamp);
+}
+
+TEST_F(ParametersPanel, ARightClickResets) {
+    scrollTo("textures[0].minFilter");
+    click("textures[0].minFilter", ImGuiMouseButton_Right);
+    EXPECT_EQ(texture().minFilter, MinFilter::NearestMipmapLinear);
+    click("textures[0].minFilter", ImGuiMouseButton_Right);
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapLinear);
+    EXPECT_FALSE(session->history.canUndo()) << "resetting what is reset already is no edit";
+}
+
+TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
+    click("add texture");
+    ASSERT_EQ(scene().textures.size(), 2U);
+    EXPECT_EQ(unit().texture, 1);
+    choose("textures[1].wrapS", "GL_CLAMP");
+    EXPECT_EQ(scene().textures[1].wrapS, Wrap::Clamp);
+    EXPECT_EQ(scene().textures[0].wrapS, Wrap::Repeat);
+    scrollTo("texture choice");
+    click("texture choice");
+    click("bind:0");
+    EXPECT_EQ(unit().texture, 0);
+    click("remove texture");
+    ASSERT_EQ(scene().textures.size(), 1U);
+    EXPECT_EQ(scene().textures[0].wrapS, Wrap::Clamp);
+    EXPECT_EQ(unit().texture, 0);
+    EXPECT_TRUE(unit().enabled);
+    click("remove texture");
+    EXPECT_TRUE(scene().textures.empty());
+    EXPECT_FALSE(unit().enabled) << "a scene file refuses a unit without a texture";
+    scrollTo("passes[0].units[0].enabled");
+    click("passes[0].units[0].enabled");
+    EXPECT_FALSE(unit().enabled);
+    EXPECT_FALSE(session->notice.text.empty());
+    scrollTo("add texture");
+    click("add texture");
+    EXPECT_EQ(scene().textures.size(), 1U);
+}
+
+TEST_F(ParametersPanel, EditsTheChosenUnit) {
+    click("unit:1");
+    EXPECT_EQ(session->selection.unit, 1);
+    choose("passes[0].units[1].envMode", "GL_ADD");
+    EXPECT_EQ(scene().passes[0].units[1].envMode, EnvMode::Add);
+    EXPECT_EQ(unit().envMode, EnvMode::Modulate);
+}
+
+TEST_F(ParametersPanel, MatrixStepsAreAddedMovedAndRemoved) {
+    open("Texture matrix");
+    scrollTo("add:translate");
+    click("add:translate");
+    scrollTo("add:rotate");
+    click("add:rotate");
+    ASSERT_EQ(unit().matrix.size(), 2U);
+    EXPECT_EQ(unit().matrix[1].amount, glm::vec3(0, 0, 1));
+    scrollTo("passes[0].units[0].matrix[1].angleRate");
+    drag(place("passes[0].units[0].matrix[1].angleRate"), {40, 0});
+    EXPECT_NEAR(unit().matrix[1].angleRate, 20, 1);
+    scrollTo("passes[0].units[0].matrix[1]#up");
+    click("passes[0].units[0].matrix[1]#up");
+    EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
+    scrollTo("passes[0].units[0].matrix[1]#remove");
+    click("passes[0].units[0].matrix[1]#remove");
+    ASSERT_EQ(unit().matrix.size(), 1U);
+    EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
+}
+
+TEST_F(ParametersPanel, AVectorHasADragForEachComponent) {
+    open("Light");
+    scrollTo("light.position[1]");
+    const glm::vec4 before = scene().light.position;
+    drag(place("light.position[1]"), {50, 0});
+    EXPECT_GT(scene().light.position.y, before.y);
+    EXPECT_EQ(scene().light.position.x, before.x);
+    EXPECT_EQ(scene().light.position.z, before.z);
+}
+
+TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
+    choose("textures[0].source", "file");
+    EXPECT_EQ(session->dialog, Dialog::OpenImage);
+    EXPECT_EQ(texture().source, SourceKind::Pattern);
+    key(key::escape);
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+/// Walks the tables: whoever adds a row gets its widget, and a row without one is found here.
+TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
+    unit().matrix.resize(1);
+    unit().matrix[0].op = MatrixOp::Rotate;
+    unit().envMode = EnvMode::Combine;
+    for (TexGen* each : {&unit().texGenS, &unit().texGenT, &unit().texGenR, &unit().texGenQ})
+        each->enabled = true;
+    unit().texGenT.mode = TexGenMode::ObjectLinear;
+    frames(1);
+    scene().models[0].shape = Shape::Sphere;
+    for (const char* section : sections) {
+        const std::string_view name = section;
+        const bool inUse = has("in use:" + std::string(name));
+        if (name != "Texture" && name != "Unit and environment" && name != "Combine" && !inUse)
+            open(section);
+    }
+    int rows = 0;
+    const auto expectRows = [&](const Owner& owner, const StructTable& table) {
+        for (const ParamRow& row : table.params) {
+            if (!isRelevant(*session, owner, row) || row.key == "texture") // which is "texture choice"
+                continue;
+            if (row.key.ends_with("Plane") && idleReasonOf(session->findings, owner.pathOf(row)))
+                continue; // each mode has its own
+            const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4;
+            EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
+            ++rows;
+        }
+    };
+    Scene& s = scene();
+    const std::string first = "passes[0].units[0]";
+    expectRows({&s.view, nullptr, "view"}, viewTable());
+    expectRows({&s.light, nullptr, "light"}, lightTable());
+    expectRows({&s.material, nullptr, "material"}, materialTable());
+    expectRows({s.models.data(), nullptr, "models[0]"}, modelTable());
+    expectRows({s.textures.data(), nullptr, "textures[0]"}, textureTable());
+    expectRows({s.passes.data(), nullptr, "passes[0]"}, passTable());
+    expectRows({&unit(), nullptr, first}, unitTable());
+    expectRows({&unit().combine, nullptr, first + ".combine"}, combineTable());
+    expectRows({&unit().texGenS, nullptr, first + ".texGenS"}, texGenTable(0));
+    expectRows({&unit().texGenT, nullptr, first + ".texGenT"}, texGenTable(1));
+    expectRows({&unit().texGenR, nullptr, first + ".texGenR"}, texGenTable(2));
+    expectRows({&unit().texGenQ, nullptr, first + ".texGenQ"}, texGenTable(3));
+    expectRows({unit().matrix.data(), nullptr, first + ".matrix[0]"}, matrixStepTable());
+    EXPECT_GT(rows, 50);
+    EXPECT_TRUE(has("texture choice"));
+}
+
+TEST_F(ParametersPanel, CombineIsEditedWhereTheModeAsksForIt) {
+    const std::string path = "passes[0].units[0].combine.";
+    const auto inert = [&](const char* key) { return has(path + key + "#inert"); };
+    EXPECT_FALSE(has("section:Combine"));
+    choose("passes[0].units[0].envMode", "GL_COMBINE");
+    EXPECT_TRUE(has("section:Combine"));
+    EXPECT_FALSE(inert("source1Rgb"));
+    EXPECT_TRUE(inert("source2Rgb")) << "GL_MODULATE has two arguments";
+    choose(path + "rgb", "GL_REPLACE");
+    EXPECT_EQ(unit().combine.rgb, CombineRgb::Replace);
+    EXPECT_TRUE(inert("operand1Rgb"));
+    choose(path + "rgb", "GL_INTERPOLATE");
+    EXPECT_FALSE(inert("source2Rgb"));
+    EXPECT_FALSE(inert("operand2Rgb"));
+    choose(path + "source0Rgb", "GL_CONSTANT");
+    choose(path + "operand0Rgb", "GL_ONE_MINUS_SRC_ALPHA");
+    choose(path + "rgbScale", "4");
+    EXPECT_EQ(unit().combine.source0Rgb, CombineSource::Constant);
+    EXPECT_EQ(unit().combine.operand0Rgb, OperandRgb::OneMinusSrcAlpha);
+    EXPECT_EQ(unit().combine.rgbScale, CombineScale::Four);
+    EXPECT_FALSE(inert("alpha"));
+    choose(path + "rgb", "GL_DOT3_RGBA");
+    EXPECT_TRUE(inert("alpha")) << "the dot product is alpha, too";
+    EXPECT_TRUE(inert("source0Alpha"));
+    key('Z', {ctrl});
+    EXPECT_EQ(unit().combine.rgb, CombineRgb::Interpolate);
+}
+
+// OpenGL 2.1, section 3.8.13: on unit 0 GL_PREVIOUS is the primary colour.
+TEST_F(ParametersPanel, TheFirstUnitHasNoneBeforeIt) {
+    for (Unit& each : scene().passes[0].units)
+        each.envMode = EnvMode::Combine;
+    frames(2);
+    EXPECT_TRUE(has("combine:colour of this texture × colour of primary colour (no unit before)"));
+    click("unit:1");
+    frames(2);
+    EXPECT_TRUE(has("combine:colour of this texture × colour of previous unit"));
+}
+
+TEST_F(ParametersPanel, ALabelALittleTooWideKeepsItsControlBesideIt) {
+    session->wantedSection = Section::Unit;
+    frames(1);
+    session->wantedSection = Section::Unit;
+    frames(2);
+    const Probe::Item& mode = session->probe->items.at("passes[0].units[0].envMode");
+    const Probe::Item& color = session->probe->items.at("passes[0].units[0].envColor");
+    EXPECT_EQ(color.right, mode.right);
+    EXPECT_LT(color.top - mode.top, 1.5F * (mode.bottom - mode.top)) << "the line below";
+    EXPECT_GT(color.left, mode.left);
+}
+
+TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
+    const std::string path = "passes[0].units[0].texGenS.";
+    open("Generated coordinates");
+    scrollTo(path + "enabled");
+    EXPECT_TRUE(has(path + "mode#inert"));
+    EXPECT_FALSE(has(path + "eyePlane[0]"));
+    click(path + "enabled");
+    EXPECT_TRUE(unit().texGenS.enabled);
+    EXPECT_FALSE(unit().texGenT.enabled);
+    EXPECT_TRUE(has(path + "eyePlane[0]"));
+    EXPECT_FALSE(has(path + "objectPlane[0]"));
+    choose(path + "mode", "GL_OBJECT_LINEAR");
+    EXPECT_FALSE(has(path + "eyePlane[0]"));
+    EXPECT_TRUE(has(path + "objectPlane[0]"));
+    scrollTo(path + "objectPlane[1]");
+    drag(place(path + "objectPlane[1]"), {50, 0});
+    EXPECT_NEAR(unit().texGenS.objectPlane.y, 0.5F, 0.02F);
+    choose(path + "mode", "GL_SPHERE_MAP");
+    EXPECT_FALSE(has(path + "eyePlane[0]"));
+    EXPECT_FALSE(has(path + "objectPlane[0]"));
+    scrollTo("passes[0].units[0].texGenQ.mode");
+    click("passes[0].units[0].texGenQ.mode");
+    EXPECT_FALSE(has("passes[0].units[0].texGenQ.mode=GL_SPHERE_MAP")) << "q has two modes";
+    EXPECT_TRUE(has("passes[0].units[0].texGenQ.mode=GL_OBJECT_LINEAR"));
+}
+
+TEST_F(ParametersPanel, ASectionThatIsInUseIsOpenAndSaysSo) {
+    const std::string texGen = "passes[0].units[0].texGenS.enabled";
+    EXPECT_FALSE(has(texGen));
+    EXPECT_FALSE(has("in use:Generated coordinates"));
+    EXPECT_FALSE(has("in use:Texture matrix"));
+    unit().texGenS.enabled = true;
+    unit().matrix.resize(1);
+    frames(2);
+    EXPECT_TRUE(has(texGen));
+    EXPECT_TRUE(has("passes[0].units[0].matrix[0].op"));
+    EXPECT_TRUE(has("in use:Texture matrix"));
+    scrollTo("section:Generated coordinates");
+    click("section:Generated coordinates");
+    EXPECT_FALSE(has(texGen)) << "the user may shut it";
+    EXPECT_TRUE(has("in use:Generated coordinates")) << "and sees it all the same";
+    unit().matrix.clear();
+    frames(2);
+    EXPECT_FALSE(has("in use:Texture matrix"));
+    EXPECT_TRUE(has("add:rotate")) << "it doesn't shut below the user's hands";
+}
+
+TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
+    for (const SectionRow& row : sectionRows) {
+        start(defaultScene());
+        session->wantedSection = row.section;
+        frames(1);
+        session->wantedSection = row.section; // where it is, is known now
+        frames(2);
+        const std::string name = "section:" + std::string(row.title);
+        if (row.section == Section::Combine)
+            EXPECT_FALSE(has(name)) << "the mode is another";
+        else
+            EXPECT_TRUE(session->probe->items.at(name).visible) << name;
+    }
+}
+
+TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
+    const auto inert = [&](const char* key) { return has("textures[0]." + std::string(key) + "#inert"); };
+    EXPECT_TRUE(inert("flip")) << "a pattern is upright";
+    EXPECT_TRUE(inert("npot")) << "a pattern's size is a power of two";
+    EXPECT_TRUE(inert("wrapR")) << "the target is 2D";
+    EXPECT_TRUE(inert("borderColor"));
+    choose("textures[0].wrapS", "GL_CLAMP_TO_BORDER");
+    EXPECT_FALSE(inert("borderColor"));
+    EXPECT_FALSE(inert("internalFormat"));
+    choose("textures[0].compression", "driver");
+    EXPECT_TRUE(inert("internalFormat"));
+    EXPECT_FALSE(inert("mipFilter"));
+    choose("textures[0].minFilter", "GL_LINEAR");
+    EXPECT_TRUE(inert("mipFilter"));
+    choose("textures[0].wrapR", "GL_CLAMP"); // it can be edited all the same
+    EXPECT_EQ(texture().wrapR, Wrap::Clamp);
+}
+
+TEST_F(ParametersPanel, AUnitSaysThatItSharesATextureAndCanHaveItsOwn) {
+    EXPECT_FALSE(has("shares texture")) << "unit 0 is alone";
+    click("unit:1");
+    scrollTo("shares texture");
+    EXPECT_TRUE(has("shares texture")) << "it would, which is said before it is switched on";
+    scrollTo("passes[0].units[1].enabled");
+    click("passes[0].units[1].enabled");
+    EXPECT_TRUE(has("shares texture"));
+    const Texture shared = texture();
+    scrollTo("own texture");
+    click("own texture");
+    ASSERT_EQ(scene().textures.size(), 2U);
+    EXPECT_EQ(scene().textures[1], shared) << "nothing changes in the picture";
+    EXPECT_EQ(scene().passes[0].units[1].texture, 1);
+    EXPECT_EQ(unit().texture, 0);
+    EXPECT_FALSE(has("shares texture"));
+    choose("textures[1].wrapS", "GL_CLAMP");
+    EXPECT_EQ(texture(), shared);
+    key('Z', {ctrl});
+    key('Z', {ctrl});
+    EXPECT_EQ(scene().textures.size(), 1U);
+    EXPECT_TRUE(scene().passes[0].units[1].enabled) << "a step of its own";
+}
+
+TEST_F(ParametersPanel, SharingIsSaidOfOtherPassesToo) {
+    scene().passes.push_back(scene().passes[0]);
+    scene().passes[1].units[2].enabled = true;
+    frames(2);
+    EXPECT_EQ(sharersText(*session, 0), "unit 0 of pass 1, unit 2 of pass 1");
+    EXPECT_TRUE(has("shares texture"));
+    scene().textures.resize(maxTextures);
+    frames(2);
+    scrollTo("own texture");
+    click("own texture");
+    EXPECT_EQ(scene().textures.size(), maxTextures) << "there is no room for one";
+}
+
+TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
+    struct Size {
+        int width, height;
+        float scale;
+    };
+    for (const Size size :
+         {Size{1280, 800, 1}, Size{1920, 1080, 1}, Size{2560, 1440, 1}, Size{2560, 1600, 2}}) {
+        start(defaultScene(), size.width, size.height, size.scale);
+        for (const auto& [name, item] : session->probe->items) {
+            if (!name.starts_with("textures[0]"))
+                continue;
+            EXPECT_GE(item.left, static_cast<float>(layout.parameters.x)) << name;
+            EXPECT_LE(item.right, static_cast<float>(layout.parameters.right())) << name;
+        }
+    }
+}
+
+TEST_F(ParametersPanel, ATinyWindowStillDraws) {
+    start(defaultScene(), 640, 400);
+    EXPECT_TRUE(has("view"));
+    start(defaultScene(), 320, 200);
+    EXPECT_TRUE(has("view"));
+}
+
+} // namespace
+} // namespace texplorer::ui::test

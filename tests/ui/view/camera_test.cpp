@@ -1,0 +1,115 @@
+#include "app/ui/view/camera.h"
+#include "app/ui/view/show.h"
+#include "core/mesh/mesh.h"
+#include "core/scene/animation.h"
+
+#include <glm/glm.hpp>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace texplorer::ui {
+namespace {
+
+/// The largest |x| or |y| of any vertex of the visible models, in a view of -1 to 1.
+float reach(const Scene& scene, float aspect) {
+    float largest = 0;
+    const glm::mat4 camera = projectionMatrix(scene.view, aspect) * viewMatrix(scene.view);
+    for (const Model& model : scene.models) {
+        if (!model.visible)
+            continue;
+        for (const Vertex& vertex : makeMesh(model.shape, model.slices, model.stacks).vertices) {
+            const glm::vec4 clip = camera * modelMatrix(model, 0) * glm::vec4(vertex.position, 1);
+            largest = std::max({largest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+        }
+    }
+    return largest;
+}
+
+struct Case {
+    const char* name;
+    float aspect;
+    Projection projection;
+};
+
+class Fit : public testing::TestWithParam<Case> {};
+
+TEST_P(Fit, ShowsEveryModelWholeAndNoSmallerThanItMust) {
+    Scene scene = defaultScene();
+    scene.view.projection = GetParam().projection;
+    fitDistance(scene, 0, GetParam().aspect);
+    EXPECT_LE(reach(scene, GetParam().aspect), 1);
+    EXPECT_GE(reach(scene, GetParam().aspect), 0.85F);
+}
+
+TEST_P(Fit, FramingAimsAtTheMiddle) {
+    Scene scene = defaultScene();
+    scene.view.projection = GetParam().projection;
+    scene.view.target = {30, -20, 10};
+    for (Model& model : scene.models)
+        model.position.x += 5;
+    frameModels(scene, 0, GetParam().aspect);
+    // The cube reaches from -2.45 to -0.45, the sphere from 0.2 to 2.7, both moved by 5.
+    EXPECT_NEAR(scene.view.target.x, 5 + (2.7F - 2.45F) / 2, 0.02F);
+    EXPECT_NEAR(scene.view.target.y, 0, 0.02F);
+    EXPECT_LE(reach(scene, GetParam().aspect), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Fit,
+                         testing::Values(Case{"Wide", 2.5F, Projection::Perspective},
+                                         Case{"Square", 1, Projection::Perspective},
+                                         Case{"Narrow", 0.4F, Projection::Perspective},
+                                         Case{"Orthographic", 1.3F, Projection::Orthographic},
+                                         Case{"NarrowOrthographic", 0.5F, Projection::Orthographic}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Camera, StaysOffThePolesAndKeepsItsAzimuthInRange) {
+    View view;
+    orbit(view, -5000, 5000);
+    EXPECT_EQ(view.elevation, 89);
+    EXPECT_LE(std::abs(view.azimuth), 180);
+    orbit(view, 0, -50000);
+    EXPECT_EQ(view.elevation, -89);
+}
+
+TEST(Camera, ZoomEndsSomewhere) {
+    View view;
+    zoom(view, 10000);
+    EXPECT_GT(view.distance, 0);
+    zoom(view, -10000);
+    EXPECT_LE(view.distance, 1000);
+}
+
+TEST(Camera, PanKeepsThePointUnderTheMouse) {
+    Scene scene = defaultScene();
+    const float height = 600;
+    const auto project = [&](glm::vec3 point) {
+        const glm::vec4 clip = projectionMatrix(scene.view, 1) * viewMatrix(scene.view) * glm::vec4(point, 1);
+        return glm::vec2(clip.x, -clip.y) / clip.w * height / 2.0F; // pixels from the middle, y downwards
+    };
+    const glm::vec3 target = scene.view.target;
+    pan(scene.view, 40, -25, height);
+    EXPECT_NEAR(project(target).x, 40, 0.5F);
+    EXPECT_NEAR(project(target).y, -25, 0.5F);
+}
+
+TEST(Show, EveryChoiceShowsItsShapesAndIsRecognised) {
+    for (const ShowRow& row : showRows) {
+        Scene scene = defaultScene();
+        showOnly(scene, row.show, 0, 1);
+        EXPECT_EQ(shownNow(scene), row.show) << row.label;
+        EXPECT_TRUE(row.show == Show::Floor || reach(scene, 1) <= 1) << row.label;
+    }
+}
+
+TEST(Show, ComesBackToBothWithoutPilingUpModels) {
+    Scene scene = defaultScene();
+    for (int i = 0; i < 50; ++i) {
+        for (const ShowRow& row : showRows)
+            showOnly(scene, row.show, 0, 1);
+    }
+    EXPECT_EQ(scene.models.size(), 4U);
+}
+
+} // namespace
+} // namespace texplorer::ui

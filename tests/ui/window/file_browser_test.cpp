@@ -1,0 +1,184 @@
+#include "app/ui/widgets/keys.h"
+#include "core/base/file_io.h"
+#include "core/scene/params/json.h"
+#include "tests/support/temp_dir.h"
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Files : public Workbench {
+protected:
+    void write(const std::filesystem::path& path, std::string_view text) {
+        ASSERT_TRUE(writeFileAtomically(path, viewBytes(text)).has_value());
+    }
+    /// Types a path into the open browser and confirms it.
+    void enter(const std::filesystem::path& path) {
+        type(path.string());
+        key(key::enter);
+    }
+    void change() { choose("textures[0].wrapS", "GL_CLAMP"); }
+
+    texplorer::test::TempDir folder;
+};
+
+TEST_F(Files, ASceneIsSavedAndOpenedAgain) {
+    change();
+    key('S', {ctrl});
+    ASSERT_EQ(session->dialog, Dialog::SaveScene);
+    enter(folder / "mine");
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->file, folder / "mine.json"); // the extension is added
+    EXPECT_FALSE(isDirty(*session));
+    const Scene saved = scene();
+    EXPECT_EQ(parseScene(readText(folder / "mine.json").value()).value(), saved);
+    EXPECT_THAT(requests.title, HasSubstr("mine.json"));
+
+    choose("textures[0].wrapS", "GL_REPEAT");
+    EXPECT_TRUE(isDirty(*session));
+    key('S', {ctrl}); // straight into the same file
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(parseScene(readText(folder / "mine.json").value()).value().textures[0].wrapS, Wrap::Repeat);
+
+    key('O', {ctrl});
+    ASSERT_EQ(session->dialog, Dialog::OpenScene);
+    write(folder / "other.json", R"({"version": 1, "textures": [{"wrapT": "GL_CLAMP"}]})");
+    enter(folder / "other.json");
+    EXPECT_EQ(texture().wrapT, Wrap::Clamp);
+    EXPECT_EQ(session->file, folder / "other.json");
+    EXPECT_FALSE(session->history.canUndo());
+}
+
+TEST_F(Files, AnExistingFileIsNotReplacedUnasked) {
+    write(folder / "old.json", "precious");
+    key('S', {ctrl, shift});
+    enter(folder / "old.json");
+    EXPECT_EQ(session->dialog, Dialog::SaveScene);
+    EXPECT_THAT(session->browser.error, HasSubstr("old.json exists"));
+    EXPECT_EQ(readText(folder / "old.json").value(), "precious");
+    click("browser:ok");
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_NE(readText(folder / "old.json").value(), "precious");
+}
+
+struct Refused {
+    const char* name;
+    const char* file;
+    const char* content; // nullptr: there is no such file
+    const char* sentence;
+};
+
+void PrintTo(const Refused& refused, std::ostream* out) {
+    *out << refused.name;
+}
+
+class RefusedScene : public Files, public testing::WithParamInterface<Refused> {};
+
+TEST_P(RefusedScene, SaysWhyAndChangesNothing) {
+    const Scene before = scene();
+    if (GetParam().content)
+        write(folder / GetParam().file, GetParam().content);
+    key('O', {ctrl});
+    enter(folder / GetParam().file);
+    EXPECT_EQ(session->dialog, Dialog::OpenScene) << "the list stays open";
+    EXPECT_THAT(session->browser.error, HasSubstr(GetParam().sentence));
+    EXPECT_TRUE(has("browser:error"));
+    key(key::escape);
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(scene(), before);
+    EXPECT_TRUE(session->file.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedScene,
+    testing::Values(Refused{"Missing", "none.json", nullptr, "no file"},
+                    Refused{"Truncated", "cut.json", R"({"version": 1, "textures": [)", ""},
+                    Refused{"UnknownName", "name.json", R"({"textures": [{"wrapS": "GL_SOMETIMES"}]})",
+                            "GL_REPEAT"},
+                    Refused{"MissingImage", "image.json",
+                            R"({"textures": [{"source": "file", "file": "gone.bmp"}]})", ""}),
+    [](const auto& test) { return test.param.name; });
+
+TEST_F(Files, AFolderThatCannotBeWrittenIsSaid) {
+    key('S', {ctrl});
+    enter(folder / "no such folder" / "a.json");
+    EXPECT_EQ(session->dialog, Dialog::SaveScene);
+    EXPECT_THAT(session->browser.error, HasSubstr("no folder"));
+    key(key::escape);
+    EXPECT_TRUE(session->file.empty());
+}
+
+TEST_F(Files, TheListGoesIntoFoldersAndUp) {
+    std::filesystem::create_directory(folder / "inner");
+    write(folder / "inner" / "scene.json", writeScene(defaultScene()));
+    write(folder / "inner" / "notes.txt", "not a scene");
+    key('O', {ctrl});
+    enter(folder.path());
+    EXPECT_TRUE(has("entry:inner"));
+    doubleClickAt(place("entry:inner"));
+    EXPECT_EQ(session->browser.folder.filename(), "inner");
+    EXPECT_TRUE(has("entry:scene.json"));
+    EXPECT_FALSE(has("entry:notes.txt"));
+    click("browser:all");
+    EXPECT_TRUE(has("entry:notes.txt"));
+    click("browser:up");
+    EXPECT_TRUE(has("entry:inner"));
+    doubleClickAt(place("entry:inner"));
+    key(key::down); // notes.txt
+    key(key::down);
+    key(key::enter);
+    EXPECT_EQ(session->file.filename(), "scene.json");
+}
+
+TEST_F(Files, ChangesAreNotLostUnasked) {
+    change();
+    requestQuit(*session);
+    frames(3);
+    EXPECT_EQ(session->dialog, Dialog::Discard);
+    EXPECT_FALSE(requests.quit);
+    click("discard:cancel");
+    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+
+    click("menu:File");
+    click("menu:New");
+    click("discard:drop");
+    EXPECT_EQ(texture().wrapS, Wrap::Repeat);
+
+    change();
+    requestQuit(*session);
+    frames(3);
+    click("discard:save");
+    ASSERT_EQ(session->dialog, Dialog::SaveScene);
+    type((folder / "kept.json").string());
+    ImGui::GetIO().KeysDown[key::enter] = true;
+    bool quit = false;
+    for (int i = 0; i < 3; ++i) {
+        frames(1);
+        quit |= requests.quit;
+    }
+    EXPECT_TRUE(quit) << "saved, and then the window closes";
+    EXPECT_TRUE(std::filesystem::exists(folder / "kept.json"));
+}
+
+TEST_F(Files, LookingAroundIsNothingToSave) {
+    drag({static_cast<float>(layout.picture.x + 20), static_cast<float>(layout.picture.y + 20)}, {50, 10});
+    EXPECT_TRUE(session->history.canUndo());
+    requestQuit(*session);
+    frames(1);
+    EXPECT_TRUE(requests.quit);
+}
+
+TEST_F(Files, UndoingEverythingLeavesNothingToSave) {
+    change();
+    EXPECT_TRUE(isDirty(*session));
+    key('Z', {ctrl});
+    EXPECT_FALSE(isDirty(*session));
+}
+
+} // namespace
+} // namespace texplorer::ui::test

@@ -1,0 +1,68 @@
+// A window manager may make the window smaller than it asks for: nothing fits, and nothing may break.
+
+#include "app/ui/window/smallest_window.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::ui::test {
+namespace {
+
+class TinyWindow : public Workbench {
+protected:
+    void tryAll(int width, int height) {
+        SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+        start(defaultScene(), width, height);
+        session->selection.vertex = 3;
+        session->explaining.pixel = {0, 0};
+        session->views.magnifies = true;
+        session->showRq = true;
+        texture().mipmaps = MipPolicy::None; // something to say in the status bar
+        unit().envMode = EnvMode::Combine;
+        unit().matrix = {{MatrixOp::Scale, {1, 0, 1}}};
+        ImGui::GetIO().MousePos = {static_cast<float>(width) / 2, static_cast<float>(height) / 2};
+        for (const TabRow& tab : tabRows) {
+            session->wantedTab = tab.tab;
+            for (const SectionRow& section : sectionRows) {
+                session->wantedSection = section.section;
+                frames(1);
+            }
+            frames(2);
+        }
+        for (const bool compares : {false, true}) {
+            if (compares)
+                showComparison(session->views,
+                               {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+            frames(2);
+        }
+        session->refused = {{ErrorCode::NotFound, "is not there", "a.bmp"}};
+        for (const Dialog dialog :
+             {Dialog::OpenScene, Dialog::SaveScene, Dialog::Discard, Dialog::Help, Dialog::Refused}) {
+            session->dialog = dialog;
+            frames(2);
+        }
+    }
+};
+
+TEST_F(TinyWindow, BreaksNothing) {
+    for (const int width : {1, 2, 3, 8, 31, 33, 64, 150, smallestWindow.width})
+        tryAll(width, smallestWindow.height);
+    for (const int height : {1, 2, 3, 4, 8, 31, 57, 100})
+        tryAll(smallestWindow.width, height);
+    for (const int side : {1, 2, 5, 17, 60})
+        tryAll(side, side);
+}
+
+TEST_F(TinyWindow, OfNoExtentAtAllBreaksNothing) {
+    tryAll(0, 0);
+    tryAll(0, 300);
+    tryAll(300, 0);
+}
+
+TEST_F(TinyWindow, IsDrawn) {
+    for (const int side : {1, 2, 40}) {
+        start(defaultScene(), side, side);
+        (void)picture();
+    }
+}
+
+} // namespace
+} // namespace texplorer::ui::test
