@@ -1,0 +1,31 @@
+# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels
+# or LAYER_tests. Off where
+# it should show that every file includes what it uses: TEXPLORER_PRECOMPILE.
+option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)
+
+set(texplorer_precompiled_code
+    <algorithm> <array> <chrono> <cmath> <condition_variable> <cstddef> <cstdint> <cstring> <filesystem> <functional>
+    <limits> <map> <memory> <mutex> <optional> <span> <stop_token> <string> <string_view> <thread> <utility> <variant>
+    <vector>
+    <glm/glm.hpp> <tl/expected.hpp>)
+set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
+foreach(layer core random render ui) # a precompiled header of their own: their flags differ
+    set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_code} <gmock/gmock.h> <gtest/gtest.h>)
+endforeach()
+
+# The first target of a kind makes it, the others take it over.
+function(texplorer_precompile target kind)
+    if(NOT TEXPLORER_PRECOMPILE)
+        return()
+    endif()
+    get_property(maker GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${kind})
+    if(maker)
+        target_precompile_headers(${target} REUSE_FROM ${maker})
+    else()
+        target_precompile_headers(${target} PRIVATE ${texplorer_precompiled_${kind}})
+        set_property(GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${kind} ${target})
+    endif()
+    if(CCACHE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(${target} PRIVATE -fpch-preprocess) # so that ccache sees what is in it
+    endif()
+endfunction()

@@ -1,0 +1,14 @@
+# A compiler cache and a fast linker, where there are any.
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    # What a precompiled header may differ in without being another one: its time.
+    set(launcher ${CMAKE_COMMAND} -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
+    set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+endif()
+
+find_program(MOLD_PROGRAM mold)
+if(MOLD_PROGRAM)
+    add_link_options(-fuse-ld=mold)
+endif()
