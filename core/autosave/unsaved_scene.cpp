@@ -65,8 +65,10 @@ Result<std::filesystem::path> takePath(std::string_view& text, const char* what)
 } // namespace
 
 std::string writeUnsaved(const UnsavedScene& draft) {
-    return std::string(firstLine) + "\n" + escaped(draft.file.native()) + "\n" +
-           escaped(draft.folder.native()) + "\n" + writeScene(draft.scene);
+    std::string text(firstLine);
+    for (const std::string& line : {escaped(draft.file.native()), escaped(draft.folder.native())})
+        text.append("\n").append(line);
+    return text.append("\n").append(writeScene(draft.scene));
 }
 
 Result<UnsavedScene> parseUnsaved(std::string_view text) {
