@@ -1,5 +1,5 @@
-# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels
-# or LAYER_tests. Off where
+# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels,
+# program or LAYER_tests. Off where
 # it should show that every file includes what it uses: TEXPLORER_PRECOMPILE.
 option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)
 
@@ -8,6 +8,7 @@ set(texplorer_precompiled_code
     <limits> <map> <memory> <mutex> <optional> <span> <stop_token> <string> <string_view> <thread> <utility> <variant>
     <vector>
     <glm/glm.hpp> <tl/expected.hpp>)
+set(texplorer_precompiled_program ${texplorer_precompiled_code}) # a program is linked at a fixed place: other flags
 set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
 foreach(layer core random render ui) # a precompiled header of their own: their flags differ
     set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_code} <gmock/gmock.h> <gtest/gtest.h>)

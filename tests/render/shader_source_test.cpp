@@ -99,13 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
              "", ""}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST(view::ShaderSource, AUnitThatTakesNoPartLeavesNothing) {
+TEST(ShaderSource, AUnitThatTakesNoPartLeavesNothing) {
     const view::ShaderSource source = sourceOf(texturedScene(), {});
     EXPECT_THAT(source.vertex.text, Not(HasSubstr("oord0")));
     EXPECT_THAT(source.fragment.text, Not(HasSubstr("texture")));
 }
 
-TEST(view::ShaderSource, EveryModeHasEveryFormat) {
+TEST(ShaderSource, EveryModeHasEveryFormat) {
     Scene scene = texturedScene();
     for (const EnumRow& mode : EnumTable<EnvMode>::rows)
         for (const EnumRow& format : EnumTable<BaseFormat>::rows) {
@@ -115,7 +115,7 @@ TEST(view::ShaderSource, EveryModeHasEveryFormat) {
         }
 }
 
-TEST(view::ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn) {
+TEST(ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn) {
     Scene scene = texturedScene();
     unitOf(scene).envMode = EnvMode::Combine;
     unitOf(scene).combine.source0Rgb = CombineSource::Texture1;
@@ -126,14 +126,14 @@ TEST(view::ShaderSource, CombineWithTheTextureOfAUnitThatIsOffPassesTheColourOn)
     EXPECT_THAT(sourceOf(scene).fragment.text, HasSubstr("vec3 rgb = rgb0;"));
 }
 
-TEST(view::ShaderSource, EachLineKnowsWhereItWasWritten) {
+TEST(ShaderSource, EachLineKnowsWhereItWasWritten) {
     const view::StageSource stage = sourceOf(texturedScene()).fragment;
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(stage.text, '\n')), stage.lines.size());
     EXPECT_EQ(stage.lines[0].file, "fragment.glsl");
     EXPECT_EQ(stage.lines[0].line, 4);
 }
 
-TEST(view::ShaderSource, LogsOfAllDriversNameTheFileAndTheLine) {
+TEST(ShaderSource, LogsOfAllDriversNameTheFileAndTheLine) {
     view::StageSource stage;
     stage.text = "one\ntwo\n";
     stage.lines = {{"vertex.glsl", 5}, {"lighting.glsl", 17}};

@@ -1,0 +1,1 @@
+// Nothing of its own: what is linked with it is what is tried.
