@@ -190,7 +190,7 @@ ExitCode shoot(const Options& options) {
     for (const std::string& problem : picture->problems)
         complain({ErrorCode::Driver, problem, {}});
     for (const Finding& each : diagnose(drawing.scene, drawing.images, picture->driver)) {
-        if (each.severity <= Severity::Warning && !each.drawnOtherwise) // else it is a problem already
+        if (each.severity <= Severity::Warning && !each.reportedByRenderer) // else it is a problem already
             complain({ErrorCode::Malformed, each.sentence, each.path});
     }
     // What one sees: a viewer would let its own background through the framebuffer's alpha.

@@ -39,11 +39,11 @@ Scene moved(Scene scene, const ImageSource& images, glm::vec3 texels) {
 }
 
 /// Whether colours run from one to the next, so that everything between two ends is possible.
-bool blends(Scene scene, Latitude latitude) {
+bool blends(Scene scene, Tolerance tolerance) {
     bool found = false;
     forEachUnit(scene, [&](const Unit&, const Texture& texture) {
         found = found || reference::blendsLevels(texture.minFilter) ||
-                (latitude == Latitude::TexelEdge &&
+                (tolerance == Tolerance::TexelEdge &&
                  (reference::isLinear(texture.minFilter) || texture.magFilter == MagFilter::Linear));
     });
     return found;
@@ -92,7 +92,7 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
     if (!difference)
         return fail(difference.error());
     Judgement judgement{*difference, difference->over};
-    if (difference->over == 0 || rule.latitude == Latitude::None)
+    if (difference->over == 0 || rule.tolerance == Tolerance::None)
         return judgement;
 
     std::vector<Image> moved{ours};
@@ -111,15 +111,15 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
         ends.clear();
         for (const Image& each : moved)
             ends.push_back(bytesAt(each, i));
-        bool explained = isAmong(ends, found, rule.bound, blends(scene, Latitude::TexelEdge));
-        if (!explained && rule.latitude == Latitude::Lambda &&
+        bool explained = isAmong(ends, found, rule.bound, blends(scene, Tolerance::TexelEdge));
+        if (!explained && rule.tolerance == Tolerance::Lambda &&
             judgement.unexplained < difference->pixels / hopeless) {
             const auto width = static_cast<std::size_t>(ours.width);
             Result<std::vector<PixelBytes>> colors =
                 reference.overLambda(scene, {static_cast<int>(i % width), static_cast<int>(i / width)});
             if (!colors)
                 return fail(colors.error());
-            explained = isAmong(*colors, found, rule.bound, blends(scene, Latitude::Lambda));
+            explained = isAmong(*colors, found, rule.bound, blends(scene, Tolerance::Lambda));
         }
         judgement.unexplained += explained ? 0 : 1;
     }

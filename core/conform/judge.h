@@ -10,13 +10,13 @@ namespace texplorer::conform {
 
 struct Judgement {
     Difference difference; ///< over the rule's bound
-    /// Of these pixels, those that the rule's latitude doesn't allow either. Above a sixteenth of the picture
+    /// Of these pixels, those that the rule's tolerance doesn't allow either. Above a sixteenth of the picture
     /// lambda's error is no longer asked for.
     std::size_t unexplained = 0;
 };
 
 /// Holds two pictures of a scene against a rule. `ours` is what the reference drew; `reference` draws what
-/// the rule's latitude allows. Errors: those of compare() and of the drawing.
+/// the rule's tolerance allows. Errors: those of compare() and of the drawing.
 [[nodiscard]] Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
                                       const Image& theirs, Explainer& reference);
 

@@ -117,7 +117,7 @@ std::string article(const PairReport& pair, const Outcome& outcome, const Pictur
                        escaped(outcome.feature->section) + ")</p>\n<p>Its worst scene, <a href=\"" + name +
                        ".json\">" + name + ".json</a>: " + std::to_string(judgement.difference.over) +
                        " pixels over " + std::to_string(outcome.rule->bound);
-    if (outcome.rule->latitude != Latitude::None)
+    if (outcome.rule->tolerance != Tolerance::None)
         text += ", " + std::to_string(judgement.unexplained) + " of them unexplained";
     if (judgement.difference.max > 0)
         text += "; the worst by " + std::to_string(judgement.difference.max) + " at " + at +
@@ -139,7 +139,7 @@ std::string rowOfTable(const PairReport& pair, const Outcome& outcome) {
     for (const std::string& cell :
          {std::to_string(all.scenes), std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
           escaped(percent(all.shareOver())),
-          outcome.rule->latitude == Latitude::None ? "–" : escaped(percent(all.shareUnexplained())),
+          outcome.rule->tolerance == Tolerance::None ? "–" : escaped(percent(all.shareUnexplained())),
           std::to_string(all.max), fixed(all.mean(), 3)})
         text += "<td>" + cell;
     return text + "<td class=\"" + verdict + "\">" + verdict + "<td>" + escaped(allowed(*outcome.rule)) +

@@ -42,11 +42,11 @@ std::string pairText(const PairReport& pair) {
     std::map<const Skip*, int> skipped;
     for (const Outcome& outcome : pair.outcomes) {
         const Tally& all = outcome.all;
-        const bool latitude = outcome.rule->latitude != Latitude::None;
+        const bool tolerance = outcome.rule->tolerance != Tolerance::None;
         const std::string_view verdict = conform::verdict(outcome);
         lines.push_back({std::string(outcome.feature->name), std::to_string(all.scenes),
                          std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
-                         percent(all.shareOver()), latitude ? percent(all.shareUnexplained()) : "–",
+                         percent(all.shareOver()), tolerance ? percent(all.shareUnexplained()) : "–",
                          std::to_string(all.max), verdict == "differ" ? "DIFFER" : std::string(verdict),
                          allowed(*outcome.rule)});
         for (const auto& [skip, count] : outcome.skipped)

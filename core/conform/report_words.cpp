@@ -23,7 +23,7 @@ std::string allowed(const Rule& rule) {
         return share == 1 ? "0" : number + " %";
     };
     std::string text = part(rule.share) + " over " + std::to_string(rule.bound);
-    if (rule.latitude != Latitude::None)
+    if (rule.tolerance != Tolerance::None)
         text += ", " + part(rule.explained) + " unexplained";
     return text;
 }

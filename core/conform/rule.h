@@ -10,7 +10,7 @@ namespace texplorer::conform {
 /// What a driver may do otherwise without being wrong, because the specification leaves it open or its
 /// arithmetic has only so many bits. A pixel that differs is then compared with what the reference draws at
 /// both ends of that freedom.
-enum class Latitude : std::uint8_t {
+enum class Tolerance : std::uint8_t {
     None,
     /// Coordinates within 1/128 of a texel: next to an edge either of two texels is right.
     TexelEdge,
@@ -23,8 +23,8 @@ struct Rule {
     std::string_view name;
     int bound;    ///< of a component, in 255ths: a pixel that differs by more is over
     double share; ///< of the pixels of all scenes that must not be over
-    Latitude latitude;
-    double explained; ///< of the pixels of all scenes, what must not be over once the latitude is granted
+    Tolerance tolerance;
+    double explained; ///< of the pixels of all scenes, what must not be over once the tolerance is granted
     double explainedScene; ///< the same of the pixels of any single scene: none may be altogether wrong
     std::string_view reason;
 };
@@ -35,7 +35,7 @@ inline constexpr Rule exact{
     "exact",
     1,
     1,
-    Latitude::None,
+    Tolerance::None,
     1,
     1,
     "The specification says every step, and no coordinate comes near to the edge of a texel: what is left is "
@@ -45,7 +45,7 @@ inline constexpr Rule passes{
     "passes",
     3,
     1,
-    Latitude::None,
+    Tolerance::None,
     1,
     1,
     "Each pass is rounded to 8 bits before the next one reads it, and rounding may go either way: one 255th "
@@ -55,7 +55,7 @@ inline constexpr Rule blocks{
     "blocks",
     2,
     1,
-    Latitude::None,
+    Tolerance::None,
     1,
     1,
     "EXT_texture_compression_s3tc gives the colours between two ends as fractions and leaves their rounding "
@@ -65,7 +65,7 @@ inline constexpr Rule texelEdge{
     "texel-edge",
     2,
     0.999,
-    Latitude::TexelEdge,
+    Tolerance::TexelEdge,
     0.9995,
     0.99,
     "Coordinates have so many bits: next to the edge of a texel either neighbour is right, and filter "
@@ -77,7 +77,7 @@ inline constexpr Rule texelEdgeOnQuads{
     "texel-edge-quads",
     1,
     0.999,
-    Latitude::TexelEdge,
+    Tolerance::TexelEdge,
     1,
     1,
     "A flat quad that covers the picture has neither an outline nor lambda at stake, but generated "
@@ -89,7 +89,7 @@ inline constexpr Rule levelChoice{
     "level-choice",
     2,
     0.99,
-    Latitude::Lambda,
+    Tolerance::Lambda,
     0.9995,
     0.99,
     "Half-way between two levels, and between magnification and minification, the error of lambda decides "
@@ -102,7 +102,7 @@ inline constexpr Rule levelBlend{
     "level-blend",
     2,
     0.96,
-    Latitude::Lambda,
+    Tolerance::Lambda,
     0.9995,
     0.99,
     "Between two levels the error of lambda shows as a colour, so GL's must lie among those that lambda "
@@ -116,7 +116,7 @@ inline constexpr Rule ellipse{
     "ellipse",
     16,
     0.96,
-    Latitude::None,
+    Tolerance::None,
     0.96,
     0.75,
     "EXT_texture_filter_anisotropic leaves the method open. The reference averages over an ellipse as Mesa "
@@ -128,7 +128,7 @@ inline constexpr Rule outline{
     "outline",
     1,
     0.9995,
-    Latitude::None,
+    Tolerance::None,
     0.9995,
     0.99,
     "Which pixels a polygon covers is said for exact corners; they are snapped to 1/256 of a pixel "
@@ -138,7 +138,7 @@ inline constexpr Rule lastBit{
     "last-bit",
     1,
     0.9999,
-    Latitude::None,
+    Tolerance::None,
     0.9999,
     0.99,
     "Two vertex programs of one driver need not multiply in the same order, so that positions and "

@@ -39,7 +39,7 @@ struct Tally {
     int scenes = 0;
     std::size_t pixels = 0;
     std::size_t over = 0;        ///< pixels over the rule's bound
-    std::size_t unexplained = 0; ///< of these, what the rule's latitude doesn't allow
+    std::size_t unexplained = 0; ///< of these, what the rule's tolerance doesn't allow
     int max = 0;                 ///< the worst component, in 255ths
     std::uint64_t sum = 0;       ///< of all components' differences
 

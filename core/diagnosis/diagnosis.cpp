@@ -97,7 +97,7 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     for (const std::span<const Rule> rules :
          {textureRules(), unitRules(), combineRules(), passRules(), lightRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
-            report.begin(rule.name, rule.severity, rule.drawnOtherwise);
+            report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);
         }
     }

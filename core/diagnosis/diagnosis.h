@@ -66,7 +66,7 @@ struct Finding {
     std::string sentence;   ///< without a capital and a full stop, as an error's message
     std::vector<Fix> fixes; ///< each of them mends it; the one that is most often meant comes first
     /// Whether a renderer, too, reports this when it draws.
-    bool drawnOtherwise = false;
+    bool reportedByRenderer = false;
 };
 
 /// Everything that there is to say, errors first, then warnings, hints and what is unused; each kind in the

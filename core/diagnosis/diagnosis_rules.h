@@ -56,14 +56,14 @@ public:
     explicit Report(std::vector<Finding>& findings)
         : findings_(findings) {}
 
-    void begin(std::string_view rule, Severity severity, bool drawnOtherwise) {
+    void begin(std::string_view rule, Severity severity, bool reportedByRenderer) {
         rule_ = rule;
         severity_ = severity;
-        drawnOtherwise_ = drawnOtherwise;
+        reportedByRenderer_ = reportedByRenderer;
     }
     void add(std::string path, std::string sentence, std::vector<Fix> fixes = {}) {
         findings_.push_back(
-            {rule_, severity_, std::move(path), std::move(sentence), std::move(fixes), drawnOtherwise_});
+            {rule_, severity_, std::move(path), std::move(sentence), std::move(fixes), reportedByRenderer_});
     }
     void add(std::string path, std::string sentence, Fix fix) {
         add(std::move(path), std::move(sentence), std::vector{std::move(fix)});
@@ -73,14 +73,14 @@ private:
     std::vector<Finding>& findings_;
     std::string_view rule_;
     Severity severity_ = Severity::Warning;
-    bool drawnOtherwise_ = false;
+    bool reportedByRenderer_ = false;
 };
 
 struct Rule {
     std::string_view name;
     Severity severity;
     void (*find)(const Case& about, Report& report);
-    bool drawnOtherwise = false; ///< a renderer reports it, too
+    bool reportedByRenderer = false; ///< a renderer reports it, too
 };
 
 [[nodiscard]] std::span<const Rule> textureRules();       ///< what is wrong with textures

@@ -42,16 +42,16 @@ struct ReferenceRenderer::State {
             kernel = nullptr;
         const unsigned threads = options.threads == 0 ? processorThreads() : options.threads;
         triangles.clear(); // of a drawing that ran out of memory
-        const auto flush = [&](Following following) {
-            rasterize(triangles, canvas, following, kernel, threads, options.stop);
+        const auto flush = [&](Remaining remaining) {
+            rasterize(triangles, canvas, remaining, kernel, threads, options.stop);
             triangles.clear();
         };
         eachTriangle(scene, passes, time, viewport, options.stop, [&](const Triangle& triangle) {
             if (triangles.size() == batch)
-                flush(Following::More);
+                flush(Remaining::More);
             triangles.push_back(triangle);
         });
-        flush(Following::Nothing);
+        flush(Remaining::None);
         if (options.isStopped())
             return stopped();
         return Drawn{std::move(canvas.color), std::move(problems)};

@@ -136,7 +136,7 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
         drawNotice(session);
     } else if (const auto problems = static_cast<std::size_t>(std::ranges::count_if(
                    session.findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
-               problems > 0 && (pictures.problems.empty() || session.findings.front().drawnOtherwise)) {
+               problems > 0 && (pictures.problems.empty() || session.findings.front().reportedByRenderer)) {
         drawFinding(session, Finding(session.findings.front()), problems);
     } else if (!pictures.problems.empty()) {
         const std::size_t count = pictures.problems.size();

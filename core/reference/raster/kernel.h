@@ -32,7 +32,7 @@ struct PixelRow {
 /// were.
 inline constexpr int rowSlack = 8;
 
-inline constexpr std::uint32_t nobody = ~0U; ///< owns a pixel that no triangle covers
+inline constexpr std::uint32_t noTriangle = ~0U; ///< owns a pixel that no triangle covers
 
 struct Kernel {
     int lanes; ///< how many pixels are computed at once

@@ -86,7 +86,7 @@ public:
                 eachRow(triangle, [&](const PixelRow& row) { kernel_->draw(triangle, row); });
             } else {
                 if (!marked_)
-                    owners_.fill(nobody);
+                    owners_.fill(noTriangle);
                 marked_ = true;
                 eachRow(triangle, [&](const PixelRow& row) {
                     kernel_->mark(triangle, number, row, owners_.data() + indexOf(row.x, row.y));
@@ -203,10 +203,10 @@ Coverage::Coverage(const Triangle& triangle, Box box)
     }
 }
 
-void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Following following, const Kernel* kernel,
+void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Remaining remaining, const Kernel* kernel,
                unsigned threads, const std::stop_token& stop) {
     const auto [width, height] = canvas.viewport();
-    if (following == Following::More && canvas.depth.empty())
+    if (remaining == Remaining::More && canvas.depth.empty())
         canvas.depth.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const int columns = (width + tileExtent - 1) / tileExtent;
     const int rows = (height + tileExtent - 1) / tileExtent;

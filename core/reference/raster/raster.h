@@ -14,13 +14,13 @@ namespace texplorer::reference {
 
 struct Kernel; // see raster/kernel.h
 
-/// Whether the picture is done, so that nobody will ask for its depths.
-enum class Following { Nothing, More };
+/// Whether more triangles will be drawn: if none, the depths of the picture are not kept.
+enum class Remaining { None, More };
 
 /// Draws triangles in their order. Tiles of the picture are drawn by up to `threads` threads; the result is
 /// the same with any number. Stops early when it is asked to. Without a kernel: pixel by pixel, as shade.h
 /// has it; the bytes are the same, only later. Throws std::bad_alloc.
-void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Following following, const Kernel* kernel,
+void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Remaining remaining, const Kernel* kernel,
                unsigned threads, const std::stop_token& stop);
 
 /// Pixels of the picture, the limits included; none where one of the first is greater than its last.

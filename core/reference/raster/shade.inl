@@ -385,7 +385,7 @@ void drawRow(const Triangle& triangle, const PixelRow& row) {
 void shadeRow(std::span<const Triangle> triangles, const std::uint32_t* owners, const PixelRow& row) {
     for (int i = 0, count = 0; i < row.count; i += count) {
         count = runLength(owners + i, row.count - i);
-        if (owners[i] != nobody)
+        if (owners[i] != noTriangle)
             Row(triangles[owners[i]], {row.x + i, row.y, count, row.depth + i, row.colors + 4 * i}).draw();
     }
 }

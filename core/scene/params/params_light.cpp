@@ -36,7 +36,7 @@ static_assert(lightRows.size() == 7 && lightRows.size() == build::memberCount<Li
 
 constexpr std::array materialRows{
     color<&Material::color>(
-        "color", "Material", "Colour", "glColor4f({})",
+        "color", "Material", "glColor", "glColor4f({})",
         "The fragment's colour before texturing. Under lighting it is the ambient and diffuse "
         "reflectance (GL_COLOR_MATERIAL)."),
     color<&Material::specular>(

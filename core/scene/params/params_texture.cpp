@@ -66,10 +66,10 @@ constexpr std::array rows{
     param<&Texture::mipFilter>("mipFilter", "Mipmaps", "Mip filter", "",
                                "How a generated level is averaged from the one before it: sharper filters "
                                "ring, softer ones blur."),
-    param<&Texture::mipGamma>("mipGamma", "Mipmaps", "Average as light", "",
+    param<&Texture::mipGamma>("mipGamma", "Mipmaps", "Gamma-correct", "",
                               "Whether colours are averaged as light, by sRGB's curve: black and white then "
                               "give 188, not 128."),
-    param<&Texture::npot>("npot", "Mipmaps", "Other sizes", "",
+    param<&Texture::npot>("npot", "Mipmaps", "Non-power-of-two", "",
                           "What is done with a size that is no power of two before levels are made."),
     param<&Texture::baseLevel>(
         "baseLevel", "Mipmaps", "Base level", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, {})",

@@ -7,9 +7,9 @@
 namespace texplorer::conform {
 namespace {
 
-constexpr Rule none{"none", 2, 1, Latitude::None, 1, 1, ""};
-constexpr Rule edge{"edge", 2, 1, Latitude::TexelEdge, 1, 1, ""};
-constexpr Rule lambda{"lambda", 2, 1, Latitude::Lambda, 1, 1, ""};
+constexpr Rule none{"none", 2, 1, Tolerance::None, 1, 1, ""};
+constexpr Rule edge{"edge", 2, 1, Tolerance::TexelEdge, 1, 1, ""};
+constexpr Rule lambda{"lambda", 2, 1, Tolerance::Lambda, 1, 1, ""};
 
 class Judging : public testing::Test {
 protected:

@@ -245,7 +245,7 @@ TEST(DdsEncode, PillowAndImageMagickReadWhatWasWritten) {
         srgb.srgb = true;
         put("pillow", srgb);
     }
-    EXPECT_TRUE(test::runPython("core/codec/dds_against_pillow.py", folder.path()));
+    EXPECT_TRUE(test::runPython("core/codec/dds/dds_against_pillow.py", folder.path()));
 }
 
 } // namespace

@@ -226,7 +226,7 @@ TEST(Jpeg, UnusualSamplingFactorsGiveThePixelsThatPillowReads) {
             test::writeRaw(folder.path() / (name + ".rgb"), image.pixels);
             EXPECT_EQ(dissectJpeg(file).damage, "");
         }
-    EXPECT_TRUE(test::runPython("core/codec/jpeg_against_pillow.py", folder.path()));
+    EXPECT_TRUE(test::runPython("core/codec/jpeg/jpeg_against_pillow.py", folder.path()));
 }
 
 TEST(Jpeg, SamplingFactorsThatDivideNoLargestOneAreRefused) {

@@ -49,7 +49,7 @@ TEST(Png, PillowReadsWhatWasWritten) {
     put(folder, number++, "RGBA", drawPattern(Pattern::UvTemplate));
     put(folder, number++, "RGBA", drawPattern(Pattern::Tree));
     put(folder, number++, "RGB", noise(PixelFormat::Rgb8, 4, 3, 2)); // a volume: its first slice
-    EXPECT_TRUE(test::runPython("core/codec/png_against_pillow.py", folder.path()));
+    EXPECT_TRUE(test::runPython("core/codec/png/png_against_pillow.py", folder.path()));
 }
 
 TEST(Png, TheSameImageGivesTheSameBytes) {

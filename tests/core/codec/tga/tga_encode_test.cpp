@@ -67,7 +67,7 @@ TEST(TgaWriter, OthersAndWeReadWhatWasWritten) {
                     EXPECT_EQ(uprightImage(*again), picture);
                     EXPECT_EQ(dissectTga(*file).damage, "");
                 }
-    EXPECT_TRUE(test::runPython("core/codec/tga_against_pillow.py", folder.path()));
+    EXPECT_TRUE(test::runPython("core/codec/tga/tga_against_pillow.py", folder.path()));
 }
 
 struct MeaningCase {
