@@ -26,7 +26,7 @@ struct ShaderSource {
 
 enum class ShaderStage { Vertex, Fragment };
 
-/// What the driver's compiler, or whoever put the source together, has against it.
+/// What the driver's compiler, or the step that put the source together, has against it.
 struct ShaderMessage {
     std::optional<ShaderStage> stage; ///< none: both, or the files
     int line = 0;                     ///< of the stage's source, counted from 1; 0: none is named

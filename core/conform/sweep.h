@@ -86,7 +86,7 @@ struct PairReport {
     [[nodiscard]] bool agrees() const;
 };
 
-/// Who made a report, for whoever reads it elsewhere.
+/// Who made a report, for a reader elsewhere.
 struct Origin {
     std::string program; ///< "texshot 0.1.0"
     std::string command; ///< that makes it again

@@ -1,6 +1,6 @@
 #pragma once
 
-// GL_COMBINE's state as whoever computes with it wants it: by argument. Only combine.h keeps it by parameter.
+// GL_COMBINE's state in the order in which it is computed with: by argument. Only combine.h keeps it by parameter.
 
 #include "core/gl/combine.h"
 

@@ -7,7 +7,7 @@
 namespace texplorer {
 
 /// A compressed picture or volume: rows of ceil(width / 4) blocks, ceil(height / 4) rows, `depth` slices.
-/// Which way up the rows are is said by whoever holds it (TextureImage::topFirst).
+/// Which way up the rows are is said by its owner (TextureImage::topFirst).
 struct BlockImage {
     BlockFormat format = BlockFormat::Dxt1;
     int width = 0;

@@ -19,7 +19,7 @@ struct Image {
     int depth = 1;
     Bytes pixels; ///< byteCount() bytes
 
-    /// An image whose pixels are not initialised: for whoever fills every byte next.
+    /// An image whose pixels are not initialised: for a caller that fills every byte next.
     [[nodiscard]] static Image uninitialised(PixelFormat format, int width, int height, int depth = 1) {
         Image image{format, width, height, depth, {}};
         image.pixels.resize(image.byteCount());

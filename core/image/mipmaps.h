@@ -43,11 +43,11 @@ static_assert(mipPolicyRows.size() == 5);
 [[nodiscard]] MipChain buildMipChain(Image base, const MipOptions& options = {});
 
 /// The chain that a policy makes of a base image: the base alone (None, and FromFile, for a picture is one
-/// level), the generated chain (Missing too: whoever uploads it leaves out `missingLevel`), or flat
+/// level), the generated chain (Missing too: the upload leaves out `missingLevel`), or flat
 /// mipColor(level) above the base.
 [[nodiscard]] MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options = {});
 
-/// The same without the base, for whoever has it and must not copy it. It is taken as it is, whatever
+/// The same without the base, for a caller that has it and must not copy it. It is taken as it is, whatever
 /// `options.npot` says.
 [[nodiscard]] MipChain mipLevelsAbove(MipPolicy policy, const Image& base, const MipOptions& options = {});
 

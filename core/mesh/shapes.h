@@ -17,7 +17,7 @@ namespace texplorer {
 void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners);
 
 /// Four corners of a plane rectangle. `right` and `up` lead from the lower left corner along s and t, so that
-/// the image stands upright for whoever looks against `normal`.
+/// the image stands upright for a viewer who looks against `normal`.
 struct Patch {
     glm::vec3 lowerLeft;
     glm::vec3 right;

@@ -13,7 +13,7 @@ namespace texplorer::reference {
 [[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time, int width,
                                         int height, PixelPlace pixel, const DrawOptions& options = {});
 
-/// The same for whoever keeps a TextureStore, and has seen that the picture has the pixel. Error: Cancelled.
+/// The same for a caller that keeps a TextureStore, and has seen that the picture has the pixel. Error: Cancelled.
 /// Throws std::bad_alloc.
 [[nodiscard]] Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
                                                Viewport viewport, PixelPlace pixel,

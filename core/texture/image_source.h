@@ -16,7 +16,7 @@
 namespace texplorer {
 
 /// Where the images of a Texture come from: all that a file holds, levels and compressed blocks as they are.
-/// Renderers ask `find`, which never touches a file; whoever edits the scene calls `load` for its file
+/// Renderers ask `find`, which never touches a file; an editor of the scene calls `load` for its file
 /// textures first. Copying is cheap: images are shared and never change.
 class ImageSource {
 public:

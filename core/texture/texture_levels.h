@@ -43,7 +43,7 @@ struct TextureLevels {
 };
 
 /// What compressing at run time (Compression::Cached) needs. It takes long where the cache doesn't have the
-/// blocks, at best quality two seconds a megatexel: whoever must not wait calls prepareLevels on a thread of
+/// blocks, at best quality two seconds a megatexel: a caller that must not wait calls prepareLevels on a thread of
 /// his own, with a `stop` that he can request.
 struct LevelWork {
     BlockCache cache;    ///< where blocks are looked for and kept

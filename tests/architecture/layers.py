@@ -15,7 +15,7 @@ PICTURE = re.compile(r"(<!-- layers -->\n```\n).*?(```\n<!-- /layers -->)", re.D
 
 class Layer:
     def __init__(self):
-        self.inherited = set()  # folders that whoever links this one may include, too
+        self.inherited = set()  # folders that the layers above it may include, too
         self.links = set()  # folders that it links itself, those included
 
 

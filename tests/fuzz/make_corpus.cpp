@@ -65,7 +65,7 @@ std::string dictionary(const Scene& scene) {
 }
 
 bool makeCorpus(const std::filesystem::path& folder) {
-    std::error_code error; // whoever writes into a folder that isn't there says so
+    std::error_code error; // writing into a folder that isn't there says so
     for (const CodecRow& row : codecRows())
         std::filesystem::create_directories(folder / row.name, error);
     for (const std::string_view name : {"codecs", "flip", "param", "scene"})

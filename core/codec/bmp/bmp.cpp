@@ -99,7 +99,7 @@ private:
 };
 
 // Codes can skip and end early, so that any two bytes are a whole picture. Of those that paint, two bytes are
-// 255 pixels at most: whoever claims more wants memory rather than a picture.
+// 255 pixels at most: a header that claims more wants memory rather than a picture.
 Result<void> checkRleClaim(ByteView codes, const Header& header) {
     constexpr std::size_t alwaysAdmitted = std::size_t{1024} * 1024;
     const std::size_t pixels =

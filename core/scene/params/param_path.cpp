@@ -36,7 +36,7 @@ std::optional<std::size_t> parseIndex(std::string_view text) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, index);
     if (error == std::errc::result_out_of_range && stop == end)
-        return static_cast<std::size_t>(-1); // beyond any list, and said so by whoever compares
+        return static_cast<std::size_t>(-1); // beyond any list, which the comparison says
     if (error != std::errc() || stop != end || text.empty())
         return std::nullopt;
     return index;
