@@ -36,11 +36,12 @@ int coarseness(double expectedMilliseconds) {
 struct DrawWorker::State {
     State(When when, std::function<void()> wake, LevelWork how)
         : levels(std::move(how))
-        , worker({when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
-                 [this](const Drawing::Task& task) { return work(task); },
-                 [](const Job& job, const Error& error) {
-                     return Answer{job.number, {nullptr, {error.message}, 0, true}};
-                 }) {}
+        , worker(
+              {when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
+              [this](const Drawing::Task& task) { return work(task); },
+              [](const Job& job, const Error& error) {
+                  return Answer{job.number, {nullptr, {error.message}, 0, true}};
+              }) {}
 
     struct Job {
         std::uint64_t number = 0;
@@ -129,9 +130,8 @@ const DrawWorker::Picture& DrawWorker::picture(const DrawRequest& request) {
     if (state.wanted != request) {
         state.wanted = request;
         state.shown.whole = false;
-        state.worker.drop([&](const State::Job& job) {
-            return job.request && !sameLevels(*job.request, request);
-        });
+        state.worker.drop(
+            [&](const State::Job& job) { return job.request && !sameLevels(*job.request, request); });
         state.worker.ask({++state.lastNumber, request});
     }
     for (State::Answer& answer : state.worker.take()) {

@@ -17,10 +17,11 @@ constexpr FailureWords failure{"there is no memory for the answer", "there is no
 struct ProbeWorker::State {
     State(When when, std::function<void()> wake, LevelWork how)
         : levels(std::move(how))
-        , worker({when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
-                 [this](const Probing::Task& task) { return work(task); },
-                 // What was answered last stays.
-                 [](const Job&, const Error&) { return std::shared_ptr<const Answer>(); }) {}
+        , worker(
+              {when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
+              [this](const Probing::Task& task) { return work(task); },
+              // What was answered last stays.
+              [](const Job&, const Error&) { return std::shared_ptr<const Answer>(); }) {}
 
     using Job = std::optional<ProbeRequest>; ///< nothing: give the renderer's memory back
     using Probing = Worker<Job, std::shared_ptr<const Answer>>;
@@ -38,7 +39,8 @@ struct ProbeWorker::State {
     [[nodiscard]] std::optional<std::shared_ptr<const Answer>> work(const Probing::Task& task);
 };
 
-std::optional<std::shared_ptr<const ProbeWorker::Answer>> ProbeWorker::State::work(const Probing::Task& task) {
+std::optional<std::shared_ptr<const ProbeWorker::Answer>>
+ProbeWorker::State::work(const Probing::Task& task) {
     if (!task.job()) {
         renderer.rest();
         return std::nullopt;

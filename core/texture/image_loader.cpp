@@ -4,8 +4,8 @@
 #include "core/base/worker.h"
 #include "core/codec/registry.h"
 #include "core/image/thumbnail.h"
-#include "core/texture/image_budget.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/texture/image_budget.h"
 
 #include <algorithm>
 #include <utility>
@@ -67,12 +67,13 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
 
 struct ImageLoader::State {
     explicit State(std::function<void()> wake)
-        : worker({When::WhenReady, JobOrder::Queue, failure, std::move(wake)},
-                 [this](const Loading::Task& task) { return load(task); },
-                 [](const Job& job, Error error) {
-                     error.where = job.path.string();
-                     return Loaded{job.ticket, job.path, fail(std::move(error))};
-                 }) {}
+        : worker(
+              {When::WhenReady, JobOrder::Queue, failure, std::move(wake)},
+              [this](const Loading::Task& task) { return load(task); },
+              [](const Job& job, Error error) {
+                  error.where = job.path.string();
+                  return Loaded{job.ticket, job.path, fail(std::move(error))};
+              }) {}
 
     struct Job {
         Ticket ticket = 0;

@@ -80,13 +80,14 @@ struct LevelsWorker::State {
     State(When chosen, std::function<void()> wake, LevelWork how)
         : when(chosen)
         , levelWork(std::move(how))
-        , worker({when, JobOrder::Queue, failure, std::move(wake), levelWork.stop},
-                 [this](const Making::Task& task) { return work(task); },
-                 [](const Job& job, Error error) {
-                     auto levels = std::make_shared<const PreparedLevels>(fail(std::move(error)));
-                     auto summary = summarise(*levels);
-                     return Done{job.ticket, std::move(levels), std::move(summary)};
-                 }) {}
+        , worker(
+              {when, JobOrder::Queue, failure, std::move(wake), levelWork.stop},
+              [this](const Making::Task& task) { return work(task); },
+              [](const Job& job, Error error) {
+                  auto levels = std::make_shared<const PreparedLevels>(fail(std::move(error)));
+                  auto summary = summarise(*levels);
+                  return Done{job.ticket, std::move(levels), std::move(summary)};
+              }) {}
 
     struct Entry {
         LevelsRequest request;

@@ -1,5 +1,4 @@
 #include "core/base/worker.h"
-
 #include "tests/support/no_threads.h"
 
 #include <gmock/gmock.h>
@@ -126,8 +125,9 @@ TEST_P(WorkingEachWay, LetsAJobGoBeforeItIsThroughWithIt) {
     using Sharing = Worker<std::shared_ptr<int>, int>;
     auto job = std::make_shared<int>(7);
     const std::weak_ptr<int> alive = job;
-    Sharing worker({.when = GetParam().when}, [](const Sharing::Task& task) { return *task.job(); },
-                   [](const std::shared_ptr<int>&, const Error&) { return -1; });
+    Sharing worker(
+        {.when = GetParam().when}, [](const Sharing::Task& task) { return *task.job(); },
+        [](const std::shared_ptr<int>&, const Error&) { return -1; });
     worker.ask(std::move(job));
     worker.wait();
     EXPECT_TRUE(alive.expired());
@@ -273,11 +273,10 @@ TEST_F(Working, EndsWithoutHavingBeenAsked) {
 TEST(Tried, PassesOnResultsAndErrors) {
     constexpr FailureWords words{"no memory", "can't"};
     EXPECT_EQ(tried(words, [] { return 7; }), Result<int>(7));
-    const Result<int> refused = tried(words, [] { return Result<int>(fail(ErrorCode::Malformed, "odd", "x")); });
+    const Result<int> refused =
+        tried(words, [] { return Result<int>(fail(ErrorCode::Malformed, "odd", "x")); });
     EXPECT_EQ(refused.error(), (Error{ErrorCode::Malformed, "odd", "x"}));
-    const auto threw = [&](auto what) {
-        return tried(words, [&]() -> int { throw what; }).error();
-    };
+    const auto threw = [&](auto what) { return tried(words, [&]() -> int { throw what; }).error(); };
     EXPECT_EQ(threw(std::bad_alloc()), (Error{ErrorCode::TooLarge, "no memory", ""}));
     EXPECT_EQ(threw(std::runtime_error("sorry")), (Error{ErrorCode::Unsupported, "can't: sorry", ""}));
 }
