@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace texplorer {
@@ -29,6 +30,8 @@ struct Autosave::State {
     std::jthread thread; // the last: it ends first
 
     void work(const std::stop_token& stop);
+    void note(const std::filesystem::path& file, const std::filesystem::path& base, const Scene& scene);
+    void writeWhereNobodyElseDoes();
     bool write();
     Result<void> put(const UnsavedScene& draft);
 };
@@ -38,7 +41,10 @@ Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std
     state_->folder = std::move(folder);
     state_->wake = std::move(wake);
     state_->delay = delay;
-    state_->thread = std::jthread([this](const std::stop_token& stop) { state_->work(stop); });
+    try {
+        state_->thread = std::jthread([this](const std::stop_token& stop) { state_->work(stop); });
+    } catch (const std::system_error&) { // no thread to be had: whoever tells something writes what is due
+    }
 }
 
 Autosave::~Autosave() = default;
@@ -59,6 +65,17 @@ void Autosave::State::work(const std::stop_token& stop) {
         }
         (void)write();
     }
+}
+
+void Autosave::State::writeWhereNobodyElseDoes() {
+    if (thread.joinable())
+        return;
+    {
+        const std::scoped_lock lock(mutex);
+        if (!due || Clock::now() < *due)
+            return;
+    }
+    (void)write();
 }
 
 Result<void> Autosave::State::put(const UnsavedScene& draft) {
@@ -102,15 +119,20 @@ bool Autosave::State::write() {
 
 void Autosave::keep(const std::filesystem::path& file, const std::filesystem::path& folder,
                     const Scene& scene) {
-    const std::scoped_lock lock(state_->mutex);
-    std::optional<UnsavedScene>& told = state_->told;
-    if (told && told->scene == scene && told->file == file && told->folder == folder)
+    state_->note(file, folder, scene);
+    state_->writeWhereNobodyElseDoes();
+}
+
+void Autosave::State::note(const std::filesystem::path& file, const std::filesystem::path& base,
+                           const Scene& scene) {
+    const std::scoped_lock lock(mutex);
+    if (told && told->scene == scene && told->file == file && told->folder == base)
         return;
-    told = UnsavedScene{file, folder, scene};
-    const Clock::time_point then = Clock::now() + state_->delay;
-    if (!state_->due || then < *state_->due) {
-        state_->due = then;
-        state_->news.notify_all();
+    told = UnsavedScene{file, base, scene};
+    const Clock::time_point then = Clock::now() + delay;
+    if (!due || then < *due) {
+        due = then;
+        news.notify_all();
     }
 }
 
@@ -127,12 +149,15 @@ void Autosave::adopt(UnsavedPlace place, UnsavedScene told) {
 }
 
 void Autosave::forget() {
-    const std::scoped_lock lock(state_->mutex);
-    if (!state_->told)
-        return;
-    state_->told.reset();
-    state_->due = Clock::now();
-    state_->news.notify_all();
+    {
+        const std::scoped_lock lock(state_->mutex);
+        if (!state_->told)
+            return;
+        state_->told.reset();
+        state_->due = Clock::now();
+        state_->news.notify_all();
+    }
+    state_->writeWhereNobodyElseDoes();
 }
 
 bool Autosave::flush() {

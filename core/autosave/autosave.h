@@ -9,9 +9,10 @@
 
 namespace texplorer {
 
-/// Keeps unsaved work on the disk, on a thread of its own: no call waits for it but `flush`. An edit is
-/// written at most `delay` after it was told, and the edits in between with it; what can't be written is
-/// tried again. Nobody is woken where nothing waits. All functions may be called by any thread.
+/// Keeps unsaved work on the disk, on a thread of its own: no call waits for it but `flush`, or where there
+/// is no thread to be had `keep` and `forget` of what is due. An edit is written at most `delay` after it was
+/// told, and the edits in between with it; what can't be written is tried again. Nobody is woken where
+/// nothing waits. All functions may be called by any thread.
 class Autosave {
 public:
     /// With the time that the disk takes, an edit is safe two seconds after it was made.

@@ -2,13 +2,13 @@
 
 #include "core/base/file_io.h"
 #include "core/base/file_kind.h"
+#include "core/base/file_lock.h"
 #include "core/base/private_directory.h"
 #include "core/base/user_folder.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -64,8 +64,7 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     };
     if (!file.valid())
         return refuse(errno);
-    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
-        const int error = errno;
+    if (const int error = lockFile(file.get()); error != 0) {
         if (make == Make::New && error != EWOULDBLOCK) // the file system knows no locks: nobody will sweep it
             ::unlink(path.c_str());
         return refuse(error);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,5 +31,13 @@ struct DefaultInitAllocator : std::allocator<T> {
 
 using Bytes = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
 using ByteView = std::span<const std::byte>;
+
+// What a file says of its sizes has 64 bits, whatever a pointer has: a product of them can exceed all memory.
+
+/// The bytes of that part which exist in the file.
+[[nodiscard]] inline ByteView partOf(ByteView file, std::uint64_t offset, std::uint64_t size) {
+    const auto begin = static_cast<std::size_t>(std::min<std::uint64_t>(offset, file.size()));
+    return file.subspan(begin, static_cast<std::size_t>(std::min<std::uint64_t>(size, file.size() - begin)));
+}
 
 } // namespace texplorer

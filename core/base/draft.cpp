@@ -2,11 +2,13 @@
 
 #include "core/base/directory_listing.h"
 #include "core/base/file_io.h"
+#include "core/base/file_lock.h"
+#include "core/base/file_owner.h"
+#include "core/base/nameless_file.h"
 
 #include <cerrno>
 #include <fcntl.h>
 #include <string_view>
-#include <sys/file.h>
 
 namespace texplorer {
 
@@ -34,10 +36,6 @@ bool isTemporaryName(std::string_view name) {
            name.find_first_not_of(digits, dash + 1) == std::string_view::npos;
 }
 
-bool lock(int file) {
-    return ::flock(file, LOCK_EX | LOCK_NB) == 0;
-}
-
 /// Whether the name still is this very file.
 bool isStill(int directory, const char* name, const struct stat& info) {
     struct stat now = {};
@@ -51,7 +49,7 @@ void sweep(int directory, const char* name) {
         ::openat(directory, name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat info = {};
     if (left.valid() && ::fstat(left.get(), &info) == 0 && S_ISREG(info.st_mode) &&
-        info.st_uid == ::geteuid() && lock(left.get()) && isStill(directory, name, info))
+        info.st_uid == thisUser() && lockFile(left.get()) == 0 && isStill(directory, name, info))
         ::unlinkat(directory, name, 0);
 }
 
@@ -60,9 +58,9 @@ void sweep(int directory, const char* name) {
 Draft::Draft(int directory, mode_t mode)
     : directory_(directory)
     , mode_(mode)
-    , file_(::openat(directory, ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, mode)) {
+    , file_(openNameless(directory, mode)) {
     if (file_.valid())
-        static_cast<void>(lock(file_.get())); // before it has a name
+        static_cast<void>(lockFile(file_.get())); // before it has a name
     else
         static_cast<void>(openNamed());
 }
@@ -83,20 +81,15 @@ bool Draft::openNamed() {
             return false;
         // Who sweeps may have come between the opening and the lock.
         struct stat info = {};
-        if (!lock(file_.get()) || (::fstat(file_.get(), &info) == 0 && info.st_nlink > 0))
+        if (lockFile(file_.get()) != 0 || (::fstat(file_.get(), &info) == 0 && info.st_nlink > 0))
             return true;
     }
     return false;
 }
 
 bool Draft::fill() {
-    if (replaced_ != nullptr) {
-        // Only root may give files away; whoever can't must not pass on a set-user-ID bit.
-        const bool sameOwner = ::fchown(file_.get(), replaced_->st_uid, replaced_->st_gid) == 0;
-        if (::fchmod(file_.get(), replaced_->st_mode & (sameOwner ? 07777 : 0777)) != 0)
-            return false;
-    }
-    return writeFully(file_.get(), bytes_) && ::fsync(file_.get()) == 0;
+    return (replaced_ == nullptr || takeOwnerAndMode(file_.get(), *replaced_)) &&
+           writeFully(file_.get(), bytes_) && ::fsync(file_.get()) == 0;
 }
 
 bool Draft::write(ByteView bytes, const struct stat* replaced) {
@@ -106,25 +99,21 @@ bool Draft::write(ByteView bytes, const struct stat* replaced) {
 }
 
 bool Draft::takeTemporaryName() {
-    // This way needs /proc and no privilege. Where it isn't there, the content is written again.
-    const std::string self = "/proc/self/fd/" + std::to_string(file_.get());
     for (int attempt = 0; attempt < attempts; ++attempt) {
         std::string name = temporaryName(attempt);
-        if (::linkat(AT_FDCWD, self.c_str(), directory_, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        if (nameFile(file_.get(), directory_, name)) {
             temporary_ = std::move(name);
             return true;
         }
         if (errno != EEXIST)
             break;
     }
-    return openNamed() && fill();
+    return openNamed() && fill(); // the content is written again
 }
 
 bool Draft::place(int directory, const std::string& name) {
     // To where nothing is it goes at once, and never has another name.
-    const std::string self = "/proc/self/fd/" + std::to_string(file_.get());
-    if (temporary_.empty() &&
-        ::linkat(AT_FDCWD, self.c_str(), directory, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
+    if (temporary_.empty() && nameFile(file_.get(), directory, name))
         return true;
     if (temporary_.empty() && !takeTemporaryName())
         return false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <new>
@@ -21,7 +22,7 @@ ErrorCode codeForOpening(int error) {
     return error == ENOENT || error == ENOTDIR ? ErrorCode::NotFound : ErrorCode::Unreadable;
 }
 
-tl::unexpected<Error> tooLarge(std::size_t size, std::size_t maxBytes, const std::string& where) {
+tl::unexpected<Error> tooLarge(std::uint64_t size, std::size_t maxBytes, const std::string& where) {
     return fail(ErrorCode::TooLarge,
                 "at most " + std::to_string(maxBytes) + " bytes are read, the file has at least " +
                     std::to_string(size),
@@ -50,14 +51,14 @@ int openForReading(const fs::path& path) {
 }
 
 /// The size that the file system states. A file that is none is refused.
-Result<std::size_t> sizeOf(int file, const std::string& where) {
+Result<std::uint64_t> sizeOf(int file, const std::string& where) {
     struct stat info = {};
     if (::fstat(file, &info) != 0)
         return fail(ErrorCode::Unreadable, "can't be examined: " + systemText(errno), where);
     if (!S_ISREG(info.st_mode))
         return fail(ErrorCode::Unreadable, "is " + std::string(kindName(info.st_mode)) + ", not a file",
                     where);
-    return static_cast<std::size_t>(info.st_size);
+    return static_cast<std::uint64_t>(info.st_size);
 }
 
 // readFully in parts, between which somebody is asked whether to go on. `stopped` says that it was not.
@@ -86,14 +87,20 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
                         const ReadObserver& observer = {}) {
     if (!file.valid())
         return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), where);
-    const Result<std::size_t> stated = sizeOf(file.get(), where);
+    const Result<std::uint64_t> stated = sizeOf(file.get(), where);
     if (!stated)
         return fail(stated.error());
-    const std::size_t size = *stated;
-    if (size > maxBytes)
-        return tooLarge(size, maxBytes, where);
+    if (*stated > maxBytes)
+        return tooLarge(*stated, maxBytes, where);
+    const auto size = static_cast<std::size_t>(*stated);
 
     Buffer buffer;
+    const auto noMemory = [&] {
+        return fail(ErrorCode::TooLarge, "there is no memory for its " + std::to_string(size) + " bytes",
+                    where);
+    };
+    if (size > buffer.max_size()) // where an address has 32 bits
+        return noMemory();
     bool stopped = false;
     std::size_t filled = 0;
     constexpr std::size_t block = 4096;
@@ -122,8 +129,7 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
             filled += *more;
         }
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for its " + std::to_string(size) + " bytes",
-                    where);
+        return noMemory();
     }
 }
 
@@ -141,7 +147,7 @@ Result<Bytes> readFileStart(const fs::path& path, std::size_t count) {
     const Descriptor file(openForReading(path));
     if (!file.valid())
         return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), path.string());
-    if (const Result<std::size_t> size = sizeOf(file.get(), path.string()); !size)
+    if (const Result<std::uint64_t> size = sizeOf(file.get(), path.string()); !size)
         return fail(size.error());
     Bytes start;
     start.resize(count);

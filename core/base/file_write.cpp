@@ -5,6 +5,7 @@
 #include "core/base/draft.h"
 #include "core/base/file_io.h"
 #include "core/base/file_kind.h"
+#include "core/base/open_directory.h"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -39,10 +40,6 @@ Result<fs::path> followLinks(fs::path path) {
         path = next.is_absolute() ? next : path.parent_path() / next;
     }
     return unwritable(ELOOP, asked);
-}
-
-Descriptor openDirectory(const fs::path& path) {
-    return Descriptor(::open(path.empty() ? "." : path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
 /// A place that a file may take.

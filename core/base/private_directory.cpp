@@ -1,6 +1,7 @@
 #include "core/base/private_directory.h"
 
 #include "core/base/file_kind.h"
+#include "core/base/file_owner.h"
 
 #include <array>
 #include <cerrno>
@@ -47,13 +48,13 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
     }
     if (::fstat(directory.get(), &info) != 0)
         return refuse("can't be examined: " + systemText(errno), path);
-    if (info.st_uid != ::geteuid())
+    if (info.st_uid != thisUser())
         return refuse("belongs to user " + std::to_string(info.st_uid) + ", not to this one, " +
-                          std::to_string(::geteuid()),
+                          std::to_string(thisUser()),
                       path);
     if ((info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
         return refuse("may be written to by others: expected mode 0700, found " + octal(info.st_mode), path);
-    if ((info.st_mode & 07777U) != 0700 && ::fchmod(directory.get(), 0700) != 0)
+    if ((info.st_mode & 07777U) != 0700 && !makeOwnersAlone(directory.get()))
         return refuse("can't be made private: " + systemText(errno), path);
     return PrivateDirectory(std::move(directory));
 }
@@ -69,7 +70,7 @@ Descriptor PrivateDirectory::openFile(const std::string& name) const {
         ::openat(directory_.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat info = {};
     if (!file.valid() || ::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode) ||
-        info.st_uid != ::geteuid())
+        info.st_uid != thisUser())
         return {};
     return file;
 }

@@ -73,7 +73,8 @@ struct LightValues {
         return index % components == alpha ? stored * 257 : table.light[stored];
     }
     [[nodiscard]] std::byte reduce(std::uint64_t value, std::size_t component) const {
-        return static_cast<std::byte>(component == alpha ? (value + 128) / 257 : table.stored[value]);
+        return static_cast<std::byte>(component == alpha ? (value + 128) / 257
+                                                         : table.stored[static_cast<std::size_t>(value)]);
     }
 
     std::size_t components;

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <new>
+#include <cstdint>
 #include <optional>
-#include <system_error>
-#include <thread>
+#include <stop_token>
 #include <utility>
 
 namespace texplorer::reference {
@@ -18,6 +14,8 @@ namespace {
 constexpr double noticed = 30; // milliseconds
 constexpr int coarsest = 8;
 constexpr double firstGuess = 2e-4; // milliseconds a pixel, before anything was drawn
+
+constexpr FailureWords failure{"there is no memory for the picture", "the picture can't be drawn"};
 
 } // namespace
 
@@ -36,58 +34,47 @@ int coarseness(double expectedMilliseconds) {
 }
 
 struct DrawWorker::State {
-    State(When chosen, std::function<void()> onNews, LevelWork how)
-        : when(chosen)
-        , wake(std::move(onNews))
-        , levels(std::move(how)) {}
+    State(When when, std::function<void()> wake, LevelWork how)
+        : levels(std::move(how))
+        , worker(
+              {when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
+              [this](const Drawing::Task& task) { return work(task); },
+              [](const Job& job, const Error& error) {
+                  return Answer{job.number, {nullptr, {error.message}, 0, true}};
+              }) {}
 
     struct Job {
-        DrawRequest request;
-        std::stop_source all;   ///< other levels are needed, or nobody looks
-        std::stop_source whole; ///< anything is different
+        std::uint64_t number = 0;
+        std::optional<DrawRequest> request; ///< nothing: give the renderer's memory back
     };
+    struct Answer {
+        std::uint64_t number = 0; ///< of the job
+        Picture picture;
+    };
+    using Drawing = Worker<Job, Answer>;
 
-    const When when;
-    const std::function<void()> wake;
-    const LevelWork levels;
-    std::optional<DrawRequest> wanted; // of the thread that asks
-    Picture shown;                     // and what it was given last
-
-    mutable std::mutex mutex; // guards what follows
-    std::condition_variable_any arrived;
-    mutable std::condition_variable finished;
-    std::optional<Job> next;
-    std::optional<Job> current;
-    bool forgets = false;        // the renderer's memory is to be given back
-    std::optional<Picture> news; // of `wanted`, or of what was wanted before
+    // Of the thread that asks.
+    std::optional<DrawRequest> wanted;
+    std::uint64_t lastNumber = 0; ///< of the job for `wanted`
+    Picture shown;                ///< what it was given last
 
     // Of the thread that draws.
+    const LevelWork levels;
     ReferenceRenderer renderer;
     double millisecondsPerPixel = firstGuess;
 
-    std::jthread thread; // last: it ends before the rest does
+    Drawing worker; // last: it ends before the rest does
 
-    void ask(const DrawRequest& request);
-    void run(const std::stop_token& stop);
-    void work(const Job& job);
+    std::optional<Answer> work(const Drawing::Task& task);
     std::optional<Picture> draw(const DrawRequest& request, int factor, const std::stop_token& stop);
     std::optional<Picture> tryToDraw(const DrawRequest& request, int factor, const std::stop_token& stop);
-    void publish(const Job& job, Picture picture);
 };
 
 /// Nothing where it was stopped.
 std::optional<DrawWorker::Picture> DrawWorker::State::draw(const DrawRequest& request, int factor,
                                                            const std::stop_token& stop) {
-    Picture failed;
-    failed.whole = factor == 1;
-    try {
-        return tryToDraw(request, factor, stop);
-    } catch (const std::bad_alloc&) {
-        failed.problems = {"there is no memory for the picture"};
-    } catch (const std::exception& error) {
-        failed.problems = {std::string("the picture can't be drawn: ") + error.what()};
-    }
-    return failed;
+    Result<std::optional<Picture>> drawn = tried(failure, [&] { return tryToDraw(request, factor, stop); });
+    return drawn ? std::move(*drawn) : Picture{nullptr, {drawn.error().message}, 0, factor == 1};
 }
 
 std::optional<DrawWorker::Picture> DrawWorker::State::tryToDraw(const DrawRequest& request, int factor,
@@ -117,84 +104,20 @@ std::optional<DrawWorker::Picture> DrawWorker::State::tryToDraw(const DrawReques
     return picture;
 }
 
-void DrawWorker::State::publish(const Job& job, Picture picture) {
-    {
-        const std::scoped_lock lock(mutex);
-        if (job.all.stop_requested())
-            return;
-        // Of an earlier request it is still nearer to what is wanted than what was there before.
-        picture.whole = picture.whole && !next;
-        news = std::move(picture);
+std::optional<DrawWorker::State::Answer> DrawWorker::State::work(const Drawing::Task& task) {
+    const auto& [number, request] = task.job();
+    if (!request) {
+        renderer.rest();
+        return std::nullopt;
     }
-    if (wake)
-        wake();
-}
-
-void DrawWorker::State::work(const Job& job) {
-    const double pixels = static_cast<double>(job.request.width) * job.request.height;
-    int factor = coarseness(pixels * millisecondsPerPixel);
-    if (std::optional<Picture> first = draw(job.request, factor, job.all.get_token()))
-        publish(job, std::move(*first));
-    if (factor > 1 && !job.whole.stop_requested()) {
-        if (std::optional<Picture> whole = draw(job.request, 1, job.whole.get_token()))
-            publish(job, std::move(*whole));
+    const double pixels = static_cast<double>(request->width) * request->height;
+    const int factor = task.atOnce() ? 1 : coarseness(pixels * millisecondsPerPixel);
+    std::optional<Picture> drawn = draw(*request, factor, task.stop());
+    if (drawn && factor > 1) {
+        task.give({number, std::move(*drawn)});
+        drawn = draw(*request, 1, task.superseded());
     }
-}
-
-void DrawWorker::State::run(const std::stop_token& stop) {
-    std::unique_lock lock(mutex);
-    while (arrived.wait(lock, stop, [this] { return next || forgets; }) && !stop.stop_requested()) {
-        if (forgets) {
-            lock.unlock();
-            renderer.rest();
-            lock.lock();
-            forgets = false;
-            finished.notify_all();
-            continue;
-        }
-        current = std::exchange(next, std::nullopt);
-        lock.unlock();
-        {
-            const Job& job = *current; // stays: only this thread changes it
-            const std::stop_callback atTheEnd(stop, [&job] {
-                job.all.request_stop();
-                job.whole.request_stop();
-            });
-            work(job);
-        }
-        lock.lock();
-        current.reset();
-        finished.notify_all();
-        lock.unlock();
-        if (wake)
-            wake();
-        lock.lock();
-    }
-}
-
-void DrawWorker::State::ask(const DrawRequest& request) {
-    {
-        const std::scoped_lock lock(mutex);
-        if (current) {
-            current->whole.request_stop();
-            if (!sameLevels(current->request, request))
-                current->all.request_stop();
-        }
-        forgets = false;
-        next = Job{request, {}, {}};
-        if (news)
-            news->whole = false;
-    }
-    if (!thread.joinable()) {
-        try {
-            thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
-        } catch (const std::system_error&) { // no thread to be had: slower, but it works
-            const Job job = *std::exchange(next, std::nullopt);
-            work(job);
-            return;
-        }
-    }
-    arrived.notify_one();
+    return drawn ? std::optional(Answer{number, std::move(*drawn)}) : std::nullopt;
 }
 
 DrawWorker::DrawWorker(When when, std::function<void()> wake, LevelWork levels)
@@ -207,14 +130,15 @@ const DrawWorker::Picture& DrawWorker::picture(const DrawRequest& request) {
     if (state.wanted != request) {
         state.wanted = request;
         state.shown.whole = false;
-        if (state.when == When::AtOnce)
-            state.shown = state.draw(request, 1, state.levels.stop).value_or(Picture{});
-        else
-            state.ask(request);
+        state.worker.drop(
+            [&](const State::Job& job) { return job.request && !sameLevels(*job.request, request); });
+        state.worker.ask({++state.lastNumber, request});
     }
-    const std::scoped_lock lock(state.mutex);
-    if (state.news)
-        state.shown = *std::exchange(state.news, std::nullopt);
+    for (State::Answer& answer : state.worker.take()) {
+        state.shown = std::move(answer.picture);
+        // Of an earlier request it is still nearer to what is wanted than what was there before.
+        state.shown.whole = state.shown.whole && answer.number == state.lastNumber;
+    }
     return state.shown;
 }
 
@@ -224,27 +148,16 @@ void DrawWorker::rest() {
         return;
     state.wanted.reset();
     state.shown = {};
-    if (!state.thread.joinable())
-        return state.renderer.rest();
-    const std::scoped_lock lock(state.mutex);
-    state.next.reset();
-    state.news.reset();
-    if (state.current) {
-        state.current->all.request_stop();
-        state.current->whole.request_stop();
-    }
-    state.forgets = true;
-    state.arrived.notify_one();
+    state.worker.clear();
+    state.worker.ask({++state.lastNumber, std::nullopt});
 }
 
 bool DrawWorker::isDrawing() const {
-    const std::scoped_lock lock(state_->mutex);
-    return state_->next || state_->current;
+    return state_->wanted && state_->worker.isWorking();
 }
 
 void DrawWorker::wait() const {
-    std::unique_lock lock(state_->mutex);
-    state_->finished.wait(lock, [this] { return !state_->next && !state_->current && !state_->forgets; });
+    state_->worker.wait();
 }
 
 } // namespace texplorer::reference

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/worker.h"
 #include "core/reference/draw.h"
 
 #include <functional>
@@ -31,10 +32,7 @@ struct DrawRequest {
 /// scene moves. All functions are to be called from one thread; the first request starts the other one.
 class DrawWorker {
 public:
-    enum class When {
-        AtOnce,    ///< whoever asks waits for the whole picture: for programs without a user
-        WhenReady, ///< whoever asks gets what there is, and asks again when it is woken
-    };
+    using When = texplorer::When; ///< AtOnce: the whole picture
 
     /// `wake` is called on the working thread whenever `picture` has something new to give; it must not
     /// throw. Textures that are compressed at run time are made as `levels` says; its `stop` ends a drawing

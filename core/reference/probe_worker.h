@@ -25,10 +25,7 @@ struct ProbeRequest {
 /// functions are to be called from one thread; the first request starts the other one.
 class ProbeWorker {
 public:
-    enum class When {
-        AtOnce,    ///< whoever asks waits: for programs without a user
-        WhenReady, ///< whoever asks gets what there is, and asks again when it is woken
-    };
+    using When = texplorer::When;
 
     /// `wake` is called on the working thread whenever there is a new answer; it must not throw. `stop` of
     /// `levels` ends the work AtOnce.

@@ -1,19 +1,13 @@
 #include "core/texture/image_loader.h"
 
 #include "core/base/file_io.h"
+#include "core/base/worker.h"
 #include "core/codec/registry.h"
 #include "core/image/thumbnail.h"
-#include "core/texture/image_budget.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/texture/image_budget.h"
 
 #include <algorithm>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <new>
-#include <stop_token>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace texplorer {
@@ -25,6 +19,8 @@ using Wanted = ImageLoader::Wanted;
 
 constexpr DecodeLimits thumbnailLimits{
     .maxExtent = 8192, .maxPixels = std::size_t{32} << 20, .maxBytes = std::size_t{256} << 20};
+
+constexpr FailureWords failure{"there is no memory for what it holds", "can't be loaded"};
 
 Content dissectFile(Bytes bytes) {
     auto file = std::make_shared<DissectedFile>();
@@ -45,7 +41,7 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
                      const ReadObserver& observer, const std::function<void()>& decoding) {
     const std::size_t most =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
-    try {
+    Result<Content> content = tried(failure, [&]() -> Result<Content> {
         Result<Bytes> bytes = readFile(path, most, observer);
         if (!bytes)
             return fail(bytes.error());
@@ -57,102 +53,69 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
         Result<TextureImage> texture =
             small ? decodeTexture(*bytes, thumbnailLimits) : decodeWithin(*bytes, left);
         if (!texture)
-            return fail(texture.error().code, texture.error().message, path.string());
+            return fail(texture.error());
         if (small)
             return thumbnailOf(uprightImage(std::move(*texture)), ImageLoader::thumbnailExtent);
         return std::make_shared<const TextureImage>(std::move(*texture));
-    } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for what it holds", path.string());
-    }
+    });
+    if (!content)
+        content.error().where = path.string();
+    return content;
 }
 
 } // namespace
 
 struct ImageLoader::State {
-    explicit State(std::function<void()> onNews)
-        : wake(std::move(onNews)) {}
+    explicit State(std::function<void()> wake)
+        : worker(
+              {When::WhenReady, JobOrder::Queue, failure, std::move(wake)},
+              [this](const Loading::Task& task) { return load(task); },
+              [](const Job& job, Error error) {
+                  error.where = job.path.string();
+                  return Loaded{job.ticket, job.path, fail(std::move(error))};
+              }) {}
 
     struct Job {
-        Ticket ticket;
+        Ticket ticket = 0;
         std::filesystem::path path;
-        Wanted wanted;
+        Wanted wanted = Wanted::Texture;
     };
+    using Loading = Worker<Job, Loaded, Progress>;
 
-    std::function<void()> wake;
+    Ticket lastTicket = 0; // of the thread that asks
+    Loading worker;
 
-    mutable std::mutex mutex; // guards what follows
-    std::condition_variable_any arrived;
-    mutable std::condition_variable finished;
-    std::deque<Job> waiting;
-    std::optional<Progress> current;
-    bool dropsCurrent = false; // what is worked on was cancelled
-    std::vector<Loaded> done;
-    Ticket lastTicket = 0;
-
-    std::jthread thread; // last: it ends before the rest does
-
-    void run(const std::stop_token& stop);
-    void process(const Job& job, const std::stop_token& stop);
+    std::optional<Loaded> load(const Loading::Task& task) const;
     [[nodiscard]] std::size_t left() const;
-    void tell() const {
-        if (wake)
-            wake();
-    }
 };
-
-void ImageLoader::State::run(const std::stop_token& stop) {
-    for (;;) {
-        Job job;
-        {
-            std::unique_lock lock(mutex);
-            if (!arrived.wait(lock, stop, [this] { return !waiting.empty(); }) || stop.stop_requested())
-                return;
-            job = std::move(waiting.front());
-            waiting.pop_front();
-            current = Progress{job.ticket, job.path, Step::Reading};
-            dropsCurrent = false;
-        }
-        process(job, stop);
-        finished.notify_all();
-        tell();
-    }
-}
 
 /// Of sceneImageBytes, beside the textures that are waiting to be taken.
 std::size_t ImageLoader::State::left() const {
-    const std::scoped_lock lock(mutex);
     std::size_t waitingBytes = 0;
-    for (const Loaded& each : done)
+    worker.look([&](const Loaded& each) {
         if (each.content)
             if (const auto* texture = std::get_if<std::shared_ptr<const TextureImage>>(&*each.content))
                 waitingBytes += byteCount(**texture);
+    });
     return sceneImageBytes - std::min(sceneImageBytes, waitingBytes);
 }
 
-void ImageLoader::State::process(const Job& job, const std::stop_token& stop) {
+std::optional<ImageLoader::Loaded> ImageLoader::State::load(const Loading::Task& task) const {
+    const Job& job = task.job();
+    Progress progress{job.ticket, job.path, Step::Reading};
     const auto reading = [&](std::size_t bytes, std::size_t total) {
-        {
-            const std::scoped_lock lock(mutex);
-            if (dropsCurrent || stop.stop_requested())
-                return false;
-            current->bytesRead = bytes;
-            current->fileBytes = total;
-        }
-        tell();
+        if (task.stop().stop_requested())
+            return false;
+        progress.bytesRead = bytes;
+        progress.fileBytes = total;
+        task.report(progress);
         return true;
     };
     const auto decoding = [&] {
-        {
-            const std::scoped_lock lock(mutex);
-            current->step = Step::Decoding;
-        }
-        tell();
+        progress.step = Step::Decoding;
+        task.report(progress);
     };
-    Result<Content> content = work(job.path, job.wanted, left(), reading, decoding);
-    const std::scoped_lock lock(mutex);
-    if (!dropsCurrent)
-        done.push_back({job.ticket, job.path, std::move(content)});
-    current.reset();
+    return Loaded{job.ticket, job.path, work(job.path, job.wanted, left(), reading, decoding)};
 }
 
 ImageLoader::ImageLoader(std::function<void()> wake)
@@ -161,67 +124,32 @@ ImageLoader::ImageLoader(std::function<void()> wake)
 ImageLoader::~ImageLoader() = default;
 
 ImageLoader::Ticket ImageLoader::load(std::filesystem::path path, Wanted wanted) {
-    Ticket ticket = 0;
-    {
-        const std::scoped_lock lock(state_->mutex);
-        ticket = ++state_->lastTicket;
-        state_->waiting.push_back({ticket, std::move(path), wanted});
-    }
-    if (!state_->thread.joinable()) {
-        try {
-            state_->thread =
-                std::jthread([state = state_.get()](const std::stop_token& stop) { state->run(stop); });
-        } catch (const std::system_error&) { // no thread to be had: slower, but it works
-            const std::scoped_lock lock(state_->mutex);
-            const State::Job job = std::move(state_->waiting.back());
-            state_->waiting.pop_back();
-            state_->done.push_back({job.ticket, job.path, loadNow(job.path, job.wanted)});
-            return ticket;
-        }
-    }
-    state_->arrived.notify_one();
+    const Ticket ticket = ++state_->lastTicket;
+    Progress waiting{ticket, path};
+    state_->worker.ask({ticket, std::move(path), wanted}, std::move(waiting));
     return ticket;
 }
 
 void ImageLoader::cancel(Ticket ticket) {
-    {
-        const std::scoped_lock lock(state_->mutex);
-        std::erase_if(state_->waiting, [&](const State::Job& job) { return job.ticket == ticket; });
-        std::erase_if(state_->done, [&](const Loaded& loaded) { return loaded.ticket == ticket; });
-        if (state_->current && state_->current->ticket == ticket)
-            state_->dropsCurrent = true;
-    }
-    state_->finished.notify_all();
+    const auto isIt = [ticket](const auto& each) { return each.ticket == ticket; };
+    state_->worker.drop(isIt);
+    state_->worker.discard(isIt);
 }
 
 void ImageLoader::cancelAll() {
-    {
-        const std::scoped_lock lock(state_->mutex);
-        state_->waiting.clear();
-        state_->done.clear();
-        state_->dropsCurrent = state_->current.has_value();
-    }
-    state_->finished.notify_all();
+    state_->worker.clear();
 }
 
 std::vector<ImageLoader::Loaded> ImageLoader::take() {
-    const std::scoped_lock lock(state_->mutex);
-    return std::exchange(state_->done, {});
+    return state_->worker.take();
 }
 
 std::optional<ImageLoader::Progress> ImageLoader::progress() const {
-    const std::scoped_lock lock(state_->mutex);
-    if (state_->current && !state_->dropsCurrent)
-        return state_->current;
-    if (state_->waiting.empty())
-        return std::nullopt;
-    return Progress{state_->waiting.front().ticket, state_->waiting.front().path};
+    return state_->worker.progress();
 }
 
 void ImageLoader::wait() const {
-    std::unique_lock lock(state_->mutex);
-    state_->finished.wait(
-        lock, [this] { return state_->waiting.empty() && (!state_->current || state_->dropsCurrent); });
+    state_->worker.wait();
 }
 
 Result<ImageLoader::Content> loadNow(const std::filesystem::path& path, ImageLoader::Wanted wanted) {

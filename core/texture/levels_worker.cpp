@@ -1,15 +1,8 @@
 #include "core/texture/levels_worker.h"
 
 #include <algorithm>
-#include <atomic>
-#include <condition_variable>
 #include <deque>
 #include <filesystem>
-#include <mutex>
-#include <new>
-#include <stop_token>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace texplorer {
@@ -20,6 +13,9 @@ namespace {
 constexpr std::size_t quickTexels = std::size_t{256} * 256;
 
 constexpr std::size_t mostEntries = 32;
+
+constexpr FailureWords failure{"there is no memory for the numbers about its levels",
+                               "its levels can't be made"};
 
 bool isQuick(const LevelsRequest& request) {
     if (!request.image || request.image->surfaces.empty())
@@ -81,10 +77,17 @@ std::shared_ptr<const LevelsSummary> measure(const PreparedLevels& from,
 } // namespace
 
 struct LevelsWorker::State {
-    State(When chosen, std::function<void()> onNews, LevelWork how)
+    State(When chosen, std::function<void()> wake, LevelWork how)
         : when(chosen)
-        , wake(std::move(onNews))
-        , levelWork(std::move(how)) {}
+        , levelWork(std::move(how))
+        , worker(
+              {when, JobOrder::Queue, failure, std::move(wake), levelWork.stop},
+              [this](const Making::Task& task) { return work(task); },
+              [](const Job& job, Error error) {
+                  auto levels = std::make_shared<const PreparedLevels>(fail(std::move(error)));
+                  auto summary = summarise(*levels);
+                  return Done{job.ticket, std::move(levels), std::move(summary)};
+              }) {}
 
     struct Entry {
         LevelsRequest request;
@@ -107,28 +110,17 @@ struct LevelsWorker::State {
         std::shared_ptr<const PreparedLevels> levels; ///< nullptr: only measured
         std::shared_ptr<const LevelsSummary> summary;
     };
+    using Making = Worker<Job, Done, Progress>;
 
-    When when;
-    std::function<void()> wake;
-    LevelWork levelWork;       ///< of what is made while one waits
-    std::deque<Entry> entries; ///< of the thread that asks
+    const When when;
+    const LevelWork levelWork; ///< of what is made while one waits
+
+    // Of the thread that asks.
+    std::deque<Entry> entries;
     std::uint64_t frame = 1;
     Ticket lastTicket = 0;
 
-    mutable std::mutex mutex; // guards what follows
-    std::condition_variable_any arrived;
-    mutable std::condition_variable finished;
-    std::deque<Job> waiting;
-    Ticket current = 0;
-    bool currentIsMade = false; ///< levels, not a measurement
-    std::string currentName;
-    bool dropsCurrent = false;
-    std::stop_source currentStop; ///< requested when the current work is no longer wanted
-    std::vector<Done> done;
-
-    std::atomic<float> currentDone = 0;
-
-    std::jthread thread; // last: it ends before the rest does
+    Making worker; // last: it ends before the rest does
 
     Entry* find(const LevelsRequest& request) {
         const auto found = std::ranges::find(entries, request, &Entry::request);
@@ -138,12 +130,8 @@ struct LevelsWorker::State {
     void ask(Entry& entry);
     void give(Job job);
     void drop(Ticket ticket);
-    void run(const std::stop_token& stop);
+    std::optional<Done> work(const Making::Task& task) const;
     static Done work(const Job& job, const LevelWork& how);
-    void tell() const {
-        if (wake)
-            wake();
-    }
 };
 
 LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& request) {
@@ -159,6 +147,19 @@ LevelsWorker::State::Done LevelsWorker::State::work(const Job& job, const LevelW
     auto levels = std::make_shared<const PreparedLevels>(make(job.request, how));
     auto summary = summarise(*levels);
     return {job.ticket, std::move(levels), std::move(summary)};
+}
+
+std::optional<LevelsWorker::State::Done> LevelsWorker::State::work(const Making::Task& task) const {
+    const Job& job = task.job();
+    int percent = -1;
+    const auto say = [&](float share) {
+        if (const int now = static_cast<int>(100 * share); std::exchange(percent, now) != now)
+            task.report({job.ticket, nameOf(job.request.settings), share});
+    };
+    if (!job.from)
+        say(0);
+    Done done = work(job, {levelWork.cache, say, task.stop()});
+    return done.summary ? std::optional(std::move(done)) : std::nullopt;
 }
 
 /// Levels are made: now, or on the thread.
@@ -177,79 +178,16 @@ void LevelsWorker::State::ask(Entry& entry) {
 }
 
 void LevelsWorker::State::give(Job job) {
-    {
-        const std::scoped_lock lock(mutex);
-        waiting.push_back(std::move(job));
-    }
-    if (!thread.joinable()) {
-        try {
-            thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
-        } catch (const std::system_error&) { // no thread to be had: slower, but it works
-            const std::scoped_lock lock(mutex);
-            const Job taken = std::move(waiting.back());
-            waiting.pop_back();
-            done.push_back(work(taken, levelWork));
-            return;
-        }
-    }
-    arrived.notify_one();
+    std::optional<Progress> waiting;
+    if (!job.from)
+        waiting = Progress{job.ticket, nameOf(job.request.settings), 0};
+    worker.ask(std::move(job), std::move(waiting));
 }
 
 void LevelsWorker::State::drop(Ticket ticket) {
-    {
-        const std::scoped_lock lock(mutex);
-        std::erase_if(waiting, [&](const Job& job) { return job.ticket == ticket; });
-        std::erase_if(done, [&](const Done& each) { return each.ticket == ticket; });
-        if (current == ticket) {
-            dropsCurrent = true;
-            currentStop.request_stop();
-        }
-    }
-    finished.notify_all();
-}
-
-void LevelsWorker::State::run(const std::stop_token& stop) {
-    for (;;) {
-        Job job;
-        std::stop_source ends;
-        {
-            std::unique_lock lock(mutex);
-            if (!arrived.wait(lock, stop, [this] { return !waiting.empty(); }) || stop.stop_requested())
-                return;
-            job = std::move(waiting.front());
-            waiting.pop_front();
-            current = job.ticket;
-            currentIsMade = !job.from;
-            currentName = nameOf(job.request.settings);
-            dropsCurrent = false;
-            currentStop = ends;
-            currentDone = 0;
-        }
-        tell();
-        Done made;
-        const std::stop_callback atTheEnd(stop, [&ends] { ends.request_stop(); });
-        const auto progress = [this](float share) {
-            const int before = static_cast<int>(100 * currentDone.exchange(share));
-            if (static_cast<int>(100 * share) != before)
-                tell();
-        };
-        try {
-            made = work(job, {levelWork.cache, progress, ends.get_token()});
-        } catch (const std::bad_alloc&) {
-            made.ticket = job.ticket;
-            made.levels = std::make_shared<const PreparedLevels>(
-                fail(ErrorCode::TooLarge, "there is no memory for the numbers about its levels"));
-            made.summary = summarise(*made.levels);
-        }
-        {
-            const std::scoped_lock lock(mutex);
-            if (!dropsCurrent && made.summary)
-                done.push_back(std::move(made));
-            current = 0;
-        }
-        finished.notify_all();
-        tell();
-    }
+    const auto isIt = [ticket](const auto& each) { return each.ticket == ticket; };
+    worker.drop(isIt);
+    worker.discard(isIt);
 }
 
 LevelsWorker::LevelsWorker(When when, std::function<void()> wake, LevelWork work)
@@ -277,7 +215,7 @@ void LevelsWorker::uploaded(const LevelsRequest& request, std::shared_ptr<const 
         return;
     const bool later = isLive() && !isQuick(request);
     State::Job job{++state_->lastTicket, request, std::move(levels), std::move(made)};
-    if (job.made.empty()) { // only to be freed, which `run` does
+    if (job.made.empty()) { // only to be freed, which the worker does
         if (later)
             state_->give(std::move(job));
         return;
@@ -302,11 +240,7 @@ std::shared_ptr<const LevelsSummary> LevelsWorker::summary(const LevelsRequest& 
 
 bool LevelsWorker::receive() {
     State& state = *state_;
-    std::vector<State::Done> done;
-    {
-        const std::scoped_lock lock(state.mutex);
-        done = std::exchange(state.done, {});
-    }
+    std::vector<State::Done> done = state.worker.take();
     for (State::Done& each : done) {
         const auto entry = std::ranges::find(state.entries, each.ticket, &State::Entry::ticket);
         if (entry == state.entries.end())
@@ -339,13 +273,7 @@ bool LevelsWorker::receive() {
 }
 
 std::optional<LevelsWorker::Progress> LevelsWorker::progress() const {
-    const std::scoped_lock lock(state_->mutex);
-    if (state_->current != 0 && state_->currentIsMade && !state_->dropsCurrent)
-        return Progress{state_->current, state_->currentName, state_->currentDone};
-    const auto next = std::ranges::find_if(state_->waiting, [](const State::Job& job) { return !job.from; });
-    if (next == state_->waiting.end())
-        return std::nullopt;
-    return Progress{next->ticket, nameOf(next->request.settings), 0};
+    return state_->worker.progress();
 }
 
 void LevelsWorker::cancel(Ticket ticket) {
@@ -368,9 +296,7 @@ bool LevelsWorker::isCancelled(const LevelsRequest& request) const {
 }
 
 void LevelsWorker::wait() const {
-    std::unique_lock lock(state_->mutex);
-    state_->finished.wait(
-        lock, [this] { return state_->waiting.empty() && (state_->current == 0 || state_->dropsCurrent); });
+    state_->worker.wait();
 }
 
 } // namespace texplorer

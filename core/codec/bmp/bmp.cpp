@@ -22,9 +22,9 @@ std::byte* placeOf(Image& image, const Header& header, std::size_t y) {
 }
 
 Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLimits& limits) {
-    const std::size_t bytes = static_cast<std::size_t>(header.width) *
-                              static_cast<std::size_t>(header.height) *
-                              static_cast<std::size_t>(bytesPerPixel(format));
+    const std::uint64_t bytes = static_cast<std::uint64_t>(header.width) *
+                                static_cast<std::uint64_t>(header.height) *
+                                static_cast<std::uint64_t>(bytesPerPixel(format));
     if (bytes > limits.maxBytes)
         return bmp::tooLarge("at most " + bmp::countOf(limits.maxBytes, "byte") +
                              " of pixels are read, the picture has " + std::to_string(bytes));
@@ -36,7 +36,7 @@ Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLim
 
 void copyTrueColor(ByteView data, const Header& header, Image& image) {
     const std::size_t rowBytes = image.rowBytes();
-    const std::size_t stride = header.rowStride();
+    const auto stride = static_cast<std::size_t>(header.rowStride());
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
     if (!header.topDown && stride == rowBytes)
@@ -46,8 +46,9 @@ void copyTrueColor(ByteView data, const Header& header, Image& image) {
 }
 
 void copyBitFields(ByteView data, const Header& header, const bmp::BitFields& fields, Image& image) {
+    const auto stride = static_cast<std::size_t>(header.rowStride());
     for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
-        fields.paint(data.data() + y * header.rowStride(), placeOf(image, header, y),
+        fields.paint(data.data() + y * stride, placeOf(image, header, y),
                      static_cast<std::size_t>(image.width));
 }
 
@@ -64,7 +65,7 @@ void unpackIndices(ByteView packed, unsigned bits, std::span<std::byte> to) {
 void paintIndexed(ByteView data, const Header& header, bmp::Palette& palette, Image& image) {
     Bytes indices(header.bitsPerPixel == 8 ? 0 : static_cast<std::size_t>(image.width));
     for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-        const ByteView row = data.subspan(y * header.rowStride(), header.rowBytes());
+        const ByteView row = partOf(data, y * header.rowStride(), header.rowBytes());
         if (header.bitsPerPixel != 8)
             unpackIndices(row, header.bitsPerPixel, indices);
         palette.paint(header.bitsPerPixel == 8 ? row : ByteView(indices), placeOf(image, header, y));
@@ -101,10 +102,10 @@ private:
 // Codes can skip and end early, so that any two bytes are a whole picture. Of those that paint, two bytes are
 // 255 pixels at most: a header that claims more wants memory rather than a picture.
 Result<void> checkRleClaim(ByteView codes, const Header& header) {
-    constexpr std::size_t alwaysAdmitted = std::size_t{1024} * 1024;
-    const std::size_t pixels =
-        static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
-    const std::size_t most = std::max(alwaysAdmitted, codes.size() * 255);
+    constexpr std::uint64_t alwaysAdmitted = std::uint64_t{1024} * 1024;
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
+    const std::uint64_t most = std::max(alwaysAdmitted, std::uint64_t{codes.size()} * 255);
     if (pixels <= most)
         return {};
     return bmp::malformed(bmp::countOf(codes.size(), "byte") + " of run-length codes are good for at most " +
@@ -140,7 +141,7 @@ void noteUnusedAlpha(ByteView data, Header& header) {
         return;
     std::byte all{0xFF};
     std::byte any{0};
-    const std::size_t size = header.pixelBytes();
+    const auto size = static_cast<std::size_t>(header.pixelBytes());
     for (std::size_t i = 3; i < size; i += 4) {
         all &= data[i];
         any |= data[i];
@@ -167,7 +168,7 @@ void noteOddMasks(Header& header) {
 }
 
 Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& limits) {
-    const ByteView data = file.subspan(header.dataPos);
+    const ByteView data = partOf(file, header.dataPos, file.size());
     if (header.runLengthCoded())
         if (const Result<void> claim = checkRleClaim(data, header); !claim)
             return fail(claim.error());
@@ -189,7 +190,7 @@ Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& l
 }
 
 Result<Image> decodeDirect(ByteView file, Header& header, const DecodeLimits& limits) {
-    const ByteView data = file.subspan(header.dataPos);
+    const ByteView data = partOf(file, header.dataPos, file.size());
     if (header.bitsPerPixel == 24) {
         Result<Image> image = imageFor(header, PixelFormat::Rgb8, limits);
         if (image && limits.pixels)

@@ -61,13 +61,13 @@ private:
         anatomy_.fields.push_back(std::move(field));
     }
 
-    void section(std::string name, std::size_t offset, std::size_t size, std::string meaning) {
+    void section(std::string name, std::uint64_t offset, std::uint64_t size, std::string meaning) {
         // Its fields say exactly where the file ends.
         anatomy_.fields.push_back(
             {offset, size, std::move(name), countOf(size, "byte"), std::move(meaning), {}, 0});
     }
 
-    void fields(std::span<const bmp::FieldRow> rows, std::size_t end) {
+    void fields(std::span<const bmp::FieldRow> rows, std::uint64_t end) {
         for (const bmp::FieldRow& row : rows) {
             if (row.offset + row.size > end || stopped())
                 return;
@@ -83,7 +83,7 @@ private:
     void masks() {
         if (header_.masksPos == 0 || header_.headerSize != 40 || stopped())
             return;
-        const std::size_t size = header_.palettePos - header_.masksPos;
+        const std::uint64_t size = header_.palettePos - header_.masksPos;
         section("Masks", header_.masksPos, size, "which bits of a pixel are red, green, blue and alpha");
         fields(bmp::maskFields(), header_.palettePos);
     }
@@ -125,20 +125,20 @@ private:
         paletteEntries(entries - 1, entries);
     }
 
-    [[nodiscard]] std::size_t entryOffset(std::size_t index) const {
+    [[nodiscard]] std::uint64_t entryOffset(std::size_t index) const {
         return header_.palettePos + index * header_.paletteEntryBytes;
     }
 
     void paletteEntries(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const ByteView entry = file_.subspan(entryOffset(i), header_.paletteEntryBytes);
+            const ByteView entry = partOf(file_, entryOffset(i), header_.paletteEntryBytes);
             add({entryOffset(i), entry.size(), "entry " + std::to_string(i),
                  bmp::hexColor(entry[2], entry[1], entry[0]), "", "", 1});
         }
     }
 
     void gap() {
-        const std::size_t begin = header_.palettePos + header_.paletteEntries * header_.paletteEntryBytes;
+        const std::uint64_t begin = header_.palettePos + header_.paletteEntries * header_.paletteEntryBytes;
         if (stopped() || header_.dataPos <= begin)
             return;
         add({begin, header_.dataPos - begin, "Gap", countOf(header_.dataPos - begin, "byte"),
@@ -161,8 +161,8 @@ private:
             return runLengthCodes();
         const bool raw = header_.compression == 0 || header_.masksPos != 0;
         if (!raw) {
-            const std::size_t there = file_.size() - header_.dataPos;
-            const std::size_t size = header_.imageSize == 0 ? there : header_.imageSize;
+            const std::uint64_t there = file_.size() - header_.dataPos;
+            const std::uint64_t size = header_.imageSize == 0 ? there : header_.imageSize;
             return pixelData(size, bmp::compressionName(header_.compression, header_.headerSize),
                              "a whole file or a coding of its own; not read");
         }
@@ -174,7 +174,7 @@ private:
                   order + ", each padded to " + std::to_string(header_.rowStride()) + " bytes");
     }
 
-    void pixelData(std::size_t size, std::string value, std::string meaning, std::string wrong = {}) {
+    void pixelData(std::uint64_t size, std::string value, std::string meaning, std::string wrong = {}) {
         pixelEnd_ = header_.dataPos + size;
         add({header_.dataPos, size, "Pixel data", std::move(value), std::move(meaning), std::move(wrong), 0});
     }
@@ -189,7 +189,7 @@ private:
                         " pixels along each axis, this picture says " + std::to_string(header_.width) +
                         " x " + std::to_string(header_.height));
         const bmp::RleReport report =
-            bmp::decodeRle(file_.subspan(header_.dataPos),
+            bmp::decodeRle(partOf(file_, header_.dataPos, file_.size()),
                            header_.compression == static_cast<std::uint32_t>(bmp::Compression::Rle8) ? 8 : 4,
                            static_cast<int>(header_.width), static_cast<int>(header_.height), nowhere);
         std::string wrong;
@@ -212,8 +212,8 @@ private:
         if (stopped() || bmp::headerKind(header_.headerSize) != bmp::HeaderKind::V5)
             return;
         ByteReader reader(file_.subspan(bmp::fileHeaderSize + 112));
-        const std::size_t offset = bmp::fileHeaderSize + std::size_t{reader.u32()};
-        const std::size_t size = reader.u32();
+        const std::uint64_t offset = bmp::fileHeaderSize + std::uint64_t{reader.u32()};
+        const std::uint64_t size = reader.u32();
         if (size == 0 || offset == bmp::fileHeaderSize)
             return;
         add({offset, size, "Colour profile", countOf(size, "byte"), "ICC profile or its file name; not used",
@@ -225,8 +225,8 @@ private:
 
     void tail() {
         // Where the last row's padding is there, it is no tail.
-        const std::size_t end =
-            std::min((pixelEnd_ - header_.dataPos + 3) / 4 * 4 + header_.dataPos, file_.size());
+        const std::uint64_t end = std::min<std::uint64_t>(
+            (pixelEnd_ - header_.dataPos + 3) / 4 * 4 + header_.dataPos, file_.size());
         if (stopped() || end >= file_.size())
             return;
         add({end, file_.size() - end, "Tail", countOf(file_.size() - end, "byte"), "not used", "", 0});
@@ -235,7 +235,7 @@ private:
     ByteView file_;
     Header header_;
     Anatomy anatomy_;
-    std::size_t pixelEnd_ = 0;
+    std::uint64_t pixelEnd_ = 0;
 };
 
 } // namespace

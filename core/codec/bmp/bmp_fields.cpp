@@ -83,8 +83,8 @@ std::string checkImageSize(std::int64_t value, const FieldContext& context) {
     const bool raw = header.compression == 0 || header.masksPos != 0;
     if (!raw || value == 0 || header.width < 1 || header.height < 1 || header.bitsPerPixel < 1)
         return {};
-    const std::size_t needed = header.pixelBytes() + header.rowStride() - header.rowBytes();
-    return static_cast<std::size_t>(value) == needed ? "" : "the pixels need " + countOf(needed, "byte");
+    const std::uint64_t needed = header.pixelBytes() + header.rowStride() - header.rowBytes();
+    return static_cast<std::uint64_t>(value) == needed ? "" : "the pixels need " + countOf(needed, "byte");
 }
 
 std::string checkColorsUsed(std::int64_t value, const FieldContext& context) {

@@ -69,9 +69,10 @@ void placePalette(ByteView file, Header& header) {
                                   "follow what stands before them, at offset " +
                                   std::to_string(header.dataPos));
     }
-    const std::size_t end = std::min(header.dataPos, file.size());
-    const std::size_t room = end > header.palettePos ? end - header.palettePos : 0;
-    header.paletteEntries = std::min(claimed, room / header.paletteEntryBytes);
+    const std::uint64_t end = std::min<std::uint64_t>(header.dataPos, file.size());
+    const std::uint64_t room = end > header.palettePos ? end - header.palettePos : 0;
+    header.paletteEntries =
+        static_cast<std::size_t>(std::min<std::uint64_t>(claimed, room / header.paletteEntryBytes));
 }
 
 Result<void> checkCompression(const Header& header) {
@@ -116,7 +117,7 @@ Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge("at most " + std::to_string(limits.maxExtent) + " x " +
                         std::to_string(limits.maxExtent) + " pixels are read, the file has " + extents);
-    const auto pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    const auto pixels = static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
     if (pixels > limits.maxPixels)
         return tooLarge("at most " + countOf(limits.maxPixels, "pixel") + " are read, the file has " +
                         extents);
@@ -154,7 +155,7 @@ tl::unexpected<Error> tooLarge(const std::string& message) {
     return fail(ErrorCode::TooLarge, "BMP: " + message);
 }
 
-std::string countOf(std::size_t count, const std::string& thing) {
+std::string countOf(std::uint64_t count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
@@ -232,9 +233,7 @@ Header parseHeader(ByteView file) {
     header.headerSize = start.u32();
 
     // What lies behind the header's own end belongs to something else.
-    const std::size_t end =
-        std::min<std::size_t>(file.size(), fileHeaderSize + std::size_t{header.headerSize});
-    ByteReader reader(file.first(end));
+    ByteReader reader(partOf(file, 0, fileHeaderSize + std::uint64_t{header.headerSize}));
     reader.skip(18);
     if (headerKind(header.headerSize) == HeaderKind::Os21) {
         header.width = reader.u16();
@@ -254,7 +253,7 @@ Header parseHeader(ByteView file) {
         header.topDown = header.height < 0;
         header.height = header.topDown ? -header.height : header.height;
     }
-    header.palettePos = fileHeaderSize + std::size_t{header.headerSize};
+    header.palettePos = fileHeaderSize + std::uint64_t{header.headerSize};
     parseMasks(file, header);
     placePalette(file, header);
     return header;
@@ -264,7 +263,7 @@ Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {
     if (file.size() < 2 || file[0] != std::byte{'B'} || file[1] != std::byte{'M'})
         return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
     constexpr std::size_t shortest = fileHeaderSize + 12;
-    const auto headersNeed = [&](std::size_t size) {
+    const auto headersNeed = [&](std::uint64_t size) {
         return malformed("the headers need " + std::to_string(size) + " bytes, the file has " +
                          std::to_string(file.size()));
     };

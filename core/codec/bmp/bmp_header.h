@@ -43,7 +43,7 @@ enum class HeaderKind : std::uint8_t { Os21, Os22, Windows3, Windows3Masks, V4, 
 using Masks = std::array<std::uint32_t, 4>;
 
 struct Header {
-    std::size_t dataPos = 0; ///< filled in where the file says 0
+    std::uint64_t dataPos = 0; ///< filled in where the file says 0
     std::uint32_t headerSize = 0;
     std::int64_t width = 0;
     std::int64_t height = 0; ///< never negative
@@ -54,7 +54,7 @@ struct Header {
     std::uint32_t colorsUsed = 0;
     std::size_t masksPos = 0; ///< 0: none
     Masks masks{};
-    std::size_t palettePos = 0;
+    std::uint64_t palettePos = 0;
     std::size_t paletteEntryBytes = 4; ///< 3 in OS/2 1.x: no reserved byte
     std::size_t paletteEntries = 0;    ///< that lie between palettePos and the pixels
     std::vector<std::string> notes;    ///< what was odd and was survived
@@ -63,16 +63,16 @@ struct Header {
         return compression == static_cast<std::uint32_t>(Compression::Rle8) ||
                compression == static_cast<std::uint32_t>(Compression::Rle4);
     }
-    [[nodiscard]] std::size_t rowBytes() const {
-        return (static_cast<std::size_t>(width) * bitsPerPixel + 7) / 8;
+    [[nodiscard]] std::uint64_t rowBytes() const {
+        return (static_cast<std::uint64_t>(width) * bitsPerPixel + 7) / 8;
     }
     /// Rows begin at multiples of four bytes.
-    [[nodiscard]] std::size_t rowStride() const { return (rowBytes() + 3) / 4 * 4; }
+    [[nodiscard]] std::uint64_t rowStride() const { return (rowBytes() + 3) / 4 * 4; }
     /// The bytes that uncompressed pixels need; the padding of the last row may be missing. What no file can
     /// have is 2^62.
-    [[nodiscard]] std::size_t pixelBytes() const {
-        constexpr std::size_t most = std::size_t{1} << 62;
-        const auto stepsUp = static_cast<std::size_t>(height - 1);
+    [[nodiscard]] std::uint64_t pixelBytes() const {
+        constexpr std::uint64_t most = std::uint64_t{1} << 62;
+        const auto stepsUp = static_cast<std::uint64_t>(height - 1);
         return stepsUp > (most - rowStride()) / rowStride() ? most : rowStride() * stepsUp + rowBytes();
     }
 };
@@ -88,6 +88,6 @@ struct Header {
 [[nodiscard]] tl::unexpected<Error> unsupported(const std::string& message);
 [[nodiscard]] tl::unexpected<Error> tooLarge(const std::string& message);
 /// "1 byte", "2 bytes"
-[[nodiscard]] std::string countOf(std::size_t count, const std::string& thing);
+[[nodiscard]] std::string countOf(std::uint64_t count, const std::string& thing);
 
 } // namespace texplorer::bmp

@@ -10,7 +10,7 @@ Palette::Palette(ByteView file, const Header& header)
     , complete_(entries_ == std::size_t{1} << header.bitsPerPixel) {
     bool ramp = entries_ == 256;
     for (std::size_t i = 0; i < entries_; ++i) {
-        const ByteView entry = file.subspan(header.palettePos + i * header.paletteEntryBytes, 3);
+        const ByteView entry = partOf(file, header.palettePos + i * header.paletteEntryBytes, 3);
         colors_[i] = {entry[2], entry[1], entry[0], std::byte{0}};
         const auto grey = static_cast<std::byte>(i);
         ramp = ramp && entry[0] == grey && entry[1] == grey && entry[2] == grey;

@@ -5,7 +5,7 @@
 
 #include "core/base/bytes.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,13 +13,13 @@
 namespace texplorer {
 
 struct Field {
-    std::size_t offset = 0;
-    std::size_t size = 0; ///< bytes that the field should have; the file may end before
-    std::string name;     ///< as its specification names it: "biBitCount"
-    std::string value;    ///< decoded: "24", "54 (0x36)", "DXT5"
-    std::string meaning;  ///< "bits a pixel"
-    std::string wrong;    ///< empty, or what looks wrong: "expected 40, 108 or 124"
-    int depth = 0;        ///< nesting: 0 a section ("BITMAPINFOHEADER", "IHDR"), 1 its fields
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0; ///< bytes that the field should have; the file may end before
+    std::string name;       ///< as its specification names it: "biBitCount"
+    std::string value;      ///< decoded: "24", "54 (0x36)", "DXT5"
+    std::string meaning;    ///< "bits a pixel"
+    std::string wrong;      ///< empty, or what looks wrong: "expected 40, 108 or 124"
+    int depth = 0;          ///< nesting: 0 a section ("BITMAPINFOHEADER", "IHDR"), 1 its fields
 };
 
 struct Anatomy {
@@ -32,9 +32,7 @@ struct Anatomy {
 
 /// The bytes of a field that exist in the file.
 [[nodiscard]] inline ByteView bytesOf(const Field& field, ByteView file) {
-    if (field.offset >= file.size())
-        return {};
-    return file.subspan(field.offset, std::min(field.size, file.size() - field.offset));
+    return partOf(file, field.offset, field.size);
 }
 
 } // namespace texplorer

@@ -13,13 +13,11 @@ namespace {
 using namespace dds;
 
 Result<void> checkBytes(const Layout& layout, int levels, const DecodeLimits& limits) {
-    std::size_t bytes = 0;
+    std::uint64_t bytes = 0;
     for (int i = 0; i < levels; ++i) {
         const Level level = layout.at(0, i);
-        bytes += static_cast<std::size_t>(layout.faces) *
-                 layout.format.decodedBytes(static_cast<std::size_t>(level.width),
-                                            static_cast<std::size_t>(level.height),
-                                            static_cast<std::size_t>(level.depth));
+        bytes += static_cast<std::uint64_t>(layout.faces) *
+                 layout.format.decodedBytes(level.width, level.height, level.depth);
     }
     if (bytes > limits.maxBytes)
         return fail(ErrorCode::TooLarge, "DDS: at most " + std::to_string(limits.maxBytes) +
@@ -34,7 +32,7 @@ Surface outlineOf(const Format& format, const Level& level) {
 }
 
 Surface readSurface(ByteView file, const Format& format, const Level& level) {
-    const ByteView data = file.subspan(level.offset, level.size);
+    const ByteView data = partOf(file, level.offset, level.size);
     if (const MaskedPixels* masked = std::get_if<MaskedPixels>(&format.pixels)) {
         Image image = Image::uninitialised(masked->decoded, level.width, level.height, level.depth);
         unpackPixels(*masked, data, image);
@@ -60,7 +58,7 @@ void settleDxt1(ByteView file, const Layout& layout, TextureImage& texture) {
     for (int face = 0; face < texture.faces; ++face)
         for (int i = 0; i < texture.levels && !alpha; ++i) {
             const Level level = layout.at(face, i);
-            alpha = hasPunchThrough(file.subspan(level.offset, level.size), level.width, level.height,
+            alpha = hasPunchThrough(partOf(file, level.offset, level.size), level.width, level.height,
                                     level.depth);
         }
     if (!alpha)

@@ -17,7 +17,7 @@ public:
         : file_(file)
         , findings_(std::move(findings)) {}
 
-    Field& add(int depth, std::size_t offset, std::size_t size, std::string name, std::string value,
+    Field& add(int depth, std::uint64_t offset, std::uint64_t size, std::string name, std::string value,
                std::string meaning) {
         Field field{offset, size, std::move(name), std::move(value), std::move(meaning), {}, depth};
         if (offset + size > file_.size()) {
@@ -32,12 +32,12 @@ public:
         return anatomy.fields.back();
     }
 
-    void section(std::size_t offset, std::size_t size, std::string name, std::string meaning) {
+    void section(std::uint64_t offset, std::uint64_t size, std::string name, std::string meaning) {
         anatomy.fields.push_back({offset, size, std::move(name), {}, std::move(meaning), {}, 0});
         if (offset + size > file_.size())
-            anatomy.fields.back().wrong = "it needs " + std::to_string(size) + " bytes, the file has " +
-                                          std::to_string(file_.size() - std::min(file_.size(), offset)) +
-                                          " of them";
+            anatomy.fields.back().wrong =
+                "it needs " + std::to_string(size) + " bytes, the file has " +
+                std::to_string(file_.size() - std::min<std::uint64_t>(file_.size(), offset)) + " of them";
     }
 
     Field& number(std::size_t offset, std::string name, std::uint32_t value, std::string meaning) {
@@ -192,8 +192,8 @@ std::string describeLevel(const Layout& layout, const Level& level) {
         return blocks(level.width) + " x " + blocks(level.height) + slices + " blocks of " +
                std::to_string(bytesPerBlock(std::get<BlockFormat>(layout.format.pixels))) + " bytes";
     return "rows of " +
-           std::to_string(level.size / static_cast<std::size_t>(level.height) /
-                          static_cast<std::size_t>(level.depth)) +
+           std::to_string(level.size / static_cast<std::uint64_t>(level.height) /
+                          static_cast<std::uint64_t>(level.depth)) +
            " bytes, top row first";
 }
 
@@ -234,7 +234,7 @@ Anatomy dissectDds(ByteView file) {
         addExtendedHeader(dissection, header);
     if (layout) {
         addLevels(dissection, *layout);
-        const std::size_t elementsEnd = std::min(layout->arrayEnd(), file.size());
+        const std::uint64_t elementsEnd = std::min<std::uint64_t>(layout->arrayEnd(), file.size());
         if (elementsEnd > layout->end())
             dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
                            std::to_string(layout->elements - 1) + " of the array", "not read");

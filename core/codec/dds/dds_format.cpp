@@ -221,17 +221,22 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
     return Format{name, pixels, false, meaning};
 }
 
-} // namespace
-
-std::size_t Format::surfaceBytes(std::size_t width, std::size_t height, std::size_t depth) const {
-    if (const BlockFormat* block = std::get_if<BlockFormat>(&pixels))
-        return (width + 3) / 4 * ((height + 3) / 4) * depth * bytesPerBlock(*block);
-    return width * height * depth * std::get<MaskedPixels>(pixels).bytes();
+std::uint64_t texels(int width, int height, int depth) {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+           static_cast<std::uint64_t>(depth);
 }
 
-std::size_t Format::decodedBytes(std::size_t width, std::size_t height, std::size_t depth) const {
+} // namespace
+
+std::uint64_t Format::surfaceBytes(int width, int height, int depth) const {
+    if (const BlockFormat* block = std::get_if<BlockFormat>(&pixels))
+        return texels((width + 3) / 4, (height + 3) / 4, depth) * bytesPerBlock(*block);
+    return texels(width, height, depth) * std::get<MaskedPixels>(pixels).bytes();
+}
+
+std::uint64_t Format::decodedBytes(int width, int height, int depth) const {
     if (const MaskedPixels* masked = std::get_if<MaskedPixels>(&pixels))
-        return width * height * depth * static_cast<std::size_t>(bytesPerPixel(masked->decoded));
+        return texels(width, height, depth) * static_cast<std::uint64_t>(bytesPerPixel(masked->decoded));
     return surfaceBytes(width, height, depth);
 }
 

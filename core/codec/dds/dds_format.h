@@ -27,8 +27,8 @@ struct Format {
     AlphaMeaning alpha = AlphaMeaning::None;
 
     /// Of a surface in the file, and of one that is decoded.
-    [[nodiscard]] std::size_t surfaceBytes(std::size_t width, std::size_t height, std::size_t depth) const;
-    [[nodiscard]] std::size_t decodedBytes(std::size_t width, std::size_t height, std::size_t depth) const;
+    [[nodiscard]] std::uint64_t surfaceBytes(int width, int height, int depth) const;
+    [[nodiscard]] std::uint64_t decodedBytes(int width, int height, int depth) const;
 };
 
 /// A code of four characters that names a format.

@@ -93,7 +93,7 @@ struct Header {
 
 /// Something that the header says and the rest of the file doesn't bear out, but that can be survived.
 struct Finding {
-    std::size_t offset; ///< of the field, as in `at`
+    std::uint64_t offset; ///< of the field, as in `at`
     std::string sentence;
 };
 using Findings = std::vector<Finding>;

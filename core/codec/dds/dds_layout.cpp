@@ -122,10 +122,10 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
         return malformed("the faces of a cube map are square, these are " + extents);
 
     // So many that no product of them overflows, whatever the limits are.
-    const std::size_t maxPixels = std::min(limits.maxPixels, std::size_t{1} << 40);
-    const std::size_t slice =
-        static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height);
-    if (slice > maxPixels / static_cast<std::size_t>(layout.depth))
+    const std::uint64_t maxPixels = std::min<std::uint64_t>(limits.maxPixels, std::uint64_t{1} << 40);
+    const std::uint64_t slice =
+        static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
+    if (slice > maxPixels / static_cast<std::uint64_t>(layout.depth))
         return fail(ErrorCode::TooLarge,
                     "DDS: at most " + spell(maxPixels) + " texels are read, the file has " + extents);
     return {};
@@ -151,12 +151,12 @@ void readLevels(const Header& header, Layout& layout, Findings& findings) {
 /// Nothing that these say is needed. Files without both are common and are left in peace.
 void checkPitch(const Header& header, const Layout& layout, Findings& findings) {
     const std::uint32_t said = header.pitchOrLinearSize;
-    const std::size_t level = layout.chainBytes(1);
-    const std::size_t row = layout.format.surfaceBytes(static_cast<std::size_t>(layout.width), 1, 1);
+    const std::uint64_t level = layout.chainBytes(1);
+    const std::uint64_t row = layout.format.surfaceBytes(layout.width, 1, 1);
     const bool linear = (header.flags & flagLinearSize) != 0;
     const bool pitch = (header.flags & flagPitch) != 0;
     // Of a volume, some writers give the size of a slice.
-    const std::size_t slice = level / static_cast<std::size_t>(layout.depth);
+    const std::uint64_t slice = level / static_cast<std::uint64_t>(layout.depth);
     if (linear && said != level && said != slice)
         findings.push_back({at::pitchOrLinearSize, "dwPitchOrLinearSize is " + spell(said) +
                                                        " where level 0 has " + count(level, "byte") +
@@ -184,25 +184,22 @@ std::string_view faceName(int face) {
 Level Layout::at(int face, int level) const {
     const auto extent = [&](int base) { return std::max(1, base >> level); };
     Level found{extent(width), extent(height), extent(depth), 0, 0};
-    found.offset = begin + static_cast<std::size_t>(face) * chainBytes(levels) + chainBytes(level);
-    found.size =
-        format.surfaceBytes(static_cast<std::size_t>(found.width), static_cast<std::size_t>(found.height),
-                            static_cast<std::size_t>(found.depth));
+    found.offset = begin + static_cast<std::uint64_t>(face) * chainBytes(levels) + chainBytes(level);
+    found.size = format.surfaceBytes(found.width, found.height, found.depth);
     return found;
 }
 
-std::size_t Layout::arrayEnd() const {
-    const std::size_t element = end() - begin;
-    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+std::uint64_t Layout::arrayEnd() const {
+    const std::uint64_t element = end() - begin;
+    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     return element > (most - begin) / elements ? most : begin + elements * element;
 }
 
-std::size_t Layout::chainBytes(int count) const {
-    std::size_t bytes = 0;
+std::uint64_t Layout::chainBytes(int count) const {
+    std::uint64_t bytes = 0;
     for (int level = 0; level < count; ++level)
-        bytes += format.surfaceBytes(static_cast<std::size_t>(std::max(1, width >> level)),
-                                     static_cast<std::size_t>(std::max(1, height >> level)),
-                                     static_cast<std::size_t>(std::max(1, depth >> level)));
+        bytes += format.surfaceBytes(std::max(1, width >> level), std::max(1, height >> level),
+                                     std::max(1, depth >> level));
     return bytes;
 }
 

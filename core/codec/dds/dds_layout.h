@@ -2,8 +2,8 @@
 
 // Where the surfaces of a DDS file are, worked out from its header alone.
 
-#include "core/codec/dds/dds_format.h"
 #include "core/codec/common/decode_limits.h"
+#include "core/codec/dds/dds_format.h"
 
 namespace texplorer::dds {
 
@@ -12,8 +12,8 @@ struct Level {
     int width;
     int height;
     int depth;
-    std::size_t offset; ///< in the file
-    std::size_t size;
+    std::uint64_t offset; ///< in the file
+    std::uint64_t size;
 };
 
 /// The faces follow each other, each with all its levels, largest first, without gaps; so do the elements of
@@ -26,18 +26,18 @@ struct Layout {
     int faces = 1;
     int levels = 1;             ///< that the header says, where it can be believed
     std::uint32_t elements = 1; ///< of an array of such textures
-    std::size_t begin = legacyEnd;
+    std::uint64_t begin = legacyEnd;
 
     /// level is below 31
     [[nodiscard]] Level at(int face, int level) const;
     /// Of `count` levels of one face.
-    [[nodiscard]] std::size_t chainBytes(int count) const;
+    [[nodiscard]] std::uint64_t chainBytes(int count) const;
     /// Where the last face's last level ends, in an array that of the first element.
-    [[nodiscard]] std::size_t end() const {
-        return begin + static_cast<std::size_t>(faces) * chainBytes(levels);
+    [[nodiscard]] std::uint64_t end() const {
+        return begin + static_cast<std::uint64_t>(faces) * chainBytes(levels);
     }
     /// Where the last element ends; as much as there is where that is beyond all numbers.
-    [[nodiscard]] std::size_t arrayEnd() const;
+    [[nodiscard]] std::uint64_t arrayEnd() const;
 };
 
 /// "+x" to "-z"

@@ -39,7 +39,7 @@ struct Channel {
         : mask(bits)
         , shift(bits == 0 ? 0 : std::countr_zero(bits))
         , largest(bits >> shift) {
-        for (std::uint64_t value = 0; value <= std::min<std::uint64_t>(largest, 255); ++value)
+        for (std::size_t value = 0; value < table.size() && value <= largest; ++value)
             table[value] = widen(value);
     }
     [[nodiscard]] std::byte widen(std::uint64_t value) const {

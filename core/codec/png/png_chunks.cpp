@@ -67,7 +67,7 @@ std::optional<PngChunk> PngChunks::next() {
     chunk.data = file_.subspan(offset_ + 8, std::min<std::size_t>(chunk.length, left - 8));
     if (left >= chunk.size())
         chunk.crc = bigEndian32(file_, offset_ + 8 + chunk.length);
-    offset_ += std::min(left, chunk.size());
+    offset_ += static_cast<std::size_t>(std::min<std::uint64_t>(left, chunk.size()));
     return chunk;
 }
 

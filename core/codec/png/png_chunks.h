@@ -51,7 +51,7 @@ struct PngChunk {
     ByteView data;                    ///< shorter than `length` where the file ends
     std::optional<std::uint32_t> crc; ///< none where the file ends before
 
-    [[nodiscard]] std::size_t size() const { return 12 + std::size_t{length}; } ///< of the whole chunk
+    [[nodiscard]] std::uint64_t size() const { return 12 + std::uint64_t{length}; } ///< of the whole chunk
     [[nodiscard]] bool complete() const { return crc.has_value(); }
 };
 

@@ -14,7 +14,7 @@ namespace texplorer {
 
 namespace {
 
-std::string byteCountText(std::size_t count) {
+std::string byteCountText(std::uint64_t count) {
     return std::to_string(count) + (count == 1 ? " byte" : " bytes");
 }
 
@@ -27,7 +27,7 @@ struct Survey {
     PngHeader header;
     std::size_t compressed = 0; // bytes of pixel data
     bool animated = false;
-    std::size_t end = 0; // behind IEND, or 0
+    std::uint64_t end = 0; // behind IEND, or 0
 };
 
 Survey survey(ByteView file) {

@@ -54,7 +54,7 @@ Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, cons
     return {};
 }
 
-std::string shortage(const Header& header, std::size_t needed, std::size_t found) {
+std::string shortage(const Header& header, std::uint64_t needed, std::size_t found) {
     return "pixel data needs " + (header.runLengthCoded() ? "at least " + countOf(needed) : countOf(needed)) +
            " from offset " + std::to_string(header.pixelOffset()) + ", the file has " +
            std::to_string(found) + " there";
@@ -65,7 +65,7 @@ Result<void> checkData(const Header& header, ByteView file, ByteView data) {
     if (header.pixelOffset() > file.size())
         return malformed("the image ID and the colour map end at offset " +
                          std::to_string(header.pixelOffset()) + ", the file has " + countOf(file.size()));
-    const std::size_t needed = leastDataBytes(header);
+    const std::uint64_t needed = leastDataBytes(header);
     if (data.size() < needed)
         return malformed(shortage(header, needed, data.size()));
     return {};
@@ -80,7 +80,7 @@ void mirror(std::byte* row, std::size_t width, std::size_t pixelBytes) {
 // `read` gives the next pixels of the file, in its order.
 bool fillRows(PixelReader& reader, const Header& header, Image& image) {
     if (!header.topFirst() && !header.rightToLeft())
-        return reader.read(image.pixels.data(), header.pixelCount());
+        return reader.read(image.pixels.data(), static_cast<std::size_t>(header.pixelCount()));
     const std::size_t height = header.height;
     for (std::size_t y = 0; y < height; ++y) {
         std::byte* row = image.pixels.data() + (header.topFirst() ? height - 1 - y : y) * image.rowBytes();

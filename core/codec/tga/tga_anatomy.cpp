@@ -18,17 +18,17 @@ constexpr std::size_t mostTags = 64; // of the developer directory
 
 using Fields = std::vector<Field>;
 
-Field section(std::string name, std::size_t offset, std::size_t size, std::string value = {},
+Field section(std::string name, std::uint64_t offset, std::uint64_t size, std::string value = {},
               std::string meaning = {}, std::string wrong = {}) {
     return {offset, size, std::move(name), std::move(value), std::move(meaning), std::move(wrong), 0};
 }
 
-Field field(std::string name, std::size_t offset, std::size_t size, std::string value,
+Field field(std::string name, std::uint64_t offset, std::uint64_t size, std::string value,
             std::string meaning = {}, std::string wrong = {}) {
     return {offset, size, std::move(name), std::move(value), std::move(meaning), std::move(wrong), 1};
 }
 
-std::string beyond(std::size_t offset, std::size_t size, std::size_t fileSize) {
+std::string beyond(std::uint64_t offset, std::uint64_t size, std::size_t fileSize) {
     if (offset <= fileSize && size <= fileSize - offset)
         return {};
     return "ends at offset " + std::to_string(offset + size) + ", the file has " + countOf(fileSize);
@@ -135,7 +135,7 @@ Packets walkPackets(ByteView data, const Header& header) {
 
 Fields describePackets(ByteView data, const Header& header, std::string& damage) {
     Packets packets = walkPackets(data, header);
-    const std::size_t needed = header.pixelCount();
+    const std::uint64_t needed = header.pixelCount();
     std::string wrong;
     if (packets.pixels < needed) {
         const std::string got = std::to_string(packets.pixels) + " of " + std::to_string(needed) + " pixels";
@@ -153,7 +153,7 @@ Fields describePackets(ByteView data, const Header& header, std::string& damage)
 }
 
 Fields describePixels(ByteView data, const Header& header, std::string& damage) {
-    const std::size_t size = header.pixelCount() * header.pixelBytes();
+    const std::uint64_t size = header.pixelCount() * header.pixelBytes();
     std::string wrong;
     if (data.size() < size) {
         wrong = "needs " + countOf(size) + ", there are " + std::to_string(data.size());
@@ -272,7 +272,7 @@ Fields describeExtension(ByteView file, const Footer& footer) {
     add(
         "Attributes Type", [](ByteReader& r) { return std::to_string(r.u8()); }, "what alpha means");
     if (Field& last = fields.back(); last.name == "Attributes Type") {
-        const int type = std::to_integer<int>(file[last.offset]);
+        const int type = std::to_integer<int>(bytesOf(last, file).front());
         last.meaning = attributesMeaning(type);
         if (type > 4)
             last.wrong = "expected 0 to 4";
@@ -291,8 +291,8 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
     for (std::size_t i = 0; i < std::min(tags, mostTags); ++i) {
         const std::size_t offset = begin + reader.position();
         const std::string tag = number16(reader);
-        const std::size_t where = reader.u32();
-        const std::size_t size = reader.u32();
+        const std::uint64_t where = reader.u32();
+        const std::uint64_t size = reader.u32();
         if (reader.truncated())
             break;
         fields.push_back(field("Tag " + tag, offset, 10,

@@ -227,7 +227,7 @@ ByteView pixelData(ByteView file, const Header& header, const std::optional<Foot
                                       : ByteView{};
 }
 
-std::string countOf(std::size_t bytes) {
+std::string countOf(std::uint64_t bytes) {
     return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
 }
 

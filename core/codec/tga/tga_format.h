@@ -49,7 +49,7 @@ struct Header {
     [[nodiscard]] std::size_t mapBytes() const { return colorMapType == 1 ? mapLength * entryBytes() : 0; }
     [[nodiscard]] std::size_t mapOffset() const { return headerBytes + idLength; }
     [[nodiscard]] std::size_t pixelOffset() const { return mapOffset() + mapBytes(); }
-    [[nodiscard]] std::size_t pixelCount() const { return std::size_t{width} * height; }
+    [[nodiscard]] std::uint64_t pixelCount() const { return std::uint64_t{width} * height; }
 
     /// How many bits of a colour could be alpha: 8 of 32, 1 of 16, 8 of grey with 16.
     [[nodiscard]] int alphaBits() const;
@@ -105,6 +105,6 @@ inline constexpr std::size_t attributesTypeOffset = 494; ///< within the extensi
 [[nodiscard]] ByteView pixelData(ByteView file, const Header& header, const std::optional<Footer>& footer);
 
 /// "1 byte", "2 bytes"
-[[nodiscard]] std::string countOf(std::size_t bytes);
+[[nodiscard]] std::string countOf(std::uint64_t bytes);
 
 } // namespace texplorer::tga

@@ -248,8 +248,8 @@ PixelFormat decodedFormat(const Header& header, AlphaRule rule) {
     return hasAlpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8;
 }
 
-std::size_t leastDataBytes(const Header& header) {
-    const std::size_t pixels = header.pixelCount();
+std::uint64_t leastDataBytes(const Header& header) {
+    const std::uint64_t pixels = header.pixelCount();
     return header.runLengthCoded() ? (pixels + 127) / 128 * (1 + header.pixelBytes())
                                    : pixels * header.pixelBytes();
 }

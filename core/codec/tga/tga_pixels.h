@@ -39,7 +39,7 @@ struct AlphaReading {
 [[nodiscard]] PixelFormat decodedFormat(const Header& header, AlphaRule rule);
 
 /// The fewest bytes that hold the picture: a packet of 1 + pixelBytes gives 128 pixels at most.
-[[nodiscard]] std::size_t leastDataBytes(const Header& header);
+[[nodiscard]] std::uint64_t leastDataBytes(const Header& header);
 
 /// Reads raw or run-length coded pixels one after the other.
 class PixelReader {

@@ -45,7 +45,7 @@ std::string readableProblem(std::string_view said) {
         return std::string(said);
     const std::string_view context = said.substr(before.size(), dash - before.size());
     std::string_view problem = said.substr(dash + 3);
-    const auto* place = std::ranges::find(places, context, &Place::context);
+    const auto place = std::ranges::find(places, context, &Place::context);
     if (place == places.end())
         return std::string(said);
     const std::string expected = "expected " + std::string(place->expected);

@@ -1,6 +1,7 @@
 // No test waits for a clock: a delay of nothing writes at once, and one of a day never.
 
 #include "core/autosave/autosave.h"
+#include "tests/support/no_threads.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
@@ -49,6 +50,15 @@ TEST_F(Autosaving, WritesOnItsOwn) {
     waitUntilWritten(7);
     autosave.keep("/a/b.json", "/a", sceneOf(8));
     waitUntilWritten(8);
+}
+
+TEST_F(Autosaving, WritesItselfWhereThereIsNoThread) {
+    const test::NoThreads none;
+    Autosave autosave(folder, {}, 0ms);
+    autosave.keep({}, {}, sceneOf(7));
+    EXPECT_EQ(written(), 7);
+    autosave.forget();
+    EXPECT_EQ(written(), -1);
 }
 
 TEST_F(Autosaving, IsDoneWithinTwoSeconds) {

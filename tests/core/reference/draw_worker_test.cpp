@@ -1,4 +1,5 @@
 #include "core/reference/draw_worker.h"
+#include "tests/support/no_threads.h"
 #include "tests/support/paused_encoding.h"
 
 #include <gmock/gmock.h>
@@ -203,6 +204,17 @@ TEST_P(DrawWorkerTest, SaysWhatWasThrown) {
     throws = false;
     const DrawRequest again = compressedRequest(Pattern::MipColors);
     EXPECT_EQ(*wholePicture(worker, again).image, expected(again));
+}
+
+TEST(DrawWorkerThread, WhereThereIsNoneThePictureIsDrawnAtOnce) {
+    const test::NoThreads none;
+    DrawWorker worker(When::WhenReady);
+    const DrawRequest request = requestOf(defaultScene(), 500, 400);
+    const DrawWorker::Picture& picture = worker.picture(request);
+    EXPECT_TRUE(picture.whole);
+    EXPECT_EQ(*picture.image, expected(request));
+    worker.rest();
+    EXPECT_FALSE(worker.isDrawing());
 }
 
 TEST(Coarseness, IsAsFineAsIsQuick) {

@@ -1,4 +1,5 @@
 #include "core/reference/probe_worker.h"
+#include "tests/support/no_threads.h"
 #include "tests/support/paused_encoding.h"
 
 #include <gtest/gtest.h>
@@ -39,6 +40,12 @@ TEST(ProbeWorker, AnswersWhatWasAskedLast) {
     ASSERT_TRUE(answer && answer->explanation && *answer->explanation);
     EXPECT_EQ((*answer->explanation)->pixel, (PixelPlace{39, 24}));
     EXPECT_FALSE(answer->contributions);
+}
+
+TEST(ProbeWorker, AnswersAtOnceWhereThereIsNoThread) {
+    const test::NoThreads none;
+    ProbeWorker worker(ProbeWorker::When::WhenReady);
+    EXPECT_EQ(worker.answer(requestAt(20, 24))->request, requestAt(20, 24));
 }
 
 TEST(ProbeWorker, SaysWhatIsWrong) {

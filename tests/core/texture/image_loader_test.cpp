@@ -1,8 +1,9 @@
+#include "core/s3tc/surface_pixels.h"
 #include "core/texture/image_loader.h"
+#include "tests/support/no_threads.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 
@@ -220,6 +221,15 @@ TEST_F(Loading, OfALargeFileTheBeginningIsKept) {
     EXPECT_EQ(file->fileBytes, large.size());
     EXPECT_EQ(file->bytes.size(), DissectedFile::keptBytes);
     EXPECT_EQ(file->problem, "");
+}
+
+TEST_F(Loading, WithoutAThreadTheFileIsReadAtOnce) {
+    const test::NoThreads none;
+    const auto ticket = loader.load(bmp("a.bmp", {0, 0, 10}));
+    const auto loaded = loader.take();
+    ASSERT_EQ(loaded.size(), 1U);
+    EXPECT_EQ(loaded[0].ticket, ticket);
+    EXPECT_EQ(redOf(loaded[0]), 10);
 }
 
 TEST_F(Loading, OnTheSameThreadItIsTheSame) {

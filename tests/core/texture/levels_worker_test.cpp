@@ -1,4 +1,5 @@
 #include "core/texture/levels_worker.h"
+#include "tests/support/no_threads.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,6 +69,17 @@ TEST(LevelsWorker, MakesLargeLevelsLaterAndOnce) {
 TEST(LevelsWorker, WithoutAUserMakesEverythingAtOnce) {
     LevelsWorker worker(LevelsWorker::When::AtOnce);
     EXPECT_NE(worker.prepare(requestFor(large)), nullptr);
+}
+
+TEST(LevelsWorker, WithoutAThreadTheyAreThereForTheNextFrame) {
+    const test::NoThreads none;
+    int woken = 0;
+    LevelsWorker worker(LevelsWorker::When::WhenReady, [&woken] { ++woken; });
+    const LevelsRequest request = requestFor(large);
+    EXPECT_EQ(worker.prepare(request), nullptr);
+    EXPECT_GT(woken, 0);
+    EXPECT_TRUE(worker.receive());
+    EXPECT_NE(worker.prepare(request), nullptr);
 }
 
 TEST(LevelsWorker, AnErrorIsAnAnswer) {

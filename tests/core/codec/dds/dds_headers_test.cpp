@@ -395,6 +395,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "DDS: a header has 124 bytes, dwSize says 100"},
         Refusal{"BaseCut", sized(dxt1, 8, 8, 4), 31, Malformed,
                 "DDS: level 0 needs 32 bytes from offset 128, the file has 159"},
+        // Six chains of 1431655764 bytes: modulo 2^32 they would end before the header does.
+        Refusal{"MoreThan32Bits", cube(sized(masked(0x40, 32, 0xFF0000, 0xFF00, 0xFF), 16384, 16384, 15)), 0,
+                Malformed,
+                "DDS: level 0 of face +x needs 1073741824 bytes from offset 128, the file has 128"},
         Refusal{"FaceCut", cube(sized(dxt1, 8, 8, 4)), 5 * 56 + 31, Malformed,
                 "DDS: level 0 of face -z needs 32 bytes from offset 408, the file has 439"},
         Refusal{"SecondFaceMissing", cube(sized(dxt1, 8, 8)), 32, Malformed,

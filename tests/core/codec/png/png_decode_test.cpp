@@ -1,8 +1,8 @@
 #include "core/codec/png/png.h"
 #include "core/image/patterns/pattern.h"
+#include "core/s3tc/surface_pixels.h"
 #include "tests/support/made_files.h"
 #include "tests/support/png_repair.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -263,6 +263,14 @@ TEST(PngAnatomy, GoesOnToWhereTheFileEnds) {
     EXPECT_EQ(dissectPng(ByteView(file).first(40)).damage, "the file ends at offset 40 without an IEND");
     EXPECT_THAT(dissectPng(ByteView(file).first(file.size() - 1)).damage,
                 testing::HasSubstr("the chunk IEND at offset"));
+}
+
+TEST(PngAnatomy, EndsAtAChunkOfMoreBytesThan32BitsCount) {
+    Bytes file = goodFile();
+    file.resize(16);
+    std::ranges::fill(std::span(file).subspan(8, 3), std::byte{0xFF});
+    file[11] = std::byte{0xF4}; // with its frame of twelve bytes: 2^32
+    EXPECT_EQ(dissectPng(file).damage, "the chunk IHDR at offset 8 needs 4294967296 bytes, the file has 16");
 }
 
 TEST(PngDecode, ReadsWhatTheEncoderWrites) {

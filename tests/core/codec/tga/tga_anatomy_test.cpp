@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace texplorer {
 namespace {
@@ -120,6 +121,15 @@ TEST(TgaAnatomy, GoesOnToThePointOfDamage) {
     EXPECT_EQ(dissectTga(file).damage, "the header needs 18 bytes, the file has 13");
     EXPECT_EQ(dissectTga(file).fields.back().name, "Y-origin of Image") << "the last that is whole";
     EXPECT_EQ(dissectTga({}).fields.size(), 1U);
+}
+
+TEST(TgaAnatomy, CountsMoreBytesThan32BitsCan) {
+    const Bytes file = fileOf({.width = 32768, .height = 32768, .depth = 32, .descriptor = 8});
+    EXPECT_EQ(dissectTga(file).damage, "pixel data needs 4294967296 bytes from offset 18, there are 0");
+    DecodeLimits limits;
+    limits.maxExtent = 65535;
+    limits.maxPixels = limits.maxBytes = std::numeric_limits<std::size_t>::max();
+    EXPECT_FALSE(decodeTga(file, limits));
 }
 
 TEST(TgaAnatomy, AFooterThatPointsNowhereIsNamed) {
