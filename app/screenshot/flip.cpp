@@ -92,39 +92,37 @@ std::string_view formatFor(const std::string& in) {
     return format != nullptr && format->encode ? format->name : "PNG";
 }
 
+ExitCode run(const Options& options) {
+    const auto output = openImageOutput(options.out, formatFor(options.in));
+    if (!output)
+        return output.error();
+    const auto done = flip(options, *output);
+    if (!done && done.error().code == ErrorCode::Cancelled)
+        return complainInterrupted();
+    if (!done)
+        return complain(done.error());
+    return success;
+}
+
 } // namespace
 
-void addFlip(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand(
+void addFlip(CommandLine& line) {
+    Command& command = line.command(
         "flip", "Turn a texture upside down, every mip level, face and slice; compressed blocks without "
                 "decompressing them.");
     auto options = std::make_shared<Options>();
-    command->add_option("IN", options->in, "The texture: any format that Texplorer reads.")->required();
-    command
-        ->add_option("OUT", options->out,
-                     "The file to write, its format by its extension: " + writtenExtensions() +
-                         "; - for standard output, in the format of IN.")
-        ->required();
-    CLI::Option* horizontal =
-        command->add_flag("--horizontal", options->horizontal, "Left to right instead.");
-    command->add_flag("--half-turn", options->halfTurn, "By 180 degrees instead.")->excludes(horizontal);
-    command->add_flag("--lossy", options->lossy,
-                      "Decompress and compress again the levels that can't be turned around without loss: "
-                      "those whose extent is not " +
-                          std::string(losslessExtents) + ".");
-    command->callback([&action, options] {
-        action = [options] {
-            const auto output = openImageOutput(options->out, formatFor(options->in));
-            if (!output)
-                return output.error();
-            const auto done = flip(*options, *output);
-            if (!done && done.error().code == ErrorCode::Cancelled)
-                return complainInterrupted();
-            if (!done)
-                return complain(done.error());
-            return success;
-        };
-    });
+    command.option("IN", options->in, "The texture: any format that Texplorer reads.", {.required = true});
+    command.option("OUT", options->out,
+                   "The file to write, its format by its extension: " + writtenExtensions() +
+                       "; - for standard output, in the format of IN.",
+                   {.required = true});
+    const Option& horizontal = command.flag("--horizontal", options->horizontal, "Left to right instead.");
+    command.flag("--half-turn", options->halfTurn, "By 180 degrees instead.", {.excludes = &horizontal});
+    command.flag("--lossy", options->lossy,
+                 "Decompress and compress again the levels that can't be turned around without loss: "
+                 "those whose extent is not " +
+                     std::string(losslessExtents) + ".");
+    command.onCall([options] { return run(*options); });
 }
 
 } // namespace texplorer::screenshot
