@@ -39,7 +39,7 @@ void addConvert(CommandLine& line) {
     command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
     command.option(
         "OUT", options->out,
-        "The file to write, its format by its extension: " + writtenExtensions() +
+        "The file to write, its format by its extension: " + writtenExtensions(" or ") +
             "; - for standard output, as PNG. Formats of one picture take the base level, decompressed; "
             "DDS takes all.",
         {.required = true});

@@ -88,7 +88,7 @@ void addDecode(CommandLine& line) {
     auto options = std::make_shared<Options>();
     command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
     command.option("OUT", options->out,
-                   "The picture to write, its format by its extension: " + writtenExtensions() +
+                   "The picture to write, its format by its extension: " + writtenExtensions(" or ") +
                        "; - for standard output, as PNG.",
                    {.required = true});
     command.number(

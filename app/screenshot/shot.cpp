@@ -234,7 +234,7 @@ void addShot(CommandLine& line) {
                         "of shaders/. Without it: those that the program was built with.",
                         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     command.option("-o,--out", options->out,
-                   "The picture to write, its format by its extension: " + writtenExtensions() +
+                   "The picture to write, its format by its extension: " + writtenExtensions(" or ") +
                        "; - for standard output, as PNG.",
                    {.value = "FILE", .required = true});
     command.onCall([options] { return shoot(*options); });
