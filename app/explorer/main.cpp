@@ -1,21 +1,16 @@
 // texplorer: the window.
 
-#include "app/command_line/help_format.h"
+#include "app/command_line/command_line.h"
 #include "app/command_line/standard_streams.h"
-#include "app/command_line/wrong_call.h"
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
 #include "app/ui/model/document.h"
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <new>
-#include <sstream>
 
 namespace {
 
@@ -62,16 +57,13 @@ int run(const std::vector<std::string>& files, const std::string& shaders) {
 
 int main(int argc, char** argv) {
     prepareStandardStreams();
-    CLI::App app("Explore what each texture parameter of OpenGL does, on a live cube and sphere.",
-                 "texplorer");
-    app.formatter(std::make_shared<HelpFormatter>());
-    app.set_version_flag("--version", "texplorer " TEXPLORER_VERSION);
+    CommandLine line("texplorer", TEXPLORER_VERSION,
+                     "Explore what each texture parameter of OpenGL does, on a live cube and sphere.");
     std::vector<std::string> files;
-    app.add_option("FILE", files,
-                   "Scene files (JSON) and images. Images become textures of the scene, the first one is "
-                   "shown.")
-        ->type_name("");
-    app.footer(
+    line.option("FILE", files,
+                "Scene files (JSON) and images. Images become textures of the scene, the first one is "
+                "shown.");
+    line.footer(
         "Of several files those that can't be opened are listed, and the others are opened.\n"
         "The images of a scene may take " +
         sceneImageBytesText() +
@@ -81,24 +73,21 @@ int main(int argc, char** argv) {
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
         "usual, with the unsaved work kept.");
     std::string shaders;
-    app.add_option(
-           "--shaders", shaders,
-           "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
-           "at once. Without it: those that the program was built with.")
-        ->type_name("DIR")
-        ->envname("TEXPLORER_SHADERS");
+    line.option(
+        "--shaders", shaders,
+        "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
+        "at once. Without it: those that the program was built with.",
+        {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     try {
-        app.parse(argc, argv);
-        return run(files, shaders);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) { // --help, --version
-            std::ostringstream text;
-            app.exit(error, text);
-            const Result<void> printed = writeStandardOutput(viewBytes(text.str()));
-            return printed ? 0 : complain(describe(printed.error()));
+        const Result<std::optional<std::string>> answer = line.parse(argc, argv);
+        if (!answer) {
+            complain(describe(answer.error()));
+            return wrongCall;
         }
-        complain(describeWrongCall(app, error));
-        return wrongCall;
+        if (!*answer)
+            return run(files, shaders);
+        const Result<void> printed = writeStandardOutput(viewBytes(**answer));
+        return printed ? 0 : complain(describe(printed.error()));
     } catch (const std::bad_alloc&) {
         return complain("there is not enough memory");
     } catch (const std::exception& error) { // still one sentence and an exit status

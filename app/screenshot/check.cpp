@@ -142,20 +142,19 @@ ExitCode check(const Options& options) {
 
 } // namespace
 
-void addCheck(CLI::App& app, Action& action) {
-    CLI::App* command =
-        app.add_subcommand("check", "What is wrong in a scene, undefined, or without effect.");
+void addCheck(CommandLine& line) {
+    Command& command = line.command("check", "What is wrong in a scene, undefined, or without effect.");
     auto options = std::make_shared<Options>();
-    addSceneArgument(*command, options->scene);
-    command->add_flag("--json", options->json, "As JSON, for programs.");
-    command->footer(
+    addSceneArgument(command, options->scene);
+    command.flag("--json", options->json, "As JSON, for programs.");
+    command.footer(
         "A line for each finding on standard output, errors first, and below it each way to mend it; then "
         "a note for each oddity of an image's file that is survived. Of the images, the headers are read.\n"
         "Settings without effect are named where they differ from what OpenGL and Texplorer start with.\n"
         "The driver is not asked: \"texshot shot\" says what it lacks.\n"
         "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be "
         "read, 2 a wrong call.");
-    command->callback([&action, options] { action = [options] { return check(*options); }; });
+    command.onCall([options] { return check(*options); });
 }
 
 } // namespace texplorer::screenshot

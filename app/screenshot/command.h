@@ -2,13 +2,12 @@
 
 // texshot's subcommands: one file each, registered in main.cpp's table.
 
+#include "app/command_line/command_line.h"
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 
-#include <CLI/CLI.hpp>
-
-#include <functional>
 #include <string>
+#include <string_view>
 
 namespace texplorer::screenshot {
 
@@ -19,19 +18,16 @@ enum ExitCode : int {
     // 128 and a signal's number, as a shell has it, of a program that a signal ended: 130 Ctrl+C
 };
 
-/// What the chosen subcommand does once the command line is parsed.
-using Action = std::function<ExitCode()>;
-
-void addShot(CLI::App& app, Action& action);
-void addProbe(CLI::App& app, Action& action);
-void addCheck(CLI::App& app, Action& action);
-void addParams(CLI::App& app, Action& action);
-void addDecode(CLI::App& app, Action& action);
-void addInfo(CLI::App& app, Action& action);
-void addFlip(CLI::App& app, Action& action);
-void addCompress(CLI::App& app, Action& action);
-void addConform(CLI::App& app, Action& action);
-void addConvert(CLI::App& app, Action& action);
+void addShot(CommandLine& line);
+void addProbe(CommandLine& line);
+void addCheck(CommandLine& line);
+void addParams(CommandLine& line);
+void addDecode(CommandLine& line);
+void addInfo(CommandLine& line);
+void addFlip(CommandLine& line);
+void addCompress(CommandLine& line);
+void addConform(CommandLine& line);
+void addConvert(CommandLine& line);
 
 /// Prints "texshot: …" on standard error, a printable line, and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);

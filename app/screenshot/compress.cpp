@@ -8,8 +8,8 @@
 #include "core/image/cube_faces.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
-#include "core/texture/texture_levels.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/texture/texture_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -169,36 +169,32 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-void addCompress(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand(
-        "compress", "Compress a picture or a cube map into a DDS file of S3TC or RGTC blocks.");
+void addCompress(CommandLine& line) {
+    Command& command =
+        line.command("compress", "Compress a picture or a cube map into a DDS file of S3TC or RGTC blocks.");
     auto options = std::make_shared<Options>();
-    command->add_option("IN", options->in, "The picture: any format that Texplorer reads.")->required();
-    command->add_option("OUT", options->out, "The DDS file to write; - for standard output.")->required();
-    command->add_option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.")
-        ->type_name("FORMAT")
-        ->required();
-    command
-        ->add_option("--quality", options->quality,
-                     "fast, normal or best: from tens of megatexels a second to half a one.")
-        ->type_name("QUALITY");
-    command
-        ->add_option(
-            "--mips", options->mips,
-            "The filter that makes the mip levels, box unless another is named, or none: " + mipNames() + ".")
-        ->type_name("FILTER");
-    command->add_flag("--gamma", options->gamma,
-                      "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
-    command->add_flag("--power-of-two", options->powerOfTwo,
-                      "Scale the picture to the nearest powers of two first, as gluBuild2DMipmaps does it.");
-    command->add_flag(
-        "--cube", options->cube,
-        "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map stays "
-        "one in any case.");
-    command->add_flag("--report", options->report,
-                      "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
-                      "against the base level and against uncompressed pixels.");
-    command->callback([&action, options] { action = [options] { return run(*options); }; });
+    command.option("IN", options->in, "The picture: any format that Texplorer reads.", {.required = true});
+    command.option("OUT", options->out, "The DDS file to write; - for standard output.", {.required = true});
+    command.option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.",
+                   {.value = "FORMAT", .required = true});
+    command.option("--quality", options->quality,
+                   "fast, normal or best: from tens of megatexels a second to half a one.",
+                   {.value = "QUALITY"});
+    command.option(
+        "--mips", options->mips,
+        "The filter that makes the mip levels, box unless another is named, or none: " + mipNames() + ".",
+        {.value = "FILTER"});
+    command.flag("--gamma", options->gamma,
+                 "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
+    command.flag("--power-of-two", options->powerOfTwo,
+                 "Scale the picture to the nearest powers of two first, as gluBuild2DMipmaps does it.");
+    command.flag("--cube", options->cube,
+                 "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map stays "
+                 "one in any case.");
+    command.flag("--report", options->report,
+                 "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
+                 "against the base level and against uncompressed pixels.");
+    command.onCall([options] { return run(*options); });
 }
 
 } // namespace texplorer::screenshot

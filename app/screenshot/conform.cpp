@@ -3,7 +3,6 @@
 #include "app/screenshot/gl_module.h"
 #include "app/screenshot/interrupts.h"
 #include "app/screenshot/long_work.h"
-#include "app/screenshot/number_argument.h"
 #include "app/screenshot/option_use.h"
 #include "core/base/file_io.h"
 #include "core/conform/report.h"
@@ -29,8 +28,8 @@ struct Options {
     int scenes = 0; // 0: as many as the features have
     bool json = false;
     bool list = false;
-    const CLI::Option* shadersOption = nullptr;
-    std::vector<const CLI::Option*> notListing; ///< what --list leaves without effect
+    const Option* shadersOption = nullptr;
+    std::vector<const Option*> notListing; ///< what --list leaves without effect
 };
 
 /// One of OpenGL's renderers in a studio.
@@ -163,9 +162,9 @@ Result<void> writeFolder(const std::filesystem::path& folder, const conform::Rep
 
 ExitCode conformTo(const Options& options) {
     if (options.list) {
-        for (const CLI::Option* option : options.notListing)
-            if (isGiven(*option))
-                return refuseUnused(option->get_name(), "--list compares nothing");
+        for (const Option* option : options.notListing)
+            if (option->isGiven())
+                return refuseUnused(option->name(), "--list compares nothing");
         const std::string text = conform::listing();
         const Result<void> written = print(text);
         return written ? success : complain(written.error());
@@ -175,7 +174,7 @@ ExitCode conformTo(const Options& options) {
         return complain(pairs.error(), wrongCall);
     const bool shaders =
         std::ranges::any_of(*pairs, [](const conform::Pair& pair) { return pair.has(RendererKind::Shader); });
-    if (isGiven(*options.shadersOption) && !shaders)
+    if (options.shadersOption->isGiven() && !shaders)
         return refuseUnused("--shaders", "it is for the shader renderer, which is not compared");
     const Result<conform::Selection> selection = selectionOf(options);
     if (!selection)
@@ -219,55 +218,46 @@ ExitCode conformTo(const Options& options) {
 
 } // namespace
 
-void addConform(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand(
-        "conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
+void addConform(CommandLine& line) {
+    Command& command =
+        line.command("conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
     auto options = std::make_shared<Options>();
     const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
-    command
-        ->add_option("--renderer", options->renderer,
-                     "Who is compared, " + renderers +
-                         ". Without it and --against: shader against fixed, and reference against fixed.")
-        ->type_name("RENDERER");
-    command->add_option("--against", options->against, "With whom, " + renderers + ".")
-        ->type_name("RENDERER");
-    command->add_option("--feature", options->features, "Only these features; --list names them.")
-        ->type_name("FEATURE");
-    addNumber(*command, "--scenes", options->scenes, 1, 100000,
-              "How many, shared out among the features. Without it: " +
-                  std::to_string(conform::defaultScenes) + ".");
-    addNumber(*command, "--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
-              "Other scenes; the same number gives the same ones.")
-        ->default_str(std::to_string(options->seed));
-    command
-        ->add_option("-o,--out", options->folder,
-                     "A folder for the report: index.html, report.json, and for each feature its worst "
-                     "scene with both pictures and their difference.")
-        ->type_name("DIR");
-    options->shadersOption =
-        command
-            ->add_option(
-                "--shaders", options->shaders,
-                "The folder of the shader renderer's files. Without it: those that the program was built "
-                "with.")
-            ->type_name("DIR")
-            ->envname("TEXPLORER_SHADERS");
-    command->add_flag("--json", options->json, "The report as JSON, for programs.");
-    command->add_flag(
-        "--list", options->list,
-        "Name the features, the rules that they are held to with their reasons, and what is not "
-        "compared.");
-    for (const CLI::Option* option : command->get_options())
-        if (option->get_name() != "--list" && option != command->get_help_ptr())
-            options->notListing.push_back(option);
-    command->footer(
+    command.option("--renderer", options->renderer,
+                   "Who is compared, " + renderers +
+                       ". Without it and --against: shader against fixed, and reference against fixed.",
+                   {.value = "RENDERER"});
+    command.option("--against", options->against, "With whom, " + renderers + ".", {.value = "RENDERER"});
+    command.option("--feature", options->features, "Only these features; --list names them.",
+                   {.value = "FEATURE"});
+    command.number("--scenes", options->scenes, 1, 100000,
+                   "How many, shared out among the features. Without it: " +
+                       std::to_string(conform::defaultScenes) + ".");
+    command.number("--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
+                   "Other scenes; the same number gives the same ones.", {.showsDefault = true});
+    command.option("-o,--out", options->folder,
+                   "A folder for the report: index.html, report.json, and for each feature its worst "
+                   "scene with both pictures and their difference.",
+                   {.value = "DIR"});
+    options->shadersOption = &command.option(
+        "--shaders", options->shaders,
+        "The folder of the shader renderer's files. Without it: those that the program was built "
+        "with.",
+        {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    command.flag("--json", options->json, "The report as JSON, for programs.");
+    for (const Option& option : command.options())
+        options->notListing.push_back(&option);
+    command.flag("--list", options->list,
+                 "Name the features, the rules that they are held to with their reasons, and what is not "
+                 "compared.");
+    command.footer(
         "A table on standard output: \"over\" are the pixels that differ by more than the rule's "
         "bound (in 255ths), "
         "\"unexplained\" those of them that the driver's precision, as the rule grants it, does not "
         "explain.\n"
         "Exit status: 0 all agree, 1 not all do or nothing could be drawn, 2 a wrong call, 130 "
         "Ctrl+C.");
-    command->callback([&action, options] { action = [options] { return conformTo(*options); }; });
+    command.onCall([options] { return conformTo(*options); });
 }
 
 } // namespace texplorer::screenshot

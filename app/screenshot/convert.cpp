@@ -5,44 +5,47 @@
 
 namespace texplorer::screenshot {
 
-void addConvert(CLI::App& app, Action& action) {
-    struct Options {
-        std::string in;
-        std::string out;
-        WriteOptions write;
-    };
-    CLI::App* command =
-        app.add_subcommand("convert", "Write an image in another format, chosen by the extension of OUT.");
+namespace {
+
+struct Options {
+    std::string in;
+    std::string out;
+    WriteOptions write;
+};
+
+ExitCode convert(const Options& options) {
+    const auto output = openImageOutput(options.out, "PNG");
+    if (!output)
+        return output.error();
+    for (const auto& [option, given, format] : {std::tuple{"--rle", options.write.runLengthCoded, "TGA"},
+                                                std::tuple{"--small", options.write.small, "PNG"}})
+        if (given && output->format->name != format)
+            return refuseUnused(option, "it is for " + std::string(format) + " files, OUT is " +
+                                            std::string(output->format->name));
+    const Result<TextureImage> file = readTexture(options.in);
+    if (!file)
+        return complain(file.error());
+    if (const auto written = output->write(*file, options.write); !written)
+        return complain(written.error());
+    return success;
+}
+
+} // namespace
+
+void addConvert(CommandLine& line) {
+    Command& command =
+        line.command("convert", "Write an image in another format, chosen by the extension of OUT.");
     auto options = std::make_shared<Options>();
-    command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
-    command
-        ->add_option(
-            "OUT", options->out,
-            "The file to write, its format by its extension: " + writtenExtensions() +
-                "; - for standard output, as PNG. Formats of one picture take the base level, decompressed; "
-                "DDS takes all.")
-        ->required();
-    command->add_flag("--rle", options->write.runLengthCoded, "TGA: run-length coded.");
-    command->add_flag("--small", options->write.small, "PNG: smaller rather than faster.");
-    command->callback([&action, options] {
-        action = [options] {
-            const auto output = openImageOutput(options->out, "PNG");
-            if (!output)
-                return output.error();
-            for (const auto& [option, given, format] :
-                 {std::tuple{"--rle", options->write.runLengthCoded, "TGA"},
-                  std::tuple{"--small", options->write.small, "PNG"}})
-                if (given && output->format->name != format)
-                    return refuseUnused(option, "it is for " + std::string(format) + " files, OUT is " +
-                                                    std::string(output->format->name));
-            const Result<TextureImage> file = readTexture(options->in);
-            if (!file)
-                return complain(file.error());
-            if (const auto written = output->write(*file, options->write); !written)
-                return complain(written.error());
-            return success;
-        };
-    });
+    command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
+    command.option(
+        "OUT", options->out,
+        "The file to write, its format by its extension: " + writtenExtensions(" or ") +
+            "; - for standard output, as PNG. Formats of one picture take the base level, decompressed; "
+            "DDS takes all.",
+        {.required = true});
+    command.flag("--rle", options->write.runLengthCoded, "TGA: run-length coded.");
+    command.flag("--small", options->write.small, "PNG: smaller rather than faster.");
+    command.onCall([options] { return convert(*options); });
 }
 
 } // namespace texplorer::screenshot

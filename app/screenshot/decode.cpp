@@ -1,5 +1,4 @@
 #include "app/screenshot/command.h"
-#include "app/screenshot/number_argument.h"
 #include "app/screenshot/output.h"
 #include "app/screenshot/texture_input.h"
 #include "core/image/mipmaps.h"
@@ -70,39 +69,38 @@ Result<TextureImage> pictureOf(const Options& options) {
     return textureOf(std::move(picture), texture.format);
 }
 
+ExitCode decode(const Options& options) {
+    const auto output = openImageOutput(options.out, "PNG");
+    if (!output)
+        return output.error();
+    const Result<TextureImage> picture = pictureOf(options);
+    if (!picture)
+        return complain(picture.error());
+    if (const auto written = output->write(*picture); !written)
+        return complain(written.error());
+    return success;
+}
+
 } // namespace
 
-void addDecode(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("decode", "Turn an image file, or a part of it, into a picture.");
+void addDecode(CommandLine& line) {
+    Command& command = line.command("decode", "Turn an image file, or a part of it, into a picture.");
     auto options = std::make_shared<Options>();
-    command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
-    command
-        ->add_option("OUT", options->out,
-                     "The picture to write, its format by its extension: " + writtenExtensions() +
-                         "; - for standard output, as PNG.")
-        ->required();
-    addNumber(
-        *command, "--level", options->level, 0, 30,
+    command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
+    command.option("OUT", options->out,
+                   "The picture to write, its format by its extension: " + writtenExtensions(" or ") +
+                       "; - for standard output, as PNG.",
+                   {.required = true});
+    command.number(
+        "--level", options->level, 0, 30,
         "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.");
-    addNumber(*command, "--face", options->face, 0, 5,
-              "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.");
-    addNumber(*command, "--slice", options->slice, 0, 16383, "Which slice of a volume, 0 the first.");
-    command->add_flag("--no-flip", options->noFlip,
-                      "Put the file's first row at the bottom, as a loader does that hands its bytes to "
-                      "glTexImage2D: upside down for most formats.");
-    command->callback([&action, options] {
-        action = [options] {
-            const auto output = openImageOutput(options->out, "PNG");
-            if (!output)
-                return output.error();
-            const Result<TextureImage> picture = pictureOf(*options);
-            if (!picture)
-                return complain(picture.error());
-            if (const auto written = output->write(*picture); !written)
-                return complain(written.error());
-            return success;
-        };
-    });
+    command.number("--face", options->face, 0, 5,
+                   "Which face of a cube map: 0 to 5 for +x, -x, +y, -y, +z, -z.");
+    command.number("--slice", options->slice, 0, 16383, "Which slice of a volume, 0 the first.");
+    command.flag("--no-flip", options->noFlip,
+                 "Put the file's first row at the bottom, as a loader does that hands its bytes to "
+                 "glTexImage2D: upside down for most formats.");
+    command.onCall([options] { return decode(*options); });
 }
 
 } // namespace texplorer::screenshot

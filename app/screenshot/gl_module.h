@@ -3,18 +3,18 @@
 // The seam between texshot and its GL half. Loading OSMesa costs a process about 17 ms of relocation, so
 // everything that needs GL lives in a module that is loaded only when something is drawn.
 
-#include "app/view/frame.h"
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/sections.h"
+#include "app/view/frame.h"
 #include "core/base/result.h"
 #include "core/conform/painter.h"
 #include "core/conform/pair.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/image/image.h"
 #include "core/reference/explain/explanation.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/texture/image_source.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 #include "core/texture/texture_levels.h"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ struct Drawing {
     ImageSource images;
     std::filesystem::path file;                    ///< of the scene; empty: none
     double time = 0;                               ///< seconds
-    view::Size size;                             ///< of the picture, in pixels
+    view::Size size;                               ///< of the picture, in pixels
     bool window = false;                           ///< the whole window with its panels, not just the scene
     ui::Tab tab = ui::Tab::Vertices;               ///< of the window
     std::optional<reference::PixelPlace> probed{}; ///< of the picture in the window, from its top left

@@ -211,18 +211,17 @@ ExitCode examine(const std::string& path, bool json) {
 
 } // namespace
 
-void addInfo(CLI::App& app, Action& action) {
+void addInfo(CommandLine& line) {
     struct Options {
         std::string in;
         bool json = false;
     };
-    CLI::App* command = app.add_subcommand(
+    Command& command = line.command(
         "info", "What an image file holds, field by field; of a damaged file, up to the damage.");
     auto options = std::make_shared<Options>();
-    command->add_option("IN", options->in, "The image: any format that Texplorer reads.")->required();
-    command->add_flag("--json", options->json, "As JSON, for programs.");
-    command->callback(
-        [&action, options] { action = [options] { return examine(options->in, options->json); }; });
+    command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
+    command.flag("--json", options->json, "As JSON, for programs.");
+    command.onCall([options] { return examine(options->in, options->json); });
 }
 
 } // namespace texplorer::screenshot

@@ -22,17 +22,6 @@ bool isStream(const std::string& path) {
            (::stat(path.c_str(), &info) == 0 && (S_ISFIFO(info.st_mode) || S_ISCHR(info.st_mode)));
 }
 
-std::string writtenExtensions(std::string_view only, std::string_view last) {
-    std::vector<std::string> names;
-    for (const CodecRow& row : codecRows())
-        if (row.encode && (only.empty() || row.name == only))
-            names.push_back(extensionsOf(row).front());
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text.append(i == 0 ? "" : i + 1 == names.size() ? last : ", ").append(names[i]);
-    return text;
-}
-
 Result<const CodecRow*> formatOf(const std::string& path, std::string_view streamFormat,
                                  std::string_view only) {
     const CodecRow* format = codecForExtension(path);
@@ -42,7 +31,7 @@ Result<const CodecRow*> formatOf(const std::string& path, std::string_view strea
         return format;
     return fail(ErrorCode::Unsupported, "expected a name that ends in " +
                                             std::string(only.empty() ? "one of " : "") +
-                                            writtenExtensions(only, ", ") + ", found \"" + path + "\"");
+                                            writtenExtensions(", ", only) + ", found \"" + path + "\"");
 }
 
 } // namespace
@@ -91,10 +80,6 @@ tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std
     if (!output)
         return tl::unexpected(complain(output.error()));
     return ImageOutput{*std::move(output), *format, path};
-}
-
-std::string writtenExtensions() {
-    return writtenExtensions({}, " or ");
 }
 
 Result<void> print(std::string_view text) {

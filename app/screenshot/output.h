@@ -38,7 +38,4 @@ struct ImageOutput {
 [[nodiscard]] tl::expected<ImageOutput, ExitCode>
 openImageOutput(const std::string& path, std::string_view streamFormat, std::string_view only = {});
 
-/// ".bmp, .dds, .png or .tga": what openImageOutput takes, for a help text.
-[[nodiscard]] std::string writtenExtensions();
-
 } // namespace texplorer::screenshot

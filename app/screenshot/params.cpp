@@ -3,19 +3,17 @@
 
 namespace texplorer::screenshot {
 
-void addParams(CLI::App& app, Action& action) {
-    CLI::App* command =
-        app.add_subcommand("params", "Every parameter of a scene: what it has unless a file says otherwise, "
-                                     "what it accepts and does.");
+void addParams(CommandLine& line) {
+    Command& command =
+        line.command("params", "Every parameter of a scene: what it has unless a file says otherwise, "
+                               "what it accepts and does.");
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "As JSON, for programs.");
-    command->callback([&action, json] {
-        action = [json] {
-            const std::string text = *json ? listParamsJson() : listParams();
-            if (const auto written = print(text); !written)
-                return complain(written.error());
-            return success;
-        };
+    command.flag("--json", *json, "As JSON, for programs.");
+    command.onCall([json] {
+        const std::string text = *json ? listParamsJson() : listParams();
+        if (const auto written = print(text); !written)
+            return complain(written.error());
+        return success;
     });
 }
 

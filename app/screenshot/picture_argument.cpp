@@ -16,21 +16,17 @@ std::string asArgument(view::Size size) {
 
 } // namespace
 
-void addPictureArgument(CLI::App& command, PictureArgument& argument) {
-    command.add_option("--size", argument.size, "Of the picture, in pixels.")
-        ->type_name("WIDTHxHEIGHT")
-        ->capture_default_str();
-    command.add_option("--time", argument.time, "On the scene's clock, for what moves.")
-        ->type_name("SECONDS")
-        ->capture_default_str();
+void addPictureArgument(Command& command, PictureArgument& argument) {
+    command.option("--size", argument.size, "Of the picture, in pixels.",
+                   {.value = "WIDTHxHEIGHT", .showsDefault = true});
+    command.option("--time", argument.time, "On the scene's clock, for what moves.",
+                   {.value = "SECONDS", .showsDefault = true});
     argument.anisotropyOption =
-        command
-            .add_option("--anisotropy", argument.anisotropy,
+        &command.option("--anisotropy", argument.anisotropy,
                         "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
                         "leaves open." +
-                            explainChoices<reference::AnisotropyMethod>())
-            ->type_name("METHOD")
-            ->capture_default_str();
+                            explainChoices<reference::AnisotropyMethod>(),
+                        {.value = "METHOD", .showsDefault = true});
 }
 
 Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/view/frame.h"
 #include "app/screenshot/command.h"
+#include "app/view/frame.h"
 #include "core/reference/sampling/lod.h"
 
 #include <span>
@@ -13,11 +13,11 @@ struct PictureArgument {
     std::string size = "1280x800";
     std::string time = "0";
     std::string anisotropy = std::string(rowOf(reference::AnisotropyMethod::Probes).name);
-    const CLI::Option* anisotropyOption = nullptr;
+    const Option* anisotropyOption = nullptr;
 };
 
 /// Declares --size, --time and --anisotropy.
-void addPictureArgument(CLI::App& command, PictureArgument& argument);
+void addPictureArgument(Command& command, PictureArgument& argument);
 
 [[nodiscard]] Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest = {1, 1});
 [[nodiscard]] Result<double> parseTime(std::string_view text);

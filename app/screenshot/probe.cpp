@@ -2,7 +2,6 @@
 
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl_module.h"
-#include "app/screenshot/number_argument.h"
 #include "app/screenshot/option_use.h"
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/probe_report.h"
@@ -20,7 +19,7 @@ struct Options {
     std::string at;
     std::string texel;
     int pass = 0;
-    const CLI::Option* passOption = nullptr;
+    const Option* passOption = nullptr;
     bool json = false;
     bool withoutGl = false;
 };
@@ -112,7 +111,7 @@ ExitCode findPixels(const Options& options, const Drawing& drawing) {
 ExitCode probe(const Options& options) {
     if (options.at.empty() == options.texel.empty())
         return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
-    if (isGiven(*options.passOption) && options.texel.empty())
+    if (options.passOption->isGiven() && options.texel.empty())
         return refuseUnused("--pass", "it is for --texel; --at explains every pass");
     if (options.withoutGl && options.at.empty())
         return refuseUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
@@ -143,34 +142,30 @@ ExitCode probe(const Options& options) {
 
 } // namespace
 
-void addProbe(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("probe", "Explain why a pixel has its colour, number by number.");
+void addProbe(CommandLine& line) {
+    Command& command = line.command("probe", "Explain why a pixel has its colour, number by number.");
     auto options = std::make_shared<Options>();
-    addSceneArgument(*command, options->scene);
-    addPictureArgument(*command, options->picture);
-    command
-        ->add_option(
-            "--at", options->at,
-            "The pixel, counted from 0,0 at the top left, as in the PNG that \"texshot shot\" writes. "
-            "Either this or --texel is needed, not both.")
-        ->type_name("X,Y");
-    command
-        ->add_option(
-            "--texel", options->texel,
-            "The other way round: names a texel, I and J counted from s = 0 and t = 0 "
-            "(UNIT,LEVEL,I,J,K in a volume; K is the face of a cube map, 0 to 5), and lists the pixels "
-            "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
-            "border.")
-        ->type_name("UNIT,LEVEL,I,J");
+    addSceneArgument(command, options->scene);
+    addPictureArgument(command, options->picture);
+    command.option("--at", options->at,
+                   "The pixel, counted from 0,0 at the top left, as in the PNG that \"texshot shot\" writes. "
+                   "Either this or --texel is needed, not both.",
+                   {.value = "X,Y"});
+    command.option(
+        "--texel", options->texel,
+        "The other way round: names a texel, I and J counted from s = 0 and t = 0 "
+        "(UNIT,LEVEL,I,J,K in a volume; K is the face of a cube map, 0 to 5), and lists the pixels "
+        "that it has a share in, with its weight in each. -1 and the level's extent stand for the "
+        "border.",
+        {.value = "UNIT,LEVEL,I,J"});
     options->passOption =
-        addNumber(*command, "--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
-                  "With --texel: the pass that the unit belongs to.")
-            ->default_str(std::to_string(options->pass));
-    command->add_flag("--json", options->json, "For programs: everything, as JSON.");
-    command->add_flag(
+        &command.number("--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
+                        "With --texel: the pass that the unit belongs to.", {.showsDefault = true});
+    command.flag("--json", options->json, "For programs: everything, as JSON.");
+    command.flag(
         "--no-gl", options->withoutGl,
         "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
-    command->callback([&action, options] { action = [options] { return probe(*options); }; });
+    command.onCall([options] { return probe(*options); });
 }
 
 } // namespace texplorer::screenshot

@@ -22,17 +22,13 @@ std::string checkAssignment(const std::string& text) {
 
 } // namespace
 
-void addSceneArgument(CLI::App& command, SceneArgument& argument) {
-    command.add_option(
-        "SCENE", argument.file,
-        "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
-    command
-        .add_option("--set", argument.assignments,
-                    "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
-                    "\"texshot params\" lists every path.")
-        ->type_name("PATH=VALUE")
-        ->check(checkAssignment)
-        ->allow_extra_args(false);
+void addSceneArgument(Command& command, SceneArgument& argument) {
+    command.option("SCENE", argument.file,
+                   "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
+    command.option("--set", argument.assignments,
+                   "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
+                   "\"texshot params\" lists every path.",
+                   {.value = "PATH=VALUE", .oneEach = true, .check = checkAssignment});
 }
 
 tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument) {

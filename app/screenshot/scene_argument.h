@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/screenshot/command.h"
-#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
 namespace texplorer::screenshot {
 
@@ -13,7 +13,7 @@ struct SceneArgument {
 };
 
 /// Declares SCENE and --set.
-void addSceneArgument(CLI::App& command, SceneArgument& argument);
+void addSceneArgument(Command& command, SceneArgument& argument);
 
 struct OpenedScene {
     Scene scene;

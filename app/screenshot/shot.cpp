@@ -8,9 +8,9 @@
 #include "app/screenshot/picture_argument.h"
 #include "app/screenshot/scene_argument.h"
 #include "app/ui/window/smallest_window.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/image/convert.h"
 #include "core/reference/draw.h"
-#include "core/diagnosis/diagnosis.h"
 
 #include <algorithm>
 #include <array>
@@ -32,8 +32,8 @@ struct Options {
     std::string compared;
     std::string shaders;
     std::string out;
-    const CLI::Option* rendererOption = nullptr;
-    const CLI::Option* shadersOption = nullptr;
+    const Option* rendererOption = nullptr;
+    const Option* shadersOption = nullptr;
 };
 
 /// "vertices, commands, …"
@@ -134,11 +134,12 @@ ExitCode shoot(const Options& options) {
     const Result<AnisotropyMethod> anisotropy = parseAnisotropy(options.picture.anisotropy);
     if (!anisotropy)
         return complain(anisotropy.error(), wrongCall);
-    if (isGiven(*options.picture.anisotropyOption) && !options.window && *renderer != RendererKind::Reference)
+    if (options.picture.anisotropyOption->isGiven() && !options.window &&
+        *renderer != RendererKind::Reference)
         return refuseUnused("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
-    if (isGiven(*options.shadersOption) && !options.window && *renderer != RendererKind::Shader)
+    if (options.shadersOption->isGiven() && !options.window && *renderer != RendererKind::Shader)
         return refuseUnused("--shaders", "it is for --renderer shader and --ui");
-    if (isGiven(*options.rendererOption) && !options.compared.empty())
+    if (options.rendererOption->isGiven() && !options.compared.empty())
         return refuseUnused("--renderer", "--compare names the renderers");
 
     const Result<std::optional<reference::PixelPlace>> probed = parseProbe(options.probe);
@@ -202,57 +203,41 @@ ExitCode shoot(const Options& options) {
 
 } // namespace
 
-void addShot(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("shot", "Draw a scene into a picture.");
+void addShot(CommandLine& line) {
+    Command& command = line.command("shot", "Draw a scene into a picture.");
     auto options = std::make_shared<Options>();
-    addSceneArgument(*command, options->scene);
-    addPictureArgument(*command, options->picture);
-    CLI::Option* window =
-        command->add_flag("--ui", options->window, "Draw the whole window with its panels.");
-    command
-        ->add_option("--tab", options->tab,
-                     "With --ui: the tab at the lower right, one of " + namesOf(ui::tabRows) + ".")
-        ->type_name("TAB")
-        ->needs(window);
-    command
-        ->add_option("--section", options->section,
-                     "With --ui: the part of the parameters that is opened, at their top, one of " +
-                         namesOf(ui::sectionRows) + ".")
-        ->type_name("SECTION")
-        ->needs(window);
-    command
-        ->add_option(
-            "--probe", options->probe,
-            "With --ui: the pixel of the picture that is explained, counted from the picture's top left.")
-        ->type_name("X,Y")
-        ->needs(window);
+    addSceneArgument(command, options->scene);
+    addPictureArgument(command, options->picture);
+    const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
+    command.option("--tab", options->tab,
+                   "With --ui: the tab at the lower right, one of " + namesOf(ui::tabRows) + ".",
+                   {.value = "TAB", .needs = &window});
+    command.option("--section", options->section,
+                   "With --ui: the part of the parameters that is opened, at their top, one of " +
+                       namesOf(ui::sectionRows) + ".",
+                   {.value = "SECTION", .needs = &window});
+    command.option(
+        "--probe", options->probe,
+        "With --ui: the pixel of the picture that is explained, counted from the picture's top left.",
+        {.value = "X,Y", .needs = &window});
     options->rendererOption =
-        command
-            ->add_option("--renderer", options->renderer,
-                         "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".")
-            ->type_name("RENDERER")
-            ->capture_default_str();
-    command
-        ->add_option(
-            "--compare", options->compared,
-            "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
-            "difference of the first two.")
-        ->type_name("A,B")
-        ->needs(window);
+        &command.option("--renderer", options->renderer,
+                        "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".",
+                        {.value = "RENDERER", .showsDefault = true});
+    command.option("--compare", options->compared,
+                   "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
+                   "difference of the first two.",
+                   {.value = "A,B", .needs = &window});
     options->shadersOption =
-        command
-            ->add_option("--shaders", options->shaders,
-                         "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
-                         "of shaders/. Without it: those that the program was built with.")
-            ->type_name("DIR")
-            ->envname("TEXPLORER_SHADERS");
-    command
-        ->add_option("-o,--out", options->out,
-                     "The picture to write, its format by its extension: " + writtenExtensions() +
-                         "; - for standard output, as PNG.")
-        ->type_name("FILE")
-        ->required();
-    command->callback([&action, options] { action = [options] { return shoot(*options); }; });
+        &command.option("--shaders", options->shaders,
+                        "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
+                        "of shaders/. Without it: those that the program was built with.",
+                        {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    command.option("-o,--out", options->out,
+                   "The picture to write, its format by its extension: " + writtenExtensions(" or ") +
+                       "; - for standard output, as PNG.",
+                   {.value = "FILE", .required = true});
+    command.onCall([options] { return shoot(*options); });
 }
 
 } // namespace texplorer::screenshot

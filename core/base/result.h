@@ -1,7 +1,7 @@
 #pragma once
 
-// The one failure style: a function that can fail returns Result<T>, marked [[nodiscard]].
-// No exception crosses a public function of the core; programming mistakes are asserts.
+// A function that can fail returns Result<T>; programming mistakes are asserts. No exception leaves a public
+// function but std::bad_alloc, and not even that one where TooLarge is among the errors that it names.
 
 #include <tl/expected.hpp>
 

@@ -64,6 +64,17 @@ const CodecRow* recogniseImage(ByteView file) {
     return found == rows.end() ? nullptr : &*found;
 }
 
+std::string writtenExtensions(std::string_view last, std::string_view only) {
+    std::vector<std::string> names;
+    for (const CodecRow& row : codecRows())
+        if (row.encode && (only.empty() || row.name == only))
+            names.push_back(extensionsOf(row).front());
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text.append(i == 0 ? "" : i + 1 == names.size() ? last : ", ").append(names[i]);
+    return text;
+}
+
 const CodecRow* codecForExtension(std::string_view fileName) {
     const std::size_t dot = fileName.rfind('.');
     if (dot == std::string_view::npos)

@@ -38,7 +38,12 @@ struct CodecRow {
 /// The format that a file name's extension asks for (in any case), or nullptr.
 [[nodiscard]] const CodecRow* codecForExtension(std::string_view fileName);
 
-/// Decodes whichever format it is. An unknown one is refused with the list of those that are known.
+/// ".bmp, .dds, .png or .tga", with " or " for `last`: the usual extension of each format that is written; of
+/// `only`, where one is named.
+[[nodiscard]] std::string writtenExtensions(std::string_view last, std::string_view only = {});
+
+/// Decodes whichever format it is. An unknown one is refused with the list of those that are known. Decoders,
+/// like encoders, keep no state: any number of threads may use them at once.
 [[nodiscard]] Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits = {});
 
 /// What a file holds but for its pixels (DecodeLimits::pixels). They are decoded, and forgotten, only where

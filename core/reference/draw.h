@@ -3,8 +3,8 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/reference/sampling/lod.h"
-#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 #include "core/texture/texture_levels.h"
 
 #include <memory>
@@ -43,7 +43,9 @@ struct Drawn {
 inline constexpr int maxPictureExtent = 16384;
 
 /// Draws Scenes on the processor as the OpenGL 2.1 specification says, without OpenGL. Holds the textures of
-/// the last scene, so that the next picture of it is ready sooner.
+/// the last scene, so that the next picture of it is ready sooner. An object serves one thread at a time, and
+/// draws with several of its own; several objects, as the functions below, any number of threads at once:
+/// scenes and images are only read.
 class ReferenceRenderer {
 public:
     ReferenceRenderer();

@@ -10,6 +10,9 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"((?:core|app)/[^"]+)"', re.MULTILINE)
+# Others' headers that are for one folder: CLI11 takes seconds to compile, GLFW is for what has a display.
+ALONE = {"CLI": "app/command_line", "GLFW": "app/explorer"}
+OTHERS = re.compile(r"^\s*#\s*include\s+<(" + "|".join(ALONE) + r")/", re.MULTILINE)
 PICTURE = re.compile(r"(<!-- layers -->\n```\n).*?(```\n<!-- /layers -->)", re.DOTALL)
 
 
@@ -93,6 +96,8 @@ def wrong_includes(layers, files):
             below = layer_of(layers, included)
             if below not in may:
                 found.append(f"{path} includes {included}, but {above} does not link {below or 'it'}")
+        found += [f"{path} includes <{name}/…>, which is for {ALONE[name]}"
+                  for name in OTHERS.findall(text) if above != ALONE[name]]
     return found
 
 

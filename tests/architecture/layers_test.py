@@ -38,6 +38,10 @@ class Includes(unittest.TestCase):
         self.assertEqual(wrong(core__top__a='#include "app/ui/c.h"\n'),
                          ["core/top/a.cpp includes app/ui/c.h, but core/top does not link app/ui"])
 
+    def test_what_is_for_one_folder_is_not_for_another(self):
+        self.assertEqual(wrong(app__ui__a="#include <CLI/CLI.hpp>\n#include <CLI11>\n"),
+                         ["app/ui/a.cpp includes <CLI/…>, which is for app/command_line"])
+
     def test_a_file_without_a_library_is_named(self):
         self.assertEqual(wrong(core__new__a=""), ["core/new/a.cpp belongs to no library"])
 

@@ -1,39 +1,60 @@
 // texplorer_soak: draws, diagnoses and probes random scenes in child processes until something gives way.
 
+#include "app/command_line/command_line.h"
 #include "tests/random/soak.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
+#include <limits>
+
+namespace {
+
+constexpr int failure = 1;
+constexpr int wrongCall = 2;
+constexpr int many = std::numeric_limits<int>::max();
+
+int complain(const char* sentence) {
+    std::fprintf(stderr, "texplorer_soak: %s\n", sentence);
+    return failure;
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
-    using namespace texplorer::random;
-    CLI::App app("Draws, diagnoses and probes random scenes in child processes.", "texplorer_soak");
-    SoakOptions options;
+    using namespace texplorer;
+    random::SoakOptions options;
     options.command = argv[0];
-    options.keep = "soak";
-    app.add_option("--count", options.count, "How many scenes.")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    app.add_option("--seed", options.seed, "Other scenes; the same number gives the same ones.")
-        ->capture_default_str();
-    app.add_option("--first", options.first, "The number of the first one.")
-        ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("--jobs", options.jobs, "Processes at a time; 0: as many as the processor has.")
-        ->capture_default_str();
-    app.add_option("--keep", options.keep,
-                   "The folder for the files that the scenes name and for the scenes that fail.")
-        ->capture_default_str();
-    app.add_option("--shaders", options.shaders,
-                   "The folder of the shader renderer's files. Without it: those that it was built with.");
-    CLI11_PARSE(app, argc, argv);
+    std::string keep = "soak";
+    std::string shaders;
+    CommandLine line("texplorer_soak", TEXPLORER_VERSION,
+                     "Draws, diagnoses and probes random scenes in child processes.");
+    line.number("--count", options.count, 1, many, "How many scenes.", {.showsDefault = true});
+    line.number("--seed", options.seed, 0, std::numeric_limits<unsigned>::max(),
+                "Other scenes; the same number gives the same ones.", {.showsDefault = true});
+    line.number("--first", options.first, 0, many, "The number of the first one.", {.showsDefault = true});
+    line.number("--jobs", options.jobs, 0, 1024, "Processes at a time; 0: as many as the processor has.",
+                {.showsDefault = true});
+    line.option("--keep", keep, "The folder for the files that the scenes name and for the scenes that fail.",
+                {.value = "DIR", .showsDefault = true});
+    line.option("--shaders", shaders,
+                "The folder of the shader renderer's files. Without it: those that it was built with.",
+                {.value = "DIR"});
+    line.footer("Exit status: 0 nothing gave way, 1 something did, 2 a wrong call.");
     try {
-        const SoakReport report = soak(options);
+        const Result<std::optional<std::string>> answer = line.parse(argc, argv);
+        if (!answer) {
+            complain(describe(answer.error()).c_str());
+            return wrongCall;
+        }
+        if (*answer) {
+            std::fputs((*answer)->c_str(), stdout);
+            return 0;
+        }
+        options.keep = keep;
+        options.shaders = shaders;
+        const random::SoakReport report = random::soak(options);
         std::fputs(report.text().c_str(), stdout);
         return report.failures.empty() ? 0 : 1;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "texplorer_soak: %s\n", error.what());
-        return 1;
+        return complain(error.what());
     }
 }

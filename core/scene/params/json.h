@@ -13,11 +13,12 @@ inline constexpr int sceneFormatVersion = 1;
 /// The longest file that parseScene looks at.
 inline constexpr std::size_t maxSceneBytes = std::size_t{16} << 20;
 
-/// Reads a scene file. What a file leaves out keeps its value in defaultScene(); a list that is present
-/// replaces the default's list, and its elements begin with GL's initial values. Refused, with the JSON
-/// pointer in Error::where: unknown and repeated keys, wrong types, numbers out of range, unknown names, too
-/// many elements, a version from the future, coordinates that don't fit their mesh, an enabled unit without a
-/// texture. Where the text isn't JSON, `where` is a line and a column.
+/// Reads a scene file; any number of threads may at once. What a file leaves out keeps its value in
+/// defaultScene(); a list that is present replaces the default's list, and its elements begin with GL's
+/// initial values. Refused, with the JSON pointer in Error::where: unknown and repeated keys, wrong types,
+/// numbers out of range, unknown names, too many elements, a version from the future, coordinates that don't
+/// fit their mesh, an enabled unit without a texture. Where the text isn't JSON, `where` is a line and a
+/// column.
 [[nodiscard]] Result<Scene> parseScene(std::string_view json);
 
 /// The whole scene, every parameter written out; parseScene(writeScene(s)) == s for every scene that

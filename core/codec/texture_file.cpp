@@ -1,0 +1,29 @@
+#include "core/codec/texture_file.h"
+
+#include "core/base/file_io.h"
+#include "core/codec/registry.h"
+
+namespace texplorer {
+
+Result<TextureImage> loadTexture(const std::filesystem::path& path, const DecodeLimits& limits) {
+    const Result<Bytes> file = readFile(path);
+    if (!file)
+        return fail(file.error());
+    Result<TextureImage> texture = decodeTexture(*file, limits);
+    if (!texture)
+        return fail(texture.error().code, texture.error().message, path.string());
+    return texture;
+}
+
+Result<void> saveTexture(const TextureImage& texture, const std::filesystem::path& path,
+                         const WriteOptions& options) {
+    const CodecRow* format = codecForExtension(path.string());
+    if (format == nullptr || !format->encode)
+        return fail(ErrorCode::Unsupported, "expected a name that ends in one of " + writtenExtensions(", "),
+                    path.string());
+    const Result<Bytes> bytes = format->encode(texture, options);
+    return bytes ? writeFileAtomically(path, *bytes)
+                 : fail(bytes.error().code, bytes.error().message, path.string());
+}
+
+} // namespace texplorer

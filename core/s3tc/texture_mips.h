@@ -1,0 +1,23 @@
+#pragma once
+
+// The mip levels of a texture, compressed or not.
+
+#include "core/base/result.h"
+#include "core/image/mip_options.h"
+#include "core/image/texture_image.h"
+#include "core/s3tc/encode_quality.h"
+
+namespace texplorer {
+
+/// Replaces the levels above the base of every face by a full chain, down to 1 x 1 (x 1), made of the base as
+/// buildMipChain says (core/image/mipmaps.h). Levels of a compressed texture are made of the decompressed
+/// base and compressed to the same format; the base keeps its blocks. With NpotPolicy::PowerOfTwo a base of
+/// another size is scaled, and compressed again.
+///
+/// Errors leave the texture as it was: Malformed where the base of a face is missing or has not the bytes
+/// that its extents ask for (an outline has none), Unsupported for compressed signed formats and volumes,
+/// TooLarge without memory.
+[[nodiscard]] Result<void> buildMips(TextureImage& texture, const MipOptions& options = {},
+                                     EncodeQuality quality = EncodeQuality::Normal);
+
+} // namespace texplorer

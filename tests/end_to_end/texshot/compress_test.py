@@ -1,0 +1,135 @@
+"""texshot compress: Pillow reads what it writes."""
+
+import io
+import json
+import os
+import pty
+import signal
+import struct
+import subprocess
+import time
+import unittest
+
+from PIL import Image
+
+from texshot import TEXSHOT, Texshot, bmp
+
+
+class Compress(Texshot):
+    def test_compress_writes_what_pillow_reads(self):
+        source = self.picture(32, 16)
+        for name, quality in [("dxt1", "fast"), ("dxt1", "best"), ("dxt3", "normal"), ("dxt5", "normal")]:
+            with self.subTest(name + " " + quality):
+                out = self.path / (name + ".dds")
+                self.succeeds("compress", source, out, "--format", name, "--quality", quality)
+                self.assertLess(self.distance(Image.open(out), Image.open(source)), 8)
+                self.assertEqual(len(json.loads(self.succeeds("info", out, "--json"))["levels"]), 6)
+        self.succeeds("compress", source, out, "--format", "dxt1", "--mips", "none")
+        self.assertEqual(out.stat().st_size, 128 + 32 * 16 // 2)
+
+    CORNERS = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0), (0, 255, 255), (255, 0, 255)]
+
+    def test_compress_keeps_the_faces_of_a_cube_map(self):
+        strip, cube, out = (self.path / name for name in ("strip.bmp", "cube.dds", "out.dds"))
+        # Six faces of one colour each, whose upper left quarter is black.
+        strip.write_bytes(bmp(48, 8, lambda x, y: (0, 0, 0) if x % 8 < 4 and y < 4 else self.CORNERS[x // 8]))
+        self.succeeds("compress", strip, cube, "--format", "dxt1", "--cube", "--mips", "none")
+        report = self.succeeds("compress", cube, out, "--format", "dxt5", "--report").decode()
+        self.assertRegex(report, r"level  0  8 x 8, 6 faces +384 bytes")
+        for file, levels in ((cube, 1), (out, 4)):
+            facts = json.loads(self.succeeds("info", file, "--json"))
+            self.assertEqual((facts["faces"], len(facts["levels"])), (6, levels))
+            self.assertEqual(facts["notes"], [])
+            for face, color in enumerate(self.CORNERS):
+                data = self.succeeds("decode", file, "-", "--face", face)
+                picture = Image.open(io.BytesIO(data)).convert("RGB")
+                self.assertEqual(picture.getpixel((0, 0)), (0, 0, 0), "the upper left stays there")
+                for corner in ((7, 0), (0, 7), (7, 7)):
+                    self.assertEqual(picture.getpixel(corner), color)
+        self.complains(1, "6:1, 1:6, 4:3 or 3:4, found 32 x 16", "compress", self.picture(32, 16), self.path / "no.dds",
+                       "--format", "dxt1", "--cube")
+
+    def test_compress_refuses_a_volume(self):
+        volume = self.path / "volume.dds"
+        header = struct.pack("<4s7I44x", b"DDS ", 124, 0x801007, 4, 4, 0, 3, 0) + struct.pack("<II4s5I", 32, 0x20000, b"", 8, 255, 0, 0, 0)
+        volume.write_bytes(header + struct.pack("<5I", 0x1000, 0x200000, 0, 0, 0) + bytes(48))
+        self.complains(1, "found a volume of 3 slices", "compress", volume, self.path / "out.dds", "--format", "dxt1")
+
+    def test_compress_reports_what_it_cost(self):
+        source, out = self.picture(16, 16), self.path / "out.dds"
+        report = self.succeeds("compress", source, out, "--format", "dxt1", "--report").decode()
+        # 4 x 4 blocks of 8 bytes, then 2 x 2, then one each for 4 x 4, 2 x 2 and 1 x 1: 184 bytes for 341 texels.
+        self.assertEqual(len(report.splitlines()), 6)
+        self.assertRegex(report, r"level  0  16 x 16 +128 bytes +\d+\.\d dB")
+        self.assertRegex(report, r"sum +184 bytes, 1\.438 times the base; 13\.5 % of RGBA8, 18\.0 % of RGB8")
+        facts = json.loads(self.succeeds("info", out, "--json"))
+        self.assertAlmostEqual(facts["ratioToBase"], 184 / 128)
+        self.assertAlmostEqual(facts["shareOfRgba8"], 184 / (4 * 341))
+        self.assertIn(b"1.438 times the base; 13.5 % of RGBA8", self.succeeds("info", out))
+
+    def test_compress_offers_every_way_to_make_levels(self):
+        source, out = self.picture(24, 20), self.path / "out.dds"
+        files = set()
+        for options in [[], ["--mips", "triangle"], ["--mips", "cubic"], ["--mips", "catmull-rom"],
+                        ["--mips", "mitchell"], ["--gamma"], ["--power-of-two"], ["--mips", "none"]]:
+            self.succeeds("compress", source, out, "--format", "dxt1", *options)
+            files.add(out.read_bytes())
+        self.assertEqual(len(files), 8, "each makes levels of its own")
+        self.succeeds("compress", source, out, "--format", "dxt1", "--power-of-two")
+        facts = json.loads(self.succeeds("info", out, "--json"))
+        self.assertEqual((facts["width"], facts["height"]), (32, 16), "24 and 20 to the nearest powers of two, as GLU does it")
+        self.complains(2, "mitchel2", "compress", source, out, "--format", "dxt1", "--mips", "mitchel2")
+
+    def test_a_terminal_is_told_how_far_long_work_is(self):
+        source = self.path / "large.bmp"
+        source.write_bytes(bmp(4096, 1, lambda x, y: (0, 0, 0))[:22] + struct.pack("<i", 4096) + b"\1\0\x18\0" +
+                           bytes(24) + os.urandom(4096 * 4096 * 3))
+        terminal, other_end = pty.openpty()
+        work = subprocess.Popen([TEXSHOT, "compress", source, self.path / "out.dds", "--format", "dxt5", "--quality",
+                                 "best"], stderr=other_end)
+        os.close(other_end)
+        said = b""
+        while b"%" not in said:
+            said += os.read(terminal, 1000)
+        work.send_signal(signal.SIGINT)
+        try:
+            while more := os.read(terminal, 1000):
+                said += more
+        except OSError:  # how Linux says that nobody holds the other end any more
+            pass
+        self.assertEqual(work.wait(timeout=60), 130)
+        self.assertRegex(said.decode(), r"\rtexshot: compressing: \d+ %")
+        self.assertIn("\r\033[Ktexshot: interrupted; nothing was written", said.decode())
+        self.assertFalse((self.path / "out.dds").exists())
+
+    def test_an_interrupt_leaves_no_file(self):
+        source = self.path / "large.bmp"
+        source.write_bytes(bmp(1024, 1024, lambda x, y: (x * y & 255, x & 255, y & 255)))
+        before = sorted(os.listdir(self.path))
+        work = subprocess.Popen([TEXSHOT, "compress", source, self.path / "out.dds", "--format", "dxt5", "--quality",
+                                 "best"], stderr=subprocess.PIPE)
+        time.sleep(0.3)
+        work.send_signal(signal.SIGINT)
+        said = work.communicate(timeout=60)[1].decode()
+        self.assertEqual(sorted(os.listdir(self.path)), before)
+        self.assertEqual(work.returncode, 130)
+        self.assertIn("interrupted", said)
+
+    def test_wrong_calls(self):
+        source = self.picture(4, 4)
+        for expected, arguments in [
+            ("--format", ["compress", source, self.path / "out.dds"]),
+            ("dxt9", ["compress", source, self.path / "out.dds", "--format", "dxt9"]),
+            ("--format: expected one of dxt1, dxt1a, dxt3, dxt5, bc4, bc5, found \"foo\"",
+             ["compress", source, self.path / "out.dds", "--format", "foo"]),
+            ("--quality: expected one of fast, normal, best, found \"fine\"",
+             ["compress", source, self.path / "out.dds", "--format", "dxt1", "--quality", "fine"]),
+            ("--mips: expected one of none, box, ",
+             ["compress", source, self.path / "out.dds", "--format", "dxt1", "--mips", "many"]),
+        ]:
+            with self.subTest(expected):
+                self.complains(2, expected, *arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()

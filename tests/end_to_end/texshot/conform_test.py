@@ -1,0 +1,108 @@
+"""texshot conform: whether the renderers agree."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from PIL import Image
+
+from texshot import TEXSHOT, Texshot, texshot
+
+
+class Conform(Texshot):
+    FEW = ("conform", "--feature", "wrap", "--feature", "environment", "--scenes", "16")
+
+    def test_the_three_renderers_agree(self):
+        said = self.succeeds(*self.FEW).decode()
+        self.assertRegex(said, r"shader against fixed\nfeature +scenes")
+        self.assertRegex(said, r"reference against fixed\nfeature +scenes")
+        self.assertEqual(len([line for line in said.splitlines() if " agree " in line]), 4)
+        self.assertIn("with GALLIVM_PERF=no_rho_approx", said)
+        self.assertIn("\n16 scenes of 64 x 64 pixels, seed 1, in ", said)
+
+    def test_the_command_that_a_report_gives_makes_it_again(self):
+        report = self.succeeds(*self.FEW, "--json", "--seed", "7", "--renderer", "shader")
+        command = json.loads(report)["command"]
+        self.assertRegex(command, r"\AGALLIVM_PERF=\S+ texshot conform --seed 7 --scenes 16 --feature wrap --feature environment --renderer shader\Z")
+        path = f"{Path(TEXSHOT).parent}:{os.environ['PATH']}"
+        again = subprocess.run(f"{command} --json", shell=True, stdout=subprocess.PIPE, env=os.environ | {"PATH": path})
+        self.assertEqual((again.returncode, again.stdout), (0, report))
+
+    def test_one_pair_as_json(self):
+        report = json.loads(self.succeeds(*self.FEW, "--json", "--renderer", "shader", "--against", "reference"))
+        self.assertTrue(report["agrees"])
+        self.assertEqual([(pair["renderer"], pair["against"]) for pair in report["pairs"]], [("shader", "reference")])
+        for feature in report["pairs"][0]["features"]:
+            self.assertEqual(feature["all"]["over"], 0)
+            self.assertEqual(feature["all"]["pixels"], 64 * 64 * feature["all"]["scenes"])
+
+    def test_the_same_seed_gives_the_same_report(self):
+        self.assertEqual(self.succeeds(*self.FEW, "--json"), self.succeeds(*self.FEW, "--json"))
+        self.assertNotEqual(self.succeeds(*self.FEW, "--json"), self.succeeds(*self.FEW, "--json", "--seed", "2"))
+
+    def test_the_folder_holds_worst_scenes_that_can_be_drawn_again(self):
+        folder = self.path / "new" / "report"
+        self.succeeds(*self.FEW, "-o", folder)
+        self.assertEqual(json.loads((folder / "report.json").read_text())["scenes"], 16)
+        page = (folder / "index.html").read_text()
+        self.assertIn("wrap-reference-fixed.json", page)
+        self.assertRegex(page, r"Made by texshot [0-9.]+ on \d{4}-\d\d-\d\d \d\d:\d\d UTC in [0-9.]+ s; again: <code>GALLIVM_PERF=")
+        for renderer in ("reference", "fixed"):
+            kept = Image.open(folder / f"wrap-reference-fixed-{renderer}.png").convert("RGB")
+            again = self.shot(folder / "wrap-reference-fixed.json", "--renderer", renderer, "--size", "64x64")
+            self.assertIsNone(self.difference(kept, again))
+
+    def test_shaders_that_are_wrong_are_found(self):
+        shaders = self.path / "shaders"
+        shutil.copytree(Path(__file__).parents[3] / "shaders", shaders)
+        environment = shaders / "environment.glsl"
+        text = environment.read_text()
+        self.assertIn("color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);", text)
+        environment.write_text(text.replace("color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);", "color.rgb = texelUNIT.rgb;"))
+        result = texshot("conform", "--feature", "environment", "--renderer", "shader", "--shaders", shaders)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        self.assertRegex(result.stdout.decode(), r"environment .* DIFFER")
+
+    def test_shaders_that_cannot_be_read_are_refused(self):
+        nowhere = self.path / "nowhere"
+        self.complains(1, "nowhere/", "conform", "--feature", "wrap", "--shaders", nowhere, "-o", self.path / "report")
+        self.assertFalse((self.path / "report").exists())
+        self.complains(2, "--shaders: has no effect here", "conform", "--renderer", "reference", "--shaders", nowhere)
+
+    def test_the_list_gives_features_and_reasons(self):
+        said = self.succeeds("conform", "--list").decode()
+        for expected in ("trilinear", "dEQP", "undefined-decal", "3.8.13"):
+            self.assertIn(expected, said)
+
+    def test_wrong_calls(self):
+        for expected, *arguments in (
+            ("--feature: expected one of coverage, depth, ", "--feature", "none"),
+            ("--renderer: expected one of fixed, shader, reference, found \"gpu\"", "--renderer", "gpu"),
+            ("expected two different renderers, found \"fixed\" twice", "--renderer", "fixed", "--against", "fixed"),
+            ("--renderer: expected another renderer than fixed, which --against is unless it is given", "--renderer", "fixed"),
+            ("--against: expected another renderer than fixed, which --renderer is", "--against", "fixed"),
+            ("--scenes: expected a whole number from 1 to 100000, found \"0\"", "--scenes", "0"),
+            ("--seed: expected a whole number from 0 to 4294967295, found \"-1\"", "--seed", "-1"),
+            ("--seed: expected a whole number from 0 to 4294967295, found \"some\"", "--seed", "some"),
+        ):
+            with self.subTest(expected=expected):
+                self.complains(2, expected, "conform", *arguments)
+
+    def test_an_interrupt_writes_nothing(self):
+        work = subprocess.Popen([TEXSHOT, "conform", "--scenes", "100000", "-o", self.path / "report"],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(3)
+        work.send_signal(signal.SIGINT)
+        out, said = work.communicate(timeout=60)
+        self.assertEqual((work.returncode, out), (130, b""))
+        self.assertIn(b"interrupted", said)
+        self.assertEqual(os.listdir(self.path), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,51 @@
+"""texshot decode: a file, or a part of it, as a picture."""
+
+import io
+import unittest
+
+from PIL import Image
+
+from texshot import Texshot, bmp
+
+
+class Decode(Texshot):
+    def test_decode_gives_the_pixels_that_went_in(self):
+        file = self.path / "ramp.bmp"
+        file.write_bytes(bmp(5, 3, lambda x, y: (x * 50, y * 100, 7)))
+        self.succeeds("decode", file, self.path / "ramp.png")
+        picture = Image.open(self.path / "ramp.png").convert("RGB")
+        self.assertEqual(picture.tobytes(), Image.open(file).convert("RGB").tobytes())
+
+    def test_decode_level_is_the_box_average(self):
+        file = self.path / "board.bmp"
+        file.write_bytes(bmp(4, 4, lambda x, y: (200, 100, 0) if x < 2 else (0, 40, 80)))
+        level = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--level", "2"))).convert("RGB")
+        self.assertEqual((level.size, level.getpixel((0, 0))), ((1, 1), (100, 70, 40)))
+        self.complains(1, "levels 0 to 2", "decode", file, "-", "--level", "3")
+
+    def test_decode_chooses_level_and_direction(self):
+        file = self.path / "in.dds"
+        self.succeeds("compress", self.picture(16, 16), file, "--format", "dxt1")
+        upright = Image.open(io.BytesIO(self.succeeds("decode", file, "-"))).convert("RGB")
+        self.assertEqual(upright.tobytes(), Image.open(file).convert("RGB").tobytes())
+        naive = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--no-flip"))).convert("RGB")
+        self.assertEqual(naive.tobytes(), upright.transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes())
+        level = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--level", "3")))
+        self.assertEqual(level.size, (2, 2))
+        for expected, options in [("levels 0 to 4", ["--level", "5"]), ("face 0 alone", ["--face", "1"]),
+                                  ("slice 0 alone", ["--slice", "1"])]:
+            with self.subTest(options):
+                self.complains(1, expected, "decode", file, "-", *options)
+
+    def test_wrong_calls(self):
+        source = self.picture(4, 4)
+        for expected, arguments in [
+            ("--level: expected a whole number from 0 to 30, found \"31\"",
+             ["decode", source, self.path / "out.png", "--level", "31"]),
+        ]:
+            with self.subTest(expected):
+                self.complains(2, expected, *arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,120 @@
+"""texshot probe: a square of 2 x 2 texels that fills a picture of 4 x 4 pixels exactly."""
+
+import json
+import os
+import shutil
+import subprocess
+import unittest
+
+from texshot import TEXSHOT, Texshot, bmp
+
+
+class Probe(Texshot):
+    def setUp(self):
+        super().setUp()
+        # From the bottom left: 0, 51, 102, 255.
+        texels = {(0, 1): 0, (1, 1): 51, (0, 0): 102, (1, 0): 255}
+        (self.path / "four.bmp").write_bytes(bmp(2, 2, lambda x, y: (texels[x, y],) * 3))
+        self.scene = self.path / "flat.json"
+        self.scene.write_text(json.dumps({
+            "version": 1,
+            "view": {"projection": "orthographic", "fieldOfView": 90, "distance": 1, "azimuth": 0, "elevation": 0},
+            "models": [{"shape": "quad"}],
+            "textures": [{"source": "file", "file": "four.bmp", "minFilter": "GL_LINEAR"}],
+            "passes": [{"units": [{"enabled": True, "envMode": "GL_REPLACE"}]}],
+        }))
+
+    def probe(self, *arguments):
+        return json.loads(self.succeeds("probe", self.scene, "--size", "4x4", "--json", *arguments))
+
+    def test_the_pixel_is_counted_from_the_top_left_and_its_texels_are_those_of_the_specification(self):
+        found = self.probe("--at", "0,3", "--no-gl")
+        self.assertEqual(found["window"], [0, 0])
+        # 9/16 * 0 + 3/16 * 51 + 3/16 * 102 + 1/16 * 255 = 44.6
+        self.assertEqual(found["reference"], [45, 45, 45, 255])
+        sample = found["fragments"][0]["units"][0]["sample"]
+        weights = {tuple(tap["index"][:2]): tap["weight"] * 16 for tap in sample["taps"]}
+        self.assertEqual(weights, {(0, 0): 9, (1, 0): 3, (0, 1): 3, (1, 1): 1})
+        self.assertEqual((sample["lod"]["rho"], sample["lod"]["lambda"], sample["lod"]["magnified"]), (0.5, -1, True))
+        self.assertEqual(self.probe("--at", "0,0", "--no-gl")["window"], [0, 3])
+
+    def test_it_gives_the_bytes_of_the_pictures_of_all_three_renderers(self):
+        pictures = {
+            renderer: self.shot(self.scene, "--size", "4x4", "--renderer", renderer)
+            for renderer in ("fixed", "shader", "reference")
+        }
+        for at in ((0, 0), (3, 0), (1, 2), (3, 3)):
+            found = self.probe("--at", f"{at[0]},{at[1]}")
+            for renderer, picture in pictures.items():
+                self.assertEqual(tuple(found[renderer][:3]), picture.getpixel(at)[:3], (renderer, at))
+
+    def test_the_text_says_what_the_json_says(self):
+        said = self.succeeds("probe", self.scene, "--size", "4x4", "--at", "0,3").decode()
+        for expected in ("pixel 0, 3 of 4 x 4, from the top left", "reference  45 45 45 255", "fixed      ", "shader     ",
+                         "(0, 0)", "0.5625", "GL_REPLACE", "rho = the longer", "lambda is not above 0"):
+            self.assertIn(expected, said)
+
+    def test_without_the_part_that_draws_it_says_so_and_goes_on(self):
+        alone = self.path / "bin" / "texshot"
+        alone.parent.mkdir()
+        shutil.copy(TEXSHOT, alone)
+        result = subprocess.run([alone, "probe", self.scene, "--size", "4x4", "--at", "0,3"], capture_output=True)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertIn(b"can't load the part that draws", result.stdout)
+        self.assertIn(b"reference  45 45 45 255", result.stdout)
+
+    def test_where_nothing_is_drawn_it_says_so(self):
+        said = self.succeeds("probe", self.scene, "--size", "8x8", "--at", "0,0", "--no-gl",
+                             "--set", "models[0].size=0.5", "--set", "view.background=0,0.5,1,1")
+        self.assertIn(b"No triangle covers it: it shows the background", said)
+        self.assertIn(b"reference  0 128 255", said)
+
+    def test_a_texel_is_found_in_the_pixels_that_read_it(self):
+        found = self.probe("--texel", "0,0,0,0")
+        # Along each axis the texel's share is 3/4, 3/4, 1/4, 1/4 from the left and from the bottom.
+        share = [3, 3, 1, 1]
+        self.assertEqual({(x, y): weight * 16 for x, y, weight in found["pixels"]},
+                         {(x, y): share[x] * share[3 - y] for x in range(4) for y in range(4)})
+        said = self.succeeds("probe", self.scene, "--size", "4x4", "--texel", "0,0,0,0").decode()
+        self.assertIn("16 pixels read it, x from 0 to 3, y from 0 to 3", said)
+        self.assertIn("4 pixels' worth of colour", said)
+        # The heaviest first; of equal ones, row by row from below.
+        self.assertRegex(said, r"colour in all\n  0, 3 +0.5625\n  1, 3 +0.5625\n  0, 2 +0.5625\n  1, 2 +0.5625\n"
+                               r"  2, 3 +0.1875\n")
+        self.scene.write_text(self.scene.read_text().replace('"quad"', '"quad", "visible": false'))
+        self.assertEqual(self.probe("--texel", "0,0,0,0")["pixels"], [])
+
+    def test_the_list_of_a_large_picture_is_written_as_it_is_found(self):
+        probe = subprocess.Popen([TEXSHOT, "probe", self.scene, "--size", "1500x1500", "--json", "--texel", "0,0,0,0"],
+                                 stdout=subprocess.PIPE)
+        found = json.loads(probe.stdout.read())
+        probe.stdout.close()
+        _, code, used = os.wait4(probe.pid, 0)
+        probe.returncode = code
+        self.assertEqual(code, 0)
+        self.assertEqual(len(found["pixels"]), 1500 * 1500)  # only at the others' very centres it has no share
+        self.assertLess(used.ru_maxrss, 150 * 1024)  # KiB
+
+    def test_what_it_does_not_have_is_refused(self):
+        for code, expected, *arguments in (
+            (2, "expected either --at or --texel"),
+            (2, "expected either --at or --texel", "--at", "1,1", "--texel", "0,0,0,0"),
+            (2, "--at: expected X,Y, found \"middle\"", "--at", "middle"),
+            (2, "--at: expected X,Y, found \"1,2,3\"", "--at", "1,2,3"),
+            (2, "expected a pixel from 0,0 to 3,3, found 4,0", "--at", "4,0"),
+            (2, "expected a pixel from 0,0 to 3,3, found -1,0", "--at=-1,0"),
+            (2, "--at: expected X,Y, found \"99999999999,0\"", "--at", "99999999999,0"),
+            (2, "--texel: expected UNIT,LEVEL,I,J, found \"0\"", "--texel", "0"),
+            (2, "without a level 5", "--texel", "0,5,0,0"),
+            (2, "expected i from -1 to 2 in level 0, its border included, found 3", "--texel", "0,0,3,0"),
+            (2, "expected a unit from 0 to 3, found 9", "--texel", "9,0,0,0"),
+            (2, "there is no pass 3", "--texel", "0,0,0,0", "--pass", "3"),
+            (1, "units[2] samples nothing", "--texel", "2,0,0,0"),
+            (2, "--size: expected WIDTHxHEIGHT", "--at", "0,0", "--size", "0x4"),
+        ):
+            size = () if "--size" in arguments else ("--size", "4x4")
+            self.complains(code, expected, "probe", self.scene, *size, *arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,225 @@
+"""texshot shot: the picture of a scene."""
+
+import io
+import json
+import os
+import shutil
+import subprocess
+import unittest
+
+from PIL import Image, ImageChops
+
+from texshot import TEXSHOT, Texshot, bmp, texshot
+
+
+class Shot(Texshot):
+    def test_two_runs_give_the_same_bytes(self):
+        for window in ([], ["--ui"]):
+            first = self.succeeds("shot", "--size", "640x400", *window, "-o", "-")
+            second = self.succeeds("shot", "--size", "640x400", *window, "-o", "-")
+            self.assertEqual(first, second)
+
+    def test_the_default_scene_shows_a_cube_and_a_sphere(self):
+        picture = self.shot("--size", "320x200")
+        self.assertEqual(picture.size, (320, 200))
+        background = picture.getpixel((2, 2))
+        self.assertNotEqual(picture.getpixel((95, 100)), background, "left of the middle there is the cube")
+        self.assertNotEqual(picture.getpixel((225, 100)), background, "right of the middle there is the sphere")
+        self.assertEqual(picture.getpixel((160, 10)), background)
+
+    def test_a_flat_square_shows_its_texture_upright(self):
+        file = self.path / "corners.bmp"
+        colours = {(0, 0): (255, 0, 0), (1, 0): (0, 255, 0), (0, 1): (0, 0, 255), (1, 1): (255, 255, 0)}
+        file.write_bytes(bmp(2, 2, lambda x, y: colours[x, y]))
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({
+            "version": 1,
+            "view": {"projection": "orthographic", "azimuth": 0, "elevation": 0, "distance": 5, "fieldOfView": 22.6},
+            "models": [{"shape": "quad"}],
+            "textures": [{"source": "file", "file": "corners.bmp", "magFilter": "GL_NEAREST",
+                          "minFilter": "GL_NEAREST"}],
+            "passes": [{"units": [{"enabled": True, "envMode": "GL_REPLACE"}]}],
+        }))
+        picture = self.shot(scene, "--size", "100x100")
+        for (x, y), colour in colours.items():
+            self.assertEqual(picture.getpixel((25 + 50 * x, 25 + 50 * y))[:3], colour, (x, y))
+
+    def test_set_changes_one_parameter(self):
+        plain = self.shot("--size", "200x120")
+        tinted = self.shot("--size", "200x120", "--set", "material.color=1,0,0,1", "--set", "view.background=0,0,1,1")
+        self.assertEqual(tinted.getpixel((1, 1)), (0, 0, 255, 255))
+        self.assertNotEqual(plain.tobytes(), tinted.tobytes())
+
+    def test_time_moves_what_is_animated(self):
+        scene = self.path / "spin.json"
+        scene.write_text('{"version": 1, "models": [{"shape": "cube", "spin": [0, 45, 0]}]}')
+        self.assertEqual(self.shot(scene, "--size", "99x99").tobytes(),
+                         self.shot(scene, "--size", "99x99", "--time", "0").tobytes())
+        self.assertNotEqual(self.shot(scene, "--size", "99x99").tobytes(),
+                            self.shot(scene, "--size", "99x99", "--time", "0.5").tobytes())
+
+    def test_an_existing_picture_survives_a_failure(self):
+        out = self.path / "out.png"
+        self.succeeds("shot", "--size", "16x16", "-o", out)
+        before = out.read_bytes()
+        (self.path / "broken.json").write_text('{"version": 1, "view": ')
+        self.complains(1, "broken.json", "shot", self.path / "broken.json", "-o", out)
+        self.assertEqual(out.read_bytes(), before)
+
+    def test_bad_calls(self):
+        out = self.path / "out.png"
+        for expected, arguments in [
+            ("from 1x1 to 16384x16384, found \"0x10\"", ["--size", "0x10"]),
+            ("from 1x1 to 16384x16384", ["--size", "100000x100000"]),
+            ("from 320x200 to 16384x16384, found \"1x1\"", ["--ui", "--size", "1x1"]),
+            ("from 320x200", ["--ui", "--size", "320x199"]),
+            ("WIDTHxHEIGHT", ["--size", "12"]),
+            ("WIDTHxHEIGHT", ["--size", "12x-3"]),
+            ("WIDTHxHEIGHT", ["--size", "99999999999999999999x3"]),
+            ("finite number of seconds, found \"nan\"", ["--time", "nan"]),
+            ("finite number of seconds, found \"1e999\"", ["--time", "1e999"]),
+            ("finite number of seconds, found \"soon\"", ["--time", "soon"]),
+            ("PATH=VALUE", ["--set", "view.azimuth"]),
+            ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
+            ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
+            ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
+            ("one of vertices, commands, glsl, explain, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("--ui", ["--tab", "file"]),
+            ("one of texture, unit, combine, coordinates, matrix, model, pass, light, material, view, found \"lod\"",
+             ["--ui", "--section", "lod"]),
+            ("--ui", ["--section", "matrix"]),
+            ("there is no option --nonsense; see texshot shot --help", ["--nonsense"]),
+            ("expected no further argument, found \"b.json\"; see texshot shot --help", ["a.json", "b.json"]),
+        ]:
+            with self.subTest(arguments):
+                self.complains(2, expected, "shot", *arguments, "-o", out)
+        self.complains(2, "--out", "shot")
+        self.complains(2, "--size: expected a value, found none", "shot", "-o", out, "--size")
+        self.complains(2, "expected one of shot, probe, check, conform, params, decode, info")
+        for unknown in ["paint", "--paint", "-x", ""]:
+            self.complains(2, f'there is no command "{unknown}"', unknown)
+
+    def test_bad_scenes(self):
+        for name, content, expected in [
+            ("empty.json", b"", "empty.json"),
+            ("binary.json", bytes(range(256)), "binary.json"),
+            ("list.json", b"[]", "object"),
+            ("deep.json", b"[" * 100000, "deep.json"),
+            ("huge.json", b'{"version": 1, "view": {"azimuth": 1e999}}', "huge.json"),
+            ("sphere.json", b'{"version": 1, "models": [{"shape": "sphere", "slices": 1000000000}]}',
+             "/models/0/slices"),
+            ("typo.json", b'{"version": 1, "textures": [{"minFliter": 3}]}', "/textures/0"),
+            ("future.json", b'{"version": 99}', "99"),
+        ]:
+            with self.subTest(name):
+                file = self.path / name
+                file.write_bytes(content)
+                said = self.complains(1, expected, "shot", file, "-o", self.path / "out.png")
+                self.assertIn(name, said)
+                self.assertLess(len(said), 600, "one sentence, not a dump")
+
+    def test_a_scene_beyond_the_limit_is_not_read(self):
+        file = self.path / "huge.json"
+        with open(file, "wb") as huge:
+            huge.truncate(17 << 20)
+        self.complains(1, "at most 16777216 bytes are read", "shot", file, "-o", self.path / "out.png")
+
+    def test_missing_files(self):
+        out = self.path / "out.png"
+        self.complains(1, "nowhere.json", "shot", self.path / "nowhere.json", "-o", out)
+        self.complains(1, "director", "shot", self.path, "-o", out)
+        self.complains(1, "nowhere.bmp", "shot", "--set", "textures[0].source=file", "--set",
+                       "textures[0].file=nowhere.bmp", "-o", out)
+        self.complains(1, "no/such", "shot", "--size", "8x8", "-o", self.path / "no/such/out.png")
+
+    def test_the_reference_draws_what_opengl_draws(self):
+        fixed = self.shot("--size", "320x200")
+        reference = self.shot("--size", "320x200", "--renderer", "reference")
+        difference = ImageChops.difference(fixed, reference).convert("L")
+        far = sum(count for level, count in enumerate(difference.histogram()) if level > 16)
+        self.assertLess(far, 320 * 200 / 100)
+        self.assertEqual(difference.getpixel((95, 100)), 0)
+
+    def test_the_reference_needs_no_opengl(self):
+        alone = self.path / "bin" / "texshot"  # without the module that holds OpenGL beside it
+        alone.parent.mkdir()
+        shutil.copy(TEXSHOT, alone)
+        shoot = [alone, "shot", "--size", "16x16", "-o", "-"]
+        self.assertEqual(subprocess.run(shoot, capture_output=True).returncode, 1)
+        drawn = subprocess.run([*shoot, "--renderer", "reference"], capture_output=True)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
+        self.assertEqual(Image.open(io.BytesIO(drawn.stdout)).size, (16, 16))
+
+    def test_the_reference_knows_two_ways_of_anisotropy(self):
+        floor = ["--size", "64x48", "--renderer", "reference", "--set", "models[0].shape=floor",
+                 "--set", "textures[0].maxAnisotropy=8"]
+        probes = self.shot(*floor)
+        self.assertEqual(self.shot(*floor, "--anisotropy", "probes").tobytes(), probes.tobytes())
+        self.assertNotEqual(self.shot(*floor, "--anisotropy", "ellipse").tobytes(), probes.tobytes())
+        scene = self.path / "floor.json"
+        scene.write_text('{"version": 1, "view": {"azimuth": 33}, "textures": [{"maxAnisotropy": 8,'
+                         ' "minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "generated"}],'
+                         ' "passes": [{"depthTest": true, "units": [{"enabled": true}]}]}')
+        window = self.shot(scene, "--ui", "--renderer", "reference", "--anisotropy", "ellipse",
+                           "--size", "1280x800")
+        alone = self.shot(scene, "--renderer", "reference", "--anisotropy", "ellipse", "--size", "583x682")
+        self.assertIsNone(self.difference(window.crop((321, 64, 321 + 583, 64 + 682)), alone))
+        otherwise = self.shot(scene, "--renderer", "reference", "--size", "583x682")
+        self.assertIsNotNone(self.difference(otherwise, alone))
+        out = self.path / "out.png"
+        self.complains(2, 'expected one of probes, ellipse, found "fast"',
+                       "shot", "--renderer", "reference", "--anisotropy", "fast", "-o", out)
+        self.complains(2, "only the reference has a choice", "shot", "--anisotropy", "ellipse", "-o", out)
+
+    def test_a_cross_is_cut_into_the_faces_of_a_cube_map(self):
+        cross = Image.new("RGB", (64, 48))
+        colours = {"+x": (255, 0, 0), "-x": (0, 255, 255), "+y": (0, 255, 0), "-y": (255, 0, 255),
+                   "+z": (0, 0, 255), "-z": (255, 255, 0)}
+        places = {"+x": (2, 1), "-x": (0, 1), "+y": (1, 0), "-y": (1, 2), "+z": (1, 1), "-z": (3, 1)}
+        for name, (column, row) in places.items():
+            cross.paste(colours[name], (16 * column, 16 * row, 16 * column + 16, 16 * row + 16))
+        cross.save(self.path / "cross.png")
+        (self.path / "cube.json").write_text("""{"version": 1, "models": [{"shape": "cube"}],
+            "textures": [{"source": "file", "file": "cross.png", "magFilter": "GL_NEAREST",
+                          "minFilter": "GL_NEAREST"}],
+            "passes": [{"depthTest": true, "units": [{"enabled": true, "target": "GL_TEXTURE_CUBE_MAP",
+              "envMode": "GL_REPLACE", "texGenS": {"enabled": true, "mode": "GL_OBJECT_LINEAR"},
+              "texGenT": {"enabled": true, "mode": "GL_OBJECT_LINEAR"},
+              "texGenR": {"enabled": true, "mode": "GL_OBJECT_LINEAR", "objectPlane": [0, 0, 1, 0]}}]}]}""")
+        views = {"+z": (0, 0), "+x": (90, 0), "-z": (180, 0), "-x": (270, 0), "+y": (0, 89), "-y": (0, -89)}
+        for renderer in ("fixed", "shader", "reference"):
+            for name, (azimuth, elevation) in views.items():
+                seen = self.shot(self.path / "cube.json", "--size", "33x33", "--renderer", renderer,
+                                 "--set", f"view.azimuth={azimuth}", "--set", f"view.elevation={elevation}")
+                self.assertEqual(seen.getpixel((16, 16))[:3], colours[name], f"{renderer} {name}")
+
+    def test_shaders_that_cannot_be_read_are_refused(self):
+        out = self.path / "x.png"
+        for arguments in [("--renderer", "shader"), ("--ui",), ("--ui", "--compare", "fixed,shader")]:
+            with self.subTest(" ".join(arguments)):
+                self.complains(1, "nowhere/", "shot", *arguments, "--shaders", self.path / "nowhere", "-o", out)
+                self.assertFalse(out.exists())
+        nobody = texshot("shot", "--size", "8x8", "-o", out, env={**os.environ, "TEXPLORER_SHADERS": "nowhere"})
+        self.assertEqual((nobody.returncode, nobody.stderr), (0, b""), "nobody asks for what the environment names")
+
+    def test_a_renderer_that_does_not_exist_is_refused(self):
+        self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
+                       "shot", "--renderer", "metal", "-o", self.path / "out.png")
+
+    def test_a_shot_names_the_scene_and_the_texture_whose_file_is_missing(self):
+        scene = self.path / "lesson.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "nowhere.bmp"}]}))
+        for command in (["shot", scene, "-o", self.path / "out.png"], ["probe", scene, "--at", "1,1"]):
+            self.complains(1, f"texshot: {scene}: textures[0].file: {self.path}/nowhere.bmp: ", *command)
+        checked = texshot("check", scene).stdout.decode()
+        self.assertIn(f"error: textures[0].file: {self.path}/nowhere.bmp: ", checked)
+
+    def test_a_shot_says_it_too_and_is_drawn(self):
+        result = texshot("shot", "--size", "32x32", "--set", "textures[0].mipmaps=none", "-o", "-")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr.decode(), r"\Atexshot: textures\[0\]\.minFilter: the texture is incomplete[^\n]+\n\Z")
+        self.assertEqual(Image.open(io.BytesIO(result.stdout)).size, (32, 32))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,76 @@
+"""Drives the real texshot as a user would: exit codes, sentences, pictures. Pillow reads what it writes."""
+
+import io
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from PIL import Image, ImageChops
+
+TEXSHOT = sys.argv.pop(1)
+
+
+def texshot(*arguments, **options):
+    return subprocess.run([TEXSHOT, *map(str, arguments)], capture_output=True, timeout=120, **options)
+
+
+def bmp(width, height, pixel):
+    """A 24-bit BMP whose pixel (x, y), y from the top, is pixel(x, y) as (r, g, b)."""
+    rows = b""
+    for y in reversed(range(height)):
+        row = b"".join(bytes(reversed(pixel(x, y))) for x in range(width))
+        rows += row + b"\0" * (-len(row) % 4)
+    header = struct.pack("<2sIHHI", b"BM", 54 + len(rows), 0, 0, 54)
+    header += struct.pack("<IiiHHIIiiII", 40, width, height, 1, 24, 0, len(rows), 2835, 2835, 0, 0)
+    return header + rows
+
+
+class Texshot(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = Path(self.folder.name)
+        self.addCleanup(self.folder.cleanup)
+
+    def succeeds(self, *arguments):
+        result = texshot(*arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, b""), arguments)
+        return result.stdout
+
+    def complains(self, code, expected, *arguments):
+        """Fails with this code and one sentence that holds `expected`, and leaves no file behind."""
+        before = sorted(os.listdir(self.path))
+        result = texshot(*arguments)
+        said = result.stderr.decode()
+        self.assertEqual(result.returncode, code, said)
+        self.assertRegex(said, r"\Atexshot: [^\n]+\n\Z", "one sentence, and who says it")
+        self.assertIn(expected, said)
+        self.assertEqual(result.stdout, b"")
+        self.assertEqual(sorted(os.listdir(self.path)), before)
+        return said
+
+    def difference(self, a, b):
+        """Where two opaque pictures differ, or None. Of RGBA Pillow would look at alpha alone."""
+        return ImageChops.difference(a.convert("RGB"), b.convert("RGB")).getbbox()
+
+    def shot(self, *arguments):
+        return Image.open(io.BytesIO(self.succeeds("shot", *arguments, "-o", "-"))).convert("RGBA")
+
+    def picture(self, width, height):
+        file = self.path / "in.bmp"
+        file.write_bytes(bmp(width, height, lambda x, y: (x * 255 // width, y * 255 // height, 60)))
+        return file
+
+    def distance(self, a, b):
+        """The root of the mean square over all channels."""
+        squares = [(p - q) ** 2 for p, q in zip(a.convert("RGB").tobytes(), b.convert("RGB").tobytes())]
+        return (sum(squares) / len(squares)) ** 0.5
+
+    def wait_until_it_watches(self, work):
+        """Until it handles signals: it has a thread for that."""
+        while work.poll() is None and len(os.listdir(f"/proc/{work.pid}/task")) < 2:
+            time.sleep(0.01)

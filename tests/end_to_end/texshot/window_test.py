@@ -1,0 +1,87 @@
+"""texshot shot --ui: the window, panels and all."""
+
+import unittest
+
+from texshot import Texshot
+
+
+class Window(Texshot):
+    def test_the_window_is_drawn_with_its_panels(self):
+        picture = self.shot("--ui", "--size", "1280x800").convert("RGB")
+        self.assertEqual(picture.size, (1280, 800))
+        left = picture.crop((0, 40, 300, 760))
+        self.assertGreater(len(left.getcolors(300 * 720)), 20, "the left panel holds text, so it has many greys")
+
+    def test_each_tab_can_be_shown(self):
+        size = (1280, 800)
+        corner = (910, 440, 1280, 770)  # the tabs
+        plain = self.shot("--ui", "--size", "%dx%d" % size)
+        seen = {plain.crop(corner).tobytes()}
+        for tab in ("commands", "glsl", "file", "memory"):
+            with self.subTest(tab):
+                picture = self.shot("--ui", "--size", "%dx%d" % size, "--tab", tab)
+                self.assertEqual(picture.crop((0, 0, 900, 800)).tobytes(), plain.crop((0, 0, 900, 800)).tobytes())
+                seen.add(picture.crop(corner).tobytes())
+        self.assertEqual(len(seen), 5)
+        self.assertEqual(self.shot("--ui", "--tab", "vertices").tobytes(), plain.tobytes())
+
+    def test_the_window_shows_the_section_that_is_asked_for(self):
+        rest = (316, 0, 1280, 800)
+        plain = self.shot("--ui", "--size", "1280x800")
+        seen = {plain.tobytes()}
+        for section in ("coordinates", "matrix", "light"):
+            with self.subTest(section):
+                picture = self.shot("--ui", "--size", "1280x800", "--section", section)
+                self.assertEqual(picture.crop(rest).tobytes(), plain.crop(rest).tobytes())
+                seen.add(picture.tobytes())
+        self.assertEqual(len(seen), 4)
+
+    def test_the_smallest_window_is_drawn(self):
+        self.assertEqual(self.shot("--ui", "--size", "320x200").size, (320, 200))
+
+    def test_the_window_shows_the_picture_of_each_renderer(self):
+        scene = self.path / "scene.json"
+        scene.write_text('{"version": 1, "view": {"azimuth": 33}}')  # a camera that the window need not fit
+        place = (321, 64, 321 + 583, 64 + 682)
+        for renderer in ("fixed", "shader", "reference"):
+            with self.subTest(renderer):
+                window = self.shot(scene, "--ui", "--renderer", renderer, "--size", "1280x800")
+                alone = self.shot(scene, "--renderer", renderer, "--size", "583x682")
+                self.assertIsNone(self.difference(window.crop(place), alone))
+
+    def test_the_window_compares_renderers(self):
+        scene = self.path / "scene.json"
+        scene.write_text('{"version": 1, "view": {"azimuth": 33}}')
+        window = self.shot(scene, "--ui", "--compare", "shader,reference", "--size", "1280x800")
+        for renderer, place in [("shader", (330, 110, 600, 700)), ("reference", (630, 110, 900, 700))]:
+            alone = self.shot(scene, "--renderer", renderer, "--size", "583x650")
+            inside = tuple(value - (321, 64)[i % 2] for i, value in enumerate(place))
+            left, top, right, bottom = self.difference(window.crop(place), alone.crop(inside)) or (0, 0, 0, 0)
+            self.assertLess(max(right - left, bottom - top), 20, "no more than the ring around the worst pixel")
+        three = self.shot(scene, "--ui", "--compare", "fixed,reference,shader", "--size", "1280x800")
+        self.assertNotEqual(three.tobytes(), window.tobytes())
+
+    def test_bad_comparisons_are_refused(self):
+        for expected, value in [("expected one of fixed, shader, reference, found \"metal\"", "fixed,metal"),
+                                ("two renderers or more, found one", "fixed"),
+                                ("expected one of fixed, shader, reference, found \"\"", "fixed,shader,"),
+                                ("expected one of fixed, shader, reference, found \"\"", ",fixed"),
+                                ("found \"shader\" twice", "shader,shader")]:
+            with self.subTest(value):
+                self.complains(2, expected, "shot", "--ui", "--compare", value, "-o", self.path / "out.png")
+        self.complains(2, "--compare", "shot", "--compare", "fixed,shader", "-o", self.path / "out.png")
+
+    def test_the_window_explains_the_pixel_that_it_is_asked_for(self):
+        window = ("--ui", "--size", "800x500", "--tab", "explain")
+        without = self.shot(*window)
+        probed = self.shot(*window, "--probe", "120,180")
+        self.assertIsNotNone(self.difference(without, probed))
+        self.assertEqual(probed.tobytes(), self.shot(*window, "--probe", "120,180").tobytes())
+        out = self.path / "out.png"
+        self.complains(1, "and none at 5000,10", "shot", *window, "--probe", "5000,10", "-o", out)
+        self.complains(2, "--probe: expected X,Y, found \"here\"", "shot", *window, "--probe", "here", "-o", out)
+        self.complains(2, "--probe", "shot", "--probe", "1,1", "-o", out)
+
+
+if __name__ == "__main__":
+    unittest.main()
