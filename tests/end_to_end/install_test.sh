@@ -2,7 +2,9 @@
 # Installs into a fresh prefix, moves it, and uses it from there: the programs, and the library as other projects do.
 set -euo pipefail
 build=$1 source=$2 compiler=$3 python=$4 version=$5
-work=$(mktemp -d)
+work=$build/installed # always the same, so that a compiler cache knows what was compiled before
+rm -rf "$work"
+mkdir "$work"
 trap 'rm -rf "$work"' EXIT
 
 complain() {
@@ -13,7 +15,7 @@ complain() {
 cmake --install "$build" --prefix "$work/prefix" --strip >/dev/null
 mv "$work/prefix" "$work/moved"
 prefix=$work/moved
-if grep -rlF -e "$work/prefix" -e "$source" -e "$build" "$prefix"/lib*/cmake "$prefix"/lib*/pkgconfig "$prefix/include"; then
+if grep -rlF -e "$source" -e "$build" "$prefix"/lib*/cmake "$prefix"/lib*/pkgconfig "$prefix/include"; then
     complain "these name the place where they were built or installed"
 fi
 ! objdump -h "$prefix"/lib*/*.a "$prefix/bin/texshot" | grep -q debug_info || complain "--strip left debugging information"
@@ -27,7 +29,9 @@ while read -r header; do
     echo "#include <$header>" >"$work/alone/$header.cpp"
 done <"$work/headers"
 [ "$(find "$work/alone" -name '*.cpp' | wc -l)" -ge 50 ] || complain "there are too few headers"
-find "$work/alone" -name '*.cpp' -print0 | xargs -0 -n 8 -P 2 "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I "$include"
+cache=$(command -v ccache || true)
+find "$work/alone" -name '*.cpp' -print0 |
+    xargs -0 -P 2 -I SOURCE $cache "$compiler" -std=c++20 -O0 -Wall -Wextra -Werror -I "$include" -c SOURCE -o SOURCE.o
 
 # The consumer, found by CMake and by pkg-config, does what Pillow says that it does.
 cmake -S "$source/tests/end_to_end/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$prefix" \
