@@ -114,7 +114,7 @@ TEST(Rasterize, DrawsWhatTheEdgeFunctionsSay) {
             if (!triangle)
                 continue;
             Canvas canvas(viewport, glm::vec4(0));
-            rasterize(std::span(&*triangle, 1), canvas, Batch::Last, kernel, 2, {});
+            rasterize(std::span(&*triangle, 1), canvas, Remaining::None, kernel, 2, {});
             for (int y = 0; y < viewport.height; ++y) {
                 for (int x = 0; x < viewport.width; ++x)
                     ASSERT_EQ(canvas.color.pixels[4 * canvas.pixelAt(x, y)] != std::byte{0},
