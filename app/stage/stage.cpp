@@ -4,6 +4,7 @@
 #include "app/stage/view_pictures.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/layout.h"
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl2.h>
@@ -56,6 +57,7 @@ struct Stage::State {
     render::TexturePreview preview;
     render::PictureCache pictures;
     Panels panels;
+    ui::PanelStates states;
     std::vector<std::string> problems;
 
     State(view::Capabilities found, const render::ShaderOptions& shaders, float scale)
@@ -91,17 +93,17 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
     const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density,
-                                            session.columns, ui::gridOf(session.views));
+                                            session.window.columns, ui::gridOf(session.window.views));
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
     };
     const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
-    LevelsWorker& levels = ui::levelsOf(session);
     state_->views.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));
-    const unsigned texture = bound ? state_->preview.show(*bound, session.images, &levels) : 0;
+    const unsigned texture =
+        bound ? state_->preview.show(*bound, session.document.images, &session.services.levels) : 0;
 
     ImGui_ImplOpenGL2_NewFrame();
     ImGui::GetIO().DisplaySize = {static_cast<float>(surface.size.width),
@@ -113,7 +115,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     const auto textureOf = [this](const std::shared_ptr<const Image>& image) {
         return state_->pictures.show(image);
     };
-    ui::Requests requests = ui::drawWorkbench(session,
+    ui::Requests requests = ui::drawWorkbench(session, state_->states,
                                               {.views = state_->views.views(),
                                                .difference = state_->views.difference(),
                                                .problems = state_->views.problems(),

@@ -24,7 +24,7 @@ ViewPictures::Live& ViewPictures::liveOf(RendererKind kind) {
 
 void ViewPictures::draw(ui::Session& session, view::Size size) {
     views_.clear();
-    for (const RendererKind kind : ui::shownRenderers(session.views)) {
+    for (const RendererKind kind : ui::shownRenderers(session.window.views)) {
         const auto drawn = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
         if (drawn != views_.end()) // compared with itself
             views_.push_back(ui::RenderedView(*drawn));
@@ -33,8 +33,8 @@ void ViewPictures::draw(ui::Session& session, view::Size size) {
                                                              : drawLive(kind, session, size));
     }
     if (std::ranges::find(views_, RendererKind::Reference, &ui::RenderedView::renderer) == views_.end())
-        ui::referenceOf(session).rest();
-    compareViews(session.views);
+        session.services.reference.rest();
+    compareViews(session.window.views);
     pictures_.endFrame();
     problems_.clear();
     shaders_.clear();
@@ -45,7 +45,7 @@ void ViewPictures::draw(ui::Session& session, view::Size size) {
     }
     const bool drawn =
         std::ranges::find(views_, RendererKind::Shader, &ui::RenderedView::renderer) != views_.end();
-    if (session.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
+    if (session.window.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
         const view::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
@@ -63,15 +63,15 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
     ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, true};
     Live& live = liveOf(kind);
     Result<view::Frame> frame =
-        live.renderer ? live.renderer->draw(session.scene, session.images, session.playback.time, size,
-                                            &ui::levelsOf(session))
+        live.renderer ? live.renderer->draw(session.document.scene, session.document.images,
+                                            session.window.playback.time, size, &session.services.levels)
                       : fail(live.renderer.error());
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;
     }
     view.frame = std::move(*frame);
-    if (!ui::wantsPixels(session.views) && !session.explaining.pixel) {
+    if (!ui::wantsPixels(session.window.views) && !session.window.explaining.pixel) {
         live.pixels.reset();
         return view;
     }
@@ -89,9 +89,9 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
 }
 
 ui::RenderedView ViewPictures::drawReference(ui::Session& session, view::Size size) {
-    const reference::DrawWorker::Picture& picture =
-        ui::referenceOf(session).picture({session.scene, session.images, session.playback.time, size.width,
-                                          size.height, session.views.anisotropy});
+    const reference::DrawWorker::Picture& picture = session.services.reference.picture(
+        {session.document.scene, session.document.images, session.window.playback.time, size.width,
+         size.height, session.window.views.anisotropy});
     const unsigned texture = pictures_.show(picture.image, render::PictureCache::Use::Enlarged);
     return {RendererKind::Reference,
             {texture, size, picture.milliseconds, picture.problems, false},

@@ -3,7 +3,7 @@
 #include "app/render/capabilities.h"
 #include "app/render/picture_cache.h"
 #include "app/render/shader_renderer.h"
-#include "app/ui/view/rendered_view.h"
+#include "app/ui/model/rendered_view.h"
 #include "app/ui/model/session.h"
 
 #include <array>

@@ -17,7 +17,8 @@ void windowFrame(benchmark::State& state) {
     auto stage = stage::Stage::create(1);
     if (!stage)
         return state.SkipWithError(describe(stage.error()).c_str());
-    ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
+    ui::ServicesAtOnce services;
+    ui::Session session(services.lend());
     for (auto _ : state) {
         stage->draw(session, {window, window, 1});
         glFinish();
