@@ -10,7 +10,7 @@
 
 namespace texplorer::ui {
 
-/// What works for the window. The host has it and lends it to the session, which outlives nothing of it.
+/// What works for the window. The host has it and lends it to the session, which it must outlive.
 struct Services {
     Files& files;
     LevelsWorker& levels;             ///< of the scene's textures
