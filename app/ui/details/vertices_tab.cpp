@@ -102,7 +102,7 @@ void vertexRow(Session& session, const TexCoords& coords, std::size_t vertex, in
 }
 
 void faceTable(Session& session, const Face& face, const TexCoords& coords, int components) {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("face", 1 + components, flags))
         return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2F);

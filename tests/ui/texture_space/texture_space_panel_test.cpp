@@ -212,6 +212,11 @@ TEST_F(TextureSpace, ButtonsEditEveryVertex) {
 TEST_F(TextureSpace, ThirdAndFourthCoordinatesCanBeShown) {
     EXPECT_FALSE(has("models[0].texCoords0[0][3]"));
     click("show r, q");
+    const auto width = [&](const char* number) {
+        const WidgetPlaces::Item& item = places.items.at(number);
+        return item.right - item.left;
+    };
+    EXPECT_NEAR(width("models[0].texCoords0[0][3]"), width("models[0].texCoords0[0][0]"), 2);
     drag(place("models[0].texCoords0[0][3]"), {40, 0});
     EXPECT_NEAR(coord(0).w, 1.2F, 0.006F);
 }
