@@ -241,6 +241,37 @@ TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     (void)picture();
 }
 
+TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    session->window.explaining.pixel.reset(); // its sign lies over the light
+    moveTo({5, 5});
+    const Image lit = picture();
+    const std::shared_ptr<const Image> light = session->window.explaining.light;
+    ASSERT_NE(light, nullptr);
+    session->window.explaining.texel.reset();
+    const Image plain = picture();
+    int strong = 0;
+    for (int y = 0; y < light->height; ++y) {
+        for (int x = 0; x < light->width; ++x) {
+            const double alpha = std::to_integer<int>(light->at(x, y)[3]) / 255.0;
+            if (alpha < 0.8)
+                continue;
+            ++strong;
+            const int left = layout.picture.x + x;
+            const int bottom = lit.height - layout.picture.bottom() + y;
+            constexpr std::array probed{70.0, 214.0, 232.0}; // as the theme has it
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double before = std::to_integer<int>(plain.at(left, bottom)[i]);
+                const double now = std::to_integer<int>(lit.at(left, bottom)[i]);
+                EXPECT_NEAR(now, alpha * probed[i] + (1 - alpha) * before, 2) << x << "," << y << " " << i;
+            }
+        }
+    }
+    EXPECT_GT(strong, 0);
+}
+
 TEST_F(ExplainTab, EscapeLetsGoOfTheTexelAndThenOfThePixel) {
     open();
     clickAt(onTheCube());
