@@ -1,6 +1,7 @@
 #include "app/explorer/loop.h"
 
 #include "app/explorer/input.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/loads.h"
@@ -75,9 +76,10 @@ void pace(Window& window, bool moving, bool settling, double lastFrame) {
 
 Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::filesystem::path>& files,
                      const std::filesystem::path& shaders) {
-    Result<stage::Stage> stage = stage::Stage::create(window.contentScale(), {shaders, Window::wake});
-    if (!stage)
-        return fail(stage.error());
+    const auto graphics = opengl::OpenGlGraphics::create({shaders, Window::wake});
+    if (!graphics)
+        return fail(graphics.error());
+    stage::Stage stage(**graphics, window.contentScale());
     const Input input(window.handle());
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
     ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
@@ -118,7 +120,7 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
             Input::feed();
         };
         const ui::Requests requests =
-            stage->draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
+            stage.draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
         window.setTitle(requests.title);
         window.swap();
         if (requests.quit) {

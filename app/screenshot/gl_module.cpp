@@ -3,6 +3,7 @@
 #include "app/screenshot/gl_module.h"
 
 #include "app/offscreen/osmesa_context.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/render/capabilities.h"
 #include "app/render/driver_cache.h"
 #include "app/render/shader_folder.h"
@@ -67,9 +68,10 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(drawing.size);
     if (!context)
         return fail(context.error());
-    Result<stage::Stage> stage = stage::Stage::create(1, {drawing.shaders, {}});
-    if (!stage)
-        return fail(stage.error());
+    const auto graphics = opengl::OpenGlGraphics::create({drawing.shaders, {}});
+    if (!graphics)
+        return fail(graphics.error());
+    stage::Stage stage(**graphics, 1);
 
     ui::ServicesAtOnce services(drawing.levels);
     ui::Session session(services.lend(), {drawing.scene, drawing.images, drawing.file});
@@ -96,12 +98,12 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     for (int frame = 0; frame < settlingFrames; ++frame) {
         (void)ui::receiveFiles(session);
         session.window.wantedSection = drawing.section; // where it is, is known once the panel has its size
-        stage->draw(session, {drawing.size, drawing.size, 1});
+        stage.draw(session, {drawing.size, drawing.size, 1});
     }
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Picture{std::move(image), stage->problems(), view::driverFacts(stage->capabilities())};
+    return Picture{std::move(image), stage.problems(), view::driverFacts((*graphics)->capabilities())};
 }
 
 class OsmesaStudio : public Studio {

@@ -1,8 +1,7 @@
 #include "tests/ui/workbench.h"
 
 #include "app/offscreen/osmesa_context.h"
-#include "app/render/picture_cache.h"
-#include "app/render/texture_preview.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/stage/view_pictures.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/view/panes.h"
@@ -18,10 +17,6 @@ namespace {
 
 constexpr float frameSeconds = 1.0F / 60;
 
-void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
-    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
-}
-
 view::Capabilities madeUpCapabilities() {
     view::Capabilities capabilities;
     capabilities.renderer = "none";
@@ -36,19 +31,17 @@ view::Capabilities madeUpCapabilities() {
 struct Workbench::Drawing {
     Drawing(view::Size size, const std::filesystem::path& shaders)
         : context(offscreen::OsmesaContext::create(size).value())
-        , capabilities(render::loadCapabilities().value())
-        , views(capabilities, {shaders, {}}) {
-        ImGui_ImplOpenGL2_Init();
+        , graphics(opengl::OpenGlGraphics::create({shaders, {}}).value())
+        , views(*graphics) {
+        graphics->startPanels();
     }
-    ~Drawing() { ImGui_ImplOpenGL2_Shutdown(); }
+    ~Drawing() { graphics->endPanels(); }
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
     offscreen::OsmesaContext context;
-    view::Capabilities capabilities;
+    std::unique_ptr<opengl::OpenGlGraphics> graphics;
     stage::ViewPictures views;
-    render::TexturePreview preview;
-    render::PictureCache pictures;
 };
 
 Workbench::Workbench() {
@@ -90,7 +83,8 @@ void Workbench::build(const Pictures& pictures) {
     io.DeltaTime = frameSeconds;
     static const view::Capabilities madeUp = madeUpCapabilities();
     ImGui::NewFrame();
-    requests = drawWorkbench(*session, states, pictures, drawing_ ? drawing_->capabilities : madeUp, layout);
+    requests = drawWorkbench(*session, states, pictures,
+                             drawing_ ? drawing_->graphics->capabilities() : madeUp, layout);
     ImGui::Render();
     io.MouseWheel = 0;
 }
@@ -112,26 +106,27 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
         drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
     layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.views));
     settle(*session, layout);
+    stage::Graphics& graphics = *drawing_->graphics;
     drawing_->views.draw(*session, {layout.picture.width, layout.picture.height});
     EXPECT_THAT(drawing_->views.problems(), problems);
     const Texture* bound = boundTexture(std::as_const(*session));
     const unsigned texture =
-        bound ? drawing_->preview.show(*bound, session->document.images, &session->services.levels) : 0;
-    ImGui_ImplOpenGL2_NewFrame();
+        bound ? graphics.showTexture(*bound, session->document.images, session->services.levels) : 0;
+    graphics.beginFrame();
     build({.views = drawing_->views.views(),
            .difference = drawing_->views.difference(),
            .problems = drawing_->views.problems(),
            .shaders = drawing_->views.shaders(),
            .texture = texture,
-           .setBlending = setBlending,
-           .textureOf = [this](const std::shared_ptr<const Image>& image) {
-               return drawing_->pictures.show(image);
+           .setBlending = graphics.blendingSwitch(),
+           .textureOf = [&graphics](const std::shared_ptr<const Image>& image) {
+               return graphics.show(image, stage::Graphics::Use::Scaled);
            }});
     glViewport(0, 0, width_, height_);
     glClearColor(1, 0, 1, 1); // what no panel covers is glaring
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
-    drawing_->pictures.endFrame();
+    graphics.endFrame();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     Image image = Image::uninitialised(PixelFormat::Rgba8, width_, height_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
