@@ -25,6 +25,17 @@ void leaveHiddenModel(Session& session) {
     session.window.selection.vertex.reset();
 }
 
+/// What is selected is part of the scene.
+void bringSelectionBack(Session& session) {
+    Selection& selection = session.window.selection;
+    const Scene& scene = session.document.scene;
+    selection.model = std::clamp(selection.model, 0, lastIndex(scene.models.size()));
+    selection.pass = std::clamp(selection.pass, 0, lastIndex(scene.passes.size()));
+    selection.unit = std::clamp(selection.unit, 0, maxUnits - 1);
+    if (selection.vertex && *selection.vertex >= selectedMesh(session).vertices.size())
+        selection.vertex.reset();
+}
+
 } // namespace
 
 Session::Session(Services lent, Document start)
@@ -38,6 +49,7 @@ void replaceDocument(Session& session, Document document) {
     session.document = std::move(document);
     session.window.notice = {};
     leaveHiddenModel(session);
+    bringSelectionBack(session);
 }
 
 void settle(Session& session, const Layout& layout) {
@@ -53,13 +65,7 @@ void settle(Session& session, const Layout& layout) {
             session.document.history = History(session.document.scene);
         }
     }
-    Selection& selection = session.window.selection;
-    const Scene& scene = session.document.scene;
-    selection.model = std::clamp(selection.model, 0, lastIndex(scene.models.size()));
-    selection.pass = std::clamp(selection.pass, 0, lastIndex(scene.passes.size()));
-    selection.unit = std::clamp(selection.unit, 0, maxUnits - 1);
-    if (selection.vertex && *selection.vertex >= selectedMesh(session).vertices.size())
-        selection.vertex.reset();
+    bringSelectionBack(session);
 }
 
 bool isMoving(const Session& session) {

@@ -92,7 +92,6 @@ TEST_F(SceneFiles, AModelThatIsSeenIsSelected) {
     write(folder / "none.json", R"({"version": 1, "models": [{"shape": "cube", "visible": false}]})");
     ASSERT_TRUE(openScene(session, folder / "none.json").has_value());
     receiveFiles(session);
-    settle(session, {});
     EXPECT_EQ(session.window.selection.model, 0);
 }
 

@@ -100,6 +100,14 @@ TEST_F(OpeningAScene, SelectsAModelThatIsSeen) {
               Shape::Sphere);
 }
 
+TEST_F(OpeningAScene, SelectsNoPassThatThereIsNotAtAnyTime) {
+    scene().passes.resize(3);
+    session->window.selection.pass = 2;
+    newScene(*session); // no frame in between
+    EXPECT_EQ(session->window.selection.pass, 0);
+    EXPECT_EQ(&selectedPass(*session), &scene().passes[0]);
+}
+
 TEST_F(OpeningAScene, LeavesAModelSelectedThatIsSeenInBoth) {
     session->window.selection.model = 1;
     session->window.selection.vertex = 2;
