@@ -10,7 +10,7 @@ set(texplorer_precompiled_code
     <glm/glm.hpp> <tl/expected.hpp>)
 set(texplorer_precompiled_program ${texplorer_precompiled_code}) # a program is linked at a fixed place: other flags
 set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
-foreach(layer command_line core plain_files random render ui) # a precompiled header of their own: their flags differ
+foreach(layer command_line core plain_files random render stage ui) # a precompiled header of their own: their flags differ
     set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_code} <gmock/gmock.h> <gtest/gtest.h>)
 endforeach()
 

@@ -1,8 +1,12 @@
 #include "app/explorer/loop.h"
 
 #include "app/explorer/input.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
-#include "app/ui/model/document.h"
+#include "app/ui/model/asking.h"
+#include "app/ui/model/loads.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/session.h"
 
 #include <imgui.h>
 
@@ -70,16 +74,16 @@ void pace(Window& window, bool moving, bool settling, double lastFrame) {
 
 } // namespace
 
-Result<void> runLoop(Window& window, ui::Session& session, Signals& signals,
-                     const std::vector<std::filesystem::path>& files, const std::filesystem::path& shaders) {
-    Result<stage::Stage> stage = stage::Stage::create(window.contentScale(), {shaders, Window::wake});
-    if (!stage)
-        return fail(stage.error());
+Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::filesystem::path>& files,
+                     const std::filesystem::path& shaders) {
+    const auto graphics = opengl::OpenGlGraphics::create({shaders, Window::wake});
+    if (!graphics)
+        return fail(graphics.error());
+    stage::Stage stage(**graphics, window.contentScale());
     const Input input(window.handle());
-    ui::Background background(Window::wake, BlockCache::ofUser());
-    session.background = &background;
+    ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
     ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
-    session.unsaved = &unsaved;
+    ui::Session session(services.lend(&unsaved));
     const KeptAtExit keptAtExit(unsaved.autosave);
     const KeptOnSignal keptOnSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
@@ -116,7 +120,7 @@ Result<void> runLoop(Window& window, ui::Session& session, Signals& signals,
             Input::feed();
         };
         const ui::Requests requests =
-            stage->draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
+            stage.draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
         window.setTitle(requests.title);
         window.swap();
         if (requests.quit) {

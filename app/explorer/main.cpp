@@ -4,7 +4,7 @@
 #include "app/command_line/standard_streams.h"
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
-#include "app/ui/model/document.h"
+#include "app/ui/model/scene_files.h"
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
@@ -27,13 +27,13 @@ int complain(const std::string& sentence) {
 
 int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& paths,
          const std::string& shaders) {
-    ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
-    Result<explorer::Window> window = explorer::Window::open(startSize, ui::windowTitle(session));
+    const std::string title = ui::windowTitle({defaultScene(), ImageSource{}});
+    Result<explorer::Window> window = explorer::Window::open(startSize, title);
     if (!window)
         return complain(
             describe(window.error()) +
             ". Without a display, texshot draws the same window: texshot shot --ui -o window.png");
-    const Result<void> ended = explorer::runLoop(*window, session, signals, paths, shaders);
+    const Result<void> ended = explorer::runLoop(*window, signals, paths, shaders);
     if (!ended)
         return complain(describe(ended.error()));
     return 0;

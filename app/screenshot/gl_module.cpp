@@ -3,13 +3,16 @@
 #include "app/screenshot/gl_module.h"
 
 #include "app/offscreen/osmesa_context.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/render/capabilities.h"
 #include "app/render/driver_cache.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
 #include "app/stage/stage.h"
+#include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"
 #include "app/ui/view/panes.h"
+#include "app/ui/window/layout.h"
 #include "app/view/driver_facts.h"
 #include "core/conform/made_files.h"
 #include "core/texture/levels_worker.h"
@@ -65,25 +68,21 @@ Result<Picture> drawWindow(const Drawing& drawing) {
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(drawing.size);
     if (!context)
         return fail(context.error());
-    Result<stage::Stage> stage = stage::Stage::create(1, {drawing.shaders, {}});
-    if (!stage)
-        return fail(stage.error());
+    const auto graphics = opengl::OpenGlGraphics::create({drawing.shaders, {}});
+    if (!graphics)
+        return fail(graphics.error());
+    stage::Stage stage(**graphics, 1);
 
-    ui::Session session = ui::makeSession(drawing.scene, drawing.images, drawing.file);
-    session.levelsAtOnce =
-        std::make_shared<LevelsWorker>(LevelsWorker::When::AtOnce, std::function<void()>(), drawing.levels);
-    session.referenceAtOnce = std::make_shared<reference::DrawWorker>(
-        reference::DrawWorker::When::AtOnce, std::function<void()>(), drawing.levels);
-    session.probeWorkerAtOnce = std::make_shared<reference::ProbeWorker>(
-        reference::ProbeWorker::When::AtOnce, std::function<void()>(), drawing.levels);
+    ui::ServicesAtOnce services(drawing.levels);
+    ui::Session session(services.lend(), {drawing.scene, drawing.images, drawing.file});
     if (drawing.compared.empty())
-        showOne(session.views, drawing.renderer);
+        showOne(session.window.views, drawing.renderer);
     else
-        showComparison(session.views, drawing.compared);
-    session.views.anisotropy = drawing.anisotropy;
+        showComparison(session.window.views, drawing.compared);
+    session.window.views.anisotropy = drawing.anisotropy;
     if (drawing.probed) {
-        const ui::Rect picture = ui::layoutFor(drawing.size.width, drawing.size.height, 1, session.columns,
-                                               ui::gridOf(session.views))
+        const ui::Rect picture = ui::layoutFor(drawing.size.width, drawing.size.height, 1,
+                                               session.window.columns, ui::gridOf(session.window.views))
                                      .picture;
         const auto [x, y] = *drawing.probed;
         if (x >= picture.width || y >= picture.height)
@@ -91,19 +90,20 @@ Result<Picture> drawWindow(const Drawing& drawing) {
                         "the picture in this window has " + view::asText({picture.width, picture.height}) +
                             " pixels, and none at " + std::to_string(x) + "," + std::to_string(y),
                         "--probe");
-        session.explaining.pixel = {x, picture.height - 1 - y};
+        session.window.explaining.pixel = {x, picture.height - 1 - y};
     }
-    session.playback.time = drawing.time;
-    session.showsFrameTime = false;
-    session.wantedTab = drawing.tab;
+    session.window.playback.time = drawing.time;
+    session.window.showsFrameTime = false;
+    session.window.wantedTab = drawing.tab;
     for (int frame = 0; frame < settlingFrames; ++frame) {
-        session.wantedSection = drawing.section; // where it is, is known once the panel has its size
-        stage->draw(session, {drawing.size, drawing.size, 1});
+        (void)ui::receiveFiles(session);
+        session.window.wantedSection = drawing.section; // where it is, is known once the panel has its size
+        stage.draw(session, {drawing.size, drawing.size, 1});
     }
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Picture{std::move(image), stage->problems(), view::driverFacts(stage->capabilities())};
+    return Picture{std::move(image), stage.problems(), view::driverFacts((*graphics)->capabilities())};
 }
 
 class OsmesaStudio : public Studio {

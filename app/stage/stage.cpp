@@ -1,12 +1,10 @@
 #include "app/stage/stage.h"
 
-#include "app/render/picture_cache.h"
 #include "app/stage/view_pictures.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/layout.h"
 
-#include <GL/glew.h>
-#include <backends/imgui_impl_opengl2.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -15,17 +13,18 @@
 namespace texplorer::stage {
 namespace {
 
-/// Dear ImGui with its OpenGL2 backend, which draws on a window's context and on OSMesa alike.
+/// Dear ImGui, as the host draws it.
 class Panels {
 public:
-    explicit Panels(float scale)
-        : scale_(scale) {
+    Panels(Graphics& graphics, float scale)
+        : graphics_(graphics)
+        , scale_(scale) {
         ImGui::CreateContext();
         ui::applyTheme(scale);
-        ImGui_ImplOpenGL2_Init();
+        graphics_.startPanels();
     }
     ~Panels() {
-        ImGui_ImplOpenGL2_Shutdown();
+        graphics_.endPanels();
         ImGui::DestroyContext();
     }
     Panels(const Panels&) = delete;
@@ -35,51 +34,35 @@ public:
         if (scale == scale_)
             return;
         scale_ = scale;
-        ImGui_ImplOpenGL2_DestroyFontsTexture();
         ui::applyTheme(scale);
-        ImGui_ImplOpenGL2_CreateFontsTexture();
+        graphics_.fontsChanged();
     }
 
 private:
+    Graphics& graphics_;
     float scale_;
 };
-
-void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
-    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
-}
 
 } // namespace
 
 struct Stage::State {
-    view::Capabilities capabilities;
-    ViewPictures views;
-    render::TexturePreview preview;
-    render::PictureCache pictures;
-    Panels panels;
-    std::vector<std::string> problems;
+    State(Graphics& lent, float scale)
+        : graphics(lent)
+        , views(lent)
+        , panels(lent, scale) {}
 
-    State(view::Capabilities found, const render::ShaderOptions& shaders, float scale)
-        : capabilities(std::move(found))
-        , views(capabilities, shaders)
-        , panels(scale) {}
+    Graphics& graphics;
+    ViewPictures views;
+    Panels panels;
+    ui::PanelStates states;
+    std::vector<std::string> problems;
 };
 
-Result<Stage> Stage::create(float scale, const render::ShaderOptions& shaders) {
-    Result<view::Capabilities> capabilities = render::loadCapabilities();
-    if (!capabilities)
-        return fail(capabilities.error());
-    return Stage(std::make_unique<State>(std::move(*capabilities), shaders, scale));
-}
-
-Stage::Stage(std::unique_ptr<State> state)
-    : state_(std::move(state)) {}
+Stage::Stage(Graphics& graphics, float scale)
+    : state_(std::make_unique<State>(graphics, scale)) {}
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 Stage::~Stage() = default;
-
-const view::Capabilities& Stage::capabilities() const {
-    return state_->capabilities;
-}
 
 const std::vector<std::string>& Stage::problems() const {
     return state_->problems;
@@ -87,49 +70,47 @@ const std::vector<std::string>& Stage::problems() const {
 
 ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
                          const std::function<void()>& feedInput) {
+    Graphics& graphics = state_->graphics;
     state_->panels.setScale(surface.scale);
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
     const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density,
-                                            session.columns, ui::gridOf(session.views));
+                                            session.window.columns, ui::gridOf(session.window.views));
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
     };
     const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
-    LevelsWorker& levels = ui::levelsOf(session);
     state_->views.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));
-    const unsigned texture = bound ? state_->preview.show(*bound, session.images, &levels) : 0;
+    const unsigned texture =
+        bound ? graphics.showTexture(*bound, session.document.images, session.services.levels) : 0;
 
-    ImGui_ImplOpenGL2_NewFrame();
+    graphics.beginFrame();
     ImGui::GetIO().DisplaySize = {static_cast<float>(surface.size.width),
                                   static_cast<float>(surface.size.height)};
     ImGui::GetIO().DisplayFramebufferScale = {density, density};
     if (feedInput)
         feedInput();
     ImGui::NewFrame();
-    const auto textureOf = [this](const std::shared_ptr<const Image>& image) {
-        return state_->pictures.show(image);
+    const auto textureOf = [&graphics](const std::shared_ptr<const Image>& image) {
+        return graphics.show(image, Graphics::Use::Scaled);
     };
-    ui::Requests requests = ui::drawWorkbench(session,
+    ui::Requests requests = ui::drawWorkbench(session, state_->states,
                                               {.views = state_->views.views(),
                                                .difference = state_->views.difference(),
                                                .problems = state_->views.problems(),
                                                .shaders = state_->views.shaders(),
                                                .texture = texture,
-                                               .setBlending = setBlending,
+                                               .setBlending = graphics.blendingSwitch(),
                                                .textureOf = textureOf},
-                                              state_->capabilities, layout);
-    requests.unfinished = state_->views.isUnfinished() || state_->preview.isUploading();
+                                              graphics.capabilities(), layout);
+    requests.unfinished = state_->views.isUnfinished() || graphics.isUploading();
     ImGui::Render();
 
-    glViewport(0, 0, surface.pixels.width, surface.pixels.height);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
-    state_->pictures.endFrame();
+    graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels);
+    graphics.endFrame();
     state_->problems = state_->views.problems();
     return requests;
 }

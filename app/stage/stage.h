@@ -1,10 +1,7 @@
 #pragma once
 
-#include "app/render/capabilities.h"
-#include "app/render/shader_renderer.h"
-#include "app/render/texture_preview.h"
+#include "app/stage/graphics.h"
 #include "app/ui/window/workbench.h"
-#include "core/base/result.h"
 
 #include <functional>
 #include <memory>
@@ -17,16 +14,15 @@ namespace texplorer::stage {
 struct Surface {
     view::Size size;   ///< in the units of the mouse, which on some systems are larger than pixels
     view::Size pixels; ///< of the framebuffer
-    float scale = 1;     ///< of the monitor's content: how large text should be, in pixels
+    float scale = 1;   ///< of the monitor's content: how large text should be, in pixels
 };
 
-/// Draws whole frames, the scene first and the panels around it. Both programs are a Stage and something that
-/// gives it a GL context: a window, or OSMesa. Owns the Dear ImGui context; one a process, on the thread
-/// where GL is current.
+/// Draws whole frames, the scene first and the panels around it. Both programs are a Stage and a host that
+/// lends it its graphics. Owns the Dear ImGui context; one a process, on the thread of the graphics.
 class Stage {
 public:
-    /// `shaders` are for the shader renderer, where one looks at its picture.
-    [[nodiscard]] static Result<Stage> create(float scale, const render::ShaderOptions& shaders = {});
+    /// `graphics` must outlive the stage. `scale` is that of the monitor's content.
+    Stage(Graphics& graphics, float scale);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
     Stage(Stage&&) noexcept;
@@ -40,11 +36,9 @@ public:
 
     /// What the renderers said of the last frame's scene.
     [[nodiscard]] const std::vector<std::string>& problems() const;
-    [[nodiscard]] const view::Capabilities& capabilities() const;
 
 private:
     struct State;
-    explicit Stage(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
 

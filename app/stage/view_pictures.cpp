@@ -6,25 +6,9 @@
 
 namespace texplorer::stage {
 
-ViewPictures::ViewPictures(const view::Capabilities& capabilities, render::ShaderOptions shaders)
-    : capabilities_(capabilities)
-    , shaderOptions_(std::move(shaders)) {}
-
-ViewPictures::Live& ViewPictures::liveOf(RendererKind kind) {
-    const auto found = live_.find(kind);
-    if (found != live_.end())
-        return found->second;
-    Live made{render::createRenderer(kind, capabilities_, shaderOptions_)};
-    const auto other =
-        std::ranges::find_if(live_, [](const auto& entry) { return entry.second.renderer.has_value(); });
-    if (made.renderer && other != live_.end())
-        made.renderer->shareTextures(*other->second.renderer);
-    return live_.emplace(kind, std::move(made)).first->second;
-}
-
 void ViewPictures::draw(ui::Session& session, view::Size size) {
     views_.clear();
-    for (const RendererKind kind : ui::shownRenderers(session.views)) {
+    for (const RendererKind kind : ui::shownRenderers(session.window.views)) {
         const auto drawn = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
         if (drawn != views_.end()) // compared with itself
             views_.push_back(ui::RenderedView(*drawn));
@@ -33,9 +17,8 @@ void ViewPictures::draw(ui::Session& session, view::Size size) {
                                                              : drawLive(kind, session, size));
     }
     if (std::ranges::find(views_, RendererKind::Reference, &ui::RenderedView::renderer) == views_.end())
-        ui::referenceOf(session).rest();
-    compareViews(session.views);
-    pictures_.endFrame();
+        session.services.reference.rest();
+    compareViews(session.window.views);
     problems_.clear();
     shaders_.clear();
     for (const ui::RenderedView& view : views_) {
@@ -45,7 +28,7 @@ void ViewPictures::draw(ui::Session& session, view::Size size) {
     }
     const bool drawn =
         std::ranges::find(views_, RendererKind::Shader, &ui::RenderedView::renderer) != views_.end();
-    if (session.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
+    if (session.window.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
         const view::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
@@ -61,38 +44,35 @@ void ViewPictures::addProblems(const std::vector<std::string>& problems) {
 
 ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
     ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, true};
-    Live& live = liveOf(kind);
-    Result<view::Frame> frame =
-        live.renderer ? live.renderer->draw(session.scene, session.images, session.playback.time, size,
-                                            &ui::levelsOf(session))
-                      : fail(live.renderer.error());
+    Result<view::Frame> frame = graphics_.draw(kind, session.document.scene, session.document.images,
+                                               session.window.playback.time, size, session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;
     }
     view.frame = std::move(*frame);
-    if (!ui::wantsPixels(session.views) && !session.explaining.pixel) {
-        live.pixels.reset();
+    Pixels& pixels = pixels_[kind];
+    if (!ui::wantsPixels(session.window.views) && !session.window.explaining.pixel) {
+        pixels.image.reset();
         return view;
     }
-    if (!live.pixels || live.revision != view.frame.revision) {
-        Result<Image> pixels = live.renderer->read();
-        if (!pixels) {
-            view.frame.problems.push_back(describe(pixels.error()));
+    if (!pixels.image || pixels.revision != view.frame.revision) {
+        Result<Image> read = graphics_.read(kind);
+        if (!read) {
+            view.frame.problems.push_back(describe(read.error()));
             return view;
         }
-        live.pixels = std::make_shared<const Image>(std::move(*pixels));
-        live.revision = view.frame.revision;
+        pixels = {view.frame.revision, std::make_shared<const Image>(std::move(*read))};
     }
-    view.image = live.pixels;
+    view.image = pixels.image;
     return view;
 }
 
 ui::RenderedView ViewPictures::drawReference(ui::Session& session, view::Size size) {
-    const reference::DrawWorker::Picture& picture =
-        ui::referenceOf(session).picture({session.scene, session.images, session.playback.time, size.width,
-                                          size.height, session.views.anisotropy});
-    const unsigned texture = pictures_.show(picture.image, render::PictureCache::Use::Enlarged);
+    const reference::DrawWorker::Picture& picture = session.services.reference.picture(
+        {session.document.scene, session.document.images, session.window.playback.time, size.width,
+         size.height, session.window.views.anisotropy});
+    const unsigned texture = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
             {texture, size, picture.milliseconds, picture.problems, false},
             picture.whole ? picture.image : nullptr,
@@ -113,7 +93,7 @@ void ViewPictures::compareViews(const ui::Views& views) {
         return;
     }
     if (difference_ && compared_ == images && difference_->scale == scale) {
-        difference_->heatMap = pictures_.show(heatMap_, render::PictureCache::Use::Enlarged);
+        difference_->heatMap = graphics_.show(heatMap_, Graphics::Use::Enlarged);
         return;
     }
     compared_ = images;
@@ -123,7 +103,7 @@ void ViewPictures::compareViews(const ui::Views& views) {
     if (!numbers || !heat)
         return;
     heatMap_ = std::make_shared<const Image>(std::move(*heat));
-    difference_ = {*numbers, scale, pictures_.show(heatMap_, render::PictureCache::Use::Enlarged)};
+    difference_ = {*numbers, scale, graphics_.show(heatMap_, Graphics::Use::Enlarged)};
 }
 
 bool ViewPictures::isUnfinished() const {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "app/render/capabilities.h"
-#include "app/render/picture_cache.h"
-#include "app/render/shader_renderer.h"
-#include "app/ui/view/rendered_view.h"
+#include "app/stage/graphics.h"
+#include "app/ui/model/rendered_view.h"
 #include "app/ui/model/session.h"
 
 #include <array>
@@ -15,11 +13,12 @@
 
 namespace texplorer::stage {
 
-/// The pictures that the view shows, by whichever renderers it asks for. A renderer is made when it is first
-/// needed. Belongs to the context that is current, on its thread, and must be destroyed before that.
+/// The pictures that the view shows, by whichever renderers it asks for.
 class ViewPictures {
 public:
-    ViewPictures(const view::Capabilities& capabilities, render::ShaderOptions shaders);
+    /// `graphics` must outlive it.
+    explicit ViewPictures(Graphics& graphics)
+        : graphics_(graphics) {}
 
     /// To be called once a frame, before the panels are drawn: the views are valid until the next call.
     void draw(ui::Session& session, view::Size size);
@@ -44,23 +43,19 @@ public:
     [[nodiscard]] bool isUnfinished() const;
 
 private:
-    /// One of the renderers that draw with OpenGL, and its pixels as they were read last.
-    struct Live {
-        Result<render::SceneRenderer> renderer;
-        std::uint64_t revision = 0; ///< of the pixels
-        std::shared_ptr<const Image> pixels{};
+    /// Of one of the host's renderers, as they were read last.
+    struct Pixels {
+        std::uint64_t revision = 0;
+        std::shared_ptr<const Image> image;
     };
 
-    Live& liveOf(RendererKind kind);
     [[nodiscard]] ui::RenderedView drawLive(RendererKind kind, ui::Session& session, view::Size size);
     [[nodiscard]] ui::RenderedView drawReference(ui::Session& session, view::Size size);
     void addProblems(const std::vector<std::string>& problems);
     void compareViews(const ui::Views& views);
 
-    view::Capabilities capabilities_;
-    render::ShaderOptions shaderOptions_;
-    std::map<RendererKind, Live> live_;
-    render::PictureCache pictures_;
+    Graphics& graphics_;
+    std::map<RendererKind, Pixels> pixels_;
     std::vector<ui::RenderedView> views_;
     std::optional<ui::RenderedDifference> difference_;
     std::array<std::shared_ptr<const Image>, 2> compared_; ///< what the difference was made of

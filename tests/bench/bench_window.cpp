@@ -2,6 +2,7 @@
 // the picture in the window.
 
 #include "app/offscreen/osmesa_context.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
 
 #include <GL/glew.h>
@@ -14,12 +15,14 @@ constexpr view::Size window{1280, 800};
 
 void windowFrame(benchmark::State& state) {
     const auto context = offscreen::OsmesaContext::create(window);
-    auto stage = stage::Stage::create(1);
-    if (!stage)
-        return state.SkipWithError(describe(stage.error()).c_str());
-    ui::Session session = ui::makeSession(defaultScene(), ImageSource{});
+    const auto graphics = opengl::OpenGlGraphics::create();
+    if (!graphics)
+        return state.SkipWithError(describe(graphics.error()).c_str());
+    stage::Stage stage(**graphics, 1);
+    ui::ServicesAtOnce services;
+    ui::Session session(services.lend());
     for (auto _ : state) {
-        stage->draw(session, {window, window, 1});
+        stage.draw(session, {window, window, 1});
         glFinish();
     }
 }

@@ -1,11 +1,11 @@
 #include "tests/ui/workbench.h"
 
 #include "app/offscreen/osmesa_context.h"
-#include "app/render/picture_cache.h"
-#include "app/render/texture_preview.h"
+#include "app/opengl/opengl_graphics.h"
 #include "app/stage/view_pictures.h"
-#include "app/ui/widgets/keys.h"
+#include "app/ui/model/loads.h"
 #include "app/ui/view/panes.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
 
 #include <GL/glew.h>
@@ -16,10 +16,6 @@ namespace texplorer::ui::test {
 namespace {
 
 constexpr float frameSeconds = 1.0F / 60;
-
-void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
-    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
-}
 
 view::Capabilities madeUpCapabilities() {
     view::Capabilities capabilities;
@@ -35,19 +31,17 @@ view::Capabilities madeUpCapabilities() {
 struct Workbench::Drawing {
     Drawing(view::Size size, const std::filesystem::path& shaders)
         : context(offscreen::OsmesaContext::create(size).value())
-        , capabilities(render::loadCapabilities().value())
-        , views(capabilities, {shaders, {}}) {
-        ImGui_ImplOpenGL2_Init();
+        , graphics(opengl::OpenGlGraphics::create({shaders, {}}).value())
+        , views(*graphics) {
+        graphics->startPanels();
     }
-    ~Drawing() { ImGui_ImplOpenGL2_Shutdown(); }
+    ~Drawing() { graphics->endPanels(); }
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
     offscreen::OsmesaContext context;
-    view::Capabilities capabilities;
+    std::unique_ptr<opengl::OpenGlGraphics> graphics;
     stage::ViewPictures views;
-    render::TexturePreview preview;
-    render::PictureCache pictures;
 };
 
 Workbench::Workbench() {
@@ -68,9 +62,14 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     int textureWidth = 0;
     int textureHeight = 0;
     ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &textureWidth, &textureHeight);
-    session.emplace(makeSession(std::move(scene), ImageSource{}));
-    session->probe = &probe_;
+    states = {};
+    session.emplace(lent_ ? *lent_ : atOnce_.lend(), Document{std::move(scene), ImageSource{}});
     frames(3);
+}
+
+void Workbench::lend(const Services& services) {
+    lent_.emplace(services);
+    start(defaultScene(), width_, height_, scale_);
 }
 
 Workbench::~Workbench() {
@@ -84,7 +83,8 @@ void Workbench::build(const Pictures& pictures) {
     io.DeltaTime = frameSeconds;
     static const view::Capabilities madeUp = madeUpCapabilities();
     ImGui::NewFrame();
-    requests = drawWorkbench(*session, pictures, drawing_ ? drawing_->capabilities : madeUp, layout);
+    requests = drawWorkbench(*session, states, pictures,
+                             drawing_ ? drawing_->graphics->capabilities() : madeUp, layout);
     ImGui::Render();
     io.MouseWheel = 0;
 }
@@ -92,10 +92,10 @@ void Workbench::build(const Pictures& pictures) {
 void Workbench::frames(int count) {
     for (int i = 0; i < count; ++i) {
         receiveFiles(*session);
-        layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
+        layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.views));
         settle(*session, layout);
         std::vector<RenderedView> views;
-        for (const RendererKind renderer : shownRenderers(session->views))
+        for (const RendererKind renderer : shownRenderers(session->window.views))
             views.push_back({renderer, {0, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
         build({views});
     }
@@ -104,27 +104,29 @@ void Workbench::frames(int count) {
 Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
     if (!drawing_)
         drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
-    layout = layoutFor(width_, height_, scale_, session->columns, gridOf(session->views));
+    layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.views));
     settle(*session, layout);
+    stage::Graphics& graphics = *drawing_->graphics;
     drawing_->views.draw(*session, {layout.picture.width, layout.picture.height});
     EXPECT_THAT(drawing_->views.problems(), problems);
     const Texture* bound = boundTexture(std::as_const(*session));
-    const unsigned texture = bound ? drawing_->preview.show(*bound, session->images, &levelsOf(*session)) : 0;
-    ImGui_ImplOpenGL2_NewFrame();
+    const unsigned texture =
+        bound ? graphics.showTexture(*bound, session->document.images, session->services.levels) : 0;
+    graphics.beginFrame();
     build({.views = drawing_->views.views(),
            .difference = drawing_->views.difference(),
            .problems = drawing_->views.problems(),
            .shaders = drawing_->views.shaders(),
            .texture = texture,
-           .setBlending = setBlending,
-           .textureOf = [this](const std::shared_ptr<const Image>& image) {
-               return drawing_->pictures.show(image);
+           .setBlending = graphics.blendingSwitch(),
+           .textureOf = [&graphics](const std::shared_ptr<const Image>& image) {
+               return graphics.show(image, stage::Graphics::Use::Scaled);
            }});
     glViewport(0, 0, width_, height_);
     glClearColor(1, 0, 1, 1); // what no panel covers is glaring
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
-    drawing_->pictures.endFrame();
+    graphics.endFrame();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     Image image = Image::uninitialised(PixelFormat::Rgba8, width_, height_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
@@ -132,12 +134,12 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
 }
 
 ImVec2 Workbench::place(std::string_view name) {
-    const auto found = probe_.items.find(name);
-    if (found == probe_.items.end() || !found->second.visible) {
+    const auto found = places.items.find(name);
+    if (found == places.items.end() || !found->second.visible) {
         ADD_FAILURE() << name << " is not in sight";
         return {-1, -1};
     }
-    const Probe::Item& item = found->second;
+    const WidgetPlaces::Item& item = found->second;
     return {(item.left + item.right) / 2, (item.top + item.bottom) / 2};
 }
 
@@ -200,8 +202,8 @@ void Workbench::scrollTo(std::string_view name) {
     const ImVec2 above(static_cast<float>(panel.x + 4), static_cast<float>(panel.y + 4));
     wheel(above, 100);
     for (int turn = 0; turn < 100; ++turn) {
-        const auto found = probe_.items.find(name);
-        if (found != probe_.items.end() && found->second.visible &&
+        const auto found = places.items.find(name);
+        if (found != places.items.end() && found->second.visible &&
             found->second.bottom <= static_cast<float>(panel.bottom() - 40))
             return;
         wheel(above, -1);

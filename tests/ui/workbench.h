@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/ui/widgets/widget_places.h"
+#include "app/ui/window/layout.h"
 #include "app/ui/window/workbench.h"
 #include "core/image/image.h"
 
@@ -24,10 +26,13 @@ protected:
     /// Begins again with another scene or another window size.
     void start(Scene scene, int width = 1280, int height = 800, float scale = 1);
 
+    /// Begins again with other services than those that do everything at once.
+    void lend(const Services& services);
+
     /// Draws frames, with whatever the hands hold. The clock stands still unless a test lets it run.
     void frames(int count = 1);
 
-    [[nodiscard]] bool has(std::string_view name) const { return session->probe->items.contains(name); }
+    [[nodiscard]] bool has(std::string_view name) const { return places.items.contains(name); }
     /// The middle of a widget that is in sight; fails the test where it isn't.
     [[nodiscard]] ImVec2 place(std::string_view name);
 
@@ -52,13 +57,15 @@ protected:
     [[nodiscard]] Image
     picture(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty());
 
-    [[nodiscard]] Scene& scene() { return session->scene; }
-    [[nodiscard]] Texture& texture() { return session->scene.textures.front(); }
-    [[nodiscard]] Unit& unit() { return session->scene.passes.front().units.front(); }
+    [[nodiscard]] Scene& scene() { return session->document.scene; }
+    [[nodiscard]] Texture& texture() { return session->document.scene.textures.front(); }
+    [[nodiscard]] Unit& unit() { return session->document.scene.passes.front().units.front(); }
 
     std::filesystem::path
         shaders; ///< of the shader renderer, before the first picture; empty: the built-in ones
+    WidgetPlaces places;
     std::optional<Session> session;
+    PanelStates states;
     Requests requests;
     Layout layout;
 
@@ -69,7 +76,8 @@ private:
     void rest(); ///< so long that the next click is no second one
     void build(const Pictures& pictures);
 
-    Probe probe_;
+    ServicesAtOnce atOnce_;
+    std::optional<Services> lent_;
     int width_ = 1280;
     int height_ = 800;
     float scale_ = 1;

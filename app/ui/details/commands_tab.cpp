@@ -1,5 +1,6 @@
+#include "app/ui/details/commands_tab.h"
+
 #include "app/ui/model/commands.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -17,7 +18,7 @@ std::string asText(const std::vector<Command>& commands) {
     return text;
 }
 
-void toolRow(Session& session, const std::vector<Command>& commands) {
+void toolRow(const std::vector<Command>& commands) {
     const char* copy = "Copy";
     const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
     const char* caption = "Calls that set an initial value are dim";
@@ -29,15 +30,15 @@ void toolRow(Session& session, const std::vector<Command>& commands) {
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     if (ImGui::Button(copy))
         ImGui::SetClipboardText(asText(commands).c_str());
-    noteItem(session, "copy commands");
+    noteItem("copy commands");
     helpTip("Copies the calls, those of initial values, too");
 }
 
 } // namespace
 
-void drawCommandsTab(Session& session) {
-    const std::vector<Command> commands = commandsOf(session.scene);
-    toolRow(session, commands);
+void drawCommandsTab(const Session& session, CommandsTabState& state) {
+    const std::vector<Command> commands = commandsOf(session.document.scene);
+    toolRow(commands);
     ImGui::BeginChild("commands");
     ImGui::PushFont(codeFont());
     const float letter = ImGui::CalcTextSize("M").x;
@@ -50,7 +51,8 @@ void drawCommandsTab(Session& session) {
             ImGui::TextDisabled("/* %s */", command.text.c_str());
             continue;
         }
-        const bool last = !session.lastChanged.empty() && command.path == session.lastChanged;
+        const bool last =
+            !session.document.lastChanged.empty() && command.path == session.document.lastChanged;
         ImGui::PushStyleColor(ImGuiCol_Text, last              ? color::changed
                                              : command.changed ? color::text
                                                                : color::dim);
@@ -63,11 +65,11 @@ void drawCommandsTab(Session& session) {
             ImGui::GetWindowDrawList()->AddRectFilled(
                 {ImGui::GetItemRectMin().x - letter, ImGui::GetItemRectMin().y},
                 {ImGui::GetItemRectMin().x - letter * 0.6F, ImGui::GetItemRectMax().y}, color::changed);
-        if (last && session.revealedCommand != command.path)
+        if (last && state.revealed != command.path)
             ImGui::SetScrollHereY(0.5F);
-        noteItem(session, "command:" + command.path);
+        noteItem("command:" + command.path);
     }
-    session.revealedCommand = session.lastChanged;
+    state.revealed = session.document.lastChanged;
     ImGui::PopStyleVar();
     ImGui::PopFont();
     ImGui::EndChild();

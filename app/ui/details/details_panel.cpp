@@ -1,4 +1,8 @@
-#include "app/ui/window/panels.h"
+#include "app/ui/details/details_panel.h"
+
+#include "app/ui/details/explain_tab.h"
+#include "app/ui/details/memory_tab.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <string>
@@ -7,18 +11,18 @@
 namespace texplorer::ui {
 namespace {
 
-void drawTab(Session& session, const Pictures& pictures, Tab tab) {
+void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Tab tab) {
     switch (tab) {
     case Tab::Vertices:
-        return drawVerticesTab(session);
+        return drawVerticesTab(session, state.vertices);
     case Tab::Commands:
-        return drawCommandsTab(session);
+        return drawCommandsTab(session, state.commands);
     case Tab::Glsl:
-        return drawGlslTab(session, pictures);
+        return drawGlslTab(session, state.glsl, pictures);
     case Tab::Explain:
         return drawExplainTab(session, pictures);
     case Tab::File:
-        return drawFileTab(session);
+        return drawFileTab(session, state.file);
     case Tab::Memory:
         return drawMemoryTab(session, pictures);
     }
@@ -26,9 +30,9 @@ void drawTab(Session& session, const Pictures& pictures, Tab tab) {
 
 } // namespace
 
-void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& layout) {
+void drawDetailsPanel(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout) {
     beginPanel("Details", layout.details, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    session.explaining.isOpen = false;
+    session.window.explaining.isOpen = false;
     // Close together: all of their names fit into a narrow panel.
     const auto pushTabStyle = [] {
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
@@ -46,7 +50,7 @@ void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& 
     const bool hasTabs = ImGui::BeginTabBar("tabs");
     ImGui::PopStyleVar(2);
     if (hasTabs) {
-        const std::optional<Tab> wanted = std::exchange(session.wantedTab, std::nullopt);
+        const std::optional<Tab> wanted = std::exchange(session.window.wantedTab, std::nullopt);
         const bool brief = !haveRoom();
         for (const TabRow& row : tabRows) {
             pushTabStyle();
@@ -54,10 +58,10 @@ void drawDetailsPanel(Session& session, const Pictures& pictures, const Layout& 
             const bool open = ImGui::BeginTabItem(label.c_str(), nullptr,
                                                   wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
             ImGui::PopStyleVar(2);
-            noteItem(session, std::string("tab:") + row.label);
+            noteItem(std::string("tab:") + row.label);
             if (open) {
-                session.shownTab = row.tab;
-                drawTab(session, pictures, row.tab);
+                session.window.shownTab = row.tab;
+                drawTab(session, state, pictures, row.tab);
                 ImGui::EndTabItem();
             }
         }

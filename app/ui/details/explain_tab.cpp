@@ -1,7 +1,7 @@
+#include "app/ui/details/explain_tab.h"
+
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/view/probed_pixel.h"
 #include "app/ui/widgets/theme.h"
 #include "core/reference/explain/explanation_steps.h"
 
@@ -139,7 +139,7 @@ void drawRows(const std::vector<StepRow>& rows) {
     }
 }
 
-void drawStep(Session& session, const Step& step, bool first, bool severalUnits) {
+void drawStep(const Step& step, bool first, bool severalUnits) {
     const std::string title =
         step.unit < 0 || !severalUnits ? step.title : step.title + ", unit " + std::to_string(step.unit);
     ImGui::PushID(static_cast<int>(step.kind) * 8 + step.unit);
@@ -149,7 +149,7 @@ void drawStep(Session& session, const Step& step, bool first, bool severalUnits)
     const bool open =
         ImGui::TreeNodeEx("step", ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
                           "%s", title.c_str());
-    noteItem(session, "explain:" + title);
+    noteItem("explain:" + title);
     ImGui::SameLine();
     if (step.swatch) {
         swatch(*step.swatch);
@@ -157,17 +157,17 @@ void drawStep(Session& session, const Step& step, bool first, bool severalUnits)
     }
     const bool idle = step.kind == reference::StepKind::IdleUnit;
     hangingText(step.summary, idle ? color::problem : color::dim);
-    noteItem(session, "explain:summary of " + title);
+    noteItem("explain:summary of " + title);
     if (open) {
         ImGui::TreePop(); // before the rows: they need the width
         drawRows(step.rows);
-        noteItem(session, "explain:rows of " + title);
+        noteItem("explain:rows of " + title);
     }
     ImGui::PopID();
 }
 
-void drawFragment(Session& session, const reference::FragmentSteps& fragment,
-                  const reference::FragmentExplanation& explained, std::size_t index, bool seen) {
+void drawFragment(const reference::FragmentSteps& fragment, const reference::FragmentExplanation& explained,
+                  std::size_t index, bool seen) {
     ImGui::PushID(seen ? -1 : static_cast<int>(index));
     ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
     const std::string title = fragment.title + (fragment.drawn ? "" : ": " + fragment.outcome);
@@ -178,10 +178,10 @@ void drawFragment(Session& session, const reference::FragmentSteps& fragment,
     if (fitted(title, room) != title)
         helpTip(title);
     ImGui::PopStyleColor();
-    noteItem(session, "explain:fragment " + std::to_string(index));
+    noteItem("explain:fragment " + std::to_string(index));
     for (const Step& step : fragment.steps) {
         if (open)
-            drawStep(session, step, seen, explained.units.size() + explained.idle.size() > 1);
+            drawStep(step, seen, explained.units.size() + explained.idle.size() > 1);
     }
     ImGui::PopID();
 }
@@ -204,16 +204,16 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
     text("Pixel " + std::to_string(x) + "," + std::to_string(explanation.height - 1 - y) +
              " from the upper left", // as texshot probe --at counts
          color::probed);
-    noteItem(session, "explain:pixel");
+    noteItem("explain:pixel");
     helpTip("In OpenGL's window coordinates, which begin at the lower left, " + std::to_string(x) + "," +
             std::to_string(y) + ". Hold E over the picture, or click there, for another pixel.");
     const float width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton("Clear")) {
-        session.explaining.pixel.reset();
+        session.window.explaining.pixel.reset();
         clearTexel(session);
     }
-    noteItem(session, "explain:clear");
+    noteItem("explain:clear");
     std::vector<StepRow> rows;
     const auto add = [&](RendererKind renderer, const PixelBytes& bytes, reference::StepCell remark) {
         StepRow& row = rows.emplace_back();
@@ -234,13 +234,13 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
         add(view.renderer, bytes,
             comparable ? differenceFrom(explanation.bytes, bytes) : reference::StepCell{});
         if (comparable)
-            noteItem(session, "explain:compared " + rows.back().label);
+            noteItem("explain:compared " + rows.back().label);
     }
     drawRows(rows);
 }
 
 void drawTexelLine(Session& session) {
-    const Explaining& asked = session.explaining;
+    const Explaining& asked = session.window.explaining;
     if (!asked.texel)
         return;
     const auto& [level, index] = asked.texel->texel;
@@ -259,11 +259,11 @@ void drawTexelLine(Session& session) {
                               : std::to_string(count) + " pixels read it";
     }
     const bool cleared = ImGui::SmallButton("✕##texel");
-    noteItem(session, "explain:clear texel");
+    noteItem("explain:clear texel");
     helpTip("Lets go of this texel (Escape)");
     ImGui::SameLine();
     hangingText(words, color::chosen);
-    noteItem(session, "explain:texel");
+    noteItem("explain:texel");
     if (cleared)
         clearTexel(session);
 }
@@ -271,22 +271,22 @@ void drawTexelLine(Session& session) {
 } // namespace
 
 void drawExplainTab(Session& session, const Pictures& pictures) {
-    session.explaining.isOpen = true;
+    session.window.explaining.isOpen = true;
     ImGui::BeginChild("explain", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
-    const auto& answer = session.explaining.answer;
+    const auto& answer = session.window.explaining.answer;
     const reference::Explanation* explanation = explanationOf(session);
-    if (!session.explaining.pixel) {
+    if (!session.window.explaining.pixel) {
         ImGui::TextWrapped(
             "Why has this pixel that colour? Click one in the view, or hold E over it: here is "
             "everything that OpenGL computes on the way, in its order.");
-        noteItem(session, "explain:none");
+        noteItem("explain:none");
         drawTexelLine(session);
     } else if (!explanation) {
         if (answer && answer->explanation && !*answer->explanation)
             ImGui::TextWrapped("%s", describe(answer->explanation->error()).c_str());
         else
             ImGui::TextDisabled("The texture's levels are being made…");
-        noteItem(session, "explain:waiting");
+        noteItem("explain:waiting");
     } else {
         drawHead(session, pictures, *explanation);
         drawTexelLine(session);
@@ -297,11 +297,11 @@ void drawExplainTab(Session& session, const Pictures& pictures) {
         // First what one sees, then the rest in the order of drawing.
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             if (seen == &explanation->fragments[i])
-                drawFragment(session, fragments[i], explanation->fragments[i], i, true);
+                drawFragment(fragments[i], explanation->fragments[i], i, true);
         }
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             if (seen != &explanation->fragments[i])
-                drawFragment(session, fragments[i], explanation->fragments[i], i, false);
+                drawFragment(fragments[i], explanation->fragments[i], i, false);
         }
     }
     ImGui::EndChild();

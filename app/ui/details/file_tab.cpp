@@ -1,7 +1,8 @@
 // The tab "File": what is where in a texture's file, as a table of fields and as bytes.
 
+#include "app/ui/details/file_tab.h"
+
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
@@ -44,17 +45,16 @@ std::string indented(const Field& field) {
     return std::string(static_cast<std::size_t>(std::clamp(field.depth, 0, 8)) * 2, ' ') + field.name;
 }
 
-void fieldRow(Session& session, std::size_t index, int digits, std::optional<std::size_t>& hovered) {
-    FileView& view = session.fileView;
-    const Field& field = view.content->anatomy.fields[index];
+void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<std::size_t>& hovered) {
+    const Field& field = state.content->anatomy.fields[index];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(index));
-    const bool lit = view.hovered == index;
+    const bool lit = state.hovered == index;
     if (ImGui::Selectable("##row", lit,
                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap))
-        view.revealInBytes = index;
-    noteItem(session, "field:" + field.name);
+        state.revealInBytes = index;
+    noteItem("field:" + field.name);
     if (ImGui::IsItemHovered()) {
         hovered = index;
         fieldTip(field);
@@ -84,15 +84,14 @@ float nameWidth(const std::vector<Field>& fields) {
     return std::min(width, ImGui::GetContentRegionAvail().x * 0.38F);
 }
 
-void fieldTable(Session& session, float height, std::optional<std::size_t>& hovered) {
-    FileView& view = session.fileView;
-    const std::vector<Field>& fields = view.content->anatomy.fields;
+void fieldTable(FileTabState& state, float height, std::optional<std::size_t>& hovered) {
+    const std::vector<Field>& fields = state.content->anatomy.fields;
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings |
                                       ImGuiTableFlags_RowBg;
     if (!ImGui::BeginTable("fields", 3, flags, {0, height}))
         return;
-    const int digits = offsetDigits(view.content->fileBytes);
+    const int digits = offsetDigits(state.content->fileBytes);
     ImGui::PushFont(codeFont());
     const float offsets = ImGui::CalcTextSize("0").x * static_cast<float>(std::max(digits, 6));
     ImGui::PopFont();
@@ -101,16 +100,16 @@ void fieldTable(Session& session, float height, std::optional<std::size_t>& hove
     ImGui::TableSetupColumn("Field", ImGuiTableColumnFlags_WidthFixed, nameWidth(fields));
     ImGui::TableSetupColumn("Value and meaning", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
-    if (view.revealInTable) {
+    if (state.revealInTable) {
         const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-        ImGui::SetScrollY(std::max(0.0F, row * static_cast<float>(*view.revealInTable) - height / 3));
-        view.revealInTable.reset();
+        ImGui::SetScrollY(std::max(0.0F, row * static_cast<float>(*state.revealInTable) - height / 3));
+        state.revealInTable.reset();
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(fields.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            fieldRow(session, static_cast<std::size_t>(i), digits, hovered);
+            fieldRow(state, static_cast<std::size_t>(i), digits, hovered);
     }
     ImGui::EndTable();
 }
@@ -139,24 +138,24 @@ struct HexLine {
     }
 };
 
-void hexRow(Session& session, const HexLine& line, std::size_t row, std::optional<std::size_t>& hovered) {
-    FileView& view = session.fileView;
-    const DissectedFile& file = *view.content;
+void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::size_t row,
+            std::optional<std::size_t>& hovered) {
+    const DissectedFile& file = *state.content;
     const std::size_t first = row * line.perLine;
     const std::size_t count = std::min(line.perLine, file.bytes.size() - first);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
     ImGui::Dummy({line.textAt(line.perLine), height});
-    noteItem(session, "hex:" + std::to_string(first));
+    noteItem("hex:" + std::to_string(first));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemHovered()) {
         const auto column = line.columnAt(ImGui::GetIO().MousePos.x - corner.x);
         if (column && *column < count) {
-            hovered = view.map.at(first + *column);
+            hovered = map.at(first + *column);
             if (hovered) {
                 fieldTip(file.anatomy.fields[*hovered]);
                 if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-                    view.revealInTable = hovered;
+                    state.revealInTable = hovered;
             }
         }
     }
@@ -164,13 +163,13 @@ void hexRow(Session& session, const HexLine& line, std::size_t row, std::optiona
     constexpr ImU32 lit = IM_COL32(118, 150, 190, 130);
     for (std::size_t i = 0; i < count; ++i) {
         const int value = std::to_integer<int>(file.bytes[first + i]);
-        const auto field = view.map.at(first + i);
+        const auto field = map.at(first + i);
         const bool wrong = field && !file.anatomy.fields[*field].wrong.empty();
         const ImU32 ink = wrong ? color::problem : field ? color::text : color::dim;
         const ImVec2 hex(corner.x + line.hexAt(i), corner.y);
         const ImVec2 text(corner.x + line.textAt(i), corner.y);
-        if (field && field == view.hovered) {
-            const bool goesOn = i + 1 < count && view.map.at(first + i + 1) == field;
+        if (field && field == state.hovered) {
+            const bool goesOn = i + 1 < count && map.at(first + i + 1) == field;
             draw.AddRectFilled({hex.x - 1, hex.y},
                                {hex.x + line.letter * (goesOn ? 3.0F : 2.0F) + 1, hex.y + height}, lit);
             draw.AddRectFilled(text, {text.x + line.letter, text.y + height}, lit);
@@ -182,9 +181,8 @@ void hexRow(Session& session, const HexLine& line, std::size_t row, std::optiona
     }
 }
 
-void hexView(Session& session, std::optional<std::size_t>& hovered) {
-    FileView& view = session.fileView;
-    const DissectedFile& file = *view.content;
+void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t>& hovered) {
+    const DissectedFile& file = *state.content;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
     ImGui::BeginChild("bytes", {0, 0}, false);
     ImGui::PushFont(codeFont());
@@ -199,17 +197,17 @@ void hexView(Session& session, std::optional<std::size_t>& hovered) {
         line = wider;
     }
     const std::size_t rows = (file.bytes.size() + line.perLine - 1) / line.perLine;
-    if (view.revealInBytes) {
-        const Field& field = file.anatomy.fields[*view.revealInBytes];
+    if (state.revealInBytes) {
+        const Field& field = file.anatomy.fields[*state.revealInBytes];
         const auto row = static_cast<float>(field.offset / line.perLine);
         ImGui::SetScrollY(std::max(0.0F, (row - 1) * ImGui::GetTextLineHeight()));
-        view.revealInBytes.reset();
+        state.revealInBytes.reset();
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows), ImGui::GetTextLineHeight());
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            hexRow(session, line, static_cast<std::size_t>(i), hovered);
+            hexRow(state, map, line, static_cast<std::size_t>(i), hovered);
     }
     ImGui::PopStyleVar();
     ImGui::PopFont();
@@ -221,11 +219,11 @@ void hexView(Session& session, std::optional<std::size_t>& hovered) {
 
 /// One line that says which file this is, and what is wrong with it.
 void heading(Session& session) {
-    FileView& view = session.fileView;
+    FileView& view = session.window.fileView;
     if (!view.chosen.empty()) {
         if (ImGui::SmallButton("←"))
             view.chosen.clear();
-        noteItem(session, "file:back");
+        noteItem("file:back");
         helpTip("Back to the file of the bound texture");
         ImGui::SameLine();
     }
@@ -236,7 +234,7 @@ void heading(Session& session) {
                 std::to_string(view.content->fileBytes) + " bytes";
     }
     ImGui::TextUnformatted(text.c_str());
-    noteItem(session, "file:name");
+    noteItem("file:name");
     helpTip(view.shown.string());
     if (!view.content)
         return;
@@ -247,22 +245,22 @@ void heading(Session& session) {
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
     ImGui::TextWrapped("%s", printable(problem).c_str());
     ImGui::PopStyleColor();
-    noteItem(session, "file:problem");
+    noteItem("file:problem");
     if (!damage.empty() && damage != problem)
         helpTip(damage);
 }
 
 } // namespace
 
-void drawFileTab(Session& session) {
+void drawFileTab(Session& session, FileTabState& state) {
     followFile(session);
-    FileView& view = session.fileView;
+    const FileView& view = session.window.fileView;
     if (view.shown.empty()) {
         ImGui::TextWrapped(boundTexture(session)
                                ? "This texture is a built-in pattern: there is no file. Open an image with "
                                  "Ctrl+I to see what its file holds."
                                : "No texture is bound to this unit.");
-        noteItem(session, "file:none");
+        noteItem("file:none");
         return;
     }
     heading(session);
@@ -276,13 +274,17 @@ void drawFileTab(Session& session) {
             ImGui::TextDisabled("Reading…");
         return;
     }
+    if (state.content != view.content) { // the fields were another file's
+        state = {};
+        state.content = view.content;
+    }
     std::optional<std::size_t> hovered;
     if (view.content->anatomy.fields.empty())
         ImGui::TextDisabled("Its fields are not known.");
     else
-        fieldTable(session, ImGui::GetContentRegionAvail().y * 0.55F, hovered);
-    hexView(session, hovered);
-    view.hovered = hovered;
+        fieldTable(state, ImGui::GetContentRegionAvail().y * 0.55F, hovered);
+    hexView(state, view.map, hovered);
+    state.hovered = hovered;
 }
 
 } // namespace texplorer::ui

@@ -1,5 +1,6 @@
+#include "app/ui/details/glsl_tab.h"
+
 #include "app/ui/details/glsl_text.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -45,43 +46,42 @@ const view::StageSource& sourceOf(const PassShader& shader, ShaderStage stage) {
     return stage == ShaderStage::Vertex ? shader.source.vertex : shader.source.fragment;
 }
 
-void showLine(GlslView& view, const ShaderMessage& message) {
+void showLine(GlslTabState& state, const ShaderMessage& message) {
     if (!message.stage || message.line == 0)
         return;
-    view.stage = *message.stage;
-    view.wantedLine = message.line;
+    state.stage = *message.stage;
+    state.wantedLine = message.line;
 }
 
 /// The stages to choose from, and what one can do with the source.
-void toolRow(Session& session, const PassShader& shader) {
-    GlslView& view = session.glsl;
+void toolRow(const Session& session, GlslTabState& state, const PassShader& shader) {
     for (const StageRow& row : stageRows) {
-        const bool chosen = view.stage == row.stage;
+        const bool chosen = state.stage == row.stage;
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
         if (ImGui::Button(row.label))
-            view.stage = row.stage;
+            state.stage = row.stage;
         ImGui::PopStyleColor();
-        noteItem(session, std::string("stage:") + row.label);
+        noteItem(std::string("stage:") + row.label);
         helpTip(row.help);
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
     }
     const char* copy = "Copy";
     const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
-    const std::string pass = "pass " + std::to_string(session.selection.pass);
+    const std::string pass = "pass " + std::to_string(session.window.selection.pass);
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(pass.c_str()).x + 2 * width) {
         ImGui::TextDisabled("%s", pass.c_str());
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     if (ImGui::Button(copy))
-        ImGui::SetClipboardText(sourceOf(shader, view.stage).text.c_str());
-    noteItem(session, "copy glsl");
+        ImGui::SetClipboardText(sourceOf(shader, state.stage).text.c_str());
+    noteItem("copy glsl");
     helpTip("Copies the stage's source as it is given to the driver");
 }
 
 /// What the compiler says, where it says anything: a click leads to the line.
-void drawLog(Session& session, const PassShader& shader) {
+void drawLog(GlslTabState& state, const PassShader& shader) {
     if (shader.log.empty())
         return;
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
@@ -89,11 +89,11 @@ void drawLog(Session& session, const PassShader& shader) {
     int number = 0;
     for (const ShaderMessage& message : shader.log) {
         ImGui::TextUnformatted(message.sentence.c_str());
-        noteItem(session, "message:" + std::to_string(number++));
+        noteItem("message:" + std::to_string(number++));
         if (message.line > 0 && ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (ImGui::IsItemClicked())
-            showLine(session.glsl, message);
+            showLine(state, message);
     }
     ImGui::PopStyleColor();
     ImGui::TextDisabled("Until this is mended, what ran before goes on drawing.");
@@ -151,9 +151,8 @@ void drawPart(const std::vector<GlslToken>& tokens, std::string_view part, float
     ImGui::NewLine();
 }
 
-void drawSource(Session& session, const PassShader& shader) {
-    GlslView& view = session.glsl;
-    const view::StageSource& source = sourceOf(shader, view.stage);
+void drawSource(GlslTabState& state, const PassShader& shader) {
+    const view::StageSource& source = sourceOf(shader, state.stage);
     const std::vector<std::string_view> lines = linesOf(source.text);
     const GlslNames uniforms = uniformsOf(source.text);
     ImGui::BeginChild("source", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
@@ -166,11 +165,11 @@ void drawSource(Session& session, const PassShader& shader) {
         static_cast<std::size_t>(std::max(16.0F, (ImGui::GetContentRegionAvail().x - gutter) / letter));
     const std::vector<Row> rows = wrapped(lines, columns);
     const float height = ImGui::GetTextLineHeightWithSpacing();
-    if (view.wantedLine > 0) {
-        const auto wanted = std::ranges::find(rows, static_cast<std::size_t>(view.wantedLine), &Row::line);
+    if (state.wantedLine > 0) {
+        const auto wanted = std::ranges::find(rows, static_cast<std::size_t>(state.wantedLine), &Row::line);
         ImGui::SetScrollY(static_cast<float>(wanted - rows.begin()) * height - ImGui::GetWindowHeight() / 2);
     }
-    view.wantedLine = 0;
+    state.wantedLine = 0;
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()), height);
     while (clipper.Step()) {
@@ -178,7 +177,7 @@ void drawSource(Session& session, const PassShader& shader) {
             const Row& row = rows[static_cast<std::size_t>(i)];
             const std::string_view line = lines[row.line];
             const ImVec2 low = ImGui::GetCursorScreenPos();
-            if (isBlamed(shader, view.stage, static_cast<int>(row.line) + 1))
+            if (isBlamed(shader, state.stage, static_cast<int>(row.line) + 1))
                 ImGui::GetWindowDrawList()->AddRectFilled(
                     low, {low.x + ImGui::GetWindowWidth(), low.y + height}, color::blamed);
             ImGui::BeginGroup();
@@ -188,7 +187,7 @@ void drawSource(Session& session, const PassShader& shader) {
             drawPart(glslTokens(line, uniforms), row.part, left);
             ImGui::EndGroup();
             if (row.begins(line))
-                noteItem(session, "glsl:" + std::to_string(row.line + 1));
+                noteItem("glsl:" + std::to_string(row.line + 1));
             if (row.line < source.lines.size())
                 helpTip(source.lines[row.line].file + ":" + std::to_string(source.lines[row.line].line));
         }
@@ -200,8 +199,8 @@ void drawSource(Session& session, const PassShader& shader) {
 
 } // namespace
 
-void drawGlslTab(Session& session, const Pictures& pictures) {
-    const auto pass = static_cast<std::size_t>(session.selection.pass);
+void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pictures) {
+    const auto pass = static_cast<std::size_t>(session.window.selection.pass);
     const std::shared_ptr<const PassShader> shader =
         pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
     if (!shader) {
@@ -211,19 +210,18 @@ void drawGlslTab(Session& session, const Pictures& pictures) {
         return;
     }
     // A new mistake is shown, once: somebody has just saved it in an editor.
-    GlslView& view = session.glsl;
     if (shader->log.empty()) {
-        view.shownLog.clear();
-    } else if (view.shownLog != shader->log) {
-        view.shownLog = shader->log;
+        state.shownLog.clear();
+    } else if (state.shownLog != shader->log) {
+        state.shownLog = shader->log;
         const auto placed =
             std::ranges::find_if(shader->log, [](const ShaderMessage& each) { return each.line > 0; });
         if (placed != shader->log.end())
-            showLine(view, *placed);
+            showLine(state, *placed);
     }
-    toolRow(session, *shader);
-    drawLog(session, *shader);
-    drawSource(session, *shader);
+    toolRow(session, state, *shader);
+    drawLog(state, *shader);
+    drawSource(state, *shader);
 }
 
 } // namespace texplorer::ui

@@ -1,6 +1,7 @@
 // The tab "Memory": what the bound texture costs, level by level, and what its compression lost.
 
-#include "app/ui/window/panels.h"
+#include "app/ui/details/memory_tab.h"
+
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -41,7 +42,7 @@ std::string psnrText(double psnr) {
 }
 
 LevelsRequest requestOf(Session& session, const Texture& texture) {
-    return {session.images.find(texture), imageSettings(texture), selectedUnit(session).target};
+    return {session.document.images.find(texture), imageSettings(texture), selectedUnit(session).target};
 }
 
 /// Sentences about the bound texture: the renderer's, and those about levels that nobody has drawn yet.
@@ -64,7 +65,7 @@ std::vector<std::string> sentencesOf(Session& session, const Pictures& pictures,
     return sentences;
 }
 
-void drawSentences(Session& session, const std::vector<std::string>& sentences) {
+void drawSentences(const std::vector<std::string>& sentences) {
     for (std::size_t i = 0; i < sentences.size(); ++i) {
         std::string sentence = sentences[i];
         if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
@@ -72,7 +73,7 @@ void drawSentences(Session& session, const std::vector<std::string>& sentences) 
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         ImGui::TextWrapped("%s.", sentence.c_str());
         ImGui::PopStyleColor();
-        noteItem(session, "memory:note " + std::to_string(i));
+        noteItem("memory:note " + std::to_string(i));
     }
 }
 
@@ -83,11 +84,11 @@ std::string formatName(const Texture& texture, const LevelsSummary& summary) {
 }
 
 /// The sum, and what it is beside the base level and beside a texture that isn't compressed.
-void drawSum(Session& session, const Texture& texture, const LevelsSummary& summary) {
+void drawSum(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
     const std::size_t count = report.levels.size();
     ImGui::TextUnformatted((grouped(report.bytes) + " bytes").c_str());
-    noteItem(session, "memory:sum");
+    noteItem("memory:sum");
     ImGui::SameLine(0, 0);
     ImGui::TextDisabled(" in %zu %s, %s", count, count == 1 ? "level" : "levels",
                         formatName(texture, summary).c_str());
@@ -105,7 +106,7 @@ void drawSum(Session& session, const Texture& texture, const LevelsSummary& summ
         ImGui::SameLine(0, 0);
         ImGui::TextDisabled("%s", words);
         ImGui::EndGroup();
-        noteItem(session, name);
+        noteItem(name);
         helpTip(help);
     };
     fact(decimal(report.ratioToBase, 3), " × base", "memory:ratio",
@@ -142,18 +143,18 @@ void shareBar(double share) {
         {low.x + width, low.y + line * 0.94F}, IM_COL32(118, 150, 190, 70));
 }
 
-void missingRow(Session& session, int number) {
+void missingRow(int number) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     rightAligned(std::to_string(number), color::problem);
-    noteItem(session, "memory:level " + std::to_string(number));
+    noteItem("memory:level " + std::to_string(number));
     ImGui::TableNextColumn();
     rightAligned("missing", color::problem);
     helpTip(
         "A filter that uses mipmaps finds the texture incomplete: it is drawn as if it were switched off.");
 }
 
-void drawLevels(Session& session, const LevelsSummary& summary, Target target) {
+void drawLevels(const LevelsSummary& summary, Target target) {
     const std::vector<LevelReport>& levels = summary.report.levels;
     const bool measured =
         std::ranges::any_of(levels, [](const LevelReport& level) { return level.psnr.has_value(); });
@@ -179,12 +180,12 @@ void drawLevels(Session& session, const LevelsSummary& summary, Target target) {
     int next = levels.empty() ? 0 : levels.front().number;
     for (const LevelReport& level : levels) {
         for (; next < level.number; ++next)
-            missingRow(session, next);
+            missingRow(next);
         next = level.number + 1;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         rightAligned(std::to_string(level.number), color::dim);
-        noteItem(session, "memory:level " + std::to_string(level.number));
+        noteItem("memory:level " + std::to_string(level.number));
         ImGui::TableNextColumn();
         rightAligned(extentsOf(level, target));
         ImGui::TableNextColumn();
@@ -207,15 +208,15 @@ void drawMemoryTab(Session& session, const Pictures& pictures) {
         ImGui::TextWrapped("No texture is bound to this unit.");
         return;
     }
-    if (!session.images.find(*texture)) {
+    if (!session.document.images.find(*texture)) {
         ImGui::TextWrapped("The image is not loaded.");
         return;
     }
-    LevelsWorker& worker = levelsOf(session);
+    LevelsWorker& worker = session.services.levels;
     const LevelsRequest request = requestOf(session, *texture);
     const std::shared_ptr<const LevelsSummary> summary = worker.summary(request);
     if (summary && summary->problem.empty())
-        drawSum(session, *texture, *summary);
+        drawSum(*texture, *summary);
     else if (summary) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         ImGui::TextWrapped("%s", summary->problem.c_str());
@@ -224,14 +225,14 @@ void drawMemoryTab(Session& session, const Pictures& pictures) {
         ImGui::TextWrapped("Making the levels was cancelled: what was drawn before stays.");
         if (ImGui::Button("Make them"))
             worker.retry(request);
-        noteItem(session, "memory:retry");
+        noteItem("memory:retry");
     } else {
         ImGui::TextDisabled("The levels are being made…");
-        noteItem(session, "memory:waiting");
+        noteItem("memory:waiting");
     }
-    drawSentences(session, sentencesOf(session, pictures, summary.get()));
+    drawSentences(sentencesOf(session, pictures, summary.get()));
     if (summary && !summary->report.levels.empty())
-        drawLevels(session, *summary, request.target);
+        drawLevels(*summary, request.target);
 }
 
 } // namespace texplorer::ui

@@ -1,7 +1,9 @@
-#include "app/ui/window/panels.h"
+#include "app/ui/details/vertices_tab.h"
+
+#include "app/ui/model/tex_coord_edits.h"
+#include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/texture_space/tex_coord_edits.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/tex_coords.h"
 
@@ -14,13 +16,13 @@ namespace texplorer::ui {
 namespace {
 
 std::string coordsPath(const Session& session) {
-    return "models[" + std::to_string(session.selection.model) + "].texCoords" +
-           std::to_string(session.selection.unit);
+    return "models[" + std::to_string(session.window.selection.model) + "].texCoords" +
+           std::to_string(session.window.selection.unit);
 }
 
 void editAll(Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
     Model& model = *selectedModel(session);
-    const int unit = session.selection.unit;
+    const int unit = session.window.selection.unit;
     TexCoords coords = effectiveTexCoords(model, selectedMesh(session), unit);
     edit(coords);
     for (glm::vec4& each : coords)
@@ -44,7 +46,7 @@ void editButtons(Session& session) {
         }
         first = false;
         const bool pressed = ImGui::Button(label);
-        noteItem(session, std::string("coords:") + label);
+        noteItem(std::string("coords:") + label);
         helpTip(help);
         return pressed;
     };
@@ -59,7 +61,7 @@ void editButtons(Session& session) {
     if (button("90°", "Turns all coordinates by 90° about (0.5, 0.5)"))
         editAll(session, "Rotate coordinates", rotateQuarter);
     if (button("Reset", "Back to the coordinates of the mesh")) {
-        selectedModel(session)->texCoords[static_cast<std::size_t>(session.selection.unit)].clear();
+        selectedModel(session)->texCoords[static_cast<std::size_t>(session.window.selection.unit)].clear();
         sealEdit(session);
         recordEdit(session, "Reset coordinates", coordsPath(session));
         sealEdit(session);
@@ -70,13 +72,13 @@ void vertexRow(Session& session, const TexCoords& coords, std::size_t vertex, in
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(vertex));
-    const bool chosen = session.selection.vertex == vertex;
+    const bool chosen = session.window.selection.vertex == vertex;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? color::chosen : color::dim);
     const std::string name = std::to_string(vertex);
     if (ImGui::Selectable(name.c_str(), chosen))
-        session.selection.vertex = vertex;
-    noteItem(session, "vertex:" + name);
+        session.window.selection.vertex = vertex;
+    noteItem("vertex:" + name);
     ImGui::PopStyleColor();
     glm::vec4 value = coords[vertex];
     bool changed = false;
@@ -86,20 +88,21 @@ void vertexRow(Session& session, const TexCoords& coords, std::size_t vertex, in
         ImGui::SetNextItemWidth(-1);
         changed |= dragNumber("##coord", value[i], coordRange, i);
         if (ImGui::IsItemActivated())
-            session.selection.vertex = vertex;
-        noteItem(session, coordsPath(session) + "[" + name + "][" + std::to_string(i) + "]");
+            session.window.selection.vertex = vertex;
+        noteItem(coordsPath(session) + "[" + name + "][" + std::to_string(i) + "]");
         sealAfterItem(session);
         ImGui::PopID();
     }
     ImGui::PopID();
     if (changed) {
-        setTexCoord(*selectedModel(session), selectedMesh(session), session.selection.unit, vertex, value);
+        setTexCoord(*selectedModel(session), selectedMesh(session), session.window.selection.unit, vertex,
+                    value);
         recordEdit(session, "Move vertex " + name, coordsPath(session));
     }
 }
 
 void faceTable(Session& session, const Face& face, const TexCoords& coords, int components) {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("face", 1 + components, flags))
         return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2F);
@@ -127,7 +130,7 @@ void header(int components) {
 
 } // namespace
 
-void drawVerticesTab(Session& session) {
+void drawVerticesTab(Session& session, VerticesTabState& state) {
     if (!selectedModel(session)) {
         ImGui::TextWrapped("The scene has no model.");
         return;
@@ -136,31 +139,31 @@ void drawVerticesTab(Session& session) {
     const float checkbox =
         ImGui::CalcTextSize("r, q").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - checkbox);
-    ImGui::Checkbox("r, q", &session.showRq);
-    noteItem(session, "show r, q");
+    ImGui::Checkbox("r, q", &session.window.showRq);
+    noteItem("show r, q");
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
     editButtons(session);
-    const Finding* idle = idleReasonOf(session.findings, coordsPath(session));
+    const Finding* idle = idleReasonOf(session.document.findings, coordsPath(session));
     if (idle) {
         dimText("No effect now: " + idle->sentence + ".");
-        noteItem(session, "coordinates#inert");
+        noteItem("coordinates#inert");
     }
 
     const Mesh& mesh = selectedMesh(session);
-    const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.selection.unit);
+    const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
-    const int components = session.showRq || std::ranges::any_of(coords, usesRq) ? 4 : 2;
+    const int components = session.window.showRq || std::ranges::any_of(coords, usesRq) ? 4 : 2;
     ImGui::BeginChild("vertices");
     if (idle)
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.6F);
     ImGui::Dummy({0, 0});
     header(components);
-    const bool reveal = session.selection.vertex != session.revealedVertex;
+    const bool reveal = session.window.selection.vertex != state.revealed;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         const Face& face = mesh.faces[i];
         const bool holdsChosen =
-            session.selection.vertex &&
-            std::ranges::find(face.vertices, static_cast<std::uint32_t>(*session.selection.vertex)) !=
+            session.window.selection.vertex &&
+            std::ranges::find(face.vertices, static_cast<std::uint32_t>(*session.window.selection.vertex)) !=
                 face.vertices.end();
         if (reveal && holdsChosen)
             ImGui::SetNextItemOpen(true);
@@ -174,14 +177,14 @@ void drawVerticesTab(Session& session) {
             ImGui::TreeNodeEx(face.name.c_str(), flags | (few ? ImGuiTreeNodeFlags_DefaultOpen : 0));
         if (holdsChosen)
             ImGui::PopStyleColor();
-        noteItem(session, "face:" + face.name);
+        noteItem("face:" + face.name);
         if (open)
             faceTable(session, face, coords, components);
         if (reveal && holdsChosen)
             ImGui::SetScrollHereY(0.5F);
         ImGui::PopID();
     }
-    session.revealedVertex = session.selection.vertex;
+    state.revealed = session.window.selection.vertex;
     if (idle)
         ImGui::PopStyleVar();
     ImGui::EndChild();

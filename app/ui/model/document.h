@@ -1,67 +1,50 @@
 #pragma once
 
-#include "app/ui/model/session.h"
+#include "app/ui/model/load.h"
+#include "core/diagnosis/diagnosis.h"
+#include "core/scene/history.h"
+#include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace texplorer::ui {
 
-// Files. Each of these changes nothing when it fails.
+/// What the findings were made of.
+struct Diagnosis {
+    Scene scene;
+    std::vector<std::shared_ptr<const TextureImage>> images;
+    DriverFacts driver;
+};
 
-void newScene(Session& session);
+/// What is shown and edited. Another scene is another Document; the window around it stays.
+struct Document {
+    /// A scene whose images are loaded. A camera that nobody has chosen, that of the default scene, is fitted
+    /// to the view when its shape is known, so that a narrow window cuts nothing off.
+    Document(Scene start, ImageSource source, std::filesystem::path savedAs = {});
 
-// With a Background, images come later: what was asked for happens in `receiveFiles`, or the user is told why
-// it can't. The errors that are returned are then those that are seen at once.
+    Scene scene; ///< `history.current()` but for an edit in progress
+    History history;
+    Scene saved; ///< as the file has it
+    ImageSource images;
+    std::filesystem::path file;    ///< empty: never saved
+    bool needsFit = false;         ///< the camera has not yet been fitted to the view's shape
+    std::string lastChanged;       ///< the path of the parameter that was edited last
+    std::vector<Load> loads;       ///< what is on its way, in the order in which it was asked for
+    std::set<std::string> damaged; ///< files of `images` that changed and can't be read any more
 
-/// Reads a scene and every image that it names.
-[[nodiscard]] Result<void> openScene(Session& session, const std::filesystem::path& path);
+    std::vector<Finding> findings; ///< about the scene, kept by `diagnoseSession`
+    Diagnosis diagnosis;
+};
 
-/// Writes the scene. Image paths are kept relative to the scene file where they lie below its folder.
-[[nodiscard]] Result<void> saveScene(Session& session, const std::filesystem::path& path);
+/// Whether closing would lose something. Looking around in a scene that was never saved doesn't count.
+[[nodiscard]] bool isDirty(const Document& document);
 
-/// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
-[[nodiscard]] Result<void> importImage(Session& session, const std::filesystem::path& path);
-
-/// Puts the images that a load has added into a scene, as far as they are in `images`: the first for the
-/// load's unit, a texture for each of the others. Those for which there is no room are refused.
-void addImages(Scene& scene, const ImageSource& images, Load& load);
-
-/// Shows unsaved work of a window that has died, once its images are there or can't be read.
-void restoreUnsaved(Session& session, UnsavedScene draft);
-
-/// A unit shows a file, with the texture that is bound to it, or with a new one; the unit is switched on.
-void bindFile(Scene& scene, int pass, int unit, std::string file);
-
-/// Puts an image on one texture of the scene. `file` is spelled as in Texture::file.
-[[nodiscard]] Result<void> setFile(Session& session, int texture, std::string file);
-
-/// A scene that has been loaded takes the place of this one; asks first where the user has changed something
-/// meanwhile.
-void showLoadedScene(Session& session, Load load);
-
-/// A scene or an image, by its content.
-[[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
-
-/// Several files: at most one scene, and images; the first one is shown, the others wait as textures. What
-/// can't be opened is listed in Session::refused, and the rest is opened. The error is that of a file that is
-/// the only one.
-[[nodiscard]] Result<void> openFiles(Session& session, const std::vector<std::filesystem::path>& files);
-
-/// What of the command line is not there or is nothing that can be opened, by the beginning of each file:
-/// what can be said before there is a window. An error for each.
-[[nodiscard]] std::vector<Error> checkArguments(const std::vector<std::filesystem::path>& files);
-
-/// What the command line names, as openFiles. The session begins with it: there is nothing to undo or to
-/// save. The error is that of the first file where none can be opened.
-[[nodiscard]] Result<void> openArguments(Session& session, const std::vector<std::filesystem::path>& files);
-
-/// Whether a file is to be read as a scene, by its first bytes and its name; else as an image.
-[[nodiscard]] Result<bool> holdsScene(const std::filesystem::path& path);
-
-/// Tells the user. Where the content of `file` was the reason, it is offered to look into it.
-void say(Session& session, const Error& error, const std::filesystem::path& file = {});
-void say(Session& session, std::string sentence);
-/// Shows a failure to the user.
-void report(Session& session, const Result<void>& result, const std::filesystem::path& file = {});
+/// "earth.json • Texplorer": the bullet says that there are unsaved changes.
+[[nodiscard]] std::string windowTitle(const Document& document);
 
 } // namespace texplorer::ui

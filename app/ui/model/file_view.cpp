@@ -1,5 +1,6 @@
 #include "app/ui/model/file_view.h"
 
+#include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"
 
 #include <algorithm>
@@ -11,12 +12,12 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path wantedFile(const Session& session) {
-    if (!session.fileView.chosen.empty())
-        return session.fileView.chosen;
+    if (!session.window.fileView.chosen.empty())
+        return session.window.fileView.chosen;
     const Texture* texture = boundTexture(session);
     if (!texture || texture->source != SourceKind::File || texture->file.empty())
         return {};
-    return session.images.directory() / texture->file;
+    return session.document.images.directory() / texture->file;
 }
 
 } // namespace
@@ -47,9 +48,8 @@ std::optional<std::size_t> FieldMap::at(std::size_t offset) const {
 }
 
 void receiveView(Session& session, Result<ImageLoader::Content> content) {
-    FileView& view = session.fileView;
+    FileView& view = session.window.fileView;
     view.ticket = 0;
-    view.hovered.reset();
     if (!content) {
         view.content.reset();
         view.problem = describe(content.error());
@@ -61,18 +61,17 @@ void receiveView(Session& session, Result<ImageLoader::Content> content) {
 }
 
 void refreshView(Session& session) {
-    FileView& view = session.fileView;
+    FileView& view = session.window.fileView;
     if (view.shown.empty())
         return;
-    if (!session.background)
-        return receiveView(session, loadNow(view.shown, ImageLoader::Wanted::Anatomy));
+    Files& files = session.services.files;
     if (view.ticket != 0)
-        session.background->loader.cancel(view.ticket);
-    view.ticket = session.background->loader.load(view.shown, ImageLoader::Wanted::Anatomy);
+        files.cancel(view.ticket);
+    view.ticket = files.load(view.shown, Files::Wanted::Anatomy);
 }
 
 void followFile(Session& session) {
-    FileView& view = session.fileView;
+    FileView& view = session.window.fileView;
     fs::path wanted = wantedFile(session);
     if (wanted == view.shown)
         return;
@@ -86,8 +85,8 @@ void followFile(Session& session) {
 }
 
 void lookInto(Session& session, fs::path file) {
-    session.fileView.chosen = std::move(file);
-    session.wantedTab = Tab::File;
+    session.window.fileView.chosen = std::move(file);
+    session.window.wantedTab = Tab::File;
 }
 
 } // namespace texplorer::ui

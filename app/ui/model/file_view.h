@@ -25,17 +25,14 @@ private:
     std::map<std::size_t, std::optional<std::size_t>> starts_; ///< from here on it is this field
 };
 
-/// What the tab "File" shows.
+/// The file that the tab "File" shows, as it is read.
 struct FileView {
     std::filesystem::path chosen;   ///< what the user wants to look into; empty: the bound texture's file
     std::filesystem::path shown;    ///< the file that `content` or `problem` is about; empty: none yet
     ImageLoader::Ticket ticket = 0; ///< of what is awaited; 0: nothing
     std::shared_ptr<const DissectedFile> content;
     FieldMap map;
-    std::string problem;                ///< why the file can't be read; empty: nothing wrong
-    std::optional<std::size_t> hovered; ///< the field under the mouse, in the table or in the bytes
-    std::optional<std::size_t> revealInTable;
-    std::optional<std::size_t> revealInBytes;
+    std::string problem; ///< why the file can't be read; empty: nothing wrong
 };
 
 /// Opens the tab with a file, be it an image or damaged.

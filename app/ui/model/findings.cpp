@@ -1,6 +1,6 @@
 #include "app/ui/model/findings.h"
 
-#include "app/ui/model/document.h"
+#include "app/ui/model/scene_files.h"
 
 #include <algorithm>
 #include <charconv>
@@ -20,18 +20,18 @@ int indexIn(const std::string& path, std::string_view list) {
 } // namespace
 
 void diagnoseSession(Session& session, const DriverFacts& driver) {
-    Diagnosis& last = session.diagnosis;
+    Diagnosis& last = session.document.diagnosis;
     std::vector<std::shared_ptr<const TextureImage>> images;
-    for (const Texture& texture : session.scene.textures)
-        images.push_back(session.images.find(texture));
-    if (last.scene == session.scene && last.images == images && last.driver == driver)
+    for (const Texture& texture : session.document.scene.textures)
+        images.push_back(session.document.images.find(texture));
+    if (last.scene == session.document.scene && last.images == images && last.driver == driver)
         return;
-    session.findings = diagnose(session.scene, session.images, driver);
-    last = {session.scene, std::move(images), driver};
+    session.document.findings = diagnose(session.document.scene, session.document.images, driver);
+    last = {session.document.scene, std::move(images), driver};
 }
 
 bool isUnused(const Session& session, std::string_view path) {
-    return std::ranges::any_of(session.findings, [&](const Finding& each) {
+    return std::ranges::any_of(session.document.findings, [&](const Finding& each) {
         return each.severity == Severity::Unused && each.path == path;
     });
 }
@@ -44,7 +44,7 @@ std::string sentenceOf(const Finding& finding) {
 }
 
 void reveal(Session& session, const std::string& path) {
-    Selection& selection = session.selection;
+    Selection& selection = session.window.selection;
     if (const int pass = indexIn(path, "passes"); pass >= 0)
         selection.pass = pass;
     if (const int unit = indexIn(path, "units"); unit >= 0)
@@ -52,14 +52,14 @@ void reveal(Session& session, const std::string& path) {
     if (const int model = indexIn(path, "models"); model >= 0) {
         selection.model = model;
         if (path.find("texCoords") != std::string::npos)
-            session.wantedTab = Tab::Vertices; // where they are edited
+            session.window.wantedTab = Tab::Vertices; // where they are edited
     }
     // A texture is edited through a unit that it is bound to; one that is on comes first.
     if (const int texture = indexIn(path, "textures"); texture >= 0) {
         for (const bool on : {false, true}) {
-            for (std::size_t p = 0; p < session.scene.passes.size(); ++p) {
+            for (std::size_t p = 0; p < session.document.scene.passes.size(); ++p) {
                 for (std::size_t u = 0; u < maxUnits; ++u) {
-                    const Unit& unit = session.scene.passes[p].units[u];
+                    const Unit& unit = session.document.scene.passes[p].units[u];
                     if (unit.texture == texture && unit.enabled == on) {
                         selection.pass = static_cast<int>(p);
                         selection.unit = static_cast<int>(u);
@@ -68,8 +68,8 @@ void reveal(Session& session, const std::string& path) {
             }
         }
     }
-    session.wantedParam = path;
-    session.shownParam = path;
+    session.window.wantedParam = path;
+    session.window.shownParam = path;
 }
 
 std::string assignmentsOf(const Fix& fix) {
@@ -81,7 +81,7 @@ std::string assignmentsOf(const Fix& fix) {
 
 void applyFix(Session& session, const Fix& fix) {
     sealEdit(session);
-    const Result<void> applied = apply(fix, session.scene);
+    const Result<void> applied = apply(fix, session.document.scene);
     if (applied)
         recordEdit(session, fix.label, fix.assignments.front().path);
     report(session, applied);

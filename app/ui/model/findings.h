@@ -9,7 +9,7 @@ namespace texplorer::ui {
 
 // What the diagnosis says, as the panels ask for it.
 
-/// Brings session.findings up to date; costs little where nothing has changed.
+/// Brings session.document.findings up to date; costs little where nothing has changed.
 void diagnoseSession(Session& session, const DriverFacts& driver);
 
 /// Whether a parameter belongs to a choice that isn't made, so that it isn't shown.

@@ -1,6 +1,6 @@
 #include "app/ui/model/loads.h"
 
-#include "app/ui/model/document.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "core/base/file_fingerprint.h"
 
@@ -18,16 +18,16 @@ std::set<std::string> missingFiles(const Session& session, const Load& load) {
     if (load.kind == Load::Kind::Reload)
         return {load.file};
     if (load.kind == Load::Kind::Import || load.kind == Load::Kind::SetFile)
-        return session.images.holds(load.file) ? std::set<std::string>{} : std::set{load.file};
+        return session.document.images.holds(load.file) ? std::set<std::string>{} : std::set{load.file};
     std::set<std::string> files(load.added.begin(), load.added.end());
     if (load.kind == Load::Kind::Add)
-        std::erase_if(files, [&](const std::string& file) { return session.images.holds(file); });
+        std::erase_if(files, [&](const std::string& file) { return session.document.images.holds(file); });
     files.merge(filesOf(load.scene));
     return files;
 }
 
 fs::path folderOf(const Session& session, const Load& load) {
-    return load.kind == Load::Kind::Scene ? load.images.directory() : session.images.directory();
+    return load.kind == Load::Kind::Scene ? load.images.directory() : session.document.images.directory();
 }
 
 /// The files that a load needs, each with all spellings that it has.
@@ -59,8 +59,8 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
                     const ImageLoader::Content& content) {
     const auto& image = std::get<std::shared_ptr<const TextureImage>>(content);
     const bool own = load.kind == Load::Kind::Scene;
-    ImageSource images = own ? load.images : session.images;
-    std::set<std::string> files = filesOf(own ? load.scene : session.scene);
+    ImageSource images = own ? load.images : session.document.images;
+    std::set<std::string> files = filesOf(own ? load.scene : session.document.scene);
     putAll(images, load);
     for (const auto& [file, texture] : load.arrived)
         files.insert(file);
@@ -78,7 +78,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
 }
 
 void finishImport(Session& session, const Load& load) {
-    bindFile(session.scene, load.pass, load.unit, load.file);
+    bindFile(session.document.scene, load.pass, load.unit, load.file);
     sealEdit(session);
     recordEdit(session, "Open " + load.path.filename().string());
     sealEdit(session);
@@ -86,7 +86,7 @@ void finishImport(Session& session, const Load& load) {
 
 /// One step of undo for all of them.
 void finishAdd(Session& session, Load& load) {
-    addImages(session.scene, session.images, load);
+    addImages(session.document.scene, session.document.images, load);
     sealEdit(session);
     recordEdit(session, "Open " + std::to_string(load.added.size()) + " images");
     sealEdit(session);
@@ -94,47 +94,48 @@ void finishAdd(Session& session, Load& load) {
 
 /// The user is told with the next frame that has room for it.
 void tellRefused(Session& session, std::vector<Error>& refused) {
-    session.refused.insert(session.refused.end(), refused.begin(), refused.end());
+    session.window.refused.insert(session.window.refused.end(), refused.begin(), refused.end());
     refused.clear();
 }
 
 void finishSetFile(Session& session, const Load& load) {
     const auto index = static_cast<std::size_t>(load.texture);
-    if (index >= session.scene.textures.size())
+    if (index >= session.document.scene.textures.size())
         return; // it was removed meanwhile
-    session.scene.textures[index].file = load.file;
+    session.document.scene.textures[index].file = load.file;
     sealEdit(session);
     recordEdit(session, "File", "textures[" + std::to_string(index) + "].file");
     sealEdit(session);
 }
 
 void finishReload(Session& session, const Load& load) {
-    if (session.damaged.erase(load.file) > 0 && session.notice.file == session.images.directory() / load.file)
-        session.notice = {};
+    if (session.document.damaged.erase(load.file) > 0 &&
+        session.window.notice.file == session.document.images.directory() / load.file)
+        session.window.notice = {};
 }
 
 /// Everything has arrived. False: it has to wait for the user.
 bool finish(Session& session, Load& load) {
     switch (load.kind) {
     case Load::Kind::Import:
-        putAll(session.images, load);
+        putAll(session.document.images, load);
         finishImport(session, load);
         return true;
     case Load::Kind::Add:
-        putAll(session.images, load);
+        putAll(session.document.images, load);
         finishAdd(session, load);
         tellRefused(session, load.refused);
         return true;
     case Load::Kind::SetFile:
-        putAll(session.images, load);
+        putAll(session.document.images, load);
         finishSetFile(session, load);
         return true;
     case Load::Kind::Reload:
-        putAll(session.images, load);
+        putAll(session.document.images, load);
         finishReload(session, load);
         return true;
     case Load::Kind::Scene:
-        if (session.dialog != Dialog::None)
+        if (session.window.dialog != Dialog::None)
             return false;
         putAll(load.images, load);
         addImages(load.scene, load.images, load);
@@ -151,7 +152,7 @@ void giveUp(Session& session, const Load& load, const std::string& file, const E
     const fs::path path = folderOf(session, load) / file;
     if (load.kind != Load::Kind::Reload)
         return say(session, error, path);
-    if (session.damaged.insert(file).second)
+    if (session.document.damaged.insert(file).second)
         say(session,
             {error.code, "has changed and can't be read now, its old picture stays: " + error.message,
              path.string()},
@@ -159,11 +160,11 @@ void giveUp(Session& session, const Load& load, const std::string& file, const E
 }
 
 void finishInOrder(Session& session) {
-    while (!session.loads.empty() && session.loads.front().waits.empty()) {
-        Load load = std::move(session.loads.front());
-        session.loads.erase(session.loads.begin());
+    while (!session.document.loads.empty() && session.document.loads.front().waits.empty()) {
+        Load load = std::move(session.document.loads.front());
+        session.document.loads.erase(session.document.loads.begin());
         if (!finish(session, load)) {
-            session.loads.insert(session.loads.begin(), std::move(load));
+            session.document.loads.insert(session.document.loads.begin(), std::move(load));
             return;
         }
     }
@@ -171,15 +172,15 @@ void finishInOrder(Session& session) {
 
 void cancelWaiting(Session& session, const Load& load) {
     for (const auto& [ticket, spellings] : load.waits)
-        session.background->loader.cancel(ticket);
+        session.services.files.cancel(ticket);
 }
 
 void receive(Session& session, ImageLoader::Loaded loaded) {
-    if (loaded.ticket == session.fileView.ticket)
+    if (loaded.ticket == session.window.fileView.ticket)
         return receiveView(session, std::move(loaded.content));
     const auto load = std::ranges::find_if(
-        session.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
-    if (load == session.loads.end())
+        session.document.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
+    if (load == session.document.loads.end())
         return;
     const std::vector<std::string> spellings = load->waits.at(loaded.ticket);
     load->waits.erase(loaded.ticket);
@@ -189,7 +190,7 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
         load->refused.push_back(taken.error());
     } else if (!taken) {
         const Load failed = std::move(*load);
-        session.loads.erase(load);
+        session.document.loads.erase(load);
         cancelWaiting(session, failed);
         giveUp(session, failed, spellings.front(), taken.error());
     }
@@ -197,97 +198,75 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
 
 void reloadChanged(Session& session) {
     std::set<std::string> files;
-    for (const std::string& file : session.images.files())
+    for (const std::string& file : session.document.images.files())
         files.insert(file);
-    for (const Load& load : session.loads) { // what is being read may have changed after it was read
+    for (const Load& load : session.document.loads) { // what is being read may have changed after it was read
         if (!load.file.empty())
             files.insert(load.file);
     }
-    for (const fs::path& changed : session.background->watch.changed()) {
-        if (changed == session.fileView.shown)
+    for (const fs::path& changed : session.services.files.changed()) {
+        if (changed == session.window.fileView.shown)
             refreshView(session);
         for (const std::string& file : files) {
-            if (session.images.directory() / file == changed)
-                (void)start(session, {.kind = Load::Kind::Reload, .path = changed, .file = file});
+            if (session.document.images.directory() / file == changed)
+                start(session, {.kind = Load::Kind::Reload, .path = changed, .file = file});
         }
     }
 }
 
 void watchFiles(Session& session) {
     std::vector<fs::path> paths;
-    for (const std::string& file : session.images.files())
-        paths.push_back(session.images.directory() / file);
-    for (const Load& load : session.loads) {
+    for (const std::string& file : session.document.images.files())
+        paths.push_back(session.document.images.directory() / file);
+    for (const Load& load : session.document.loads) {
         if (!load.file.empty())
-            paths.push_back(session.images.directory() / load.file);
+            paths.push_back(session.document.images.directory() / load.file);
     }
-    if (!session.fileView.shown.empty())
-        paths.push_back(session.fileView.shown);
-    session.background->watch.watch(std::move(paths));
-}
-
-Result<void> startNow(Session& session, Load& load) {
-    const fs::path folder = folderOf(session, load);
-    for (const std::vector<std::string>& spellings : missingBySpelling(session, load)) {
-        const Result<ImageLoader::Content> content = loadNow(folder / spellings.front(), Wanted::Texture);
-        const Result<void> taken =
-            content ? arrive(session, load, spellings, *content) : fail(content.error());
-        if (!taken && load.goesOn)
-            load.refused.push_back(taken.error());
-        else if (!taken)
-            return taken;
-    }
-    (void)finish(session, load);
-    return {};
+    if (!session.window.fileView.shown.empty())
+        paths.push_back(session.window.fileView.shown);
+    session.services.files.watch(std::move(paths));
 }
 
 } // namespace
 
-Result<void> start(Session& session, Load load) {
-    if (!session.background)
-        return startNow(session, load);
+void start(Session& session, Load load) {
     const fs::path folder = folderOf(session, load);
     for (std::vector<std::string>& spellings : missingBySpelling(session, load)) {
-        const ImageLoader::Ticket ticket = session.background->loader.load(folder / spellings.front());
+        const ImageLoader::Ticket ticket = session.services.files.load(folder / spellings.front());
         load.waits[ticket] = std::move(spellings);
     }
     if (load.kind == Load::Kind::Scene) { // the last one that was asked for is the one that is wanted
-        std::erase_if(session.loads, [&](const Load& each) {
+        std::erase_if(session.document.loads, [&](const Load& each) {
             if (each.kind == Load::Kind::Scene)
                 cancelWaiting(session, each);
             return each.kind == Load::Kind::Scene;
         });
     }
-    session.loads.push_back(std::move(load));
-    return {};
+    session.document.loads.push_back(std::move(load));
 }
 
 bool receiveFiles(Session& session) {
-    bool news = levelsOf(session).receive();
-    if (!session.background)
-        return news;
-    Background& background = *session.background;
-    news |= background.thumbnails.receive();
-    for (ImageLoader::Loaded& loaded : background.loader.take()) {
+    Services& services = session.services;
+    bool news = services.levels.receive();
+    news |= services.files.receiveThumbnails();
+    for (ImageLoader::Loaded& loaded : services.files.take()) {
         receive(session, std::move(loaded));
         news = true;
     }
-    const std::size_t before = session.loads.size();
+    const std::size_t before = session.document.loads.size();
     finishInOrder(session);
     reloadChanged(session);
     watchFiles(session);
-    return news || session.loads.size() != before;
+    return news || session.document.loads.size() != before;
 }
 
-void cancelLoad(Session& session, ImageLoader::Ticket ticket) {
-    if (!session.background)
-        return;
-    session.background->loader.cancel(ticket);
-    if (ticket == session.fileView.ticket) {
-        session.fileView.ticket = 0;
-        session.fileView.problem = "Reading was cancelled.";
+void cancelLoad(Session& session, Files::Ticket ticket) {
+    session.services.files.cancel(ticket);
+    if (ticket == session.window.fileView.ticket) {
+        session.window.fileView.ticket = 0;
+        session.window.fileView.problem = "Reading was cancelled.";
     }
-    std::erase_if(session.loads, [&](const Load& load) {
+    std::erase_if(session.document.loads, [&](const Load& load) {
         const bool given = load.waits.contains(ticket);
         if (given)
             cancelWaiting(session, load);
@@ -296,17 +275,13 @@ void cancelLoad(Session& session, ImageLoader::Ticket ticket) {
 }
 
 void cancelLoads(Session& session) {
-    session.loads.clear();
-    session.fileView.ticket = 0;
-    if (session.background)
-        session.background->loader.cancelAll();
+    for (const Load& load : session.document.loads)
+        cancelWaiting(session, load);
+    session.document.loads.clear();
 }
 
 void waitForFiles(Session& session) {
-    if (!session.background)
-        return;
-    session.background->loader.wait();
-    session.background->thumbnails.wait();
+    session.services.files.wait();
     (void)receiveFiles(session);
 }
 

@@ -1,16 +1,16 @@
 #include "app/ui/model/unsaved_work.h"
 
-#include "app/ui/model/document.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 
 namespace texplorer::ui {
 
 void followEdits(Session& session) {
-    if (!session.unsaved)
+    if (!session.services.unsaved)
         return;
-    Autosave& autosave = session.unsaved->autosave;
-    if (isDirty(session))
-        autosave.keep(session.file, session.images.directory(), session.scene);
+    Autosave& autosave = session.services.unsaved->autosave;
+    if (isDirty(session.document))
+        autosave.keep(session.document.file, session.document.images.directory(), session.document.scene);
     else
         autosave.forget();
     if (const std::optional<Error> problem = autosave.takeProblem())

@@ -1,7 +1,8 @@
 // GL_COMBINE of the selected unit: for colour and alpha a function, its equation, and an argument a line.
 
+#include "app/ui/parameters/combine_section.h"
+
 #include "app/ui/model/findings.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/gl/combine_equation.h"
@@ -71,16 +72,16 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
         return;
     }
     std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));
-    const std::string meaning = inWords(combine, half, symbols, session.selection.unit == 0);
+    const std::string meaning = inWords(combine, half, symbols, session.window.selection.unit == 0);
     const int factor = static_cast<int>(isAlpha ? combine.alphaScale : combine.rgbScale);
     if (factor != 1)
         symbols = std::to_string(factor) + " × (" + symbols + ")";
     ImGui::TextUnformatted(("= " + symbols).c_str());
-    noteItem(session, "combine:equation" + std::string(half.suffix));
+    noteItem("combine:equation" + std::string(half.suffix));
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
     ImGui::TextWrapped("%s", meaning.c_str());
     ImGui::PopStyleColor();
-    noteItem(session, "combine:" + meaning);
+    noteItem("combine:" + meaning);
 }
 
 /// Of a list that is as wide as its longest choice.
@@ -122,7 +123,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     for (int number = 0; number < 3; ++number) {
         const std::string tail = std::to_string(number) + std::string(half.suffix);
         const ParamRow& source = rowNamed("source" + tail);
-        const bool inert = idleReasonOf(session.findings, owner.pathOf(source)) != nullptr;
+        const bool inert = idleReasonOf(session.document.findings, owner.pathOf(source)) != nullptr;
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
         ImGui::Text("Arg%d", number);
@@ -142,7 +143,7 @@ void combineSection(Session& session) {
     static const Combine initial;
     const auto labelOfChoice = [&](const ParamRow& row, const EnumRow& choice) {
         const bool isNone =
-            session.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
+            session.window.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
         return std::string(isNone ? "No unit before" : choice.label);
     };
     const Owner owner{&combine, &initial, selectedUnitPath(session) + ".combine", {}, labelOfChoice};

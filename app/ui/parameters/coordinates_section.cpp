@@ -1,8 +1,9 @@
 // The coordinates that OpenGL makes itself (glTexGen): for each of s, t, r and q a line, and the plane that
 // its mode reads while it is on.
 
+#include "app/ui/parameters/coordinates_section.h"
+
 #include "app/ui/model/findings.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -44,7 +45,7 @@ void coordinatesSection(Session& session) {
         paramControl(session, owner, *findParam(table, "mode"), ImGui::GetContentRegionAvail().x);
         for (const char* plane : {"objectPlane", "eyePlane"}) { // at most one of them is read
             const ParamRow& row = *findParam(table, plane);
-            if (state.enabled && !idleReasonOf(session.findings, owner.pathOf(row)))
+            if (state.enabled && !idleReasonOf(session.document.findings, owner.pathOf(row)))
                 paramWidget(session, owner, row);
         }
     }

@@ -1,5 +1,11 @@
-#include "app/ui/model/document.h"
-#include "app/ui/window/panels.h"
+#include "app/ui/parameters/parameters_panel.h"
+
+#include "app/ui/model/scene_files.h"
+#include "app/ui/parameters/combine_section.h"
+#include "app/ui/parameters/coordinates_section.h"
+#include "app/ui/parameters/texture_section.h"
+#include "app/ui/widgets/model_choice.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -52,15 +58,15 @@ void drawMarks(const std::vector<Mark>& marks) {
 /// A section that has marks is in use: it is open until the user shuts it, and says what is in it even then.
 bool section(Session& session, Section which, const std::vector<Mark>& marks = {}) {
     const SectionRow& row = rowOf(which);
-    const bool named = session.wantedSection == which;
-    if (named || (!session.wantedParam.empty() && sectionOf(session.wantedParam) == which))
+    const bool named = session.window.wantedSection == which;
+    if (named || (!session.window.wantedParam.empty() && sectionOf(session.window.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
     else if (!marks.empty())
         ImGui::SetNextItemOpen(true, ImGuiCond_Once);
     const bool shown = ImGui::CollapsingHeader(row.title, row.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    noteItem(session, std::string("section:") + row.title);
+    noteItem(std::string("section:") + row.title);
     if (!marks.empty())
-        noteItem(session, std::string("in use:") + row.title);
+        noteItem(std::string("in use:") + row.title);
     drawMarks(marks);
     if (named)
         ImGui::SetScrollHereY(0);
@@ -78,14 +84,14 @@ void unitChoice(Session& session) {
     ImGui::TextUnformatted(label);
     for (int i = 0; i < maxUnits; ++i) {
         ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
-        const bool chosen = i == session.selection.unit;
+        const bool chosen = i == session.window.selection.unit;
         const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
         if (chosen)
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
         const std::string name = std::to_string(i) + "##unit";
         if (ImGui::Button(name.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
-            session.selection.unit = i;
-        noteItem(session, "unit:" + std::to_string(i));
+            session.window.selection.unit = i;
+        noteItem("unit:" + std::to_string(i));
         if (chosen)
             ImGui::PopStyleColor();
         if (on) {
@@ -144,13 +150,13 @@ void matrixSection(Session& session) {
         ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
         const float button = ImGui::GetFrameHeight();
         ImGui::SameLine(ImGui::GetContentRegionMax().x - 3 * button - 2 * gap);
-        if (squareButton(session, "↑", path + "#up", "Multiply this step earlier", i > 0))
+        if (squareButton("↑", path + "#up", "Multiply this step earlier", i > 0))
             moveStep(session, steps, i, i - 1);
         ImGui::SameLine(0, gap);
-        if (squareButton(session, "↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
+        if (squareButton("↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
             moveStep(session, steps, i, i + 1);
         ImGui::SameLine(0, gap);
-        if (squareButton(session, "✕", path + "#remove", "Remove this step", true)) {
+        if (squareButton("✕", path + "#remove", "Remove this step", true)) {
             steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
             sealEdit(session);
             recordEdit(session, "Remove matrix step");
@@ -186,7 +192,7 @@ void matrixSection(Session& session) {
             recordEdit(session, "Add matrix step");
             sealEdit(session);
         }
-        noteItem(session, "add:" + std::string(op.name));
+        noteItem("add:" + std::string(op.name));
         helpTip(op.help);
     }
     ImGui::EndDisabled();
@@ -213,38 +219,17 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
 }
 
 void modelSection(Session& session) {
-    if (session.scene.models.empty()) {
+    if (session.document.scene.models.empty()) {
         ImGui::TextWrapped("The scene has no model. View > Show adds one.");
         return;
     }
     modelChoice(session, -FLT_MIN);
     static const Model initial;
-    paramRows(session, {selectedModel(session), &initial, indexed("models", session.selection.model)},
+    paramRows(session, {selectedModel(session), &initial, indexed("models", session.window.selection.model)},
               modelTable());
 }
 
 } // namespace
-
-void modelChoice(Session& session, float width) {
-    const std::vector<Model>& models = session.scene.models;
-    const auto name = [&](int index) {
-        return std::to_string(index) + "  " +
-               std::string(rowOf(models[static_cast<std::size_t>(index)].shape).label);
-    };
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##model", name(session.selection.model).c_str())) {
-        for (int i = 0; i < static_cast<int>(models.size()); ++i) {
-            if (ImGui::Selectable(name(i).c_str(), i == session.selection.model)) {
-                session.selection.model = i;
-                session.selection.vertex.reset();
-            }
-            noteItem(session, "model:" + std::to_string(i));
-        }
-        ImGui::EndCombo();
-    }
-    noteItem(session, "model choice");
-    helpTip("Which model's values and vertices are shown");
-}
 
 void drawParametersPanel(Session& session, const Layout& layout) {
     beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
@@ -266,17 +251,18 @@ void drawParametersPanel(Session& session, const Layout& layout) {
         modelSection(session);
     if (section(session, Section::Pass)) {
         static const Pass pass;
-        paramRows(session, {&selectedPass(session), &pass, indexed("passes", session.selection.pass)},
+        paramRows(session, {&selectedPass(session), &pass, indexed("passes", session.window.selection.pass)},
                   passTable());
     }
     if (section(session, Section::Light))
-        paramRows(session, {&session.scene.light, &initial.light, "light"}, lightTable());
+        paramRows(session, {&session.document.scene.light, &initial.light, "light"}, lightTable());
     if (section(session, Section::Material))
-        paramRows(session, {&session.scene.material, &initial.material, "material"}, materialTable());
+        paramRows(session, {&session.document.scene.material, &initial.material, "material"},
+                  materialTable());
     if (section(session, Section::View))
-        paramRows(session, {&session.scene.view, &start, "view"}, viewTable());
-    session.wantedSection.reset();
-    session.wantedParam.clear(); // what has no control of its own is not waited for
+        paramRows(session, {&session.document.scene.view, &start, "view"}, viewTable());
+    session.window.wantedSection.reset();
+    session.window.wantedParam.clear(); // what has no control of its own is not waited for
     ImGui::End();
 }
 

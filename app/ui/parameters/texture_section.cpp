@@ -1,7 +1,9 @@
 // The texture that is bound to the selected unit: which one, whether others have it too, and its parameters.
 
-#include "app/ui/model/document.h"
-#include "app/ui/window/panels.h"
+#include "app/ui/parameters/texture_section.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/base/printable.h"
@@ -10,7 +12,7 @@ namespace texplorer::ui {
 namespace {
 
 std::string textureName(const Session& session, int index) {
-    const Texture& texture = session.scene.textures[static_cast<std::size_t>(index)];
+    const Texture& texture = session.document.scene.textures[static_cast<std::size_t>(index)];
     const std::string what = texture.source == SourceKind::Pattern
                                  ? std::string(rowOf(texture.pattern).label)
                                  : printable(std::filesystem::path(texture.file).filename().string());
@@ -21,15 +23,15 @@ void addTexture(Session& session) {
     Texture texture;
     texture.pattern = Pattern::UvTemplate;
     texture.mipmaps = MipPolicy::Generated;
-    session.scene.textures.push_back(texture);
-    selectedUnit(session).texture = static_cast<int>(session.scene.textures.size()) - 1;
+    session.document.scene.textures.push_back(texture);
+    selectedUnit(session).texture = static_cast<int>(session.document.scene.textures.size()) - 1;
     sealEdit(session);
     recordEdit(session, "Add texture");
 }
 
 /// Units that were bound to later textures go on showing the same ones.
 void removeTexture(Session& session, int index) {
-    Scene& scene = session.scene;
+    Scene& scene = session.document.scene;
     scene.textures.erase(scene.textures.begin() + index);
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
@@ -52,7 +54,7 @@ void textureChoice(Session& session) {
     const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button);
     if (ImGui::BeginCombo("##bound", current.c_str())) {
-        for (int i = 0; i < static_cast<int>(session.scene.textures.size()); ++i) {
+        for (int i = 0; i < static_cast<int>(session.document.scene.textures.size()); ++i) {
             const std::string name = textureName(session, i);
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
                 unit.texture = i;
@@ -60,20 +62,20 @@ void textureChoice(Session& session) {
                 recordEdit(session, row ? row->label : "Texture", selectedUnitPath(session) + ".texture");
                 sealEdit(session);
             }
-            noteItem(session, "bind:" + std::to_string(i));
+            noteItem("bind:" + std::to_string(i));
         }
         ImGui::EndCombo();
     }
-    noteItem(session, "texture choice");
+    noteItem("texture choice");
     if (row)
         helpTip(formatCall(*row, Value(unit.texture)) + "\n" + std::string(row->help));
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
-    if (squareButton(session, "+", "add texture", "Add a texture and bind it to this unit",
-                     session.scene.textures.size() < maxTextures))
+    if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
+                     session.document.scene.textures.size() < maxTextures))
         addTexture(session);
     ImGui::SameLine(0, gap);
-    if (squareButton(session, "−", "remove texture", "Remove this texture", bound))
+    if (squareButton("−", "remove texture", "Remove this texture", bound))
         removeTexture(session, unit.texture);
 }
 
@@ -87,18 +89,18 @@ bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, con
     if (row.key != "file")
         return true;
     const std::string& file = std::get<std::string>(value);
-    if (file.empty() || session.images.holds(file))
+    if (file.empty() || session.document.images.holds(file))
         return !file.empty();
     // It is written when the file has turned out to be an image, which may take a while.
-    report(session, setFile(session, selectedUnit(session).texture, file), session.images.directory() / file);
+    setFile(session, selectedUnit(session).texture, file);
     return false;
 }
 
 /// The same settings, from now on for this unit alone.
 void ownTexture(Session& session) {
     const Texture copy = *boundTexture(session);
-    session.scene.textures.push_back(copy);
-    selectedUnit(session).texture = static_cast<int>(session.scene.textures.size()) - 1;
+    session.document.scene.textures.push_back(copy);
+    selectedUnit(session).texture = static_cast<int>(session.document.scene.textures.size()) - 1;
     sealEdit(session);
     recordEdit(session, "Own texture");
     sealEdit(session);
@@ -107,8 +109,8 @@ void ownTexture(Session& session) {
 } // namespace
 
 std::string sharersText(const Session& session, int unit) {
-    const Scene& scene = session.scene;
-    const auto selected = static_cast<std::size_t>(session.selection.pass);
+    const Scene& scene = session.document.scene;
+    const auto selected = static_cast<std::size_t>(session.window.selection.pass);
     const auto asked = static_cast<std::size_t>(unit);
     const int texture = scene.passes[selected].units[asked].texture;
     std::string names;
@@ -125,7 +127,7 @@ std::string sharersText(const Session& session, int unit) {
 }
 
 void sharingNote(Session& session, const char* id) {
-    const std::string sharers = sharersText(session, session.selection.unit);
+    const std::string sharers = sharersText(session, session.window.selection.unit);
     if (sharers.empty())
         return;
     const Unit& unit = selectedUnit(session);
@@ -135,7 +137,7 @@ void sharingNote(Session& session, const char* id) {
     ImGui::PushTextWrapPos(0);
     dimText(words);
     ImGui::PopTextWrapPos();
-    noteItem(session, "shares texture");
+    noteItem("shares texture");
     helpTip(
         "What is set under Texture is then set for all of them: image, filters, wrap modes and levels "
         "belong to the texture object. Environment, matrix and generated coordinates belong to each unit.");
@@ -144,10 +146,10 @@ void sharingNote(Session& session, const char* id) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();
-    ImGui::BeginDisabled(session.scene.textures.size() >= maxTextures);
+    ImGui::BeginDisabled(session.document.scene.textures.size() >= maxTextures);
     if (ImGui::SmallButton(label))
         ownTexture(session);
-    noteItem(session, "own texture");
+    noteItem("own texture");
     ImGui::EndDisabled();
     helpTip("A copy of this texture, which belongs to this unit alone");
     ImGui::PopID();

@@ -2,8 +2,8 @@
 
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/inset_placement.h"
-#include "app/ui/view/probed_pixel.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
 #include "core/reference/sampling/ellipse.h"
 
 #include <algorithm>
@@ -212,8 +212,7 @@ std::string weightText(float weight) {
     return text[0] == '0' ? text.data() + 1 : text.data(); // ".25"
 }
 
-void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanation& unit,
-               const Inset& inset) {
+void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const Inset& inset) {
     const LevelPatch& patch = *inset.patch;
     const float em = ImGui::GetFontSize();
     const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
@@ -221,11 +220,8 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
     draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()},
                        {inset.low.x + inset.width + pad, end.y + pad}, IM_COL32(12, 14, 18, 245), em * 0.2F);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.title.c_str());
-    if (session.probe) {
-        const ImVec2 room = ImGui::CalcTextSize(inset.title.c_str());
-        session.probe->items["patch title:" + inset.title] = {inset.low.x, inset.low.y - titleHeight(),
-                                                              inset.low.x + room.x, inset.low.y, true};
-    }
+    noteDrawn("patch title:" + inset.title, {inset.low.x, inset.low.y - titleHeight()},
+              {inset.low.x + ImGui::CalcTextSize(inset.title.c_str()).x, inset.low.y});
     draw.PushClipRect(inset.low, end, true);
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x) {
@@ -269,9 +265,7 @@ void drawInset(Session& session, ImDrawList& draw, const reference::UnitExplanat
         draw.AddText(ImGui::GetFont(), size, at, color::probed, text.c_str());
     }
     draw.PopClipRect();
-    if (session.probe)
-        session.probe->items["patch:level " + std::to_string(patch.level)] = {inset.low.x, inset.low.y, end.x,
-                                                                              end.y, true};
+    noteDrawn("patch:level " + std::to_string(patch.level), inset.low, end);
 }
 
 void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent, ImU32 tint) {
@@ -291,11 +285,12 @@ reference::TexelPlace texelAt(const Texture& texture, Target target, int level, 
 /// Of a level that the bound texture has.
 std::optional<glm::ivec2> extentOf(Session& session, int level) {
     const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
+    const std::shared_ptr<const TextureImage> image =
+        texture ? session.document.images.find(*texture) : nullptr;
     if (!image)
         return std::nullopt;
     const auto summary =
-        levelsOf(session).summary({image, imageSettings(*texture), selectedUnit(session).target});
+        session.services.levels.summary({image, imageSettings(*texture), selectedUnit(session).target});
     if (!summary)
         return std::nullopt;
     const auto found = std::ranges::find(summary->report.levels, level, &LevelReport::number);
@@ -309,8 +304,9 @@ std::optional<glm::ivec2> extentOf(Session& session, int level) {
 
 /// The texel that is asked for, if it is one of the selected unit.
 std::optional<reference::TexelPlace> askedTexel(const Session& session) {
-    const std::optional<reference::TexelQuestion>& asked = session.explaining.texel;
-    if (!asked || asked->pass != session.selection.pass || asked->unit != session.selection.unit)
+    const std::optional<reference::TexelQuestion>& asked = session.window.explaining.texel;
+    if (!asked || asked->pass != session.window.selection.pass ||
+        asked->unit != session.window.selection.unit)
         return std::nullopt;
     return asked->texel;
 }
@@ -386,22 +382,20 @@ void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bo
         return;
     // The faces of a cube map lie in this plane otherwise than their coordinates.
     const bool isCube = selectedUnit(session).target == Target::CubeMap;
-    if (clicked && session.explaining.isOpen && !isCube &&
+    if (clicked && session.window.explaining.isOpen && !isCube &&
         !isOnPatch(session, canvas, ImGui::GetIO().MousePos))
         chooseInPlane(session, canvas, *texture, unit);
     if (unit && !isCube) {
         markPlane(draw, canvas, *unit);
         const Box marks = marksOf(*unit, canvas);
-        if (session.probe)
-            session.probe->items["texel marks"] = {marks.low.x, marks.low.y, marks.high.x, marks.high.y,
-                                                   true};
+        noteDrawn("texel marks", {marks.low.x, marks.low.y}, {marks.high.x, marks.high.y});
     }
     if (const auto asked = askedTexel(session); asked && !isCube) {
         if (const auto extent = extentOf(session, asked->level))
             drawTexel(draw, canvas, glm::ivec2(asked->index), *extent, color::chosen);
     }
     for (const Inset& inset : insetsOf(unit, canvas)) {
-        drawInset(session, draw, *unit, inset);
+        drawInset(draw, *unit, inset);
         markCells(session, draw, *texture, inset, clicked);
     }
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/texture_space/plane_drawing.h"
-#include "app/ui/window/workbench.h"
 
 namespace texplorer::ui {
 

@@ -1,8 +1,10 @@
-#include "app/ui/window/panels.h"
-#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/texture_space/texture_space_panel.h"
+
+#include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/texture_space/plane_drawing.h"
-#include "app/ui/texture_space/tex_coord_edits.h"
 #include "app/ui/texture_space/texel_marks.h"
+#include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/image/cube_faces.h"
 #include "core/scene/tex_coords.h"
@@ -71,18 +73,19 @@ void fitPlane(Plane& plane, const TexCoords& coords) {
 }
 
 /// Left button: takes the vertex under the mouse, or the plane. Any other button moves the plane.
-void dragVertex(Session& session, const Canvas& canvas, std::optional<std::size_t> under, bool dragged) {
+void dragVertex(Session& session, TextureSpaceState& state, const Canvas& canvas,
+                std::optional<std::size_t> under, bool dragged) {
     const ImGuiIO& io = ImGui::GetIO();
     Model& model = *selectedModel(session);
     const Mesh& mesh = selectedMesh(session);
-    const int unit = session.selection.unit;
-    std::optional<std::size_t>& chosen = session.selection.vertex;
+    const int unit = session.window.selection.unit;
+    std::optional<std::size_t>& chosen = session.window.selection.vertex;
     if (ImGui::IsItemActivated()) {
-        session.movesVertex = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && under.has_value();
+        state.movesVertex = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && under.has_value();
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
             chosen = under;
     }
-    if (dragged && session.movesVertex && chosen) {
+    if (dragged && state.movesVertex && chosen) {
         const std::string key = "texCoords" + std::to_string(unit);
         glm::vec4 moved = effectiveTexCoords(model, mesh, unit)[*chosen];
         const auto within = [](float coord) { return std::clamp(coord, coordRange.min, coordRange.max); };
@@ -90,72 +93,71 @@ void dragVertex(Session& session, const Canvas& canvas, std::optional<std::size_
         moved.y = within(moved.y - io.MouseDelta.y / canvas.pixelsPerUnit);
         setTexCoord(model, mesh, unit, *chosen, moved);
         recordEdit(session, "Move vertex " + std::to_string(*chosen),
-                   "models[" + std::to_string(session.selection.model) + "]." + key);
+                   "models[" + std::to_string(session.window.selection.model) + "]." + key);
     }
     if (ImGui::IsItemDeactivated())
         sealEdit(session);
 }
 
-void drawCanvas(Session& session, const Pictures& pictures) {
+void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pictures) {
     const ImVec2 topLeft = ImGui::GetCursorScreenPos();
     const ImVec2 size(std::max(1.0F, ImGui::GetContentRegionAvail().x),
                       std::max(1.0F, ImGui::GetContentRegionAvail().y));
     ImGui::InvisibleButton("canvas", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
-    noteItem(session, "texture space");
+    noteItem("texture space");
     const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
     const bool dragged = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-    const Canvas canvas(topLeft, size, session.plane);
+    const Canvas canvas(topLeft, size, session.window.plane);
 
     // A direction has no place in this plane: there is no vertex to show or to move.
     const bool isCube = selectedUnit(session).target == Target::CubeMap;
     const Model* model = isCube ? nullptr : selectedModel(session);
     const Mesh& mesh = selectedMesh(session);
     const auto current = [&] {
-        return model ? effectiveTexCoords(*model, mesh, session.selection.unit) : TexCoords{};
+        return model ? effectiveTexCoords(*model, mesh, session.window.selection.unit) : TexCoords{};
     };
     TexCoords coords = current();
     std::optional<std::size_t> under;
     const bool onPatch = isOnPatch(session, canvas, io.MousePos);
     if ((hovered || active) && !onPatch)
-        under = vertexUnder(canvas, mesh, coords, session.selection.vertex, io.MousePos,
+        under = vertexUnder(canvas, mesh, coords, session.window.selection.vertex, io.MousePos,
                             ImGui::GetFontSize() * 0.55F);
     if (model && !onPatch)
-        dragVertex(session, canvas, under, dragged);
-    if (dragged && session.movesVertex)
+        dragVertex(session, state, canvas, under, dragged);
+    if (dragged && state.movesVertex)
         coords = current();
     if (under)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    moveCanvas(session.plane, canvas, hovered, dragged && !(model && session.movesVertex));
+    moveCanvas(session.window.plane, canvas, hovered, dragged && !(model && state.movesVertex));
     if (hovered && !under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        fitPlane(session.plane, coords);
+        fitPlane(session.window.plane, coords);
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(canvas.low, canvas.high, true);
     draw.AddRectFilled(canvas.low, canvas.high, color::ground);
     const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
+    const std::shared_ptr<const TextureImage> image =
+        texture ? session.document.images.find(*texture) : nullptr;
     if (isCube && image && pictures.texture != 0)
         drawUnfolded(draw, canvas, *image, pictures.texture);
     else if (image && pictures.texture != 0)
         drawTiles(draw, canvas, *texture, image->surfaces.front(), pictures.texture, boundsOf(coords));
     if (!isCube) {
         drawAxes(draw, canvas);
-        drawMesh(draw, canvas, mesh, coords, session.selection.vertex, under);
+        drawMesh(draw, canvas, mesh, coords, session.window.selection.vertex, under);
     }
     const bool clicked =
         hovered && !under && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
         io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
     drawTexelMarks(session, draw, canvas, clicked);
     draw.PopClipRect();
-    if (session.probe) {
-        for (std::size_t vertex = 0; vertex < coords.size(); ++vertex) {
-            const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
-            session.probe->items["coord:" + std::to_string(vertex)] = {at.x, at.y, at.x, at.y, true};
-        }
+    for (std::size_t vertex = 0; arePlacesWanted() && vertex < coords.size(); ++vertex) {
+        const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
+        noteDrawn("coord:" + std::to_string(vertex), at, at);
     }
 }
 
@@ -171,34 +173,36 @@ std::string extentsOf(const TextureImage& image, Target target) {
 
 } // namespace
 
-void drawTextureSpacePanel(Session& session, const Pictures& pictures, const Layout& layout) {
+void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pictures& pictures,
+                           const Layout& layout) {
     beginPanel("Texture space", layout.texture,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Texture space");
     const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const TextureImage> image = texture ? session.images.find(*texture) : nullptr;
+    const std::shared_ptr<const TextureImage> image =
+        texture ? session.document.images.find(*texture) : nullptr;
     const std::string extents =
         image ? extentsOf(*image, selectedUnit(session).target) : std::string("no texture");
-    const std::string what = "unit " + std::to_string(session.selection.unit) + " · " + extents;
+    const std::string what = "unit " + std::to_string(session.window.selection.unit) + " · " + extents;
     const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)
         ImGui::TextDisabled("%s", what.c_str());
-    noteItem(session, "texture size:" + extents);
+    noteItem("texture size:" + extents);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
     if (ImGui::Button("Fit")) {
         const bool isCube = selectedUnit(session).target == Target::CubeMap;
         const Model* model = isCube ? nullptr : selectedModel(session);
-        fitPlane(session.plane,
-                 model ? effectiveTexCoords(*model, selectedMesh(session), session.selection.unit)
+        fitPlane(session.window.plane,
+                 model ? effectiveTexCoords(*model, selectedMesh(session), session.window.selection.unit)
                        : TexCoords{});
     }
-    noteItem(session, "fit plane");
+    noteItem("fit plane");
     helpTip("Shows the image and every vertex. Drag a vertex to move its coordinates, drag elsewhere to pan, "
             "turn the "
             "wheel to zoom.");
-    drawCanvas(session, pictures);
+    drawCanvas(session, state, pictures);
     ImGui::End();
 }
 

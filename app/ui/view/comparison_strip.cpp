@@ -1,5 +1,4 @@
 #include "app/ui/view/pane_drawing.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -103,22 +102,21 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     ImGui::TextUnformatted(label.c_str());
     ImGui::PopStyleColor();
     if (hasShare) {
-        noteItem(session, "share over");
+        noteItem("share over");
         helpTip("The pixels that differ by more than this tolerance in red, green or blue");
     }
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
-    ImGui::DragInt("##tolerance", &session.views.tolerance, 0.1F, 0, Views::largestTolerance, "%d",
+    ImGui::DragInt("##tolerance", &session.window.views.tolerance, 0.1F, 0, Views::largestTolerance, "%d",
                    ImGuiSliderFlags_AlwaysClamp);
-    noteItem(session, "tolerance");
+    noteItem("tolerance");
     helpTip("Differences up to here don't count. Drag, or double click to type.");
     ImGui::SameLine(0, narrow);
     ImGui::TextUnformatted(unit);
 }
 
 /// Leads to the worst pixel; with the ring that it has in the pictures, where it has one.
-void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture,
-                 float gap) {
+void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
     const std::string label = "max " + std::to_string(difference.max) + unit;
@@ -127,8 +125,8 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
     flow.place(width, gap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##worst", {width, 0}))
-        showPixel(session.views, difference.worst, picture);
-    noteItem(session, "worst");
+        showPixel(session.window.views, difference.worst, picture);
+    noteItem("worst");
     helpTip("The largest difference, at the pixel " + std::to_string(difference.worst.x) + "," +
             std::to_string(picture.height - 1 - difference.worst.y) + " (from the upper left)" +
             (ringed ? ", which is ringed" : ", within the tolerance") +
@@ -140,17 +138,17 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
         return;
     draw.AddCircle({low.x + padding.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2}, em * 0.36F,
                    color::problem, 0, 1.5F);
-    noteItem(session, "ring");
+    noteItem("ring");
 }
 
 void numbers(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
     if (difference.max == 0) {
         flow.text("equal in every pixel", color::text, gap);
-        noteItem(session, "equal");
+        noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
     flow.text("mean " + rounded(difference.mean, 3) + unit, color::text, gap);
-    noteItem(session, "mean difference");
+    noteItem("mean difference");
     helpTip("Of all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
 }
@@ -158,7 +156,7 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
 } // namespace
 
 void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout) {
-    Views& views = session.views;
+    Views& views = session.window.views;
     if (!isComparing(views))
         return;
     const float gap = ImGui::GetFontSize() * 0.9F;
@@ -172,7 +170,7 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
         if (ImGui::Button(row.label))
             views.arrangement = views.comparing = row.arrangement;
         ImGui::PopStyleColor();
-        noteItem(session, std::string("arrangement:") + row.label);
+        noteItem(std::string("arrangement:") + row.label);
         helpTip(row.help);
     }
     toleranceField(session, flow, pictures.difference ? &pictures.difference->numbers : nullptr, gap);

@@ -2,6 +2,7 @@
 
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <glm/common.hpp>
 
@@ -73,7 +74,7 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
         lens.texture = textureOf(pane, pictures);
         if (!pane.renderer) {
             lens.name = "Difference";
-            lens.value = differenceText(session.views, pictures, pixel);
+            lens.value = differenceText(session.window.views, pictures, pixel);
             lenses.push_back(std::move(lens));
             continue;
         }
@@ -119,7 +120,7 @@ void drawPixels(ImDrawList& draw, ImVec2 low, float cell, unsigned texture, glm:
 } // namespace
 
 void drawMagnifier(Session& session, const Panes& panes, const Pictures& pictures, const Layout& layout) {
-    if (!session.views.magnifies)
+    if (!session.window.views.magnifies)
         return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const std::optional<glm::ivec2> pixel = panes.pixelAt(mouse);
@@ -157,12 +158,10 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
     draw.AddRectFilled(low, {low.x + whole.x, low.y + whole.y}, ImGui::GetColorU32(ImGuiCol_PopupBg), pad);
     draw.AddRect(low, {low.x + whole.x, low.y + whole.y}, ImGui::GetColorU32(ImGuiCol_Border), pad);
-    if (session.probe)
-        session.probe->items["magnifier"] = {low.x, low.y, low.x + whole.x, low.y + whole.y, true};
+    noteDrawn("magnifier", low, {low.x + whole.x, low.y + whole.y});
     draw.AddText({low.x + pad, low.y + pad * 0.7F}, color::dim, where.c_str());
-    if (session.probe)
-        session.probe->items["magnifier:where"] = {
-            low.x + pad, low.y, low.x + pad + ImGui::CalcTextSize(where.c_str()).x, low.y + em * 1.2F, true};
+    noteDrawn("magnifier:where", {low.x + pad, low.y},
+              {low.x + pad + ImGui::CalcTextSize(where.c_str()).x, low.y + em * 1.2F});
     for (std::size_t i = 0; i < lenses.size(); ++i) {
         const Lens& lens = lenses[i];
         const auto column = static_cast<float>(static_cast<int>(i) % columns);
@@ -179,10 +178,8 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
             x += em * 1.1F;
         }
         draw.AddText({x, text + em * 1.15F}, color::text, lens.value.c_str());
-        if (session.probe) {
-            const ImVec2 middle(at.x + cell * (around + 0.5F), at.y + cell * (around + 0.5F));
-            session.probe->items["lens:" + lens.name] = {middle.x, middle.y, middle.x, middle.y, true};
-        }
+        const ImVec2 middle(at.x + cell * (around + 0.5F), at.y + cell * (around + 0.5F));
+        noteDrawn("lens:" + lens.name, middle, middle);
     }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "app/ui/model/session.h"
 #include "app/ui/view/panes.h"
-#include "app/ui/window/workbench.h"
+#include "app/ui/widgets/pictures.h"
 
 namespace texplorer::ui {
 

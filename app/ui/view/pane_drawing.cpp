@@ -46,7 +46,7 @@ float comboWidth(RendererKind renderer) {
 
 /// A list of the renderers on the picture, as wide as its text, at most `width`.
 void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) {
-    RendererKind& compared = session.views.compared[which];
+    RendererKind& compared = session.window.views.compared[which];
     const std::string id = "##compared" + std::to_string(which);
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
@@ -55,14 +55,14 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
     const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, width - arrow).c_str());
     ImGui::PopStyleColor();
     const std::string name = "compared:" + std::to_string(which);
-    noteItem(session, name);
+    noteItem(name);
     if (!open)
         return;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         if (ImGui::Selectable(labelOf(renderer).c_str(), renderer == compared))
             compared = renderer;
-        noteItem(session, name + "=" + std::string(row.name));
+        noteItem(name + "=" + std::string(row.name));
         helpTip(row.help);
     }
     ImGui::EndCombo();
@@ -108,7 +108,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 }
 
 void paneLabels(Session& session, const Panes& panes) {
-    const Views& views = session.views;
+    const Views& views = session.window.views;
     const float gap = ImGui::GetFontSize() * 0.4F;
     const float left = comboWidth(views.compared[0]);
     const float right = comboWidth(views.compared[1]);
@@ -138,24 +138,24 @@ void paneLabels(Session& session, const Panes& panes) {
 }
 
 void paneSeam(Session& session, const Layout& layout) {
-    if (session.views.arrangement != Arrangement::Split)
+    if (session.window.views.arrangement != Arrangement::Split)
         return;
     const Rect& whole = layout.picture;
     const float reach = ImGui::GetFontSize() * 0.4F;
-    const float x =
-        static_cast<float>(whole.x) + std::round(session.views.split * static_cast<float>(whole.width));
+    const float x = static_cast<float>(whole.x) +
+                    std::round(session.window.views.split * static_cast<float>(whole.width));
     // At the picture's edge, where the panel's padding takes no mouse, the grip stays inside.
     const float grip = std::clamp(
         x - reach, static_cast<float>(whole.x) + reach,
         std::max(static_cast<float>(whole.x) + reach, static_cast<float>(whole.right()) - 3 * reach));
     ImGui::SetCursorScreenPos({grip, static_cast<float>(whole.y)});
     ImGui::InvisibleButton("seam", {2 * reach, static_cast<float>(whole.height)});
-    noteItem(session, "picture seam");
+    noteItem("picture seam");
     const bool held = ImGui::IsItemActive();
     if (held)
-        session.views.split = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
-                                             static_cast<float>(whole.width),
-                                         0.0F, 1.0F);
+        session.window.views.split = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
+                                                    static_cast<float>(whole.width),
+                                                0.0F, 1.0F);
     if (held || ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const ImU32 tint = held || ImGui::IsItemHovered() ? color::text : color::outline;

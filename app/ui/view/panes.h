@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/view/frame.h"
-#include "app/ui/window/layout.h"
+#include "app/ui/model/layout.h"
 #include "app/ui/model/views.h"
+#include "app/view/frame.h"
 
 #include <glm/vec2.hpp>
 #include <imgui.h>

@@ -1,4 +1,5 @@
-#include "app/ui/window/panels.h"
+#include "app/ui/view/renderer_choice.h"
+
 #include "app/ui/widgets/param_widgets.h"
 
 namespace texplorer::ui {
@@ -9,19 +10,19 @@ float buttonWidth(const std::string& label) {
     return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-bool choice(Session& session, const std::string& label, bool chosen, std::string_view help) {
+bool choice(const std::string& label, bool chosen, std::string_view help) {
     ImGui::PushStyleColor(ImGuiCol_Button,
                           chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
     const bool pressed = ImGui::Button(label.c_str());
     ImGui::PopStyleColor();
-    noteItem(session, "renderer:" + label);
+    noteItem("renderer:" + label);
     helpTip(help);
     return pressed;
 }
 
 } // namespace
 
-void drawRendererChoice(Session& session, float available) {
+void drawRendererChoice(Views& views, float available) {
     const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float before = ImGui::GetFontSize();
@@ -33,17 +34,16 @@ void drawRendererChoice(Session& session, float available) {
         return; // the View menu has them all
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
-    Views& views = session.views;
     int key = 0;
     for (const EnumRow& row : rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !isComparing(views) && views.renderer == renderer;
         const std::string help = std::string(row.help) + "\nKey " + std::to_string(++key);
-        if (choice(session, std::string(row.label), chosen, help))
+        if (choice(std::string(row.label), chosen, help))
             showOne(views, renderer);
         ImGui::SameLine(0, gap);
     }
-    if (choice(session, compare, isComparing(views),
+    if (choice(compare, isComparing(views),
                "Two renderers across one picture, or all of them with the difference.\nKey " +
                    std::to_string(++key)))
         showComparison(views);

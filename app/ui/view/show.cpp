@@ -1,6 +1,6 @@
 #include "app/ui/view/show.h"
 
-#include "app/ui/view/camera.h"
+#include "app/ui/model/camera.h"
 
 #include <algorithm>
 

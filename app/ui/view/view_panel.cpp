@@ -1,11 +1,14 @@
-#include "app/ui/view/camera.h"
+#include "app/ui/view/view_panel.h"
+
+#include "app/ui/model/camera.h"
+#include "app/ui/view/framing.h"
 #include "app/ui/view/magnifier.h"
 #include "app/ui/view/pane_drawing.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/view/panes.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/view/probed_pixel.h"
 #include "app/ui/view/show.h"
+#include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
@@ -35,18 +38,18 @@ float buttonWidth(const char* label) {
 void moreMenu(Session& session, const Layout& layout, std::size_t first) {
     if (!ImGui::BeginPopup("more"))
         return;
-    const auto shown = shownNow(session.scene);
+    const auto shown = shownNow(session.document.scene);
     for (std::size_t i = first; i < showRows.size(); ++i) {
         const ShowRow& row = showRows[i];
         const bool chosen = shown == row.show;
         if (ImGui::MenuItem(row.label, nullptr, chosen) && !chosen)
             show(session, row, layout);
-        noteItem(session, std::string("show:") + row.label);
+        noteItem(std::string("show:") + row.label);
     }
     ImGui::Separator();
     if (ImGui::MenuItem(frameLabel, "F"))
         frameAll(session, layout);
-    noteItem(session, "frame");
+    noteItem("frame");
     helpTip(frameHelp);
     ImGui::EndPopup();
 }
@@ -71,7 +74,7 @@ void toolRow(Session& session, const Layout& layout) {
             break;
         x += gap;
     }
-    const auto shown = shownNow(session.scene);
+    const auto shown = shownNow(session.document.scene);
     for (std::size_t i = 0; i < count; ++i) {
         const ShowRow& row = showRows[i];
         const bool chosen = shown == row.show;
@@ -80,13 +83,13 @@ void toolRow(Session& session, const Layout& layout) {
         if (ImGui::Button(row.label) && !chosen)
             show(session, row, layout);
         ImGui::PopStyleColor();
-        noteItem(session, std::string("show:") + row.label);
+        noteItem(std::string("show:") + row.label);
         ImGui::SameLine(0, gap);
     }
     const char* last = fits ? frameLabel : moreLabel;
     ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last)));
     const bool pressed = ImGui::Button(last);
-    noteItem(session, fits ? "frame" : "more choices");
+    noteItem(fits ? "frame" : "more choices");
     helpTip(fits ? frameHelp : "What has no room here");
     if (pressed && fits)
         frameAll(session, layout);
@@ -98,17 +101,17 @@ void toolRow(Session& session, const Layout& layout) {
 /// With Ctrl the mouse moves and enlarges the pictures, as if with a magnifying glass; else the camera.
 void moveView(Session& session, bool hovered, bool active, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.views.zoom.factor),
-                     io.MouseDelta.y / static_cast<float>(session.views.zoom.factor));
+    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.window.views.zoom.factor),
+                     io.MouseDelta.y / static_cast<float>(session.window.views.zoom.factor));
     const bool moved = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     if (io.KeyCtrl) {
         if (moved)
-            movePictures(session.views, layout, io.MouseDelta);
+            movePictures(session.window.views, layout, io.MouseDelta);
         if (hovered && io.MouseWheel != 0)
-            zoomPictures(session.views, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
+            zoomPictures(session.window.views, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
         return;
     }
-    View& view = session.scene.view;
+    View& view = session.document.scene.view;
     const View before = view;
     if (moved) {
         const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
@@ -134,23 +137,23 @@ glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
 void drawMarker(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                 view::Size picture) {
     const Model* model = selectedModel(session);
-    if (!model || !model->visible || !session.selection.vertex)
+    if (!model || !model->visible || !session.window.selection.vertex)
         return;
-    const std::size_t vertex = *session.selection.vertex;
-    const auto place = projectVertex(session.scene, static_cast<std::size_t>(session.selection.model), vertex,
-                                     session.playback.time, aspectOf(layout));
+    const std::size_t vertex = *session.window.selection.vertex;
+    const auto place =
+        projectVertex(session.document.scene, static_cast<std::size_t>(session.window.selection.model),
+                      vertex, session.window.playback.time, aspectOf(layout));
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
     const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
-    if (session.probe)
-        session.probe->items["marker"] = {at.x, at.y, at.x, at.y, true};
+    noteDrawn("marker", at, at);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddCircle(at, em * 0.45F, color::shade, 0, em * 0.3F);
     draw.AddCircle(at, em * 0.45F, color::chosen, 0, em * 0.15F);
     draw.AddCircleFilled(at, em * 0.12F, color::chosen);
 
-    const TexCoords coords = effectiveTexCoords(*model, selectedMesh(session), session.selection.unit);
+    const TexCoords coords = effectiveTexCoords(*model, selectedMesh(session), session.window.selection.unit);
     if (vertex >= coords.size())
         return;
     char text[96];
@@ -176,12 +179,13 @@ void pick(Session& session, const Layout& layout, const Panes& panes, view::Size
     const glm::vec2 at =
         panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
                                                   static_cast<float>(std::max(1, picture.height)));
-    const auto picked = pickVertex(session.scene, session.playback.time, aspectOf(layout), {at.x, 1 - at.y});
+    const auto picked =
+        pickVertex(session.document.scene, session.window.playback.time, aspectOf(layout), {at.x, 1 - at.y});
     if (picked) {
-        session.selection.model = static_cast<int>(picked->model);
-        session.selection.vertex = picked->vertex;
+        session.window.selection.model = static_cast<int>(picked->model);
+        session.window.selection.vertex = picked->vertex;
     } else {
-        session.selection.vertex.reset();
+        session.window.selection.vertex.reset();
     }
 }
 
@@ -218,10 +222,10 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     toolRow(session, layout);
 
     const view::Size picture = pictures.views.front().frame.size;
-    const Panes panes(layout, session.views, picture);
+    const Panes panes(layout, session.window.views, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all())
-        drawPane(draw, panes, pane, pictures, session.views);
+        drawPane(draw, panes, pane, pictures, session.window.views);
     if (pictures.difference && isRinged(pictures.difference->numbers))
         markPixel(draw, panes, pictures.difference->numbers.worst, color::problem);
     if (pictures.difference && !panes.all().back().renderer)
@@ -235,7 +239,7 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
         {static_cast<float>(std::max(1, layout.canvas.width)), static_cast<float>(layout.canvas.height)},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
             ImGuiButtonFlags_MouseButtonMiddle);
-    noteItem(session, "view");
+    noteItem("view");
     const bool hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
     moveView(session, hovered, active, layout);

@@ -26,8 +26,7 @@ float textWidth(std::string_view words) {
     return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
 }
 
-bool enumWidget(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
-                const std::string& path) {
+bool enumWidget(const Owner& owner, const ParamRow& row, EnumValue& value, const std::string& path) {
     const auto labelOf = [&](const EnumRow& choice) {
         return owner.labelOf ? owner.labelOf(row, choice) : std::string(choice.label);
     };
@@ -48,7 +47,7 @@ bool enumWidget(Session& session, const Owner& owner, const ParamRow& row, EnumV
                 changed = !isCurrent;
                 value.number = choice.value;
             }
-            noteItem(session, path + "=" + std::string(choice.name));
+            noteItem(path + "=" + std::string(choice.name));
             choiceTip(choice);
             if (isCurrent)
                 ImGui::SetItemDefaultFocus();
@@ -84,7 +83,7 @@ bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
                                       ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf |
                                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSidePreview |
                                           ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
-        noteItem(session, path + "#picker");
+        noteItem(path + "#picker");
         sealAfterItem(session);
         ImGui::EndPopup();
     }
@@ -136,7 +135,7 @@ bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const st
         ImGui::PushID(i);
         ImGui::SetNextItemWidth(width);
         changed |= dragNumber("##component", value[i], row.range, i);
-        noteItem(session, path + "[" + std::to_string(i) + "]");
+        noteItem(path + "[" + std::to_string(i) + "]");
         sealAfterItem(session);
         ImGui::PopID();
     }
@@ -166,7 +165,7 @@ bool control(Session& session, const Owner& owner, const ParamRow& row, Value& v
     case Kind::Color:
         return colorWidget(std::get<glm::vec4>(value));
     case Kind::Enum:
-        return enumWidget(session, owner, row, std::get<EnumValue>(value), path);
+        return enumWidget(owner, row, std::get<EnumValue>(value), path);
     case Kind::Text:
         return ImGui::InputText("##value", &std::get<std::string>(value),
                                 ImGuiInputTextFlags_EnterReturnsTrue);
@@ -186,7 +185,7 @@ bool assign(Session& session, const Owner& owner, const ParamRow& row, const Val
     if (value == row.read(owner.values))
         return false;
     if (const Result<void> fits = checkValue(row, value); !fits) {
-        session.notice = {std::string(row.label) + ": " + fits.error().message, {}};
+        session.window.notice = {std::string(row.label) + ": " + fits.error().message, {}};
         return false;
     }
     if (owner.accepts && !owner.accepts(row, value))
@@ -205,19 +204,10 @@ void sealAfterItem(Session& session) {
         sealEdit(session);
 }
 
-void noteItem(Session& session, std::string_view name) {
-    if (!session.probe)
-        return;
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    session.probe->items[std::string(name)] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
-}
-
-bool squareButton(Session& session, const char* label, std::string_view name, std::string_view help,
-                  bool enabled) {
+bool squareButton(const char* label, std::string_view name, std::string_view help, bool enabled) {
     ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button(label, {ImGui::GetFrameHeight(), 0});
-    noteItem(session, name);
+    noteItem(name);
     ImGui::EndDisabled();
     helpTip(help);
     return pressed && enabled;
@@ -265,17 +255,17 @@ Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
             value,
             initial,
             value != initial,
-            idleReasonOf(session.findings, path),
-            problemOf(session.findings, path)};
+            idleReasonOf(session.document.findings, path),
+            problemOf(session.document.findings, path)};
 }
 
 /// Scrolls to a control that was asked for, and frames it.
 void showWanted(Session& session, const Line& line) {
-    if (line.path == session.wantedParam) {
+    if (line.path == session.window.wantedParam) {
         ImGui::SetScrollHereY(0.4F);
-        session.wantedParam.clear();
+        session.window.wantedParam.clear();
     }
-    if (line.path != session.shownParam)
+    if (line.path != session.window.shownParam)
         return;
     const float margin = ImGui::GetFontSize() * 0.15F;
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -294,11 +284,11 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (!isWide(row.kind)) {
-        noteItem(session, line.path);
+        noteItem(line.path);
         sealAfterItem(session);
     }
     if (line.idle)
-        noteItem(session, line.path + "#inert");
+        noteItem(line.path + "#inert");
     paramTip(row, line.value, line.initial, line.idle, line.problem);
     line.reset |= line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     showWanted(session, line);
@@ -326,7 +316,7 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
                 : line.changed ? color::changed
                                : color::text);
     if (line.problem)
-        noteItem(session, line.path + "#problem");
+        noteItem(line.path + "#problem");
     ImGui::PopID();
     return finish(session, owner, row, line);
 }
@@ -373,7 +363,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
         ImGui::PushStyleColor(ImGuiCol_Button, 0);
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
         line.reset |= ImGui::Button("↺", {em, 0});
-        noteItem(session, line.path + "#reset");
+        noteItem(line.path + "#reset");
         ImGui::PopStyleColor(2);
         ImGui::PopStyleVar();
         helpTip("Back to " + formatValue(row, line.initial));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/widgets/widget_places.h"
 #include "core/scene/params/params.h"
 
 #include <imgui.h>
@@ -44,14 +45,10 @@ void paramRows(Session& session, const Owner& owner, const StructTable& table);
 bool dragNumber(const char* id, float& value, const Range& range, int component);
 
 /// A button as wide as it is high; `name` is what tests call it.
-bool squareButton(Session& session, const char* label, std::string_view name, std::string_view help,
-                  bool enabled);
+bool squareButton(const char* label, std::string_view name, std::string_view help, bool enabled);
 
 /// Ends a step of undo when the last widget is let go.
 void sealAfterItem(Session& session);
-
-/// Remembers where the last widget was, for tests.
-void noteItem(Session& session, std::string_view name);
 
 /// A tooltip with wrapped text for the last widget.
 void helpTip(std::string_view text);

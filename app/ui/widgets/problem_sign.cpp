@@ -15,7 +15,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
     ImGui::SetCursorPos(place);
     if (ImGui::InvisibleButton("sign", size))
         ImGui::OpenPopup("problem");
-    noteItem(session, path + "#problem");
+    noteItem(path + "#problem");
     helpTip(sentenceOf(problem) + (problem.fixes.empty() ? "" : "\nClick: what mends it"));
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
@@ -29,7 +29,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
             applyFix(session, fix);
             ImGui::CloseCurrentPopup();
         }
-        noteItem(session, path + "#fix:" + fix.label);
+        noteItem(path + "#fix:" + fix.label);
         helpTip(assignmentsOf(fix));
     }
     ImGui::EndPopup();

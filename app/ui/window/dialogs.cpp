@@ -1,9 +1,12 @@
-#include "app/ui/model/document.h"
+#include "app/ui/window/dialogs.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/recovery_dialog.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 
@@ -45,6 +48,20 @@ constexpr std::array keyLines{
     Line{"Ctrl+Q", "quit"},
 };
 
+/// The dialogs in which one chooses a file.
+struct BrowserRow {
+    Dialog dialog;
+    const char* title;
+    bool saving;
+    bool thumbnails; ///< and with them the extensions of images, not of scenes
+};
+
+constexpr std::array browserRows{
+    BrowserRow{Dialog::OpenScene, "Open a scene", false, false},
+    BrowserRow{Dialog::OpenImage, "Open an image", false, true},
+    BrowserRow{Dialog::SaveScene, "Save the scene", true, false},
+};
+
 std::vector<std::string> imageExtensions() {
     std::vector<std::string> extensions;
     for (const CodecRow& row : codecRows())
@@ -52,74 +69,41 @@ std::vector<std::string> imageExtensions() {
     return extensions;
 }
 
-void browse(Session& session, Dialog dialog, const char* title, std::vector<std::string> extensions,
-            bool saving) {
-    session.dialog = dialog;
-    beginBrowsing(session.browser, title, std::move(extensions), saving, session.file);
-    session.browser.thumbnails = dialog == Dialog::OpenImage && session.background != nullptr;
-}
-
-void finishPending(Session& session) {
-    const Pending pending = session.pending;
-    session.pending = Pending::None;
-    switch (pending) {
-    case Pending::None:
-        break;
-    case Pending::NewScene:
-        newScene(session);
-        break;
-    case Pending::OpenScene:
-        browse(session, Dialog::OpenScene, "Open a scene", {".json"}, false);
-        break;
-    case Pending::OpenFiles: {
-        const std::vector<std::filesystem::path> files = std::move(session.pendingFiles);
-        session.pendingFiles.clear();
-        report(session, openFiles(session, files), files.front());
-        break;
-    }
-    case Pending::ShowScene:
-        if (const std::shared_ptr<Load> ready = std::exchange(session.readyScene, nullptr)) {
-            ready->before = session.scene; // the user has answered
-            showLoadedScene(session, std::move(*ready));
-        }
-        break;
-    case Pending::Quit:
-        session.quitConfirmed = true;
-        break;
-    }
-}
-
-void askAboutChanges(Session& session, Pending next) {
-    session.pending = next;
-    if (isDirty(session))
-        session.dialog = Dialog::Discard;
-    else
-        finishPending(session);
+void beginBrowsing(DialogsState& state, const Session& session) {
+    const Dialog dialog = session.window.dialog;
+    if (std::exchange(state.browsed, dialog) == dialog)
+        return;
+    const BrowserRow& row = *std::ranges::find(browserRows, dialog, &BrowserRow::dialog);
+    beginBrowsing(state.browser, row.title,
+                  row.thumbnails ? imageExtensions() : std::vector<std::string>{".json"}, row.saving,
+                  session.document.file);
+    state.browser.thumbnails = row.thumbnails;
 }
 
 void drawDiscard(Session& session) {
     if (!beginModal("Unsaved changes"))
         return;
-    const std::string name = session.file.empty() ? "This scene" : session.file.filename().string();
+    const std::string name =
+        session.document.file.empty() ? "This scene" : session.document.file.filename().string();
     ImGui::TextUnformatted((printable(name) + " has changes that are not saved.").c_str());
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     const ImVec2 size(ImGui::GetFontSize() * 7.5F, 0);
     const bool keep = ImGui::Button("Save", size) || ImGui::IsKeyPressed(key::enter, false);
-    noteItem(session, "discard:save");
+    noteItem("discard:save");
     ImGui::SameLine();
     const bool drop = ImGui::Button("Don't save", size);
-    noteItem(session, "discard:drop");
+    noteItem("discard:drop");
     ImGui::SameLine();
     const bool stay = ImGui::Button("Cancel", size) || ImGui::IsKeyPressed(key::escape, false);
-    noteItem(session, "discard:cancel");
+    noteItem("discard:cancel");
     if (keep || drop || stay) {
         ImGui::CloseCurrentPopup();
-        session.dialog = Dialog::None;
+        session.window.dialog = Dialog::None;
     }
     ImGui::EndPopup();
     if (stay) {
-        session.pending = Pending::None;
-        session.readyScene.reset();
+        session.window.pending = Pending::None;
+        session.window.readyScene.reset();
     } else if (drop)
         finishPending(session);
     else if (keep)
@@ -131,7 +115,7 @@ void drawRefused(Session& session) {
     if (!beginModal("Files that could not be opened"))
         return;
     const float em = ImGui::GetFontSize();
-    const std::size_t count = session.refused.size();
+    const std::size_t count = session.window.refused.size();
     ImGui::TextUnformatted(count == 1 ? "One file could not be opened, the others were."
                                       : (std::to_string(count) + " files could not be opened.").c_str());
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -139,20 +123,20 @@ void drawRefused(Session& session) {
     const float height = std::min(display.y * 0.6F, em * 2.9F * static_cast<float>(count) + em);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
     ImGui::BeginChild("refused", {width, height}, true);
-    for (const Error& each : session.refused) {
+    for (const Error& each : session.window.refused) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(printable(describe(each)).c_str());
         ImGui::PopTextWrapPos();
-        noteItem(session, "refused:" + each.where);
+        noteItem("refused:" + each.where);
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
     const bool read = ImGui::Button("Close", {em * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
                       ImGui::IsKeyPressed(key::enter, false);
-    noteItem(session, "refused:close");
+    noteItem("refused:close");
     if (read) {
-        session.refused.clear();
-        session.dialog = Dialog::None;
+        session.window.refused.clear();
+        session.window.dialog = Dialog::None;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -160,12 +144,13 @@ void drawRefused(Session& session) {
 
 /// What is to be said or asked without the user's having asked for it comes when nothing else is open.
 void openWaitingDialog(Session& session) {
-    if (session.dialog != Dialog::None || session.pending != Pending::None)
+    if (session.window.dialog != Dialog::None || session.window.pending != Pending::None)
         return;
-    if (!session.refused.empty())
-        session.dialog = Dialog::Refused;
-    else if (session.unsaved && !session.unsaved->recovery.offers().empty() && session.loads.empty())
-        session.dialog = Dialog::Restore;
+    if (!session.window.refused.empty())
+        session.window.dialog = Dialog::Refused;
+    else if (const UnsavedWork* unsaved = session.services.unsaved;
+             unsaved && !unsaved->recovery.offers().empty() && session.document.loads.empty())
+        session.window.dialog = Dialog::Restore;
 }
 
 void lines(const char* id, std::span<const Line> rows) {
@@ -214,111 +199,63 @@ void drawHelp(Session& session) {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.4F});
     if (ImGui::Button("Close", {ImGui::GetFontSize() * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
         ImGui::IsKeyPressed(key::enter, false)) {
-        session.dialog = Dialog::None;
+        session.window.dialog = Dialog::None;
         ImGui::CloseCurrentPopup();
     }
-    noteItem(session, "help:close");
+    noteItem("help:close");
     ImGui::EndPopup();
 }
 
-void drawBrowserDialog(Session& session, const Pictures& pictures) {
+Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path& chosen) {
+    if (dialog == Dialog::OpenScene)
+        return openScene(session, chosen);
+    if (dialog == Dialog::SaveScene)
+        return saveScene(session, chosen);
+    importImage(session, chosen);
+    return {};
+}
+
+void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pictures) {
+    beginBrowsing(state, session);
     std::filesystem::path chosen;
-    const Dialog dialog = session.dialog;
-    const Browsing browsing = drawFileBrowser(session, pictures, chosen);
+    const Dialog dialog = session.window.dialog;
+    const Browsing browsing = drawFileBrowser(state.browser, session.services.files, pictures, chosen);
     if (browsing == Browsing::Open)
         return;
-    session.dialog = Dialog::None;
+    session.window.dialog = Dialog::None;
     if (browsing == Browsing::Cancelled) {
-        session.pending = Pending::None;
+        session.window.pending = Pending::None;
         return;
     }
-    const Result<void> result = dialog == Dialog::OpenScene   ? openScene(session, chosen)
-                                : dialog == Dialog::OpenImage ? importImage(session, chosen)
-                                                              : saveScene(session, chosen);
+    const Result<void> result = answer(session, dialog, chosen);
     if (!result) { // back to the list, which says what was wrong
-        session.dialog = dialog;
-        session.browser.error = result.error().message;
-        session.browser.focusName = true;
+        session.window.dialog = dialog;
+        state.browser.error = result.error().message;
+        state.browser.focusName = true;
         return;
     }
-    session.notice = {};
+    session.window.notice = {};
     if (dialog == Dialog::SaveScene)
         finishPending(session);
 }
 
 } // namespace
 
-void askOpenScene(Session& session) {
-    askAboutChanges(session, Pending::OpenScene);
-}
-
-void askOpenImage(Session& session) {
-    browse(session, Dialog::OpenImage, "Open an image", imageExtensions(), false);
-}
-
-void askNewScene(Session& session) {
-    askAboutChanges(session, Pending::NewScene);
-}
-
-void askSaveAs(Session& session) {
-    browse(session, Dialog::SaveScene, "Save the scene", {".json"}, true);
-}
-
-void save(Session& session) {
-    if (session.file.empty())
-        return askSaveAs(session);
-    const Result<void> saved = saveScene(session, session.file);
-    report(session, saved);
-    if (saved) {
-        session.notice = {};
-        finishPending(session);
-    } else {
-        session.pending = Pending::None;
-    }
-}
-
-void requestQuit(Session& session) {
-    askAboutChanges(session, Pending::Quit);
-}
-
-void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
-    if (files.size() == 1) {
-        if (const Result<bool> scene = holdsScene(files.front()); !scene)
-            return say(session, scene.error());
-    }
-    const bool replaces = std::ranges::any_of(
-        files, [](const std::filesystem::path& file) { return holdsScene(file).value_or(false); });
-    if (files.empty())
-        return;
-    if (!replaces)
-        return report(session, openFiles(session, files), files.front());
-    session.pendingFiles = std::move(files);
-    askAboutChanges(session, Pending::OpenFiles);
-}
-
-void drawDialogs(Session& session, const Pictures& pictures) {
+void drawDialogs(Session& session, DialogsState& state, const Pictures& pictures) {
     openWaitingDialog(session);
-    switch (session.dialog) {
-    case Dialog::None:
-        break;
-    case Dialog::OpenScene:
-    case Dialog::OpenImage:
-    case Dialog::SaveScene:
-        drawBrowserDialog(session, pictures);
-        break;
-    case Dialog::Discard:
+    const Dialog dialog = session.window.dialog;
+    if (std::ranges::find(browserRows, dialog, &BrowserRow::dialog) != browserRows.end())
+        drawBrowserDialog(session, state, pictures);
+    else if (dialog == Dialog::Discard)
         drawDiscard(session);
-        break;
-    case Dialog::Help:
+    else if (dialog == Dialog::Help)
         drawHelp(session);
-        break;
-    case Dialog::Restore:
+    else if (dialog == Dialog::Restore)
         drawRestore(session, pictures);
-        break;
-    case Dialog::Refused:
+    else if (dialog == Dialog::Refused)
         drawRefused(session);
-        break;
-    }
+    if (session.window.dialog != state.browsed) // the next one begins anew
+        state.browsed = Dialog::None;
 }
 
 } // namespace texplorer::ui

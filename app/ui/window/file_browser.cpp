@@ -1,9 +1,9 @@
+
 #include "app/ui/window/file_browser.h"
 
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "app/ui/window/workbench.h"
 #include "core/base/printable.h"
 
 #include <imgui_stdlib.h>
@@ -105,7 +105,7 @@ void moveMark(FileBrowser& browser, int step) {
 }
 
 /// The folders that lead here, each a button.
-void breadcrumbs(Session& session, FileBrowser& browser) {
+void breadcrumbs(FileBrowser& browser) {
     fs::path target;
     fs::path walked;
     std::vector<fs::path> parts(browser.folder.begin(), browser.folder.end());
@@ -123,7 +123,7 @@ void breadcrumbs(Session& session, FileBrowser& browser) {
     if (ImGui::Button("↑"))
         target = browser.folder.parent_path();
     ImGui::EndDisabled();
-    noteItem(session, "browser:up");
+    noteItem("browser:up");
     helpTip("One folder up");
     for (std::size_t i = 0; i < parts.size(); ++i) {
         walked /= parts[i];
@@ -142,15 +142,12 @@ void breadcrumbs(Session& session, FileBrowser& browser) {
 }
 
 /// The file's small picture in a square at the left of its line, once it is there.
-void drawThumbnail(Session& session, const FileBrowser& browser, const FileBrowser::Entry& entry,
+void drawThumbnail(Files& files, const FileBrowser& browser, const FileBrowser::Entry& entry,
                    const Pictures& pictures, ImVec2 corner, float extent) {
-    if (!session.background)
-        return;
-    const std::shared_ptr<const Image> image =
-        session.background->thumbnails.find(browser.folder / entry.name, entry.modified);
+    const std::shared_ptr<const Image> image = files.thumbnail(browser.folder / entry.name, entry.modified);
     if (!image || image->empty())
         return;
-    noteItem(session, "thumbnail:" + entry.name);
+    noteItem("thumbnail:" + entry.name);
     const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
     if (id == 0)
         return;
@@ -164,7 +161,7 @@ void drawThumbnail(Session& session, const FileBrowser& browser, const FileBrows
 }
 
 /// True where an entry was double-clicked.
-bool entryList(Session& session, FileBrowser& browser, const Pictures& pictures, float height) {
+bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, float height) {
     bool chosen = false;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, color::ground);
     ImGui::BeginChild("entries", {0, height}, true);
@@ -183,13 +180,13 @@ bool entryList(Session& session, FileBrowser& browser, const Pictures& pictures,
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const bool pressed = ImGui::Selectable("##entry", i == browser.marked,
                                                ImGuiSelectableFlags_AllowDoubleClick, {0, tall});
-        noteItem(session, "entry:" + entry.name);
+        noteItem("entry:" + entry.name);
         if (i == browser.marked && browser.scrollToMarked) {
             ImGui::SetScrollHereY();
             browser.scrollToMarked = false;
         }
         if (pictured && ImGui::IsItemVisible())
-            drawThumbnail(session, browser, entry, pictures, corner, tall);
+            drawThumbnail(files, browser, entry, pictures, corner, tall);
         // Drawn, not laid out: the line is as tall as the selectable.
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const float top = corner.y + (tall - line) / 2;
@@ -273,8 +270,7 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
         browser.typed = startFile.empty() ? "scene.json" : startFile.filename().string();
 }
 
-Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& chosen) {
-    FileBrowser& browser = session.browser;
+Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pictures, fs::path& chosen) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSize({std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F)});
@@ -288,10 +284,10 @@ Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& c
         return Browsing::Open;
 
     Browsing result = Browsing::Open;
-    breadcrumbs(session, browser);
+    breadcrumbs(browser);
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float below = 2 * line + ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    if (entryList(session, browser, pictures, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
+    if (entryList(browser, files, pictures, std::max(em * 3, ImGui::GetContentRegionAvail().y - below)))
         result = choose(browser, chosen);
 
     if (browser.error.empty())
@@ -301,7 +297,7 @@ Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& c
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         ImGui::TextUnformatted(printable(browser.error).c_str());
         ImGui::PopStyleColor();
-        noteItem(session, "browser:error");
+        noteItem("browser:error");
         helpTip(browser.error);
     }
 
@@ -313,7 +309,7 @@ Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& c
     const std::string before = browser.typed;
     const bool entered = ImGui::InputText(
         "##name", &browser.typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    noteItem(session, "browser:name");
+    noteItem("browser:name");
     if (browser.typed != before) {
         browser.mayOverwrite = false;
         browser.error.clear();
@@ -329,19 +325,19 @@ Browsing drawFileBrowser(Session& session, const Pictures& pictures, fs::path& c
         for (const std::string& extension : browser.extensions)
             all += " " + extension;
         ImGui::Checkbox("All files", &browser.showAll);
-        noteItem(session, "browser:all");
+        noteItem("browser:all");
         helpTip(all);
     }
     const float button = em * 6;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::Button("Cancel", {button, 0}) || ImGui::IsKeyPressed(key::escape, false))
         result = Browsing::Cancelled;
-    noteItem(session, "browser:cancel");
+    noteItem("browser:cancel");
     ImGui::SameLine();
     const char* verb = !browser.saving ? "Open" : browser.mayOverwrite ? "Replace" : "Save";
     if (ImGui::Button(verb, {button, 0}))
         result = choose(browser, chosen);
-    noteItem(session, "browser:ok");
+    noteItem("browser:ok");
 
     if (ImGui::IsKeyPressed(key::down))
         moveMark(browser, 1);

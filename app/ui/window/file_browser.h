@@ -1,13 +1,13 @@
 #pragma once
 
+#include "app/ui/model/files.h"
+#include "app/ui/widgets/pictures.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace texplorer::ui {
-
-struct Pictures;
-struct Session;
 
 /// A list of a folder's entries in which one chooses a file, or names one to be written.
 struct FileBrowser {
@@ -45,7 +45,7 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
 enum class Browsing { Open, Chosen, Cancelled };
 
 /// Draws the browser as a modal window. `chosen` is set with Browsing::Chosen.
-[[nodiscard]] Browsing drawFileBrowser(Session& session, const Pictures& pictures,
+[[nodiscard]] Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pictures,
                                        std::filesystem::path& chosen);
 
 } // namespace texplorer::ui

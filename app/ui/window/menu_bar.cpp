@@ -1,21 +1,24 @@
-#include "app/ui/view/camera.h"
-#include "app/ui/window/panels.h"
+#include "app/ui/window/menu_bar.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/view/framing.h"
+#include "app/ui/view/renderer_choice.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/view/show.h"
+#include "app/ui/window/playback_controls.h"
 
 namespace texplorer::ui {
 namespace {
 
-bool item(Session& session, const std::string& label, const char* keys, bool enabled = true,
-          bool marked = false) {
+bool item(const std::string& label, const char* keys, bool enabled = true, bool marked = false) {
     const bool pressed = ImGui::MenuItem(label.c_str(), keys, marked, enabled);
-    noteItem(session, "menu:" + label);
+    noteItem("menu:" + label);
     return pressed;
 }
 
-bool menu(Session& session, const char* label) {
+bool menu(const char* label) {
     const bool open = ImGui::BeginMenu(label);
-    noteItem(session, std::string("menu:") + label);
+    noteItem(std::string("menu:") + label);
     return open;
 }
 
@@ -41,7 +44,7 @@ Texture withInitialParameters(const Texture& texture) {
 }
 
 void resetEverything(Session& session) {
-    Scene& scene = session.scene;
+    Scene& scene = session.document.scene;
     for (Texture& texture : scene.textures)
         texture = withInitialParameters(texture);
     for (Pass& pass : scene.passes) {
@@ -56,75 +59,75 @@ void resetEverything(Session& session) {
 }
 
 void fileMenu(Session& session) {
-    if (item(session, "New", nullptr))
+    if (item("New", nullptr))
         askNewScene(session);
-    if (item(session, "Open scene…", "Ctrl+O"))
+    if (item("Open scene…", "Ctrl+O"))
         askOpenScene(session);
-    if (item(session, "Open image…", "Ctrl+I"))
+    if (item("Open image…", "Ctrl+I"))
         askOpenImage(session);
     ImGui::Separator();
-    if (item(session, "Save", "Ctrl+S"))
+    if (item("Save", "Ctrl+S"))
         save(session);
-    if (item(session, "Save as…", "Ctrl+Shift+S"))
+    if (item("Save as…", "Ctrl+Shift+S"))
         askSaveAs(session);
     ImGui::Separator();
-    if (item(session, "Quit", "Ctrl+Q"))
+    if (item("Quit", "Ctrl+Q"))
         requestQuit(session);
 }
 
 void editMenu(Session& session) {
-    const History& history = session.history;
-    if (item(session, withName("Undo", history.undoName()), "Ctrl+Z", history.canUndo()))
+    const History& history = session.document.history;
+    if (item(withName("Undo", history.undoName()), "Ctrl+Z", history.canUndo()))
         undo(session);
-    if (item(session, withName("Redo", history.redoName()), "Ctrl+Shift+Z", history.canRedo()))
+    if (item(withName("Redo", history.redoName()), "Ctrl+Shift+Z", history.canRedo()))
         redo(session);
     ImGui::Separator();
     ImGui::TextDisabled("Reset to GL's initial values");
     Texture* texture = boundTexture(session);
-    if (item(session, "Texture parameters", nullptr, texture != nullptr))
+    if (item("Texture parameters", nullptr, texture != nullptr))
         resetTo(session, *texture, "Reset texture", withInitialParameters(*texture));
-    if (item(session, "Texture unit", nullptr)) {
+    if (item("Texture unit", nullptr)) {
         Unit& unit = selectedUnit(session);
         resetTo(session, unit, "Reset unit",
                 Unit{.enabled = unit.enabled, .target = unit.target, .texture = unit.texture});
     }
-    if (item(session, "Everything but models and view", nullptr))
+    if (item("Everything but models and view", nullptr))
         resetEverything(session);
 }
 
 void viewMenu(Session& session, const Layout& layout) {
-    const auto shown = shownNow(session.scene);
+    const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
-        if (item(session, std::string("Show ") + row.label, nullptr, true, shown == row.show))
+        if (item(std::string("Show ") + row.label, nullptr, true, shown == row.show))
             show(session, row, layout);
     }
     ImGui::Separator();
     int key = 0;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !isComparing(session.views) && session.views.renderer == renderer;
-        if (item(session, "Drawn by: " + std::string(row.label), std::to_string(++key).c_str(), true, chosen))
-            showOne(session.views, renderer);
+        const bool chosen = !isComparing(session.window.views) && session.window.views.renderer == renderer;
+        if (item("Drawn by: " + std::string(row.label), std::to_string(++key).c_str(), true, chosen))
+            showOne(session.window.views, renderer);
     }
-    if (item(session, "Compare", std::to_string(++key).c_str(), true, isComparing(session.views)))
-        showComparison(session.views);
+    if (item("Compare", std::to_string(++key).c_str(), true, isComparing(session.window.views)))
+        showComparison(session.window.views);
     using reference::AnisotropyMethod;
     for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {
         const auto method = static_cast<AnisotropyMethod>(row.value);
-        if (item(session, "Anisotropy of the reference: " + std::string(row.label), nullptr, true,
-                 session.views.anisotropy == method))
-            session.views.anisotropy = method;
+        if (item("Anisotropy of the reference: " + std::string(row.label), nullptr, true,
+                 session.window.views.anisotropy == method))
+            session.window.views.anisotropy = method;
         helpTip(row.help);
     }
     ImGui::Separator();
-    if (item(session, "Magnifier", "M", true, session.views.magnifies))
-        session.views.magnifies = !session.views.magnifies;
-    if (item(session, "Picture pixel for pixel", "0", session.views.zoom.factor > 1))
-        session.views.zoom = {};
+    if (item("Magnifier", "M", true, session.window.views.magnifies))
+        session.window.views.magnifies = !session.window.views.magnifies;
+    if (item("Picture pixel for pixel", "0", session.window.views.zoom.factor > 1))
+        session.window.views.zoom = {};
     ImGui::Separator();
-    if (item(session, "Frame the models", "F"))
+    if (item("Frame the models", "F"))
         frameAll(session, layout);
-    if (item(session, "Reset camera", "Home"))
+    if (item("Reset camera", "Home"))
         resetCamera(session, layout);
 }
 
@@ -139,24 +142,24 @@ void drawMenuBar(Session& session, const Layout& layout) {
                ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (ImGui::BeginMenuBar()) {
         ImGui::PopStyleVar();
-        if (menu(session, "File")) {
+        if (menu("File")) {
             fileMenu(session);
             ImGui::EndMenu();
         }
-        if (menu(session, "Edit")) {
+        if (menu("Edit")) {
             editMenu(session);
             ImGui::EndMenu();
         }
-        if (menu(session, "View")) {
+        if (menu("View")) {
             viewMenu(session, layout);
             ImGui::EndMenu();
         }
-        if (menu(session, "Help")) {
-            if (item(session, "Keys and mouse, about…", "F1"))
-                session.dialog = Dialog::Help;
+        if (menu("Help")) {
+            if (item("Keys and mouse, about…", "F1"))
+                session.window.dialog = Dialog::Help;
             ImGui::EndMenu();
         }
-        drawRendererChoice(session,
+        drawRendererChoice(session.window.views,
                            ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
         drawPlaybackControls(session);
         ImGui::EndMenuBar();

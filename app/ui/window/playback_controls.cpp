@@ -1,4 +1,5 @@
-#include "app/ui/window/panels.h"
+#include "app/ui/window/playback_controls.h"
+
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/animation.h"
@@ -18,7 +19,7 @@ constexpr float speedWidth = 4.3F;
 constexpr float speeds[] = {0.1F, 0.25F, 0.5F, 1, 2, 4};
 
 /// A square button whose sign is drawn, so that it is crisp and centred at every scale.
-bool signButton(Session& session, const char* name, bool enabled,
+bool signButton(const char* name, bool enabled,
                 void (*sign)(ImDrawList& draw, ImVec2 centre, float radius, ImU32 tint)) {
     const float side = ImGui::GetFrameHeight();
     ImGui::BeginDisabled(!enabled);
@@ -27,7 +28,7 @@ bool signButton(Session& session, const char* name, bool enabled,
     const bool pressed = ImGui::Button(id.c_str(), {side * 1.2F, side});
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
-    noteItem(session, name);
+    noteItem(name);
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     sign(*ImGui::GetWindowDrawList(), {(low.x + high.x) / 2, (low.y + high.y) / 2}, side * 0.22F,
@@ -74,7 +75,7 @@ float leastPlaybackWidth() {
 }
 
 void drawPlaybackControls(Session& session) {
-    Playback& playback = session.playback;
+    Playback& playback = session.window.playback;
     const float em = ImGui::GetFontSize();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
@@ -85,19 +86,19 @@ void drawPlaybackControls(Session& session) {
     ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - widthWith(slider) + em,
                          (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2});
 
-    const bool animated = isAnimated(session.scene);
-    if (signButton(session, "rewind", playback.time != 0, rewindSign))
+    const bool animated = isAnimated(session.document.scene);
+    if (signButton("rewind", playback.time != 0, rewindSign))
         playback.time = 0;
     helpTip("Back to time 0");
     ImGui::SameLine(0, 0);
     const bool running = playback.playing && animated;
-    if (signButton(session, "play", animated, running ? pauseSign : playSign))
+    if (signButton("play", animated, running ? pauseSign : playSign))
         playback.playing = !playback.playing;
     helpTip(!animated          ? "Nothing moves: give a matrix step a rate, or a model a spin."
             : playback.playing ? "Pause (Space)"
                                : "Play (Space)");
     ImGui::SameLine(0, 0);
-    if (signButton(session, "step", true, stepSign)) {
+    if (signButton("step", true, stepSign)) {
         playback.playing = false;
         playback.time += static_cast<double>(stepSeconds);
     }
@@ -111,7 +112,7 @@ void drawPlaybackControls(Session& session) {
         playback.playing = false;
         playback.time = static_cast<double>(shown);
     }
-    noteItem(session, "time");
+    noteItem("time");
     helpTip("The scene's time. Drag to scrub.");
 
     ImGui::SameLine(0, gap);
@@ -120,11 +121,11 @@ void drawPlaybackControls(Session& session) {
         for (const float speed : speeds) {
             if (ImGui::Selectable(speedName(speed).c_str(), speed == playback.speed))
                 playback.speed = speed;
-            noteItem(session, "speed:" + speedName(speed));
+            noteItem("speed:" + speedName(speed));
         }
         ImGui::EndCombo();
     }
-    noteItem(session, "speed");
+    noteItem("speed");
     helpTip("How fast the scene's time goes");
 }
 

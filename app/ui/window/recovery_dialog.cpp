@@ -1,9 +1,10 @@
 // What a window that died had not saved.
 
-#include "app/ui/model/document.h"
+#include "app/ui/window/recovery_dialog.h"
+
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
@@ -34,10 +35,10 @@ void drawPicture(Session& session, const Pictures& pictures) {
     ImGui::Dummy(size);
     const ImVec2 high(low.x + size.x, low.y + size.y);
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, color::ground);
-    const std::shared_ptr<const Image> image = session.unsaved->recovery.picture();
+    const std::shared_ptr<const Image> image = session.services.unsaved->recovery.picture();
     if (!image)
         return;
-    noteItem(session, "restore:picture");
+    noteItem("restore:picture");
     const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
     if (id != 0) // row 0 is the bottom one
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)),
@@ -47,7 +48,7 @@ void drawPicture(Session& session, const Pictures& pictures) {
 } // namespace
 
 void drawRestore(Session& session, const Pictures& pictures) {
-    Recovery& recovery = session.unsaved->recovery;
+    Recovery& recovery = session.services.unsaved->recovery;
     if (!beginModal("Unsaved work"))
         return;
     const float em = ImGui::GetFontSize();
@@ -58,7 +59,7 @@ void drawRestore(Session& session, const Pictures& pictures) {
         const std::string name =
             offer.draft->file.empty() ? "A scene" : printable(offer.draft->file.filename().string());
         ImGui::TextUnformatted((name + " had changes that were not saved when its window ended.").c_str());
-        noteItem(session, "restore:name");
+        noteItem("restore:name");
         if (!offer.draft->file.empty())
             ImGui::TextDisabled("%s", printable(offer.draft->file.string()).c_str());
     } else {
@@ -67,7 +68,7 @@ void drawRestore(Session& session, const Pictures& pictures) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         ImGui::TextUnformatted(printable(describe(offer.draft.error())).c_str());
         ImGui::PopStyleColor();
-        noteItem(session, "restore:error");
+        noteItem("restore:error");
     }
     ImGui::PopTextWrapPos();
     const std::size_t more = recovery.offers().size() - 1;
@@ -81,19 +82,19 @@ void drawRestore(Session& session, const Pictures& pictures) {
     bool restore = false;
     if (readable) {
         restore = ImGui::Button("Restore", size) || enter;
-        noteItem(session, "restore:restore");
+        noteItem("restore:restore");
         ImGui::SameLine();
     }
     const bool discard = ImGui::Button("Discard", size);
-    noteItem(session, "restore:discard");
+    noteItem("restore:discard");
     helpTip("It is lost for good.");
     ImGui::SameLine();
     const bool later = ImGui::Button("Later", size) || ImGui::IsKeyPressed(key::escape, false);
-    noteItem(session, "restore:later");
+    noteItem("restore:later");
     helpTip("It is offered again at the next start.");
     if (restore || discard || later) {
         ImGui::CloseCurrentPopup();
-        session.dialog = Dialog::None; // and opened again for the next one
+        session.window.dialog = Dialog::None; // and opened again for the next one
     }
     ImGui::EndPopup();
     if (restore)

@@ -1,6 +1,9 @@
+#include "app/ui/window/status_bar.h"
+
 #include "app/ui/model/findings.h"
+#include "app/ui/model/loads.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/window/panels.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
@@ -18,49 +21,49 @@ void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     using Step = ImageLoader::Step;
     if (ImGui::SmallButton("Cancel"))
         cancelLoad(session, progress.ticket);
-    noteItem(session, "cancel load");
+    noteItem("cancel load");
     ImGui::SameLine();
     std::string text = progress.step == Step::Decoding ? "Decoding " : "Reading ";
     text += printable(progress.path.filename().string());
     if (progress.step == Step::Reading && progress.fileBytes > 0)
         text += " · " + std::to_string(progress.bytesRead * 100 / progress.fileBytes) + " %";
     ImGui::TextUnformatted(text.c_str());
-    noteItem(session, "loading");
+    noteItem("loading");
     helpTip(progress.path.string());
 }
 
 /// The same for levels that are made of an image that is there already.
 void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
     if (ImGui::SmallButton("Cancel"))
-        levelsOf(session).cancel(progress.ticket);
-    noteItem(session, "cancel levels");
+        session.services.levels.cancel(progress.ticket);
+    noteItem("cancel levels");
     ImGui::SameLine();
     std::string text = "Making the levels of " + printable(progress.what);
     if (progress.done > 0)
         text += " · " + std::to_string(static_cast<int>(100 * progress.done)) + " %";
     ImGui::TextUnformatted(text.c_str());
-    noteItem(session, "making levels");
+    noteItem("making levels");
     helpTip("What was drawn before stays until they are there.");
 }
 
 void drawNotice(Session& session) {
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
     const bool dismissed = ImGui::SmallButton("✕");
-    noteItem(session, "dismiss notice");
+    noteItem("dismiss notice");
     ImGui::SameLine();
-    if (!session.notice.file.empty()) {
+    if (!session.window.notice.file.empty()) {
         if (ImGui::SmallButton("Look inside"))
-            lookInto(session, session.notice.file);
-        noteItem(session, "look inside");
+            lookInto(session, session.window.notice.file);
+        noteItem("look inside");
         helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
         ImGui::SameLine();
     }
-    fittedText(session.notice.text, color::problem);
+    fittedText(session.window.notice.text, color::problem);
     ImGui::PopStyleColor();
-    noteItem(session, "notice");
-    helpTip(session.notice.text);
+    noteItem("notice");
+    helpTip(session.window.notice.text);
     if (dismissed)
-        session.notice = {};
+        session.window.notice = {};
 }
 
 /// The first error or warning of the diagnosis: a click leads to its control, others mend it. Ways for which
@@ -74,14 +77,14 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
             break;
         if (ImGui::SmallButton(fix.label.c_str()))
             applyFix(session, fix); // the findings are made anew with the next frame
-        noteItem(session, "fix:" + fix.label);
+        noteItem("fix:" + fix.label);
         helpTip(assignmentsOf(fix));
         ImGui::SameLine();
     }
     const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
     const std::string sentence = sentenceOf(finding);
     fittedText(more + sentence, color::problem);
-    noteItem(session, "finding");
+    noteItem("finding");
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     helpTip(finding.path + "\n" + sentence + "\nClick: show the setting");
@@ -118,31 +121,33 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
     beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::TextDisabled("%s", factsOf(pictures.views, capabilities, session.showsFrameTime).c_str());
-    noteItem(session, "status");
+    ImGui::TextDisabled("%s", factsOf(pictures.views, capabilities, session.window.showsFrameTime).c_str());
+    noteItem("status");
     helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
             "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +
             std::to_string(capabilities.textureUnits) + " units");
     ImGui::SameLine();
     ImGui::TextDisabled("·");
     ImGui::SameLine();
-    const auto loading = session.background ? session.background->loader.progress() : std::nullopt;
-    const auto making = levelsOf(session).progress();
+    const auto loading = session.services.files.progress();
+    const auto making = session.services.levels.progress();
     if (loading) {
         drawProgress(session, *loading);
     } else if (making) {
         drawProgress(session, *making);
-    } else if (!session.notice.text.empty()) {
+    } else if (!session.window.notice.text.empty()) {
         drawNotice(session);
     } else if (const auto problems = static_cast<std::size_t>(std::ranges::count_if(
-                   session.findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
-               problems > 0 && (pictures.problems.empty() || session.findings.front().reportedByRenderer)) {
-        drawFinding(session, Finding(session.findings.front()), problems);
+                   session.document.findings,
+                   [](const Finding& each) { return each.severity <= Severity::Warning; }));
+               problems > 0 &&
+               (pictures.problems.empty() || session.document.findings.front().reportedByRenderer)) {
+        drawFinding(session, Finding(session.document.findings.front()), problems);
     } else if (!pictures.problems.empty()) {
         const std::size_t count = pictures.problems.size();
         const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
         fittedText(more + pictures.problems.front(), color::problem);
-        noteItem(session, "problem");
+        noteItem("problem");
         std::string all;
         for (const std::string& each : pictures.problems)
             all += (all.empty() ? "" : "\n") + each;

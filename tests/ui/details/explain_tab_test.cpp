@@ -1,6 +1,5 @@
-#include "app/ui/widgets/keys.h"
 #include "app/ui/view/panes.h"
-#include "app/ui/view/probed_pixel.h"
+#include "app/ui/widgets/keys.h"
 #include "core/reference/probe.h"
 #include "tests/ui/workbench.h"
 
@@ -10,7 +9,7 @@ namespace {
 class ExplainTab : public Workbench {
 protected:
     void open() {
-        session->wantedTab = Tab::Explain;
+        session->window.wantedTab = Tab::Explain;
         frames(3);
     }
     /// A place in the view where the cube is.
@@ -31,14 +30,15 @@ TEST_F(ExplainTab, SaysWhatToDoFirst) {
 TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     open();
     clickAt(onTheCube());
-    ASSERT_TRUE(session->explaining.pixel);
-    const Panes panes(layout, session->views, {layout.picture.width, layout.picture.height});
+    ASSERT_TRUE(session->window.explaining.pixel);
+    const Panes panes(layout, session->window.views, {layout.picture.width, layout.picture.height});
     const auto expected = panes.pixelAt(onTheCube());
-    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
+    EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
     const reference::Explanation* found = explanationOf(*session);
     ASSERT_NE(found, nullptr);
-    const auto alone = reference::probe(session->scene, session->images, 0, layout.picture.width,
-                                        layout.picture.height, *session->explaining.pixel);
+    const auto alone =
+        reference::probe(session->document.scene, session->document.images, 0, layout.picture.width,
+                         layout.picture.height, *session->window.explaining.pixel);
     EXPECT_EQ(found->bytes, alone->bytes);
     EXPECT_NE(found->seen(), nullptr);
     EXPECT_TRUE(has("explain:pixel"));
@@ -48,34 +48,36 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
 
 TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
     open();
-    const std::shared_ptr<const TextureImage> image = session->images.find(session->scene.textures[0]);
+    const std::shared_ptr<const TextureImage> image =
+        session->document.images.find(session->document.scene.textures[0]);
     const long before = image.use_count();
     clickAt(onTheCube());
-    ASSERT_TRUE(session->explaining.pixel);
+    ASSERT_TRUE(session->window.explaining.pixel);
     EXPECT_EQ(image.use_count(), before + 1);
-    session->explaining.pixel.reset();
+    session->window.explaining.pixel.reset();
     frames(1);
     EXPECT_EQ(image.use_count(), before);
 }
 
 TEST_F(ExplainTab, AClickElsewhereMeansNothing) {
     clickAt(onTheCube());
-    EXPECT_FALSE(session->explaining.pixel);
+    EXPECT_FALSE(session->window.explaining.pixel);
 }
 
 TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
     moveTo(onTheCube());
     ImGui::GetIO().KeysDown[int{'E'}] = true;
     frames(3);
-    EXPECT_TRUE(session->explaining.isOpen);
-    const auto first = session->explaining.pixel;
+    EXPECT_TRUE(session->window.explaining.isOpen);
+    const auto first = session->window.explaining.pixel;
     ASSERT_TRUE(first);
     moveTo({onTheCube().x + 7, onTheCube().y - 5});
     ImGui::GetIO().KeysDown[int{'E'}] = false;
     frames(2);
-    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
+    EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}));
     moveTo(onTheCube());
-    EXPECT_EQ(*session->explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5})) << "it stays";
+    EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{first->x + 7, first->y + 5}))
+        << "it stays";
 }
 
 TEST_F(ExplainTab, TellsThatNothingCoversAPixel) {
@@ -90,8 +92,8 @@ TEST_F(ExplainTab, FollowsTheScene) {
     open();
     clickAt(onTheCube());
     const reference::PixelBytes before = explanationOf(*session)->bytes;
-    session->scene.material.color = {1, 0, 0, 1};
-    session->scene.passes[0].units[0].enabled = false;
+    session->document.scene.material.color = {1, 0, 0, 1};
+    session->document.scene.passes[0].units[0].enabled = false;
     frames(2);
     EXPECT_NE(explanationOf(*session)->bytes, before);
     EXPECT_FALSE(has("explain:Texels"));
@@ -99,21 +101,21 @@ TEST_F(ExplainTab, FollowsTheScene) {
 }
 
 TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
+    reference::ProbeWorker worker(reference::ProbeWorker::When::WhenReady, [] {});
+    const Services& atOnce = session->services;
+    lend({atOnce.files, atOnce.levels, atOnce.reference, worker});
     open();
-    const auto worker =
-        std::make_shared<reference::ProbeWorker>(reference::ProbeWorker::When::WhenReady, [] {});
-    session->probeWorkerAtOnce = worker;
     clickAt(onTheCube());
-    worker->wait();
+    worker.wait();
     (void)picture();
     ASSERT_NE(explanationOf(*session), nullptr);
     const std::string compared = "explain:compared " + std::string(rowOf(RendererKind::Fixed).label);
     EXPECT_TRUE(has(compared));
-    session->scene.view.azimuth += 20;
+    session->document.scene.view.azimuth += 20;
     (void)picture(); // asks, and has an answer about the view before
     EXPECT_NE(explanationOf(*session), nullptr);
     EXPECT_FALSE(has(compared));
-    worker->wait();
+    worker.wait();
     (void)picture();
     EXPECT_TRUE(has(compared));
 }
@@ -135,7 +137,7 @@ TEST_F(ExplainTab, NothingIsCutInANarrowColumn) {
              static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F});
     ASSERT_TRUE(has("explain:summary of Level of detail"));
     int summaries = 0;
-    for (const auto& [name, item] : session->probe->items) {
+    for (const auto& [name, item] : places.items) {
         if (!name.starts_with("explain:summary of"))
             continue;
         ++summaries;
@@ -151,16 +153,16 @@ TEST_F(ExplainTab, ShowsThePixelsThatATexelLights) {
     ASSERT_NE(unit, nullptr);
     const int level = unit->patches.front().level;
     clickAt(inPatch(level));
-    ASSERT_TRUE(session->explaining.texel);
-    EXPECT_EQ(session->explaining.texel->texel.level, level);
+    ASSERT_TRUE(session->window.explaining.texel);
+    EXPECT_EQ(session->window.explaining.texel->texel.level, level);
     EXPECT_TRUE(has("explain:texel"));
-    ASSERT_TRUE(session->explaining.light);
-    EXPECT_EQ(session->explaining.light->width, layout.picture.width);
-    const auto& found = *session->explaining.answer->contributions;
+    ASSERT_TRUE(session->window.explaining.light);
+    EXPECT_EQ(session->window.explaining.light->width, layout.picture.width);
+    const auto& found = *session->window.explaining.answer->contributions;
     ASSERT_TRUE(found);
     clickAt(inPatch(level)); // once more: no longer
-    EXPECT_FALSE(session->explaining.texel);
-    EXPECT_FALSE(session->explaining.light);
+    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_FALSE(session->window.explaining.light);
 }
 
 TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
@@ -172,13 +174,13 @@ TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
         return ImVec2(low.x + (high.x - low.x) * s, low.y + (high.y - low.y) * t);
     };
     clickAt(at(60.5F / 64, 50.5F / 64));
-    ASSERT_TRUE(session->explaining.texel);
-    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
-    EXPECT_TRUE(session->explaining.light);
-    session->wantedTab = Tab::Vertices;
+    ASSERT_TRUE(session->window.explaining.texel);
+    EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
+    EXPECT_TRUE(session->window.explaining.light);
+    session->window.wantedTab = Tab::Vertices;
     frames(3);
     clickAt(at(20.5F / 64, 20.5F / 64));
-    EXPECT_EQ(session->explaining.texel->texel.index.x, 60) << "only while the tab is open";
+    EXPECT_EQ(session->window.explaining.texel->texel.index.x, 60) << "only while the tab is open";
 }
 
 // Level 6 of 64 x 64 has one row: below it lies the border, which wrapping leads to. A line has no rows.
@@ -191,19 +193,19 @@ TEST_F(ExplainTab, TheBorderOfALevelOfOneRowCanBeAskedFor) {
     const ImVec2 high = place("coord:2");
     const ImVec2 below((low.x + high.x) / 2, low.y + (low.y - high.y) * 0.2F);
     clickAt(below);
-    ASSERT_TRUE(session->explaining.texel);
-    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
+    ASSERT_TRUE(session->window.explaining.texel);
+    EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{6, {0, -1, 0}}));
     unit().target = Target::Texture1D;
     frames(2);
     clickAt(below);
-    ASSERT_TRUE(session->explaining.texel);
-    EXPECT_EQ(session->explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
+    ASSERT_TRUE(session->window.explaining.texel);
+    EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{6, {0, 0, 0}}));
 }
 
 // Whichever texel of the image a pixel reads, the small pictures don't lie on it.
 TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
     open();
-    const auto overlap = [](const Probe::Item& a, const Probe::Item& b) {
+    const auto overlap = [](const WidgetPlaces::Item& a, const WidgetPlaces::Item& b) {
         return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
     };
     int seen = 0;
@@ -214,8 +216,8 @@ TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
             if (!probedUnit(*session))
                 continue;
             ++seen;
-            const Probe::Item& marks = session->probe->items.at("texel marks");
-            for (const auto& [name, item] : session->probe->items)
+            const WidgetPlaces::Item& marks = places.items.at("texel marks");
+            for (const auto& [name, item] : places.items)
                 EXPECT_FALSE(name.starts_with("patch:") && overlap(item, marks)) << name << x << y;
         }
     }
@@ -234,21 +236,52 @@ TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     ASSERT_FALSE(found->patches.empty());
     EXPECT_EQ(found->patches.front().layer, found->sample.cube->face);
     clickAt(inPatch(found->patches.front().level));
-    ASSERT_TRUE(session->explaining.texel);
-    EXPECT_EQ(session->explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
+    ASSERT_TRUE(session->window.explaining.texel);
+    EXPECT_EQ(session->window.explaining.texel->texel.index.z, probedUnit(*session)->sample.cube->face);
     (void)picture();
+}
+
+TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
+    open();
+    clickAt(onTheCube());
+    clickAt(inPatch(probedUnit(*session)->patches.front().level));
+    session->window.explaining.pixel.reset(); // its sign lies over the light
+    moveTo({5, 5});
+    const Image lit = picture();
+    const std::shared_ptr<const Image> light = session->window.explaining.light;
+    ASSERT_NE(light, nullptr);
+    session->window.explaining.texel.reset();
+    const Image plain = picture();
+    int strong = 0;
+    for (int y = 0; y < light->height; ++y) {
+        for (int x = 0; x < light->width; ++x) {
+            const double alpha = std::to_integer<int>(light->at(x, y)[3]) / 255.0;
+            if (alpha < 0.8)
+                continue;
+            ++strong;
+            const int left = layout.picture.x + x;
+            const int bottom = lit.height - layout.picture.bottom() + y;
+            constexpr std::array probed{70.0, 214.0, 232.0}; // as the theme has it
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double before = std::to_integer<int>(plain.at(left, bottom)[i]);
+                const double now = std::to_integer<int>(lit.at(left, bottom)[i]);
+                EXPECT_NEAR(now, alpha * probed[i] + (1 - alpha) * before, 2) << x << "," << y << " " << i;
+            }
+        }
+    }
+    EXPECT_GT(strong, 0);
 }
 
 TEST_F(ExplainTab, EscapeLetsGoOfTheTexelAndThenOfThePixel) {
     open();
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    ASSERT_TRUE(session->explaining.texel);
+    ASSERT_TRUE(session->window.explaining.texel);
     key(key::escape);
-    EXPECT_FALSE(session->explaining.texel);
-    EXPECT_TRUE(session->explaining.pixel);
+    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_TRUE(session->window.explaining.pixel);
     key(key::escape);
-    EXPECT_FALSE(session->explaining.pixel);
+    EXPECT_FALSE(session->window.explaining.pixel);
 }
 
 TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
@@ -256,37 +289,37 @@ TEST_F(ExplainTab, AButtonLetsGoOfTheTexelWhereThereIsNoPixelToo) {
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
     click("explain:clear texel");
-    EXPECT_FALSE(session->explaining.texel);
-    EXPECT_TRUE(session->explaining.pixel);
+    EXPECT_FALSE(session->window.explaining.texel);
+    EXPECT_TRUE(session->window.explaining.pixel);
     EXPECT_FALSE(has("explain:clear texel"));
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    session->explaining.pixel.reset();
+    session->window.explaining.pixel.reset();
     frames(2);
     click("explain:clear texel");
-    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_FALSE(session->window.explaining.texel);
 }
 
 TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     open();
     const auto pick = [&] {
-        session->explaining.pixel.reset();
-        session->explaining.texel.reset();
+        session->window.explaining.pixel.reset();
+        session->window.explaining.texel.reset();
         clickAt(onTheCube());
         clickAt(inPatch(probedUnit(*session)->patches.front().level));
-        ASSERT_TRUE(session->explaining.texel);
+        ASSERT_TRUE(session->window.explaining.texel);
     };
     pick();
     texture().wrapS = Wrap::Clamp; // the same image, looked up otherwise
     frames(2);
-    EXPECT_TRUE(session->explaining.texel);
+    EXPECT_TRUE(session->window.explaining.texel);
     texture().pattern = Pattern::Brick;
     frames(2);
-    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_FALSE(session->window.explaining.texel);
     pick();
     scene().textures.push_back({.pattern = Pattern::UvTemplate});
     unit().texture = 1;
     frames(2);
-    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_FALSE(session->window.explaining.texel);
     texture().pattern = Pattern::Brick;
     unit().texture = 0;
     frames(2);
@@ -294,7 +327,7 @@ TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     unit().enabled = false;
     scene().textures.clear();
     frames(2);
-    EXPECT_FALSE(session->explaining.texel);
+    EXPECT_FALSE(session->window.explaining.texel);
 }
 
 TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
@@ -306,20 +339,20 @@ TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
             texture().pattern = target == Target::CubeMap ? Pattern::CubeFaces : Pattern::Checker;
             unit().target = target;
             frames(2);
-            session->explaining.pixel.reset();
+            session->window.explaining.pixel.reset();
             for (int step = 1; step < 20 && !probedUnit(*session); ++step) // until it hits a model
                 clickAt(
                     {static_cast<float>(layout.picture.x + layout.picture.width * step / 20), onTheCube().y});
             ASSERT_NE(probedUnit(*session), nullptr);
             int titles = 0;
-            std::vector<Probe::Item> seen;
-            for (const auto& [name, item] : session->probe->items) {
+            std::vector<WidgetPlaces::Item> seen;
+            for (const auto& [name, item] : places.items) {
                 if (!name.starts_with("patch title:"))
                     continue;
                 ++titles;
                 EXPECT_LE(item.right, static_cast<float>(layout.texture.right())) << name;
                 EXPECT_GE(item.left, static_cast<float>(layout.texture.x)) << name;
-                for (const Probe::Item& other : seen)
+                for (const WidgetPlaces::Item& other : seen)
                     EXPECT_FALSE(item.left < other.right && other.left < item.right &&
                                  item.top < other.bottom && other.top < item.bottom)
                         << name;
@@ -334,17 +367,17 @@ TEST_F(ExplainTab, ClearForgetsIt) {
     open();
     clickAt(onTheCube());
     click("explain:clear");
-    EXPECT_FALSE(session->explaining.pixel);
-    EXPECT_FALSE(session->explaining.answer);
+    EXPECT_FALSE(session->window.explaining.pixel);
+    EXPECT_FALSE(session->window.explaining.answer);
     EXPECT_TRUE(has("explain:none"));
 }
 
 // The picture became smaller: there is no such pixel any more.
 TEST_F(ExplainTab, ForgetsAPixelThatIsGone) {
     open();
-    session->explaining.pixel = {layout.picture.width, 0};
+    session->window.explaining.pixel = {layout.picture.width, 0};
     frames(2);
-    EXPECT_FALSE(session->explaining.pixel);
+    EXPECT_FALSE(session->window.explaining.pixel);
 }
 
 TEST_F(ExplainTab, DrawsWithoutAnyError) {
@@ -352,11 +385,11 @@ TEST_F(ExplainTab, DrawsWithoutAnyError) {
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
     (void)picture();
-    session->scene.textures[0].maxAnisotropy = 16;
-    session->scene.models[0].shape = Shape::Floor;
-    session->scene.models[0].texCoords = {};
+    session->document.scene.textures[0].maxAnisotropy = 16;
+    session->document.scene.models[0].shape = Shape::Floor;
+    session->document.scene.models[0].texCoords = {};
     (void)picture();
-    session->scene.models[0].texCoords[0] = TexCoords(4, glm::vec4(1e30F, -1e30F, 0, 0));
+    session->document.scene.models[0].texCoords[0] = TexCoords(4, glm::vec4(1e30F, -1e30F, 0, 0));
     (void)picture();
 }
 

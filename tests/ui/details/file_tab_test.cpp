@@ -1,4 +1,4 @@
-#include "app/ui/model/document.h"
+#include "app/ui/model/scene_files.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
@@ -22,7 +22,7 @@ protected:
             file->bytes[i] = static_cast<std::byte>(i);
         file->fileBytes = file->bytes.size();
         file->problem = "Made up: the pixels are bad";
-        FileView& view = session->fileView;
+        FileView& view = session->window.fileView;
         view.chosen = view.shown = "/made/up.img";
         receiveView(*session, ImageLoader::Content(std::shared_ptr<const DissectedFile>(file)));
         click("tab:File");
@@ -36,7 +36,7 @@ protected:
             return width;
         }();
         const std::string row = "hex:" + std::to_string(offset / perLine * perLine);
-        const Probe::Item& item = session->probe->items.at(row);
+        const WidgetPlaces::Item& item = places.items.at(row);
         const float letter = (item.right - item.left) / static_cast<float>(4 + 3 + perLine * 4);
         const auto column = static_cast<float>(offset % perLine);
         return {item.left + letter * (4 + 2 + column * 3 + 1), (item.top + item.bottom) / 2};
@@ -53,13 +53,13 @@ TEST_F(FileTab, ABuiltInPatternHasNoFile) {
 TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     texplorer::test::writeRaw(folder / "red.bmp", texplorer::test::onePixelBmp({0, 0, 50}));
     click("tab:File");
-    ASSERT_TRUE(importImage(*session, folder / "red.bmp").has_value());
+    importImage(*session, folder / "red.bmp");
     frames(3);
     EXPECT_TRUE(has("file:name"));
     EXPECT_TRUE(has("hex:0"));
     EXPECT_FALSE(has("file:problem"));
-    ASSERT_NE(session->fileView.content, nullptr);
-    EXPECT_EQ(session->fileView.content->fileBytes, 58U);
+    ASSERT_NE(session->window.fileView.content, nullptr);
+    EXPECT_EQ(session->window.fileView.content->fileBytes, 58U);
     undo(*session);
     frames(2);
     EXPECT_TRUE(has("file:none"));
@@ -69,7 +69,7 @@ TEST_F(FileTab, AFieldUnderTheMouseLightsItsBytesAndTheOtherWayRound) {
     showMadeUp();
     EXPECT_TRUE(has("file:problem"));
     moveTo(place("field:bits"));
-    EXPECT_EQ(session->fileView.hovered, 2U);
+    EXPECT_EQ(states.details.file.hovered, 2U);
     for (const auto& [offset, field] : {std::pair<std::size_t, std::optional<std::size_t>>{0, 1},
                                         {1, 1},
                                         {2, 2},
@@ -77,10 +77,10 @@ TEST_F(FileTab, AFieldUnderTheMouseLightsItsBytesAndTheOtherWayRound) {
                                         {5, std::nullopt},
                                         {9, 3}}) {
         moveTo(byteAt(offset));
-        EXPECT_EQ(session->fileView.hovered, field) << offset;
+        EXPECT_EQ(states.details.file.hovered, field) << offset;
     }
     moveTo({5, 5});
-    EXPECT_EQ(session->fileView.hovered, std::nullopt);
+    EXPECT_EQ(states.details.file.hovered, std::nullopt);
 }
 
 TEST_F(FileTab, ManyBytesAreDrawnByTheLine) {
@@ -97,7 +97,7 @@ TEST_F(FileTab, ManyBytesAreDrawnByTheLine) {
 TEST_F(FileTab, AFileThatHasGoneIsSaid) {
     lookInto(*session, folder / "gone.bmp");
     frames(4);
-    EXPECT_FALSE(session->fileView.problem.empty());
+    EXPECT_FALSE(session->window.fileView.problem.empty());
     EXPECT_TRUE(has("file:back"));
 }
 

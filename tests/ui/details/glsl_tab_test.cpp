@@ -15,13 +15,13 @@ class GlslTab : public Workbench {
 protected:
     /// The picture without OpenGL's shaders has no source: they are made while they draw.
     void look(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty()) {
-        session->wantedTab = Tab::Glsl;
+        session->window.wantedTab = Tab::Glsl;
         frames(3); // the tab comes to the front
         for (int i = 0; i < 3; ++i)
             static_cast<void>(picture(problems));
     }
     std::string copied(const char* stage) {
-        session->glsl.stage =
+        states.details.glsl.stage =
             std::string_view(stage) == "Vertex" ? view::ShaderStage::Vertex : view::ShaderStage::Fragment;
         const ImVec2 at = place("copy glsl");
         ImGui::GetIO().MousePos = at;
@@ -45,7 +45,7 @@ TEST_F(GlslTab, ShowsAndCopiesWhatRuns) {
 }
 
 TEST_F(GlslTab, SaysThatThereIsNoneWhereNothingIsDrawn) {
-    session->wantedTab = Tab::Glsl;
+    session->window.wantedTab = Tab::Glsl;
     frames(3);
     EXPECT_FALSE(has("glsl:1"));
     EXPECT_FALSE(has("copy glsl"));
@@ -61,11 +61,12 @@ TEST_F(GlslTab, ShowsTheLineOfAMistakeAndWhatTheCompilerSays) {
     }
     shaders = folder.path();
     look(Contains(HasSubstr("modelVewProjection")));
-    EXPECT_EQ(session->glsl.stage, view::ShaderStage::Vertex) << "it leads to the stage with the mistake";
+    EXPECT_EQ(states.details.glsl.stage, view::ShaderStage::Vertex)
+        << "it leads to the stage with the mistake";
     ASSERT_TRUE(has("message:0"));
-    ASSERT_FALSE(session->glsl.shownLog.empty());
-    EXPECT_THAT(session->glsl.shownLog.front().sentence, HasSubstr("vertex.glsl:"));
-    EXPECT_TRUE(has("glsl:" + std::to_string(session->glsl.shownLog.front().line)));
+    ASSERT_FALSE(states.details.glsl.shownLog.empty());
+    EXPECT_THAT(states.details.glsl.shownLog.front().sentence, HasSubstr("vertex.glsl:"));
+    EXPECT_TRUE(has("glsl:" + std::to_string(states.details.glsl.shownLog.front().line)));
 }
 
 } // namespace

@@ -12,14 +12,14 @@ class MemoryTab : public Workbench {
 protected:
     /// A texture of our own, as a file that is loaded.
     void show(TextureImage image) {
-        session->images.put("made.dds", std::move(image));
+        session->document.images.put("made.dds", std::move(image));
         texture().source = SourceKind::File;
         texture().file = "made.dds";
         frames(2);
     }
     std::shared_ptr<const LevelsSummary> summary() {
-        return levelsOf(*session).summary(
-            {session->images.find(texture()), imageSettings(texture()), Target::Texture2D});
+        return session->services.levels.summary(
+            {session->document.images.find(texture()), imageSettings(texture()), Target::Texture2D});
     }
     static Image plain(int width, int height) {
         return Image::uninitialised(PixelFormat::Rgba8, width, height);
@@ -35,10 +35,10 @@ TEST_F(MemoryTab, AClickOpensIt) {
 }
 
 TEST_F(MemoryTab, CanBeAskedFor) {
-    session->wantedTab = Tab::Memory;
+    session->window.wantedTab = Tab::Memory;
     frames(3);
     EXPECT_TRUE(has("memory:sum"));
-    session->wantedTab = Tab::File;
+    session->window.wantedTab = Tab::File;
     frames(3);
     EXPECT_TRUE(has("file:none"));
     EXPECT_FALSE(has("memory:sum"));
@@ -90,11 +90,10 @@ TEST_F(MemoryTab, WithoutATextureThereIsNothingToShow) {
 /// With a thread, a large image comes later; the window doesn't wait.
 class MemoryLater : public MemoryTab {
 protected:
-    MemoryLater() { session->background = &background; }
-    ~MemoryLater() override { session->background = nullptr; }
+    MemoryLater() { lend(services.lend()); }
 
     std::mutex held;
-    Background background{[this] { const std::scoped_lock lock(held); }};
+    ServicesBeside services{[this] { const std::scoped_lock lock(held); }};
 };
 
 TEST_F(MemoryLater, LargeLevelsAreWaitedForAndCanBeCancelled) {
@@ -109,7 +108,7 @@ TEST_F(MemoryLater, LargeLevelsAreWaitedForAndCanBeCancelled) {
     click("memory:retry");
     EXPECT_TRUE(has("memory:waiting"));
     hold.unlock();
-    background.levels.wait();
+    session->services.levels.wait();
     frames(2);
     EXPECT_TRUE(has("memory:sum"));
     EXPECT_TRUE(has("memory:level 10"));

@@ -61,10 +61,10 @@ TEST_F(Findings, WhatADriverLacksIsNoMatterWhereOnlyTheReferenceDraws) {
     texture().border = 1; // Mesa takes it away
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
-    showOne(session->views, RendererKind::Reference);
+    showOne(session->window.views, RendererKind::Reference);
     frames(2);
     EXPECT_FALSE(has("textures[0].border#problem"));
-    showComparison(session->views, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->window.views, {RendererKind::Fixed, RendererKind::Reference});
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
 }
@@ -76,12 +76,12 @@ TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
     frames(2);
     EXPECT_FALSE(has("passes[0].units[2].matrix[0].amount[1]"));
     click("finding");
-    EXPECT_EQ(session->selection.unit, 2);
+    EXPECT_EQ(session->window.selection.unit, 2);
     frames(2);
     const ImVec2 control = place("passes[0].units[2].matrix[0].amount[1]"); // fails where it is out of sight
     EXPECT_LT(control.x, static_cast<float>(layout.parameters.right()));
     EXPECT_TRUE(has("passes[0].units[2].matrix[0].amount#problem"));
-    EXPECT_EQ(session->shownParam, "passes[0].units[2].matrix[0].amount");
+    EXPECT_EQ(session->window.shownParam, "passes[0].units[2].matrix[0].amount");
     click("fix:Scale by 1");
     EXPECT_EQ(third.matrix[0].amount, glm::vec3(1));
 }
@@ -92,7 +92,7 @@ TEST_F(Findings, ABadVertexLeadsToItsModel) {
     list[7].w = 0;
     frames(2);
     click("finding");
-    EXPECT_EQ(session->selection.model, 1);
+    EXPECT_EQ(session->window.selection.model, 1);
 }
 
 TEST_F(Findings, WhatHasNoEffectIsDimEverywhere) {

@@ -1,11 +1,12 @@
-#include "app/ui/model/document.h"
+#include "app/ui/model/asking.h"
+#include "app/ui/model/loads.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/window/workbench.h"
+#include "core/s3tc/surface_pixels.h"
 #include "tests/support/raw_file.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 
@@ -21,11 +22,8 @@ using testing::HasSubstr;
 /// A window whose files are read on a thread of their own.
 class Loads : public Workbench {
 protected:
-    Loads() { session->background = &background; }
-    ~Loads() override {
-        open(true);
-        session->background = nullptr;
-    }
+    Loads() { lend(services.lend()); }
+    ~Loads() override { open(true); }
 
     fs::path bmp(const std::string& name, char red) {
         texplorer::test::writeRaw(folder / name, texplorer::test::onePixelBmp({0, 0, red}));
@@ -37,9 +35,9 @@ protected:
     /// Of the picture that is bound; -1: none, or a pattern.
     int red() {
         const Texture* bound = boundTexture(*session);
-        if (!bound || bound->source != SourceKind::File || !session->images.holds(bound->file))
+        if (!bound || bound->source != SourceKind::File || !session->document.images.holds(bound->file))
             return -1;
-        return std::to_integer<int>(uprightImage(*session->images.find(*bound)).pixels[0]);
+        return std::to_integer<int>(uprightImage(*session->document.images.find(*bound)).pixels[0]);
     }
     /// Lets the files be read, or holds them up.
     void open(bool isOpen) {
@@ -47,7 +45,7 @@ protected:
         gateIsOpen = isOpen;
         changed.notify_all();
     }
-    /// Frames as long as the background has news, until something holds. Where it never does, the test's time
+    /// Frames as long as there is news, until something holds. Where it never does, the test's time
     /// runs out.
     void framesUntil(const std::function<bool()>& holds) {
         while (true) {
@@ -65,7 +63,7 @@ protected:
     std::condition_variable changed;
     bool gateIsOpen = true;
     int news = 0;
-    Background background{[this] {
+    ServicesBeside services{[this] {
         std::unique_lock lock(mutex);
         ++news;
         changed.notify_all();
@@ -75,15 +73,15 @@ protected:
 
 TEST_F(Loads, AnImageComesLaterInOneStepOfUndo) {
     const Scene before = scene();
-    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    importImage(*session, bmp("red.bmp", 50));
     EXPECT_EQ(scene(), before);
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_FALSE(session->document.history.canUndo());
     waitForFiles(*session);
     EXPECT_EQ(red(), 50);
-    EXPECT_EQ(session->history.undoName(), "Open red.bmp");
+    EXPECT_EQ(session->document.history.undoName(), "Open red.bmp");
     undo(*session);
     EXPECT_EQ(scene(), before);
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(Loads, AFileIsDecodedOnceWhateverASceneCallsIt) {
@@ -94,10 +92,10 @@ TEST_F(Loads, AFileIsDecodedOnceWhateverASceneCallsIt) {
     ASSERT_TRUE(openScene(*session, folder / "scene.json").has_value());
     waitForFiles(*session);
     ASSERT_EQ(scene().textures.size(), 3U);
-    const auto image = session->images.find(scene().textures[0]);
+    const auto image = session->document.images.find(scene().textures[0]);
     ASSERT_NE(image, nullptr);
-    EXPECT_EQ(session->images.find(scene().textures[1]), image);
-    EXPECT_EQ(session->images.find(scene().textures[2]), image);
+    EXPECT_EQ(session->document.images.find(scene().textures[1]), image);
+    EXPECT_EQ(session->document.images.find(scene().textures[2]), image);
 }
 
 TEST_F(Loads, AFileBeyondTheBudgetIsRefusedAndTheSceneStays) {
@@ -106,19 +104,19 @@ TEST_F(Loads, AFileBeyondTheBudgetIsRefusedAndTheSceneStays) {
     ASSERT_EQ(byteCount(outline), sceneImageBytes);
     texture().source = SourceKind::File;
     texture().file = "huge";
-    session->images.put("huge", std::move(outline));
+    session->document.images.put("huge", std::move(outline));
     const Scene before = scene();
-    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    importImage(*session, bmp("red.bmp", 50));
     waitForFiles(*session);
     EXPECT_EQ(scene(), before);
     EXPECT_THAT(
-        session->notice.text,
+        session->window.notice.text,
         HasSubstr("red.bmp: the image needs 3 bytes, and of the 2147483648 that a scene's images may take "
                   "together, 0 are left"));
 }
 
 TEST_F(Loads, EditsInBetweenStay) {
-    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    importImage(*session, bmp("red.bmp", 50));
     texture().wrapS = Wrap::Clamp;
     recordEdit(*session, "Wrap s");
     waitForFiles(*session);
@@ -130,10 +128,10 @@ TEST_F(Loads, EditsInBetweenStay) {
 }
 
 TEST_F(Loads, TheLastOneThatWasOpenedIsShown) {
-    ASSERT_TRUE(importImage(*session, bmp("a.bmp", 10)).has_value());
+    importImage(*session, bmp("a.bmp", 10));
     waitForFiles(*session);
-    ASSERT_TRUE(importImage(*session, bmp("b.bmp", 20)).has_value());
-    ASSERT_TRUE(importImage(*session, folder / "a.bmp").has_value()); // there already, but it waits its turn
+    importImage(*session, bmp("b.bmp", 20));
+    importImage(*session, folder / "a.bmp"); // there already, but it waits its turn
     EXPECT_EQ(red(), 10);
     waitForFiles(*session);
     EXPECT_EQ(red(), 10);
@@ -148,14 +146,14 @@ TEST_F(Loads, ADamagedImageChangesNothingAndCanBeLookedInto) {
     waitForFiles(*session);
     frames(2);
     EXPECT_EQ(scene(), before);
-    EXPECT_FALSE(session->history.canUndo());
-    EXPECT_THAT(session->notice.text, HasSubstr("half.bmp"));
+    EXPECT_FALSE(session->document.history.canUndo());
+    EXPECT_THAT(session->window.notice.text, HasSubstr("half.bmp"));
     click("look inside");
     waitForFiles(*session);
     frames(3);
     ASSERT_TRUE(has("file:problem"));
     EXPECT_TRUE(has("hex:0"));
-    EXPECT_EQ(session->fileView.shown, folder / "half.bmp");
+    EXPECT_EQ(session->window.fileView.shown, folder / "half.bmp");
     click("file:back");
     EXPECT_TRUE(has("file:none"));
     click("dismiss notice");
@@ -164,7 +162,7 @@ TEST_F(Loads, ADamagedImageChangesNothingAndCanBeLookedInto) {
 
 TEST_F(Loads, AMissingImageIsSaidAtOnce) {
     requestOpen(*session, {folder / "gone.bmp"});
-    EXPECT_THAT(session->notice.text, HasSubstr("gone.bmp"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("gone.bmp"));
     frames(2);
     EXPECT_FALSE(has("look inside"));
 }
@@ -172,16 +170,16 @@ TEST_F(Loads, AMissingImageIsSaidAtOnce) {
 TEST_F(Loads, TheStatusBarShowsWhatIsLoadedAndCancels) {
     const Scene before = scene();
     open(false);
-    ASSERT_TRUE(importImage(*session, bmp("red.bmp", 50)).has_value());
+    importImage(*session, bmp("red.bmp", 50));
     frames(3);
     ASSERT_TRUE(has("loading"));
     click("cancel load");
     EXPECT_FALSE(has("loading"));
-    EXPECT_TRUE(session->loads.empty());
+    EXPECT_TRUE(session->document.loads.empty());
     open(true);
     waitForFiles(*session);
     EXPECT_EQ(scene(), before);
-    ASSERT_TRUE(importImage(*session, folder / "red.bmp").has_value());
+    importImage(*session, folder / "red.bmp");
     waitForFiles(*session);
     EXPECT_EQ(red(), 50);
 }
@@ -192,13 +190,12 @@ TEST_F(Loads, ASceneComesWithAllItsImages) {
     write("two.json", R"({"version": 1, "textures": [{"source": "file", "file": "a.bmp"},
                                                      {"source": "file", "file": "b.bmp"}]})");
     ASSERT_TRUE(openScene(*session, folder / "two.json").has_value());
-    EXPECT_TRUE(session->file.empty());
+    EXPECT_TRUE(session->document.file.empty());
     waitForFiles(*session);
-    EXPECT_EQ(session->file, folder / "two.json");
+    EXPECT_EQ(session->document.file, folder / "two.json");
     EXPECT_EQ(red(), 10);
-    EXPECT_TRUE(session->images.holds("b.bmp"));
-    EXPECT_FALSE(session->history.canUndo());
-    EXPECT_EQ(session->background, &background);
+    EXPECT_TRUE(session->document.images.holds("b.bmp"));
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(Loads, ASceneWithAMissingImageChangesNothing) {
@@ -209,9 +206,9 @@ TEST_F(Loads, ASceneWithAMissingImageChangesNothing) {
     ASSERT_TRUE(openScene(*session, folder / "two.json").has_value());
     waitForFiles(*session);
     EXPECT_EQ(scene(), before);
-    EXPECT_TRUE(session->file.empty());
-    EXPECT_TRUE(session->loads.empty());
-    EXPECT_THAT(session->notice.text, HasSubstr("gone.bmp"));
+    EXPECT_TRUE(session->document.file.empty());
+    EXPECT_TRUE(session->document.loads.empty());
+    EXPECT_THAT(session->window.notice.text, HasSubstr("gone.bmp"));
 }
 
 TEST_F(Loads, OfTwoScenesTheLaterOneIsOpened) {
@@ -221,9 +218,9 @@ TEST_F(Loads, OfTwoScenesTheLaterOneIsOpened) {
     write("two.json", text);
     ASSERT_TRUE(openScene(*session, folder / "one.json").has_value());
     ASSERT_TRUE(openScene(*session, folder / "two.json").has_value());
-    EXPECT_EQ(session->loads.size(), 1U);
+    EXPECT_EQ(session->document.loads.size(), 1U);
     waitForFiles(*session);
-    EXPECT_EQ(session->file, folder / "two.json");
+    EXPECT_EQ(session->document.file, folder / "two.json");
 }
 
 TEST_F(Loads, ChangesMadeMeanwhileAreNotLostUnasked) {
@@ -233,8 +230,8 @@ TEST_F(Loads, ChangesMadeMeanwhileAreNotLostUnasked) {
     texture().wrapS = Wrap::Clamp;
     recordEdit(*session, "Wrap s");
     waitForFiles(*session);
-    EXPECT_EQ(session->dialog, Dialog::Discard);
-    EXPECT_TRUE(session->file.empty());
+    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_TRUE(session->document.file.empty());
     frames(3);
     click("discard:cancel");
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
@@ -244,12 +241,12 @@ TEST_F(Loads, ChangesMadeMeanwhileAreNotLostUnasked) {
     waitForFiles(*session);
     frames(3);
     click("discard:drop");
-    EXPECT_EQ(session->file, folder / "one.json");
+    EXPECT_EQ(session->document.file, folder / "one.json");
     EXPECT_EQ(red(), 10);
 }
 
 TEST_F(Loads, AChangedFileIsLoadedAgain) {
-    ASSERT_TRUE(importImage(*session, bmp("live.bmp", 10)).has_value());
+    importImage(*session, bmp("live.bmp", 10));
     waitForFiles(*session);
     frames(1);
     const Scene before = scene();
@@ -259,42 +256,42 @@ TEST_F(Loads, AChangedFileIsLoadedAgain) {
     bmp("live.bmp", 30);
     framesUntil([&] { return red() == 30; });
     EXPECT_EQ(scene(), before);
-    EXPECT_EQ(session->history.undoName(), "Open live.bmp") << "no step of undo";
+    EXPECT_EQ(session->document.history.undoName(), "Open live.bmp") << "no step of undo";
 }
 
 TEST_F(Loads, ADamagedFileKeepsItsOldPictureAndIsMentionedOnce) {
-    ASSERT_TRUE(importImage(*session, bmp("live.bmp", 10)).has_value());
+    importImage(*session, bmp("live.bmp", 10));
     waitForFiles(*session);
     frames(1);
     write("live.bmp", "BM, and no more");
-    framesUntil([&] { return !session->notice.text.empty(); });
-    EXPECT_THAT(session->notice.text, HasSubstr("live.bmp"));
-    EXPECT_THAT(session->notice.text, HasSubstr("old picture"));
+    framesUntil([&] { return !session->window.notice.text.empty(); });
+    EXPECT_THAT(session->window.notice.text, HasSubstr("live.bmp"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("old picture"));
     EXPECT_EQ(red(), 10);
-    session->notice = {};
+    session->window.notice = {};
     lookInto(*session, folder / "live.bmp"); // shows when the file has been noticed once more
     frames(3);
     const std::string worse = "BM, and a little more, but not enough";
     write("live.bmp", worse);
     framesUntil([&] {
-        const auto& content = session->fileView.content;
-        return content && content->fileBytes == worse.size() && session->loads.empty();
+        const auto& content = session->window.fileView.content;
+        return content && content->fileBytes == worse.size() && session->document.loads.empty();
     });
-    EXPECT_EQ(session->notice.text, "");
+    EXPECT_EQ(session->window.notice.text, "");
     bmp("live.bmp", 40);
     framesUntil([&] { return red() == 40; });
-    EXPECT_TRUE(session->damaged.empty());
+    EXPECT_TRUE(session->document.damaged.empty());
 }
 
 TEST_F(Loads, ANoticeGoesWhenTheFileIsWhole) {
-    ASSERT_TRUE(importImage(*session, bmp("live.bmp", 10)).has_value());
+    importImage(*session, bmp("live.bmp", 10));
     waitForFiles(*session);
     frames(1);
     write("live.bmp", "BM");
-    framesUntil([&] { return !session->notice.text.empty(); });
+    framesUntil([&] { return !session->window.notice.text.empty(); });
     bmp("live.bmp", 40);
     framesUntil([&] { return red() == 40; });
-    EXPECT_EQ(session->notice.text, "");
+    EXPECT_EQ(session->window.notice.text, "");
 }
 
 TEST_F(Loads, TheCommandLinesFilesComeLaterAllAtOnce) {
@@ -306,16 +303,16 @@ TEST_F(Loads, TheCommandLinesFilesComeLaterAllAtOnce) {
     frames(3);
     EXPECT_TRUE(has("loading"));
     EXPECT_EQ(red(), -1);
-    EXPECT_TRUE(session->file.empty());
+    EXPECT_TRUE(session->document.file.empty());
     open(true);
     waitForFiles(*session);
     EXPECT_EQ(red(), 10);
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
-    EXPECT_EQ(session->file, folder / "scene.json");
+    EXPECT_EQ(session->document.file, folder / "scene.json");
     ASSERT_EQ(scene().textures.size(), 2U);
-    EXPECT_TRUE(session->images.holds(scene().textures[1].file));
-    EXPECT_FALSE(isDirty(*session));
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_TRUE(session->document.images.holds(scene().textures[1].file));
+    EXPECT_FALSE(isDirty(session->document));
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(Loads, ADamagedFileOfTheCommandLineIsSaidInTheWindow) {
@@ -345,18 +342,18 @@ TEST_F(Loads, OneBadFileOfManyIsListedAndTheOthersAreOpened) {
     frames(3);
     EXPECT_EQ(scene().textures.size(), 40U);
     EXPECT_EQ(red(), 0) << "the first that could be read is shown";
-    EXPECT_FALSE(session->history.canUndo());
-    EXPECT_FALSE(isDirty(*session));
-    EXPECT_EQ(session->dialog, Dialog::Refused);
-    ASSERT_EQ(session->refused.size(), 3U);
+    EXPECT_FALSE(session->document.history.canUndo());
+    EXPECT_FALSE(isDirty(session->document));
+    EXPECT_EQ(session->window.dialog, Dialog::Refused);
+    ASSERT_EQ(session->window.refused.size(), 3U);
     for (const char* each : {"half.bmp", "text.bmp", "gone.bmp"})
         EXPECT_TRUE(has("refused:" + (folder / each).string())) << each;
-    for (const Error& each : session->refused)
+    for (const Error& each : session->window.refused)
         EXPECT_FALSE(each.message.empty()) << each.where;
     click("refused:close");
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     frames(2);
-    EXPECT_EQ(session->dialog, Dialog::None) << "it is said once";
+    EXPECT_EQ(session->window.dialog, Dialog::None) << "it is said once";
 }
 
 TEST_F(Loads, HundredsOfBadFilesAreAListThatScrolls) {
@@ -367,13 +364,13 @@ TEST_F(Loads, HundredsOfBadFilesAreAListThatScrolls) {
     waitForFiles(*session);
     frames(4);
     EXPECT_EQ(red(), 50);
-    EXPECT_EQ(session->refused.size(), 300U);
+    EXPECT_EQ(session->window.refused.size(), 300U);
     const std::string last = "refused:" + files.back().string();
-    EXPECT_FALSE(session->probe->items.at(last).visible);
+    EXPECT_FALSE(places.items.at(last).visible);
     wheel(place("refused:" + files[2].string()), -1000);
-    EXPECT_TRUE(session->probe->items.at(last).visible);
+    EXPECT_TRUE(places.items.at(last).visible);
     click("refused:close"); // is in sight all the time
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
 }
 
 TEST_F(Loads, MoreImagesThanASceneHasTexturesAreListed) {
@@ -384,8 +381,8 @@ TEST_F(Loads, MoreImagesThanASceneHasTexturesAreListed) {
     waitForFiles(*session);
     frames(2);
     EXPECT_EQ(scene().textures.size(), maxTextures);
-    ASSERT_EQ(session->refused.size(), 6U);
-    EXPECT_EQ(session->refused.back().where, files.back().string());
+    ASSERT_EQ(session->window.refused.size(), 6U);
+    EXPECT_EQ(session->window.refused.back().where, files.back().string());
 }
 
 TEST_F(Loads, SeveralDroppedImagesAreOneStepOfUndo) {
@@ -396,13 +393,13 @@ TEST_F(Loads, SeveralDroppedImagesAreOneStepOfUndo) {
     EXPECT_EQ(red(), 10);
     ASSERT_EQ(scene().textures.size(), 2U);
     EXPECT_EQ(scene().textures[1].file, (folder / "b.bmp").string());
-    EXPECT_EQ(session->dialog, Dialog::Refused);
+    EXPECT_EQ(session->window.dialog, Dialog::Refused);
     key(key::escape);
     undo(*session);
     EXPECT_EQ(scene(), before);
     requestOpen(*session, {folder / "gone.bmp", folder / "away.bmp"});
     frames(3);
-    EXPECT_EQ(session->refused.size(), 2U);
+    EXPECT_EQ(session->window.refused.size(), 2U);
     EXPECT_EQ(scene(), before);
 }
 
@@ -412,28 +409,28 @@ TEST_F(Loads, ASceneThatIsDroppedWithImagesIsShownWithThem) {
     texture().wrapT = Wrap::Clamp;
     recordEdit(*session, "Wrap t");
     requestOpen(*session, {bmp("a.bmp", 10), folder / "scene.json", folder / "other.json"});
-    EXPECT_EQ(session->dialog, Dialog::Discard);
+    EXPECT_EQ(session->window.dialog, Dialog::Discard);
     frames(2);
     click("discard:drop");
     waitForFiles(*session);
     frames(2);
-    EXPECT_EQ(session->file, folder / "scene.json");
+    EXPECT_EQ(session->document.file, folder / "scene.json");
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
     EXPECT_EQ(red(), 10);
-    ASSERT_EQ(session->refused.size(), 1U);
-    EXPECT_EQ(session->refused[0].where, (folder / "other.json").string());
+    ASSERT_EQ(session->window.refused.size(), 1U);
+    EXPECT_EQ(session->window.refused[0].where, (folder / "other.json").string());
 }
 
 TEST_F(Loads, TheBrowserShowsSmallPictures) {
     bmp("red.bmp", 50);
     key('I', {ctrl});
-    ASSERT_EQ(session->dialog, Dialog::OpenImage);
-    enterFolder(session->browser, folder.path());
+    ASSERT_EQ(session->window.dialog, Dialog::OpenImage);
+    enterFolder(states.dialogs.browser, folder.path());
     frames(3);
     framesUntil([&] { return has("thumbnail:red.bmp"); });
     doubleClickAt(place("entry:red.bmp"));
     waitForFiles(*session);
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_EQ(red(), 50);
 }
 

@@ -1,6 +1,6 @@
 // Unsaved work of a window that has died: kept while one edits, and offered by the next window.
 
-#include "app/ui/model/document.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "core/base/file_io.h"
 #include "core/image/texture_image.h"
@@ -21,11 +21,11 @@ class Restoring : public Workbench {
 protected:
     /// A window begins: what was unsaved before is offered. Nothing is written but by `flush`.
     void window() {
-        session->unsaved = nullptr;
+        session.reset();
         unsaved.reset();
         start(defaultScene());
         unsaved.emplace(folder, std::function<void()>{}, 24h);
-        session->unsaved = &*unsaved;
+        session->services.unsaved = &*unsaved;
         frames(3);
     }
     void edit(float shininess) {
@@ -41,10 +41,6 @@ protected:
                 count += each.path().extension() == ".scene" ? 1U : 0U;
         return count;
     }
-    ~Restoring() override {
-        if (session)
-            session->unsaved = nullptr;
-    }
 
     texplorer::test::TempDir parent;
     fs::path folder = parent / "unsaved";
@@ -53,7 +49,7 @@ protected:
 
 TEST_F(Restoring, NothingIsOfferedWhereNothingWasLost) {
     window();
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     scene().view.azimuth += 10; // to look around in a scene of nobody's is no work
     recordEdit(*session, "Orbit");
     frames(1);
@@ -69,13 +65,13 @@ TEST_F(Restoring, WhatWasEditedComesBack) {
     ASSERT_EQ(drafts(), 1U);
 
     window();
-    EXPECT_EQ(session->dialog, Dialog::Restore);
+    EXPECT_EQ(session->window.dialog, Dialog::Restore);
     EXPECT_TRUE(has("restore:name"));
     EXPECT_NE(scene(), work);
     click("restore:restore");
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_EQ(scene(), work) << "camera and all";
-    EXPECT_TRUE(isDirty(*session));
+    EXPECT_TRUE(isDirty(session->document));
     EXPECT_EQ(drafts(), 1U) << "it is still not saved";
 
     edit(78);
@@ -86,7 +82,7 @@ TEST_F(Restoring, WhatWasEditedComesBack) {
     ASSERT_TRUE(flush());
     EXPECT_EQ(drafts(), 0U);
     window();
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
 }
 
 TEST_F(Restoring, ItsPictureIsDrawn) {
@@ -114,17 +110,18 @@ TEST_F(Restoring, FilesAndTheirImagesAreFoundAgain) {
         R"({"version": 1, "view": {"azimuth": 5}, "textures": [{"source": "file", "file": "pictures/red.bmp"}]})");
     window();
     ASSERT_TRUE(openScene(*session, parent / "scene.json"));
+    frames(1);
     edit(5);
     ASSERT_TRUE(flush());
 
     window();
     click("restore:restore");
-    EXPECT_EQ(session->file, parent / "scene.json");
+    EXPECT_EQ(session->document.file, parent / "scene.json");
     EXPECT_EQ(scene().textures[0].file, "pictures/red.bmp");
-    ASSERT_NE(session->images.find(scene().textures[0]), nullptr);
-    EXPECT_TRUE(isDirty(*session));
+    ASSERT_NE(session->document.images.find(scene().textures[0]), nullptr);
+    EXPECT_TRUE(isDirty(session->document));
     edit(defaultScene().material.shininess); // as it is in the file
-    EXPECT_FALSE(isDirty(*session));
+    EXPECT_FALSE(isDirty(session->document));
     ASSERT_TRUE(flush());
     EXPECT_EQ(drafts(), 0U);
 }
@@ -139,7 +136,7 @@ TEST_F(Restoring, AnImageThatIsGoneIsSaidAndTheWorkIsThere) {
     click("restore:restore");
     frames(2);
     EXPECT_EQ(scene().material.shininess, 6);
-    EXPECT_EQ(session->dialog, Dialog::Refused);
+    EXPECT_EQ(session->window.dialog, Dialog::Refused);
     EXPECT_TRUE(has("refused:" + (parent / "gone.bmp").string()));
 }
 
@@ -149,14 +146,14 @@ TEST_F(Restoring, DiscardForgetsItAndLaterDoesNot) {
     ASSERT_TRUE(flush());
     window();
     key(key::escape);
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     frames(2);
-    EXPECT_EQ(session->dialog, Dialog::None) << "not again in this window";
+    EXPECT_EQ(session->window.dialog, Dialog::None) << "not again in this window";
     window();
-    ASSERT_EQ(session->dialog, Dialog::Restore);
+    ASSERT_EQ(session->window.dialog, Dialog::Restore);
     click("restore:discard");
     EXPECT_EQ(drafts(), 0U);
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
@@ -171,9 +168,9 @@ TEST_F(Restoring, SeveralAreOfferedOneAfterTheOther) {
     window();
     EXPECT_EQ(unsaved->recovery.offers().size(), 3U);
     click("restore:discard");
-    ASSERT_EQ(session->dialog, Dialog::Restore);
+    ASSERT_EQ(session->window.dialog, Dialog::Restore);
     click("restore:restore");
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     window();
     EXPECT_EQ(drafts(), 2U);
     EXPECT_EQ(unsaved->recovery.offers().size(), 2U) << "the one that was restored was not saved";
@@ -183,17 +180,17 @@ TEST_F(Restoring, ADamagedDraftIsASentence) {
     window();
     edit(1);
     ASSERT_TRUE(flush());
-    session->unsaved = nullptr;
+    session.reset();
     unsaved.reset();
     for (const fs::directory_entry& each : fs::directory_iterator(folder))
         std::ofstream(each.path()) << "\x7F"
                                       "ELF";
     window();
-    ASSERT_EQ(session->dialog, Dialog::Restore);
+    ASSERT_EQ(session->window.dialog, Dialog::Restore);
     EXPECT_TRUE(has("restore:error"));
     EXPECT_FALSE(has("restore:restore"));
     key(key::enter); // means nothing here
-    EXPECT_EQ(session->dialog, Dialog::Restore);
+    EXPECT_EQ(session->window.dialog, Dialog::Restore);
     click("restore:discard");
     EXPECT_EQ(drafts(), 0U);
 }
@@ -214,8 +211,8 @@ TEST_F(Restoring, WithoutAFolderItIsSaidOnce) {
     EXPECT_FALSE(flush());
     frames(2);
     EXPECT_TRUE(has("notice"));
-    EXPECT_EQ(session->dialog, Dialog::None);
-    session->notice = {};
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    session->window.notice = {};
     edit(2);
     EXPECT_FALSE(flush());
     frames(2);

@@ -1,6 +1,6 @@
 #include "app/ui/model/findings.h"
+#include "app/ui/parameters/texture_section.h"
 #include "app/ui/widgets/keys.h"
-#include "app/ui/window/panels.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/params/params.h"
 #include "tests/ui/workbench.h"
@@ -22,7 +22,7 @@ TEST_F(ParametersPanel, AComboChoosesAnEnumerator) {
     choose("textures[0].wrapS", "GL_CLAMP_TO_EDGE");
     EXPECT_EQ(texture().wrapS, Wrap::ClampToEdge);
     EXPECT_EQ(texture().wrapT, Wrap::Repeat);
-    EXPECT_EQ(session->lastChanged, "textures[0].wrapS");
+    EXPECT_EQ(session->document.lastChanged, "textures[0].wrapS");
     choose("textures[0].minFilter", "GL_NEAREST");
     EXPECT_EQ(texture().minFilter, MinFilter::Nearest);
 }
@@ -37,7 +37,7 @@ TEST_F(ParametersPanel, ADragIsOneStepOfUndo) {
     EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
     key('Z', {ctrl});
     EXPECT_EQ(texture().maxAnisotropy, 1);
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_FALSE(session->document.history.canUndo());
     key('Z', {ctrl, shift});
     key('Y', {ctrl});
     EXPECT_NEAR(texture().maxAnisotropy, 1 + 140 * 0.05F, 0.12F);
@@ -73,7 +73,7 @@ TEST_F(ParametersPanel, AColourIsPickedAndUndoneAtOnce) {
     scrollTo("passes[0].units[0].envColor");
     click("passes[0].units[0].envColor");
     const std::string picker = "passes[0].units[0].envColor#picker";
-    const Probe::Item box = session->probe->items.at(picker);
+    const WidgetPlaces::Item box = places.items.at(picker);
     // The upper right of the picker's square: saturated and bright.
     drag({box.left + 20, box.top + 60}, {60, -40});
     const glm::vec4 picked = unit().envColor;
@@ -83,7 +83,7 @@ TEST_F(ParametersPanel, AColourIsPickedAndUndoneAtOnce) {
     EXPECT_FALSE(has(picker));
     key('Z', {ctrl});
     EXPECT_EQ(unit().envColor, glm::vec4(0));
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(ParametersPanel, ACheckboxSwitches) {
@@ -111,7 +111,7 @@ TEST_F(ParametersPanel, ARightClickResets) {
     click("textures[0].minFilter", ImGuiMouseButton_Right);
     key('Z', {ctrl});
     EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapLinear);
-    EXPECT_FALSE(session->history.canUndo()) << "resetting what is reset already is no edit";
+    EXPECT_FALSE(session->document.history.canUndo()) << "resetting what is reset already is no edit";
 }
 
 TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
@@ -136,7 +136,7 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
     scrollTo("passes[0].units[0].enabled");
     click("passes[0].units[0].enabled");
     EXPECT_FALSE(unit().enabled);
-    EXPECT_FALSE(session->notice.text.empty());
+    EXPECT_FALSE(session->window.notice.text.empty());
     scrollTo("add texture");
     click("add texture");
     EXPECT_EQ(scene().textures.size(), 1U);
@@ -144,7 +144,7 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
 
 TEST_F(ParametersPanel, EditsTheChosenUnit) {
     click("unit:1");
-    EXPECT_EQ(session->selection.unit, 1);
+    EXPECT_EQ(session->window.selection.unit, 1);
     choose("passes[0].units[1].envMode", "GL_ADD");
     EXPECT_EQ(scene().passes[0].units[1].envMode, EnvMode::Add);
     EXPECT_EQ(unit().envMode, EnvMode::Modulate);
@@ -182,11 +182,11 @@ TEST_F(ParametersPanel, AVectorHasADragForEachComponent) {
 
 TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
     choose("textures[0].source", "file");
-    EXPECT_EQ(session->dialog, Dialog::OpenImage);
+    EXPECT_EQ(session->window.dialog, Dialog::OpenImage);
     EXPECT_EQ(texture().source, SourceKind::Pattern);
     key(key::escape);
-    EXPECT_EQ(session->dialog, Dialog::None);
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 /// Walks the tables: whoever adds a row gets its widget, and a row without one is found here.
@@ -210,7 +210,7 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
         for (const ParamRow& row : table.params) {
             if (!isRelevant(*session, owner, row) || row.key == "texture") // which is "texture choice"
                 continue;
-            if (row.key.ends_with("Plane") && idleReasonOf(session->findings, owner.pathOf(row)))
+            if (row.key.ends_with("Plane") && idleReasonOf(session->document.findings, owner.pathOf(row)))
                 continue; // each mode has its own
             const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4;
             EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
@@ -276,12 +276,12 @@ TEST_F(ParametersPanel, TheFirstUnitHasNoneBeforeIt) {
 }
 
 TEST_F(ParametersPanel, ALabelALittleTooWideKeepsItsControlBesideIt) {
-    session->wantedSection = Section::Unit;
+    session->window.wantedSection = Section::Unit;
     frames(1);
-    session->wantedSection = Section::Unit;
+    session->window.wantedSection = Section::Unit;
     frames(2);
-    const Probe::Item& mode = session->probe->items.at("passes[0].units[0].envMode");
-    const Probe::Item& color = session->probe->items.at("passes[0].units[0].envColor");
+    const WidgetPlaces::Item& mode = places.items.at("passes[0].units[0].envMode");
+    const WidgetPlaces::Item& color = places.items.at("passes[0].units[0].envColor");
     EXPECT_EQ(color.right, mode.right);
     EXPECT_LT(color.top - mode.top, 1.5F * (mode.bottom - mode.top)) << "the line below";
     EXPECT_GT(color.left, mode.left);
@@ -337,15 +337,15 @@ TEST_F(ParametersPanel, ASectionThatIsInUseIsOpenAndSaysSo) {
 TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
     for (const SectionRow& row : sectionRows) {
         start(defaultScene());
-        session->wantedSection = row.section;
+        session->window.wantedSection = row.section;
         frames(1);
-        session->wantedSection = row.section; // where it is, is known now
+        session->window.wantedSection = row.section; // where it is, is known now
         frames(2);
         const std::string name = "section:" + std::string(row.title);
         if (row.section == Section::Combine)
             EXPECT_FALSE(has(name)) << "the mode is another";
         else
-            EXPECT_TRUE(session->probe->items.at(name).visible) << name;
+            EXPECT_TRUE(places.items.at(name).visible) << name;
     }
 }
 
@@ -412,7 +412,7 @@ TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
     for (const Size size :
          {Size{1280, 800, 1}, Size{1920, 1080, 1}, Size{2560, 1440, 1}, Size{2560, 1600, 2}}) {
         start(defaultScene(), size.width, size.height, size.scale);
-        for (const auto& [name, item] : session->probe->items) {
+        for (const auto& [name, item] : places.items) {
             if (!name.starts_with("textures[0]"))
                 continue;
             EXPECT_GE(item.left, static_cast<float>(layout.parameters.x)) << name;

@@ -14,14 +14,15 @@ protected:
         return effectiveTexCoords(*selectedModel(*session), selectedMesh(*session), 0)[vertex];
     }
     float pixelsPerUnit() {
-        const Probe::Item& canvas = session->probe->items.at("texture space");
-        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) / session->plane.extent;
+        const WidgetPlaces::Item& canvas = places.items.at("texture space");
+        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) /
+               session->window.plane.extent;
     }
     /// Where the panel shows a coordinate.
     ImVec2 at(float s, float t) {
-        const Probe::Item& canvas = session->probe->items.at("texture space");
-        return {(canvas.left + canvas.right) / 2 + (s - session->plane.s) * pixelsPerUnit(),
-                (canvas.top + canvas.bottom) / 2 - (t - session->plane.t) * pixelsPerUnit()};
+        const WidgetPlaces::Item& canvas = places.items.at("texture space");
+        return {(canvas.left + canvas.right) / 2 + (s - session->window.plane.s) * pixelsPerUnit(),
+                (canvas.top + canvas.bottom) / 2 - (t - session->window.plane.t) * pixelsPerUnit()};
     }
     int channel(ImVec2 place, int component) {
         const Image window = picture();
@@ -42,28 +43,28 @@ TEST_F(TextureSpace, AVertexIsDraggedToOtherCoordinates) {
     EXPECT_EQ(coord(6), glm::vec4(1, 1, 0, 1)) << "the other faces keep theirs";
     key('Z', {ctrl});
     EXPECT_EQ(coord(2), glm::vec4(1, 1, 0, 1));
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(TextureSpace, OfVerticesAtOnePlaceTheChosenFacesIsTaken) {
     click("vertex:4"); // of the back face
     clickAt(at(1, 1));
-    ASSERT_TRUE(session->selection.vertex.has_value());
+    ASSERT_TRUE(session->window.selection.vertex.has_value());
     const std::vector<std::uint32_t>& back = selectedMesh(*session).faces[1].vertices;
-    EXPECT_NE(std::ranges::find(back, *session->selection.vertex), back.end());
+    EXPECT_NE(std::ranges::find(back, *session->window.selection.vertex), back.end());
 }
 
 TEST_F(TextureSpace, DraggingElsewhereMovesThePlaneNotTheScene) {
     const Scene before = scene();
-    const Plane plane = session->plane;
+    const Plane plane = session->window.plane;
     drag(at(0.5F, 0.5F), {30, 0});
-    EXPECT_LT(session->plane.s, plane.s);
+    EXPECT_LT(session->window.plane.s, plane.s);
     drag(at(1, 1), {30, 0}, ImGuiMouseButton_Right); // a right drag never takes a vertex
     wheel(at(0.3F, 0.3F), 3);
-    EXPECT_LT(session->plane.extent, plane.extent);
+    EXPECT_LT(session->window.plane.extent, plane.extent);
     EXPECT_EQ(scene(), before);
     click("fit plane");
-    EXPECT_NEAR(session->plane.s, 0.5F, 1e-5F);
+    EXPECT_NEAR(session->window.plane.s, 0.5F, 1e-5F);
 }
 
 // Faces of a third of the picture's height, +x in the third column.
@@ -101,8 +102,8 @@ TEST_P(HeavyMesh, IsDrawnFromNearAndFar) {
     heavy.models[0].slices = heavy.models[0].stacks = GetParam().subdivision;
     start(heavy, 2560, 1440);
     for (const float extent : {0.02F, 1.6F, 20.0F, 112.0F, 200.0F}) {
-        session->plane.extent = extent;
-        session->selection.vertex = 5;
+        session->window.plane.extent = extent;
+        session->window.selection.vertex = 5;
         (void)picture();
     }
     click("fit plane");
@@ -117,10 +118,10 @@ INSTANTIATE_TEST_SUITE_P(All, HeavyMesh,
                          [](const auto& test) { return test.param.name; });
 
 TEST_F(TextureSpace, ADragEndsSomewhere) {
-    session->plane.extent = 200;
+    session->window.plane.extent = 200;
     for (int i = 0; i < 20; ++i) { // each by some 160 units, and then the plane is brought back
-        session->plane.s = 0.5F + static_cast<float>(i == 0 ? 0 : coord(2).x - 0.5F);
-        session->selection.vertex = 2;
+        session->window.plane.s = 0.5F + static_cast<float>(i == 0 ? 0 : coord(2).x - 0.5F);
+        session->window.selection.vertex = 2;
         frames(1);
         drag(place("coord:2"), {270, 0});
     }
@@ -150,7 +151,7 @@ TEST_F(TextureSpace, TheSquaresHaveStraightEdges) {
         start(defaultScene(), width, height);
         const Image window = picture();
         const auto left = static_cast<int>(at(1.1F, 0).x); // beyond the image and its outlines
-        const auto right = static_cast<int>(session->probe->items.at("texture space").right) - 4;
+        const auto right = static_cast<int>(places.items.at("texture space").right) - 4;
         const auto top = static_cast<int>(at(0, 0.9F).y);
         const auto bottom = static_cast<int>(at(0, 0.1F).y);
         const auto isBright = [&](int x, int y) {
@@ -175,7 +176,7 @@ TEST_F(TextureSpace, SaysTheSizeOfACubeMapsFaces) {
     EXPECT_TRUE(has("texture size:64 × 64"));
     scene().textures[0].pattern = Pattern::CubeFaces;
     frames(2);
-    const ImageSource& images = session->images;
+    const ImageSource& images = session->document.images;
     const Surface& cross = images.find(texture())->surfaces.front();
     const std::string face = std::to_string(widthOf(cross) / 4);
     EXPECT_TRUE(
@@ -189,7 +190,7 @@ TEST_F(TextureSpace, TheListDragsSingleNumbers) {
     drag(place("models[0].texCoords0[1][0]"), {40, 0});
     EXPECT_NEAR(coord(1).x, 1 + 40 * 0.005F, 0.006F);
     EXPECT_EQ(coord(1).y, 0);
-    EXPECT_EQ(session->selection.vertex, std::optional<std::size_t>(1));
+    EXPECT_EQ(session->window.selection.vertex, std::optional<std::size_t>(1));
     key('Z', {ctrl});
     EXPECT_EQ(coord(1).x, 1);
 }
@@ -211,6 +212,11 @@ TEST_F(TextureSpace, ButtonsEditEveryVertex) {
 TEST_F(TextureSpace, ThirdAndFourthCoordinatesCanBeShown) {
     EXPECT_FALSE(has("models[0].texCoords0[0][3]"));
     click("show r, q");
+    const auto width = [&](const char* number) {
+        const WidgetPlaces::Item& item = places.items.at(number);
+        return item.right - item.left;
+    };
+    EXPECT_NEAR(width("models[0].texCoords0[0][3]"), width("models[0].texCoords0[0][0]"), 2);
     drag(place("models[0].texCoords0[0][3]"), {40, 0});
     EXPECT_NEAR(coord(0).w, 1.2F, 0.006F);
 }
@@ -218,7 +224,7 @@ TEST_F(TextureSpace, ThirdAndFourthCoordinatesCanBeShown) {
 TEST_F(TextureSpace, ListsTheVerticesOfTheChosenModel) {
     click("model choice");
     click("model:1");
-    EXPECT_EQ(session->selection.model, 1);
+    EXPECT_EQ(session->window.selection.model, 1);
     const std::string face = selectedMesh(*session).faces.front().name;
     EXPECT_TRUE(has("face:" + face));
     click("face:" + face);
@@ -226,7 +232,7 @@ TEST_F(TextureSpace, ListsTheVerticesOfTheChosenModel) {
 }
 
 TEST_F(TextureSpace, TheCommandsCanBeCopied) {
-    session->wantedTab = Tab::Commands;
+    session->window.wantedTab = Tab::Commands;
     frames(3);
     click("copy commands");
     const std::string text = ImGui::GetClipboardText();
@@ -240,12 +246,12 @@ TEST_F(TextureSpace, TheCommandsTabMarksWhatChangedLast) {
     click("tab:Commands");
     EXPECT_TRUE(has("command:textures[0].wrapS"));
     choose("textures[0].wrapS", "GL_CLAMP");
-    EXPECT_TRUE(session->probe->items.at("command:textures[0].wrapS").visible);
+    EXPECT_TRUE(places.items.at("command:textures[0].wrapS").visible);
     open("Material");
     scrollTo("material.shininess");
     drag(place("material.shininess"), {20, 0});
     frames(2);
-    EXPECT_TRUE(session->probe->items.at("command:material.shininess").visible) << "the view scrolls there";
+    EXPECT_TRUE(places.items.at("command:material.shininess").visible) << "the view scrolls there";
 }
 
 } // namespace

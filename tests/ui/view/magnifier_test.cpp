@@ -18,7 +18,7 @@ protected:
     }
     /// Where the pixel under the mouse is, enlarged.
     ImVec2 lens(const std::string& name) {
-        const Probe::Item& item = session->probe->items.at("lens:" + name);
+        const WidgetPlaces::Item& item = places.items.at("lens:" + name);
         return {item.left, item.top};
     }
     ImVec2 inside(float x, float y) const {
@@ -41,7 +41,7 @@ TEST_F(Magnifier, AKeyAndTheViewMenuSwitchIt) {
 }
 
 TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
-    session->views.magnifies = true;
+    session->window.views.magnifies = true;
     static_cast<void>(picture());
     for (const ImVec2 share :
          {ImVec2(0.2F, 0.5F), ImVec2(0.25F, 0.42F), ImVec2(0.7F, 0.5F), ImVec2(0.01F, 0.01F)}) {
@@ -57,28 +57,29 @@ TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
 
 TEST_F(Magnifier, ItsHeadingFits) {
     start(defaultScene(), 2400, 1200);
-    session->views.magnifies = true;
+    session->window.views.magnifies = true;
     moveTo(inside(0.9F, 0.9F)); // where numbers are long
-    const Probe::Item& frame = session->probe->items.at("magnifier");
-    const Probe::Item& where = session->probe->items.at("magnifier:where");
+    const WidgetPlaces::Item& frame = places.items.at("magnifier");
+    const WidgetPlaces::Item& where = places.items.at("magnifier:where");
     EXPECT_GT(where.left, frame.left);
     EXPECT_LT(where.right, frame.right);
 }
 
 TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
-    session->views.magnifies = true;
-    showComparison(session->views, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+    session->window.views.magnifies = true;
+    showComparison(session->window.views,
+                   {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
     static_cast<void>(picture());
     static_cast<void>(picture());
     moveTo(inside(0.2F, 0.5F));
     const Image window = picture();
-    const Panes panes(layout, session->views, {layout.picture.width, layout.picture.height});
+    const Panes panes(layout, session->window.views, {layout.picture.width, layout.picture.height});
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (const Pane& pane : panes.all()) {
         const std::string name = pane.renderer ? std::string(rowOf(*pane.renderer).label) : "Difference";
         const ImVec2 same(mouse.x + static_cast<float>(pane.frame.x - layout.picture.x),
                           mouse.y + static_cast<float>(pane.frame.y - layout.picture.y));
-        const Probe::Item& glass = session->probe->items.at("magnifier");
+        const WidgetPlaces::Item& glass = places.items.at("magnifier");
         if (same.x < glass.left || same.x > glass.right || same.y < glass.top || same.y > glass.bottom) {
             EXPECT_EQ(at(window, lens(name)), at(window, same)) << name;
         }
@@ -87,13 +88,14 @@ TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
 
 TEST_F(Magnifier, StaysInTheWindow) {
     start(defaultScene(), 900, 600);
-    session->views.magnifies = true;
-    showComparison(session->views, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+    session->window.views.magnifies = true;
+    showComparison(session->window.views,
+                   {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
     frames(2);
     for (const ImVec2 share :
          {ImVec2(0.1F, 0.2F), ImVec2(0.9F, 0.2F), ImVec2(0.1F, 0.95F), ImVec2(0.9F, 0.95F)}) {
         moveTo(inside(share.x, share.y));
-        const Probe::Item& glass = session->probe->items.at("magnifier");
+        const WidgetPlaces::Item& glass = places.items.at("magnifier");
         EXPECT_GE(glass.left, 0);
         EXPECT_GE(glass.top, 0);
         EXPECT_LE(glass.right, 900);

@@ -1,6 +1,6 @@
-#include "app/ui/widgets/keys.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/view/show.h"
+#include "app/ui/widgets/keys.h"
 #include "core/scene/picking.h"
 #include "tests/ui/workbench.h"
 
@@ -27,14 +27,14 @@ protected:
 TEST_F(ViewPanel, AClickPicksAVertexAndMarksIt) {
     const ImVec2 at = pixelOf(0, 2);
     clickAt({at.x + 2, at.y - 1});
-    ASSERT_TRUE(session->selection.vertex.has_value());
-    EXPECT_EQ(session->selection.model, 0);
-    EXPECT_EQ(*session->selection.vertex, 2U);
-    EXPECT_NEAR(session->probe->items.at("marker").left, at.x, 1);
-    EXPECT_NEAR(session->probe->items.at("marker").top, at.y, 1);
-    EXPECT_FALSE(session->history.canUndo()) << "selecting is no edit";
+    ASSERT_TRUE(session->window.selection.vertex.has_value());
+    EXPECT_EQ(session->window.selection.model, 0);
+    EXPECT_EQ(*session->window.selection.vertex, 2U);
+    EXPECT_NEAR(places.items.at("marker").left, at.x, 1);
+    EXPECT_NEAR(places.items.at("marker").top, at.y, 1);
+    EXPECT_FALSE(session->document.history.canUndo()) << "selecting is no edit";
     clickAt(corner());
-    EXPECT_FALSE(session->selection.vertex.has_value());
+    EXPECT_FALSE(session->window.selection.vertex.has_value());
 }
 
 TEST_F(ViewPanel, ADragOrbitsAndIsNoPick) {
@@ -44,7 +44,7 @@ TEST_F(ViewPanel, ADragOrbitsAndIsNoPick) {
     EXPECT_NEAR(scene().view.azimuth, before.azimuth - 50 * 0.4F, 6 * 0.4F);
     EXPECT_NEAR(scene().view.elevation, before.elevation + 20 * 0.4F, 6 * 0.4F);
     EXPECT_EQ(scene().view.target, before.target);
-    EXPECT_FALSE(session->selection.vertex.has_value());
+    EXPECT_FALSE(session->window.selection.vertex.has_value());
     drag(corner(), {50, 20});
     key('Z', {ctrl});
     EXPECT_EQ(scene().view, before) << "looking around is one step";
@@ -77,24 +77,24 @@ TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
     hold(true);
     wheel(pixelOf(0, 2), 1);
     wheel(pixelOf(0, 2), 1);
-    EXPECT_EQ(session->views.zoom.factor, 4);
+    EXPECT_EQ(session->window.views.zoom.factor, 4);
     hold(false);
     const ImVec2 where = pixelOf(0, 2); // of the vertex, which stayed under the mouse
     clickAt(where);
-    EXPECT_EQ(session->selection.vertex, 2U);
-    EXPECT_NEAR(session->probe->items.at("marker").left, where.x, 1);
+    EXPECT_EQ(session->window.selection.vertex, 2U);
+    EXPECT_NEAR(places.items.at("marker").left, where.x, 1);
     frames(25); // the next press is no double click
     hold(true);
     drag(where, {40, 20});
     hold(false);
-    EXPECT_NEAR(session->probe->items.at("marker").left, where.x + 40, 8); // but for the click's first pixels
-    EXPECT_NEAR(session->probe->items.at("marker").top, where.y + 20, 8);
+    EXPECT_NEAR(places.items.at("marker").left, where.x + 40, 8); // but for the click's first pixels
+    EXPECT_NEAR(places.items.at("marker").top, where.y + 20, 8);
     EXPECT_EQ(scene().view, before);
 }
 
 TEST_F(ViewPanel, AnEnlargedPictureShowsItsPixelsAsSquares) {
     const ImVec2 at = pixelOf(0, 2);
-    zoomPictures(session->views, layout, at, 5);
+    zoomPictures(session->window.views, layout, at, 5);
     const Image window = picture();
     for (int y = layout.picture.y; y < layout.picture.bottom(); ++y) {
         int changes = 0;
@@ -134,7 +134,7 @@ TEST_F(ViewPanel, TheButtonsShowOneShapeAndSelectIt) {
     click("show:Sphere");
     EXPECT_FALSE(scene().models[0].visible);
     EXPECT_TRUE(scene().models[1].visible);
-    EXPECT_EQ(session->selection.model, 1);
+    EXPECT_EQ(session->window.selection.model, 1);
     click("show:Floor");
     ASSERT_EQ(scene().models.size(), 3U);
     EXPECT_EQ(scene().models[2].shape, Shape::Floor);
@@ -162,8 +162,8 @@ TEST_F(ViewPanel, TheDefaultSceneIsWholeInANarrowView) {
             EXPECT_LE(at.x, static_cast<float>(layout.picture.right()));
         }
     }
-    EXPECT_FALSE(session->history.canUndo());
-    EXPECT_FALSE(isDirty(*session));
+    EXPECT_FALSE(session->document.history.canUndo());
+    EXPECT_FALSE(isDirty(session->document));
 }
 
 TEST_F(ViewPanel, SeamsChangeTheWidthsOfTheColumns) {

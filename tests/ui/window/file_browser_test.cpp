@@ -1,3 +1,4 @@
+#include "app/ui/model/asking.h"
 #include "app/ui/widgets/keys.h"
 #include "core/base/file_io.h"
 #include "core/scene/params/json.h"
@@ -11,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class Files : public Workbench {
+class FileBrowserDialog : public Workbench {
 protected:
     void write(const std::filesystem::path& path, std::string_view text) {
         ASSERT_TRUE(writeFileAtomically(path, viewBytes(text)).has_value());
@@ -26,42 +27,42 @@ protected:
     texplorer::test::TempDir folder;
 };
 
-TEST_F(Files, ASceneIsSavedAndOpenedAgain) {
+TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
     change();
     key('S', {ctrl});
-    ASSERT_EQ(session->dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
     enter(folder / "mine");
-    EXPECT_EQ(session->dialog, Dialog::None);
-    EXPECT_EQ(session->file, folder / "mine.json"); // the extension is added
-    EXPECT_FALSE(isDirty(*session));
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(session->document.file, folder / "mine.json"); // the extension is added
+    EXPECT_FALSE(isDirty(session->document));
     const Scene saved = scene();
     EXPECT_EQ(parseScene(readText(folder / "mine.json").value()).value(), saved);
     EXPECT_THAT(requests.title, HasSubstr("mine.json"));
 
     choose("textures[0].wrapS", "GL_REPEAT");
-    EXPECT_TRUE(isDirty(*session));
+    EXPECT_TRUE(isDirty(session->document));
     key('S', {ctrl}); // straight into the same file
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_EQ(parseScene(readText(folder / "mine.json").value()).value().textures[0].wrapS, Wrap::Repeat);
 
     key('O', {ctrl});
-    ASSERT_EQ(session->dialog, Dialog::OpenScene);
+    ASSERT_EQ(session->window.dialog, Dialog::OpenScene);
     write(folder / "other.json", R"({"version": 1, "textures": [{"wrapT": "GL_CLAMP"}]})");
     enter(folder / "other.json");
     EXPECT_EQ(texture().wrapT, Wrap::Clamp);
-    EXPECT_EQ(session->file, folder / "other.json");
-    EXPECT_FALSE(session->history.canUndo());
+    EXPECT_EQ(session->document.file, folder / "other.json");
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
-TEST_F(Files, AnExistingFileIsNotReplacedUnasked) {
+TEST_F(FileBrowserDialog, AnExistingFileIsNotReplacedUnasked) {
     write(folder / "old.json", "precious");
     key('S', {ctrl, shift});
     enter(folder / "old.json");
-    EXPECT_EQ(session->dialog, Dialog::SaveScene);
-    EXPECT_THAT(session->browser.error, HasSubstr("old.json exists"));
+    EXPECT_EQ(session->window.dialog, Dialog::SaveScene);
+    EXPECT_THAT(states.dialogs.browser.error, HasSubstr("old.json exists"));
     EXPECT_EQ(readText(folder / "old.json").value(), "precious");
     click("browser:ok");
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_NE(readText(folder / "old.json").value(), "precious");
 }
 
@@ -76,7 +77,7 @@ void PrintTo(const Refused& refused, std::ostream* out) {
     *out << refused.name;
 }
 
-class RefusedScene : public Files, public testing::WithParamInterface<Refused> {};
+class RefusedScene : public FileBrowserDialog, public testing::WithParamInterface<Refused> {};
 
 TEST_P(RefusedScene, SaysWhyAndChangesNothing) {
     const Scene before = scene();
@@ -84,13 +85,13 @@ TEST_P(RefusedScene, SaysWhyAndChangesNothing) {
         write(folder / GetParam().file, GetParam().content);
     key('O', {ctrl});
     enter(folder / GetParam().file);
-    EXPECT_EQ(session->dialog, Dialog::OpenScene) << "the list stays open";
-    EXPECT_THAT(session->browser.error, HasSubstr(GetParam().sentence));
+    EXPECT_EQ(session->window.dialog, Dialog::OpenScene) << "the list stays open";
+    EXPECT_THAT(states.dialogs.browser.error, HasSubstr(GetParam().sentence));
     EXPECT_TRUE(has("browser:error"));
     key(key::escape);
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_EQ(scene(), before);
-    EXPECT_TRUE(session->file.empty());
+    EXPECT_TRUE(session->document.file.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -98,21 +99,31 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Refused{"Missing", "none.json", nullptr, "no file"},
                     Refused{"Truncated", "cut.json", R"({"version": 1, "textures": [)", ""},
                     Refused{"UnknownName", "name.json", R"({"textures": [{"wrapS": "GL_SOMETIMES"}]})",
-                            "GL_REPEAT"},
-                    Refused{"MissingImage", "image.json",
-                            R"({"textures": [{"source": "file", "file": "gone.bmp"}]})", ""}),
+                            "GL_REPEAT"}),
     [](const auto& test) { return test.param.name; });
 
-TEST_F(Files, AFolderThatCannotBeWrittenIsSaid) {
-    key('S', {ctrl});
-    enter(folder / "no such folder" / "a.json");
-    EXPECT_EQ(session->dialog, Dialog::SaveScene);
-    EXPECT_THAT(session->browser.error, HasSubstr("no folder"));
-    key(key::escape);
-    EXPECT_TRUE(session->file.empty());
+TEST_F(FileBrowserDialog, AMissingImageIsSaidOnceTheListIsClosed) {
+    const Scene before = scene();
+    write(folder / "image.json", R"({"textures": [{"source": "file", "file": "gone.bmp"}]})");
+    key('O', {ctrl});
+    enter(folder / "image.json");
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_THAT(session->window.notice.text, HasSubstr("gone.bmp"));
+    EXPECT_TRUE(has("notice"));
+    EXPECT_EQ(scene(), before);
+    EXPECT_TRUE(session->document.file.empty());
 }
 
-TEST_F(Files, TheListGoesIntoFoldersAndUp) {
+TEST_F(FileBrowserDialog, AFolderThatCannotBeWrittenIsSaid) {
+    key('S', {ctrl});
+    enter(folder / "no such folder" / "a.json");
+    EXPECT_EQ(session->window.dialog, Dialog::SaveScene);
+    EXPECT_THAT(states.dialogs.browser.error, HasSubstr("no folder"));
+    key(key::escape);
+    EXPECT_TRUE(session->document.file.empty());
+}
+
+TEST_F(FileBrowserDialog, TheListGoesIntoFoldersAndUp) {
     std::filesystem::create_directory(folder / "inner");
     write(folder / "inner" / "scene.json", writeScene(defaultScene()));
     write(folder / "inner" / "notes.txt", "not a scene");
@@ -120,7 +131,7 @@ TEST_F(Files, TheListGoesIntoFoldersAndUp) {
     enter(folder.path());
     EXPECT_TRUE(has("entry:inner"));
     doubleClickAt(place("entry:inner"));
-    EXPECT_EQ(session->browser.folder.filename(), "inner");
+    EXPECT_EQ(states.dialogs.browser.folder.filename(), "inner");
     EXPECT_TRUE(has("entry:scene.json"));
     EXPECT_FALSE(has("entry:notes.txt"));
     click("browser:all");
@@ -131,17 +142,17 @@ TEST_F(Files, TheListGoesIntoFoldersAndUp) {
     key(key::down); // notes.txt
     key(key::down);
     key(key::enter);
-    EXPECT_EQ(session->file.filename(), "scene.json");
+    EXPECT_EQ(session->document.file.filename(), "scene.json");
 }
 
-TEST_F(Files, ChangesAreNotLostUnasked) {
+TEST_F(FileBrowserDialog, ChangesAreNotLostUnasked) {
     change();
     requestQuit(*session);
     frames(3);
-    EXPECT_EQ(session->dialog, Dialog::Discard);
+    EXPECT_EQ(session->window.dialog, Dialog::Discard);
     EXPECT_FALSE(requests.quit);
     click("discard:cancel");
-    EXPECT_EQ(session->dialog, Dialog::None);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
 
     click("menu:File");
@@ -153,7 +164,7 @@ TEST_F(Files, ChangesAreNotLostUnasked) {
     requestQuit(*session);
     frames(3);
     click("discard:save");
-    ASSERT_EQ(session->dialog, Dialog::SaveScene);
+    ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
     type((folder / "kept.json").string());
     ImGui::GetIO().KeysDown[key::enter] = true;
     bool quit = false;
@@ -165,19 +176,19 @@ TEST_F(Files, ChangesAreNotLostUnasked) {
     EXPECT_TRUE(std::filesystem::exists(folder / "kept.json"));
 }
 
-TEST_F(Files, LookingAroundIsNothingToSave) {
+TEST_F(FileBrowserDialog, LookingAroundIsNothingToSave) {
     drag({static_cast<float>(layout.picture.x + 20), static_cast<float>(layout.picture.y + 20)}, {50, 10});
-    EXPECT_TRUE(session->history.canUndo());
+    EXPECT_TRUE(session->document.history.canUndo());
     requestQuit(*session);
     frames(1);
     EXPECT_TRUE(requests.quit);
 }
 
-TEST_F(Files, UndoingEverythingLeavesNothingToSave) {
+TEST_F(FileBrowserDialog, UndoingEverythingLeavesNothingToSave) {
     change();
-    EXPECT_TRUE(isDirty(*session));
+    EXPECT_TRUE(isDirty(session->document));
     key('Z', {ctrl});
-    EXPECT_FALSE(isDirty(*session));
+    EXPECT_FALSE(isDirty(session->document));
 }
 
 } // namespace

@@ -38,16 +38,16 @@ TEST_P(Monkey, CannotBreakTheWindow) {
         default:
             clickAt(somewhere(), below(4) == 0 ? ImGuiMouseButton_Right : ImGuiMouseButton_Left);
         }
-        if (session->dialog != Dialog::None) // files are not for monkeys
+        if (session->window.dialog != Dialog::None) // files are not for monkeys
             key(key::escape);
         advance(*session, 0.01);
         const Result<Scene> read = parseScene(writeScene(scene()));
         ASSERT_TRUE(read.has_value()) << "action " << action << ": " << describe(read.error());
         // As text: coordinates that belong to an earlier shape of a model are not written.
         ASSERT_EQ(writeScene(*read), writeScene(scene())) << "action " << action;
-        ASSERT_EQ(session->history.current(), scene()) << "action " << action << " was not recorded";
+        ASSERT_EQ(session->document.history.current(), scene()) << "action " << action << " was not recorded";
     }
-    while (session->history.canUndo())
+    while (session->document.history.canUndo())
         undo(*session);
     EXPECT_EQ(scene(), initial);
 }

@@ -11,32 +11,32 @@ protected:
     void tryAll(int width, int height) {
         SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
         start(defaultScene(), width, height);
-        session->selection.vertex = 3;
-        session->explaining.pixel = {0, 0};
-        session->views.magnifies = true;
-        session->showRq = true;
+        session->window.selection.vertex = 3;
+        session->window.explaining.pixel = {0, 0};
+        session->window.views.magnifies = true;
+        session->window.showRq = true;
         texture().mipmaps = MipPolicy::None; // something to say in the status bar
         unit().envMode = EnvMode::Combine;
         unit().matrix = {{MatrixOp::Scale, {1, 0, 1}}};
         ImGui::GetIO().MousePos = {static_cast<float>(width) / 2, static_cast<float>(height) / 2};
         for (const TabRow& tab : tabRows) {
-            session->wantedTab = tab.tab;
+            session->window.wantedTab = tab.tab;
             for (const SectionRow& section : sectionRows) {
-                session->wantedSection = section.section;
+                session->window.wantedSection = section.section;
                 frames(1);
             }
             frames(2);
         }
         for (const bool compares : {false, true}) {
             if (compares)
-                showComparison(session->views,
+                showComparison(session->window.views,
                                {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
             frames(2);
         }
-        session->refused = {{ErrorCode::NotFound, "is not there", "a.bmp"}};
+        session->window.refused = {{ErrorCode::NotFound, "is not there", "a.bmp"}};
         for (const Dialog dialog :
              {Dialog::OpenScene, Dialog::SaveScene, Dialog::Discard, Dialog::Help, Dialog::Refused}) {
-            session->dialog = dialog;
+            session->window.dialog = dialog;
             frames(2);
         }
     }

@@ -1,4 +1,4 @@
-#include "app/ui/texture_space/tex_coord_edits.h"
+#include "app/ui/model/tex_coord_edits.h"
 
 namespace texplorer::ui {
 

@@ -13,7 +13,7 @@ namespace texplorer::ui {
 /// What a renderer has drawn for the view.
 struct RenderedView {
     RendererKind renderer = RendererKind::Fixed;
-    view::Frame frame;                ///< its texture may be smaller than its size: a coarse picture
+    view::Frame frame;                  ///< its texture may be smaller than its size: a coarse picture
     std::shared_ptr<const Image> image; ///< the pixels, where the views want them and the picture is whole
     /// Nothing better is on its way: the picture is of the scene as it is now, and not a coarse one. Where
     /// there is no picture, there will be none, and the frame's problems say why.

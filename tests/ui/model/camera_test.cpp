@@ -1,4 +1,4 @@
-#include "app/ui/view/camera.h"
+#include "app/ui/model/camera.h"
 #include "app/ui/view/show.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/animation.h"

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/view/capabilities.h"
+#include "app/view/frame.h"
+#include "core/base/result.h"
+#include "core/image/image.h"
+#include "core/scene/renderer.h"
+#include "core/scene/scene.h"
+#include "core/texture/image_source.h"
+#include "core/texture/levels_source.h"
+
+#include <imgui.h>
+
+#include <memory>
+
+namespace texplorer::stage {
+
+/// What a host lends to its stage: who draws the scene, where pictures are kept so that panels can show them,
+/// and who draws the panels. A picture is a number that means something to it alone; 0: there is
+/// none.
+class Graphics {
+public:
+    Graphics() = default;
+    Graphics(const Graphics&) = delete;
+    Graphics& operator=(const Graphics&) = delete;
+    virtual ~Graphics() = default;
+
+    /// Of the driver, where there is one.
+    [[nodiscard]] virtual const view::Capabilities& capabilities() const = 0;
+
+    /// Draws the scene with one of its renderers; RendererKind::Reference is never asked for. The error says
+    /// why there is no such renderer, or what it refused. A texture is what it was before until `levels` has
+    /// it.
+    [[nodiscard]] virtual Result<view::Frame> draw(RendererKind renderer, const Scene& scene,
+                                                   const ImageSource& images, double time, view::Size size,
+                                                   LevelsSource& levels) = 0;
+    /// What this renderer has drawn last: Rgba8, bottom row first.
+    [[nodiscard]] virtual Result<Image> read(RendererKind renderer) = 0;
+
+    enum class Use {
+        Scaled,   ///< to any size: filtered linearly
+        Enlarged, ///< so that one sees its pixels
+    };
+    /// A picture of the image, valid until the second `endFrame` from here. An image is used in one way.
+    [[nodiscard]] virtual unsigned show(const std::shared_ptr<const Image>& image, Use use) = 0;
+    /// A picture of a texture's base level, upright, its texels to be seen, valid until the next call. It may
+    /// be that of before, or none, until `levels` has it.
+    [[nodiscard]] virtual unsigned showTexture(const Texture& texture, const ImageSource& images,
+                                               LevelsSource& levels) = 0;
+    /// Whether what `showTexture` shows goes on with the next frame.
+    [[nodiscard]] virtual bool isUploading() const = 0;
+    /// What was not shown since the last call is forgotten.
+    virtual void endFrame() = 0;
+
+    // The panels. Dear ImGui's context exists from `startPanels` to `endPanels`.
+    virtual void startPanels() = 0;
+    virtual void endPanels() = 0;
+    virtual void fontsChanged() = 0;
+    virtual void beginFrame() = 0; ///< right before the display's size is set
+    /// Clears the framebuffer, which has this size, and draws what Dear ImGui has collected.
+    virtual void drawPanels(ImDrawData& panels, view::Size pixels) = 0;
+    /// See ui::Pictures::setBlending.
+    [[nodiscard]] virtual ImDrawCallback blendingSwitch() const = 0;
+};
+
+} // namespace texplorer::stage

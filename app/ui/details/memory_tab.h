@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+#include "app/ui/widgets/pictures.h"
+
+namespace texplorer::ui {
+
+void drawMemoryTab(Session& session, const Pictures& pictures);
+
+} // namespace texplorer::ui

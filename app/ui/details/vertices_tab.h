@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+#include <optional>
+
+namespace texplorer::ui {
+
+/// What the tab remembers.
+struct VerticesTabState {
+    std::optional<std::size_t> revealed; ///< the vertex that the list was scrolled to already
+};
+
+void drawVerticesTab(Session& session, VerticesTabState& state);
+
+} // namespace texplorer::ui

@@ -1,0 +1,99 @@
+#include "app/ui/model/asking.h"
+
+#include "app/ui/model/scene_files.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+void askAboutChanges(Session& session, Pending next) {
+    session.window.pending = next;
+    if (isDirty(session.document))
+        session.window.dialog = Dialog::Discard;
+    else
+        finishPending(session);
+}
+
+} // namespace
+
+void finishPending(Session& session) {
+    const Pending pending = session.window.pending;
+    session.window.pending = Pending::None;
+    switch (pending) {
+    case Pending::None:
+        break;
+    case Pending::NewScene:
+        newScene(session);
+        break;
+    case Pending::OpenScene:
+        session.window.dialog = Dialog::OpenScene;
+        break;
+    case Pending::OpenFiles: {
+        const std::vector<std::filesystem::path> files = std::move(session.window.pendingFiles);
+        session.window.pendingFiles.clear();
+        report(session, openFiles(session, files), files.front());
+        break;
+    }
+    case Pending::ShowScene:
+        if (const std::shared_ptr<Load> ready = std::exchange(session.window.readyScene, nullptr)) {
+            ready->before = session.document.scene; // the user has answered
+            showLoadedScene(session, std::move(*ready));
+        }
+        break;
+    case Pending::Quit:
+        session.window.quitConfirmed = true;
+        break;
+    }
+}
+
+void askOpenScene(Session& session) {
+    askAboutChanges(session, Pending::OpenScene);
+}
+
+void askOpenImage(Session& session) {
+    session.window.dialog = Dialog::OpenImage;
+}
+
+void askNewScene(Session& session) {
+    askAboutChanges(session, Pending::NewScene);
+}
+
+void askSaveAs(Session& session) {
+    session.window.dialog = Dialog::SaveScene;
+}
+
+void save(Session& session) {
+    if (session.document.file.empty())
+        return askSaveAs(session);
+    const Result<void> saved = saveScene(session, session.document.file);
+    report(session, saved);
+    if (saved) {
+        session.window.notice = {};
+        finishPending(session);
+    } else {
+        session.window.pending = Pending::None;
+    }
+}
+
+void requestQuit(Session& session) {
+    askAboutChanges(session, Pending::Quit);
+}
+
+void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
+    if (files.size() == 1) {
+        if (const Result<bool> scene = holdsScene(files.front()); !scene)
+            return say(session, scene.error());
+    }
+    const bool replaces = std::ranges::any_of(
+        files, [](const std::filesystem::path& file) { return holdsScene(file).value_or(false); });
+    if (files.empty())
+        return;
+    if (!replaces)
+        return report(session, openFiles(session, files), files.front());
+    session.window.pendingFiles = std::move(files);
+    askAboutChanges(session, Pending::OpenFiles);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace texplorer::ui {
+
+// What menus, keys, buttons and the host ask for. Where it needs an answer first, a dialog is opened:
+// WindowState::dialog says which.
+
+void askOpenScene(Session& session);
+void askOpenImage(Session& session);
+void askNewScene(Session& session);
+void save(Session& session); ///< asks for a name where there is none
+void askSaveAs(Session& session);
+
+/// The user wants to close the window: asks first where something would be lost.
+void requestQuit(Session& session);
+
+/// Files were dropped onto the window: a scene, images. Asks first where a scene would replace unsaved
+/// changes.
+void requestOpen(Session& session, std::vector<std::filesystem::path> files);
+
+/// The changes are saved or given up: what had to wait for that is done.
+void finishPending(Session& session);
+
+} // namespace texplorer::ui

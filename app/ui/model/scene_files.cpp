@@ -1,0 +1,332 @@
+#include "app/ui/model/scene_files.h"
+
+#include "app/ui/model/loads.h"
+#include "core/base/file_io.h"
+#include "core/codec/registry.h"
+#include "core/scene/params/json.h"
+
+#include <algorithm>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t recognisedBytes = 4096; // enough of a file to tell what it is
+
+fs::path absolutePath(const fs::path& path) {
+    std::error_code failed;
+    const fs::path result = fs::absolute(path, failed);
+    return failed ? path : result.lexically_normal();
+}
+
+/// How a scene in `directory` names a file: relative where it lies at or below it, absolute elsewhere.
+std::string nameFrom(const fs::path& directory, const fs::path& file) {
+    const fs::path relative = absolutePath(file).lexically_relative(absolutePath(directory));
+    const bool below = !relative.empty() && *relative.begin() != "..";
+    return below ? relative.generic_string() : absolutePath(file).generic_string();
+}
+
+/// The same of a file that becomes one of a source's images; absolute while the scene was never saved.
+std::string nameIn(const ImageSource& images, const fs::path& file) {
+    return images.directory().empty() ? absolutePath(file).generic_string()
+                                      : nameFrom(images.directory(), file);
+}
+
+Result<Scene> readScene(const fs::path& path) {
+    const Result<std::string> text = readText(path, maxSceneBytes);
+    if (!text)
+        return fail(text.error());
+    Result<Scene> scene = parseScene(*text);
+    if (!scene)
+        return fail(scene.error().code, describe(scene.error()), path.string());
+    return scene;
+}
+
+/// The same scene, with its image files named from another folder.
+Scene rebased(const Scene& scene, const fs::path& from, const fs::path& to) {
+    Scene result = scene;
+    for (Texture& texture : result.textures) {
+        if (!texture.file.empty())
+            texture.file = nameFrom(to, from / texture.file);
+    }
+    return result;
+}
+
+/// As the file has it, where it can be read: what undo and the mark of unsaved changes go by.
+Scene savedScene(const fs::path& file) {
+    if (file.empty())
+        return defaultScene();
+    return readScene(file).value_or(Scene{});
+}
+
+/// Unsaved work takes the place of the document, with its draft as this window's own.
+void replaceByUnsaved(Session& session, Load load) {
+    const UnsavedScene draft{load.path, load.images.directory(), load.scene};
+    Document document(std::move(load.scene), std::move(load.images), load.path);
+    document.saved = savedScene(document.file);
+    document.needsFit = false; // the camera is part of the work
+    replaceDocument(session, std::move(document));
+    if (UnsavedWork* unsaved = session.services.unsaved)
+        unsaved->autosave.adopt(unsaved->recovery.takeRestored(), draft);
+}
+
+} // namespace
+
+void bindFile(Scene& scene, int pass, int unit, std::string file) {
+    const auto at = std::min(static_cast<std::size_t>(pass), scene.passes.size() - 1);
+    Unit& shown = scene.passes[at].units[static_cast<std::size_t>(unit)];
+    const bool bound = shown.texture >= 0 && static_cast<std::size_t>(shown.texture) < scene.textures.size();
+    if (!bound) {
+        scene.textures.push_back({});
+        shown.texture = static_cast<int>(scene.textures.size()) - 1;
+    }
+    Texture& texture = scene.textures[static_cast<std::size_t>(shown.texture)];
+    texture.source = SourceKind::File;
+    texture.file = std::move(file);
+    shown.enabled = true;
+}
+
+void newScene(Session& session) {
+    replaceDocument(session, {defaultScene(), ImageSource{}});
+}
+
+Result<void> openScene(Session& session, const fs::path& path) {
+    Result<Scene> scene = readScene(path);
+    if (!scene)
+        return fail(scene.error());
+    const fs::path file = absolutePath(path);
+    start(session, {.kind = Load::Kind::Scene,
+                    .path = file,
+                    .scene = std::move(*scene),
+                    .before = session.document.scene,
+                    .images = ImageSource(file.parent_path())});
+    return {};
+}
+
+void showLoadedScene(Session& session, Load load) {
+    const bool changedMeanwhile = session.document.scene != load.before && isDirty(session.document);
+    if (!changedMeanwhile && load.restores)
+        return replaceByUnsaved(session, std::move(load));
+    if (!changedMeanwhile)
+        return replaceDocument(session, {std::move(load.scene), std::move(load.images), load.path});
+    load.before = session.document.scene; // the next answer is about this one
+    session.window.readyScene = std::make_shared<Load>(std::move(load));
+    session.window.pending = Pending::ShowScene;
+    session.window.dialog = Dialog::Discard;
+}
+
+void restoreUnsaved(Session& session, UnsavedScene draft) {
+    // What it was restored from isn't lost with an image: the load goes on without.
+    start(session, {.kind = Load::Kind::Scene,
+                    .path = std::move(draft.file),
+                    .goesOn = true,
+                    .restores = true,
+                    .scene = std::move(draft.scene),
+                    .before = session.document.scene,
+                    .images = ImageSource(std::move(draft.folder))});
+}
+
+Result<void> saveScene(Session& session, const fs::path& path) {
+    const fs::path file = absolutePath(path);
+    const fs::path folder = file.parent_path();
+    const Scene scene = rebased(session.document.scene, session.document.images.directory(), folder);
+    const std::string text = writeScene(scene);
+    if (Result<void> written = writeFileAtomically(file, viewBytes(text)); !written)
+        return written;
+    if (absolutePath(session.document.images.directory()) != folder || session.document.file.empty()) {
+        ImageSource images(folder);
+        for (std::size_t i = 0; i < scene.textures.size(); ++i)
+            images.share(scene.textures[i].file, session.document.images,
+                         session.document.scene.textures[i].file);
+        session.document.images = std::move(images);
+    }
+    if (scene != session.document.scene) {
+        session.document.scene = scene;
+        sealEdit(session);
+        recordEdit(session, "Save elsewhere");
+    }
+    session.document.saved = scene;
+    session.document.file = file;
+    return {};
+}
+
+void importImage(Session& session, const fs::path& path) {
+    std::string file = nameIn(session.document.images, path);
+    start(session, {.kind = Load::Kind::Import,
+                    .path = path,
+                    .file = std::move(file),
+                    .pass = session.window.selection.pass,
+                    .unit = session.window.selection.unit});
+}
+
+void setFile(Session& session, int texture, std::string file) {
+    const fs::path path = session.document.images.directory() / file;
+    start(session, {.kind = Load::Kind::SetFile, .path = path, .file = std::move(file), .texture = texture});
+}
+
+Result<bool> holdsScene(const fs::path& path) {
+    const Result<Bytes> start = readFileStart(path, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return false;
+    if (path.extension() == ".json")
+        return true;
+    const auto isSpace = [](std::byte each) {
+        return each == std::byte{' '} || each == std::byte{'\n'} || each == std::byte{'\r'} ||
+               each == std::byte{'\t'};
+    };
+    const auto first = std::ranges::find_if_not(*start, isSpace);
+    return first != start->end() && *first == std::byte{'{'};
+}
+
+Result<void> openFile(Session& session, const fs::path& path) {
+    const Result<bool> scene = holdsScene(path);
+    if (!scene)
+        return fail(scene.error());
+    if (*scene)
+        return openScene(session, path);
+    importImage(session, path);
+    return {};
+}
+
+namespace {
+
+/// What a file is, or why it is nothing that can be opened.
+Result<bool> checkFile(const fs::path& file) {
+    const Result<bool> scene = holdsScene(file);
+    if (!scene)
+        return fail(scene.error());
+    if (*scene) {
+        if (const Result<Scene> parsed = readScene(file); !parsed)
+            return fail(parsed.error());
+        return true;
+    }
+    const Result<Bytes> start = readFileStart(file, recognisedBytes);
+    if (!start)
+        return fail(start.error());
+    if (recogniseImage(*start))
+        return false;
+    const Result<TextureImage> refused = decodeTexture(*start);
+    if (!refused)
+        return fail(refused.error().code, refused.error().message, file.string());
+    return false;
+}
+
+/// Several files as one load: what is no file or a second scene is refused already.
+Load sorted(const Session& session, const std::vector<fs::path>& files) {
+    Load load{.kind = Load::Kind::Add,
+              .pass = session.window.selection.pass,
+              .unit = session.window.selection.unit};
+    std::vector<fs::path> images;
+    for (const fs::path& file : files) {
+        const Result<bool> isScene = checkFile(file);
+        if (!isScene) {
+            load.refused.push_back(isScene.error());
+        } else if (!*isScene) {
+            images.push_back(file);
+        } else if (load.kind == Load::Kind::Scene) {
+            load.refused.push_back(
+                {ErrorCode::OutOfRange,
+                 "one scene is shown at a time, and " + load.path.filename().string() + " is opened",
+                 file.string()});
+        } else if (Result<Scene> scene = readScene(file)) {
+            load.kind = Load::Kind::Scene;
+            load.path = absolutePath(file);
+            load.scene = std::move(*scene);
+            load.images = ImageSource(load.path.parent_path());
+            load.pass = load.unit = 0;
+        } else {
+            load.refused.push_back(scene.error());
+        }
+    }
+    const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.document.images;
+    for (const fs::path& image : images)
+        load.added.push_back(nameIn(target, image));
+    load.goesOn = files.size() > 1;
+    load.before = session.document.scene;
+    return load;
+}
+
+bool opensNothing(const Load& load) {
+    return load.kind == Load::Kind::Add && load.added.empty();
+}
+
+} // namespace
+
+void addImages(Scene& scene, const ImageSource& images, Load& load) {
+    bool first = true;
+    for (const std::string& name : load.added) {
+        if (!images.holds(name))
+            continue; // it was refused
+        if (first) {
+            bindFile(scene, load.pass, load.unit, name);
+            first = false;
+            continue;
+        }
+        if (scene.textures.size() >= maxTextures) {
+            load.refused.push_back({ErrorCode::TooLarge,
+                                    "a scene has at most " + std::to_string(maxTextures) + " textures",
+                                    (images.directory() / name).string()});
+            continue;
+        }
+        Texture texture;
+        texture.source = SourceKind::File;
+        texture.mipmaps = MipPolicy::Generated;
+        texture.file = name;
+        scene.textures.push_back(std::move(texture));
+    }
+}
+
+std::vector<Error> checkArguments(const std::vector<fs::path>& files) {
+    std::vector<Error> refused;
+    for (const fs::path& file : files) {
+        if (const Result<bool> known = checkFile(file); !known)
+            refused.push_back(known.error());
+    }
+    return refused;
+}
+
+Result<void> openFiles(Session& session, const std::vector<fs::path>& files) {
+    if (files.size() == 1)
+        return openFile(session, files.front());
+    Load load = sorted(session, files);
+    if (opensNothing(load)) {
+        session.window.refused.insert(session.window.refused.end(), load.refused.begin(), load.refused.end());
+        return {};
+    }
+    start(session, std::move(load));
+    return {};
+}
+
+Result<void> openArguments(Session& session, const std::vector<fs::path>& files) {
+    if (files.empty())
+        return {};
+    Load load = sorted(session, files);
+    if (opensNothing(load))
+        return fail(load.refused.front());
+    if (load.kind == Load::Kind::Add) { // to begin with them is no edit
+        load.kind = Load::Kind::Scene;
+        load.scene = session.document.scene;
+        load.images = ImageSource(session.document.images.directory());
+    }
+    start(session, std::move(load));
+    return {};
+}
+
+void say(Session& session, const Error& error, const fs::path& file) {
+    const bool contentIsWrong = error.code == ErrorCode::Malformed || error.code == ErrorCode::Unsupported;
+    session.window.notice = {describe(error), contentIsWrong ? file : fs::path{}};
+}
+
+void say(Session& session, std::string sentence) {
+    session.window.notice = {std::move(sentence), {}};
+}
+
+void report(Session& session, const Result<void>& result, const fs::path& file) {
+    if (!result)
+        say(session, result.error(), file);
+}
+
+} // namespace texplorer::ui

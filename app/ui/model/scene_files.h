@@ -1,0 +1,67 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+#include <vector>
+
+namespace texplorer::ui {
+
+// Files. Each of these changes nothing when it fails.
+
+void newScene(Session& session);
+
+// Images come later: what was asked for happens in `receiveFiles`, or the user is told there why it can't.
+// The errors that are returned are those that are seen at once.
+
+/// Reads a scene and every image that it names.
+[[nodiscard]] Result<void> openScene(Session& session, const std::filesystem::path& path);
+
+/// Writes the scene. Image paths are kept relative to the scene file where they lie below its folder.
+[[nodiscard]] Result<void> saveScene(Session& session, const std::filesystem::path& path);
+
+/// Puts an image on the texture that is bound to the selected unit, and switches the unit on.
+void importImage(Session& session, const std::filesystem::path& path);
+
+/// Puts the images that a load has added into a scene, as far as they are in `images`: the first for the
+/// load's unit, a texture for each of the others. Those for which there is no room are refused.
+void addImages(Scene& scene, const ImageSource& images, Load& load);
+
+/// Shows unsaved work of a window that has died, once its images are there or can't be read.
+void restoreUnsaved(Session& session, UnsavedScene draft);
+
+/// A unit shows a file, with the texture that is bound to it, or with a new one; the unit is switched on.
+void bindFile(Scene& scene, int pass, int unit, std::string file);
+
+/// Puts an image on one texture of the scene. `file` is spelled as in Texture::file.
+void setFile(Session& session, int texture, std::string file);
+
+/// A scene that has been loaded takes the place of this one; asks first where the user has changed something
+/// meanwhile.
+void showLoadedScene(Session& session, Load load);
+
+/// A scene or an image, by its content.
+[[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
+
+/// Several files: at most one scene, and images; the first one is shown, the others wait as textures. What
+/// can't be opened is listed in Session::refused, and the rest is opened. The error is that of a file that is
+/// the only one.
+[[nodiscard]] Result<void> openFiles(Session& session, const std::vector<std::filesystem::path>& files);
+
+/// What of the command line is not there or is nothing that can be opened, by the beginning of each file:
+/// what can be said before there is a window. An error for each.
+[[nodiscard]] std::vector<Error> checkArguments(const std::vector<std::filesystem::path>& files);
+
+/// What the command line names, as openFiles. The session begins with it: there is nothing to undo or to
+/// save. The error is that of the first file where none can be opened.
+[[nodiscard]] Result<void> openArguments(Session& session, const std::vector<std::filesystem::path>& files);
+
+/// Whether a file is to be read as a scene, by its first bytes and its name; else as an image.
+[[nodiscard]] Result<bool> holdsScene(const std::filesystem::path& path);
+
+/// Tells the user. Where the content of `file` was the reason, it is offered to look into it.
+void say(Session& session, const Error& error, const std::filesystem::path& file = {});
+void say(Session& session, std::string sentence);
+/// Shows a failure to the user.
+void report(Session& session, const Result<void>& result, const std::filesystem::path& file = {});
+
+} // namespace texplorer::ui

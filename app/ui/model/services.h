@@ -1,0 +1,61 @@
+#pragma once
+
+#include "app/ui/model/files.h"
+#include "app/ui/model/unsaved_work.h"
+#include "core/reference/draw_worker.h"
+#include "core/reference/probe_worker.h"
+#include "core/texture/levels_worker.h"
+
+#include <functional>
+
+namespace texplorer::ui {
+
+/// What works for the window. The host has it and lends it to the session, which it must outlive.
+struct Services {
+    Files& files;
+    LevelsWorker& levels;             ///< of the scene's textures
+    reference::DrawWorker& reference; ///< of the reference's picture
+    reference::ProbeWorker& probe;    ///< of the pixel that is explained
+    UnsavedWork* unsaved = nullptr;   ///< nullptr: nothing is kept beyond the window
+};
+
+/// What works beside the window, on threads of its own; `wake` is called on those when there is news for the
+/// next frame. Textures that are compressed at run time are kept in `cache`.
+class ServicesBeside {
+public:
+    explicit ServicesBeside(const std::function<void()>& wake = {}, const BlockCache& cache = {})
+        : files_(wake)
+        , levels_(LevelsWorker::When::WhenReady, wake, {cache})
+        , reference_(reference::DrawWorker::When::WhenReady, wake, {cache})
+        , probe_(reference::ProbeWorker::When::WhenReady, wake, {cache}) {}
+
+    [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
+        return {files_, levels_, reference_, probe_, unsaved};
+    }
+
+private:
+    FilesBeside files_;
+    LevelsWorker levels_;
+    reference::DrawWorker reference_;
+    reference::ProbeWorker probe_;
+};
+
+/// The same without a thread: whoever asks waits. For programs without a user. `work`: how textures are
+/// compressed at run time.
+class ServicesAtOnce {
+public:
+    explicit ServicesAtOnce(const LevelWork& work = {})
+        : levels_(LevelsWorker::When::AtOnce, {}, work)
+        , reference_(reference::DrawWorker::When::AtOnce, {}, work)
+        , probe_(reference::ProbeWorker::When::AtOnce, {}, work) {}
+
+    [[nodiscard]] Services lend() { return {files_, levels_, reference_, probe_}; }
+
+private:
+    FilesAtOnce files_;
+    LevelsWorker levels_;
+    reference::DrawWorker reference_;
+    reference::ProbeWorker probe_;
+};
+
+} // namespace texplorer::ui

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "app/ui/model/details_tabs.h"
+#include "app/ui/model/explaining.h"
+#include "app/ui/model/file_view.h"
+#include "app/ui/model/layout.h"
+#include "app/ui/model/load.h"
+#include "app/ui/model/sections.h"
+#include "app/ui/model/views.h"
+#include "core/base/result.h"
+#include "core/mesh/mesh.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+
+struct Playback {
+    bool playing = true; ///< time goes on while something in the scene depends on it
+    double time = 0;     ///< seconds
+    float speed = 1;     ///< scene seconds a second
+};
+
+/// What the panels show. Indices beyond the scene are brought back by `settle`.
+struct Selection {
+    int model = 0;
+    std::optional<std::size_t> vertex;
+    int pass = 0;
+    int unit = 0;
+};
+
+enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help, Restore, Refused };
+
+/// What waits until the user has decided about unsaved changes.
+enum class Pending { None, NewScene, OpenScene, OpenFiles, ShowScene, Quit };
+
+/// The visible part of the texture plane.
+struct Plane {
+    float s = 0.5F; ///< the coordinates at the centre of the panel
+    float t = 0.5F;
+    float extent = 1.6F; ///< how much of the plane the panel's shorter side shows
+};
+
+/// A sentence for the user, in the status bar until it is dismissed.
+struct Notice {
+    std::string text;           ///< empty: nothing to say
+    std::filesystem::path file; ///< one that it may help to look into; empty: none
+};
+
+/// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
+/// panel alone remembers is beside that panel.
+struct WindowState {
+    Views views; ///< who draws the scene, and how one looks at it
+    Playback playback;
+    bool showsFrameTime = true; ///< off where two pictures of the window should be the same
+    Selection selection;
+    Plane plane;
+    Columns columns;
+    bool showRq = false; ///< whether the vertex list shows r and q
+
+    std::optional<Tab> wantedTab; ///< comes to the front with the next frame
+    Tab shownTab = Tab::Vertices; ///< is in front
+    std::string wantedParam;      ///< the parameters are scrolled there with the next frame; empty: not
+    std::optional<Section> wantedSection; ///< is opened and scrolled to with the next frame
+    std::string shownParam;               ///< the one that was scrolled to, framed until the next click
+
+    Dialog dialog = Dialog::None;
+    Pending pending = Pending::None;
+    std::vector<std::filesystem::path> pendingFiles;
+    std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
+    std::vector<Error> refused; ///< of several files: those that could not be opened, until one has read it
+    bool quitConfirmed = false;
+
+    Explaining explaining;
+    FileView fileView;
+    Notice notice;
+
+    std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
+    std::array<int, 3> meshKey{-1, 0, 0};
+};
+
+} // namespace texplorer::ui

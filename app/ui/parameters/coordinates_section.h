@@ -1,0 +1,9 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+namespace texplorer::ui {
+
+void coordinatesSection(Session& session); ///< generated ones, of the selected unit
+
+} // namespace texplorer::ui

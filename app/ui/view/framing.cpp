@@ -1,0 +1,37 @@
+#include "app/ui/view/framing.h"
+
+#include "app/ui/model/camera.h"
+
+#include <algorithm>
+
+namespace texplorer::ui {
+namespace {
+
+float aspectOf(const Layout& layout) {
+    return static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height);
+}
+
+} // namespace
+
+void resetCamera(Session& session, const Layout& layout) {
+    session.document.scene.view = defaultScene().view;
+    fitDistance(session.document.scene, session.window.playback.time, aspectOf(layout));
+    recordEdit(session, "Reset camera");
+}
+
+void frameAll(Session& session, const Layout& layout) {
+    frameModels(session.document.scene, session.window.playback.time, aspectOf(layout));
+    recordEdit(session, "Frame the models");
+}
+
+void show(Session& session, const ShowRow& row, const Layout& layout) {
+    showOnly(session.document.scene, row.show, session.window.playback.time, aspectOf(layout));
+    sealEdit(session);
+    recordEdit(session, std::string("Show ") + row.label);
+    sealEdit(session);
+    const auto shown = std::ranges::find(session.document.scene.models, true, &Model::visible);
+    session.window.selection.model = static_cast<int>(shown - session.document.scene.models.begin());
+    session.window.selection.vertex.reset();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,28 @@
+#include "app/ui/widgets/model_choice.h"
+
+#include "app/ui/widgets/param_widgets.h"
+
+namespace texplorer::ui {
+
+void modelChoice(Session& session, float width) {
+    const std::vector<Model>& models = session.document.scene.models;
+    const auto name = [&](int index) {
+        return std::to_string(index) + "  " +
+               std::string(rowOf(models[static_cast<std::size_t>(index)].shape).label);
+    };
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##model", name(session.window.selection.model).c_str())) {
+        for (int i = 0; i < static_cast<int>(models.size()); ++i) {
+            if (ImGui::Selectable(name(i).c_str(), i == session.window.selection.model)) {
+                session.window.selection.model = i;
+                session.window.selection.vertex.reset();
+            }
+            noteItem("model:" + std::to_string(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("model choice");
+    helpTip("Which model's values and vertices are shown");
+}
+
+} // namespace texplorer::ui

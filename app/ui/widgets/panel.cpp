@@ -1,0 +1,16 @@
+#include "app/ui/widgets/panel.h"
+
+namespace texplorer::ui {
+
+void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
+    ImGui::SetNextWindowSize({static_cast<float>(rect.width), static_cast<float>(rect.height)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(name, nullptr,
+                 flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
+}
+
+} // namespace texplorer::ui

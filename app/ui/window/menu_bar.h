@@ -1,0 +1,9 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+namespace texplorer::ui {
+
+void drawMenuBar(Session& session, const Layout& layout);
+
+} // namespace texplorer::ui
