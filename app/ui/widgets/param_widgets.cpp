@@ -299,7 +299,7 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
     }
     if (line.idle)
         noteItem(session, line.path + "#inert");
-    paramTip(row, line.value, line.initial, line.idle, line.problem);
+    paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
     line.reset |= line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     showWanted(session, line);
     if (row.kind == Kind::Color)
@@ -355,7 +355,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
                                                         : color::text);
     text(row.label);
     ImGui::PopStyleColor();
-    paramTip(row, line.value, line.initial, line.idle, line.problem);
+    paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
     line.reset = line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (line.problem) {
         ImGui::SameLine(0, em * 0.35F);

@@ -78,11 +78,17 @@ constexpr std::span<const EnumRow> choicesOf() {
 template<auto Member>
 constexpr ParamRow param(std::string_view key, std::string_view group, std::string_view label,
                          std::string_view glCall, std::string_view help, Range range = {}) {
-    return {key,          group,
-            label,        help,
-            glCall,       kindOf<Type<Member>>(),
-            range,        choicesOf<Type<Member>>(),
-            read<Member>, write<Member>};
+    return {memberId<Member>,
+            key,
+            group,
+            label,
+            help,
+            glCall,
+            kindOf<Type<Member>>(),
+            range,
+            choicesOf<Type<Member>>(),
+            read<Member>,
+            write<Member>};
 }
 
 /// A row for a vec4 that is a colour: 0 to 1 in each component, as GL clamps it.
@@ -103,13 +109,15 @@ constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::
     constexpr auto writeList = [](void* owner, const Value& value) {
         get<Member>(owner)[Index] = std::get<TexCoords>(value);
     };
-    return {key, group, label, help, glCall, Kind::TexCoordList, {}, {}, readList, writeList};
+    return {memberId<Member>,   key, group, label,    help,     glCall,
+            Kind::TexCoordList, {},  {},    readList, writeList};
 }
 
 /// A member that is one struct. Its initial value is the one that its owner gives it.
 template<auto Member>
 ChildRow single(std::string_view key, std::string_view label, const StructTable& table) {
-    return {key,
+    return {memberId<Member>,
+            key,
             label,
             &table,
             false,
@@ -130,7 +138,8 @@ ChildRow many(std::string_view key, std::string_view label, const StructTable& t
               std::size_t maxCount) {
     using List = Type<Member>;
     using T = typename List::value_type;
-    return {key,
+    return {memberId<Member>,
+            key,
             label,
             &table,
             true,
