@@ -99,6 +99,7 @@ constexpr std::array settings{
     Setting{keyOf<&Texture::border>, noBorder},    Setting{keyOf<&Texture::mipFilter>, noMipmaps},
     Setting{keyOf<&Texture::mipGamma>, noMipmaps}, Setting{keyOf<&Texture::maxLevel>, noMipmaps},
     Setting{keyOf<&Texture::minLod>, noLod},       Setting{keyOf<&Texture::maxLod>, noLod},
+    Setting{keyOf<&Texture::lodBias>, noLod},
 };
 
 void noEffect(const Case& about, Report& report) {

@@ -14,8 +14,17 @@ struct MemberOf<T O::*> {
     using Owner = O;
     using Type = T;
 };
+/// The struct whose table has the members of `T`: itself, but for a base that has no table of its own.
+template<class T>
+struct TableOf {
+    using Struct = T;
+};
+template<>
+struct TableOf<SamplerState> {
+    using Struct = Texture;
+};
 template<auto Member>
-using Owner = typename MemberOf<decltype(Member)>::Owner;
+using Owner = typename TableOf<typename MemberOf<decltype(Member)>::Owner>::Struct;
 template<auto Member>
 using Type = typename MemberOf<decltype(Member)>::Type;
 
@@ -164,8 +173,8 @@ struct Anything {
     operator T() const;
 };
 
-/// How many members an aggregate has: the longest list of initialisers that it takes. A table whose
-/// static_assert compares with it can't forget a member.
+/// How many members an aggregate has, its base being one: the longest list of initialisers that it takes. A
+/// table whose static_assert compares with it can't forget a member.
 template<class T, class... Initialisers>
 consteval std::size_t memberCount() {
     if constexpr (requires { T{Initialisers{}..., Anything{}}; })

@@ -83,6 +83,11 @@ constexpr std::array rows{
         "maxLod", "Mipmaps", "Max LOD", "glTexParameterf({target}, GL_TEXTURE_MAX_LOD, {})",
         "The level of detail never rises above this: 0 keeps far surfaces sharp, and aliased.",
         {-1000, 1000, 0.02F, "levels"}),
+    param<&Texture::lodBias>(
+        "lodBias", "Mipmaps", "LOD bias", "glTexParameterf({target}, GL_TEXTURE_LOD_BIAS, {})",
+        "Added to the level of detail before the limits, beside the bias of the unit: above 0 blurs, below 0 "
+        "sharpens and aliases.",
+        {-16, 16, 0.02F, "levels"}),
     param<&Texture::maxAnisotropy>(
         "maxAnisotropy", "Anisotropy", "Max anisotropy",
         "glTexParameterf({target}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",
@@ -93,7 +98,9 @@ constexpr std::array rows{
         "priority", "Residency", "Priority", "glTexParameterf({target}, GL_TEXTURE_PRIORITY, {})",
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
-static_assert(rows.size() == 27 && rows.size() == build::memberCount<Texture>());
+// The sampler state is one member of the texture, its base, and has a row for each of its own.
+static_assert(rows.size() == 28 &&
+              rows.size() == build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
 
 } // namespace
 

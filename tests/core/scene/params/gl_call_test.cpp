@@ -30,6 +30,8 @@ INSTANTIATE_TEST_SUITE_P(
              "glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_REPEAT)", Target::Texture1D},
         Call{"Volume", textureTable, "borderColor", "0,1,0,1",
              "glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, {0, 1, 0, 1})", Target::Texture3D},
+        Call{"Cube", textureTable, "lodBias", "0.25",
+             "glTexParameterf(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_LOD_BIAS, 0.25)", Target::CubeMap},
         Call{"ImageOfALine", textureTable, "internalFormat", "GL_RGB",
              "glTexImage1D(GL_TEXTURE_1D, level, GL_RGB, width, border, format, "
              "GL_UNSIGNED_BYTE, pixels)",

@@ -32,6 +32,7 @@ std::set<std::string> allKeys() {
 
 TEST(Keys, AreThoseOfTheRows) {
     EXPECT_EQ(keyOf<&Texture::minFilter>(), "minFilter");
+    EXPECT_EQ(keyOf<&SamplerState::minFilter>(), "minFilter");
     EXPECT_EQ(keyOf<&Texture::mipmaps>(), "mipmaps");
     EXPECT_EQ(keyOf<&Pass::units>(), "units");
     EXPECT_EQ(keyOf<&Unit::combine>(), "combine");
