@@ -121,7 +121,7 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
     if (unit.envMode == EnvMode::Combine)
         applyCombine(unit.combine);
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(unit.envColor));
-    glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unit.lodBias);
+    glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unitBias(unit, texture));
     for (const GeneratedCoordinate& row : generatedCoordinates)
         applyTexGen(row, unit.*row.state);
     glMatrixMode(GL_TEXTURE);

@@ -60,11 +60,11 @@ glm::mat4 flippedMatrix() {
 }
 
 void setUnit(const ShaderProgram& program, int index, const Unit& unit, const SampledUnit& sampled,
-             double time) {
+             const BoundTexture& texture, double time) {
     const std::string number = std::to_string(index);
     program.set("texture" + number, index);
     program.set("environmentColor" + number, glm::clamp(unit.envColor, 0.0F, 1.0F));
-    program.set("lodBias" + number, unit.lodBias);
+    program.set("lodBias" + number, unitBias(unit, texture));
     setTexGen(program, "plane" + number + "s", unit.texGenS);
     setTexGen(program, "plane" + number + "t", unit.texGenT);
     setTexGen(program, "plane" + number + "r", unit.texGenR);
@@ -118,13 +118,15 @@ public:
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
             glBindTexture(static_cast<GLenum>(unit.target), textures[at].name);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it adds to the shader's
-            setUnit(*program_, i, unit, *units[at], time);
+            setUnit(*program_, i, unit, *units[at], textures[at], time);
         }
         errors.check(where + ": glUniform");
         return true;
     }
 
-    [[nodiscard]] std::vector<std::shared_ptr<const view::PassShader>> shaders() const override { return shaders_; }
+    [[nodiscard]] std::vector<std::shared_ptr<const view::PassShader>> shaders() const override {
+        return shaders_;
+    }
 
     [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
@@ -197,7 +199,7 @@ private:
     const ShaderProgram* program_ = nullptr;                           // of the pass that is being drawn
     glm::mat4 projection_{1};
     std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of this frame
-    std::uint64_t revision_ = 0;                             // of what is drawn with
+    std::uint64_t revision_ = 0;                                   // of what is drawn with
     std::optional<ShaderFolder> folder_;
     std::shared_ptr<const ShaderPieces> newest_; // of the folder
     std::shared_ptr<const ShaderPieces> good_;   // the last of the folder's that compiled

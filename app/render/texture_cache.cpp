@@ -1,13 +1,21 @@
 #include "app/render/texture_cache.h"
 
 #include "core/diagnosis/applied_texture.h"
+#include "core/reference/sampling/lod.h"
 #include "core/scene/params/param_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 namespace texplorer::render {
+
+float unitBias(const Unit& unit, const BoundTexture& texture) {
+    constexpr float limit = reference::SampleOptions{}.maxBias;
+    const float sum = texture.lodBias + unit.lodBias;
+    return std::abs(sum) > limit ? std::copysign(limit, sum) - texture.lodBias : unit.lodBias;
+}
 
 BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target target,
                                    const ImageSource& images, LevelsSource* levels, GlErrors& errors) {
@@ -40,7 +48,8 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     for (const std::string_view sentence : applied.heldBack)
         errors.add(where + ": " + std::string(sentence));
     slot.object().apply(applied.texture, capabilities_.maxAnisotropy, where, errors);
-    return {slot.object().name(), slot.lateFlip(), slot.shape().format, slot.hasNegative()};
+    return {slot.object().name(), slot.lateFlip(), slot.shape().format, slot.hasNegative(),
+            applied.texture.lodBias};
 }
 
 const TextureObject* TextureCache::find(std::size_t index, Target target) const {

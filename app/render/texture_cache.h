@@ -1,11 +1,11 @@
 #pragma once
 
 #include "app/render/capabilities.h"
-#include "app/view/driver_facts.h"
 #include "app/render/gl_errors.h"
 #include "app/render/live_texture.h"
-#include "core/texture/image_source.h"
+#include "app/view/driver_facts.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
 #include <cstdint>
 #include <map>
@@ -18,7 +18,13 @@ struct BoundTexture {
     LateFlip lateFlip = LateFlip::None;
     BaseFormat format = BaseFormat::Rgba; ///< the base internal format, which the environment asks for
     bool hasNegative = false;             ///< its format is signed
+    float lodBias = 0;                    ///< of the texture object
 };
+
+/// The LOD bias that a unit is given beside that of its texture object. Below equation 3.18 OpenGL limits
+/// their sum, which Mesa 22.3 doesn't: where the sum is beyond the limit, the unit adds what is left up to
+/// it.
+[[nodiscard]] float unitBias(const Unit& unit, const BoundTexture& texture);
 
 /// The texture objects of a scene: one for each texture and target that it is used with. Images are uploaded
 /// when the pixels or what is made of them changed (imageSettings), parameters when they changed.

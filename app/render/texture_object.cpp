@@ -223,6 +223,7 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, texture.maxLevel);
     glTexParameterf(target_, GL_TEXTURE_MIN_LOD, texture.minLod);
     glTexParameterf(target_, GL_TEXTURE_MAX_LOD, texture.maxLod);
+    glTexParameterf(target_, GL_TEXTURE_LOD_BIAS, texture.lodBias);
     glTexParameterf(target_, GL_TEXTURE_PRIORITY, texture.priority);
     if (maxAnisotropy > 1) // else the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,

@@ -64,6 +64,8 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
                 {"ellipse", lod.ellipse},
                 {"rho", lod.rho},
                 {"log2Rho", lod.base},
+                {"textureBias", unit.sampler.lodBias},
+                {"unitBias", unit.lodBias},
                 {"bias", lod.bias},
                 {"biased", lod.biased},
                 {"lambda", lod.lambda},
@@ -87,7 +89,7 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
     for (const WrappedCoordinate& each : sample.wrapped)
         wrapped.push_back({{"level", each.level},
                            {"axis", std::string(1, "str"[each.axis])},
-                           {"wrap", nameOf(unit.wrap.at(static_cast<std::size_t>(each.axis)))},
+                           {"wrap", nameOf(unit.sampler.wrap(each.axis))},
                            {"given", each.given},
                            {"texels", each.texels}});
     Json& taps = json["taps"] = Json::array();
@@ -114,8 +116,8 @@ Json jsonOf(const UnitExplanation& unit) {
               {"coords", listOf(unit.coords)},
               {"perPixelX", listOf(unit.derivatives.dx)},
               {"perPixelY", listOf(unit.derivatives.dy)},
-              {"magFilter", nameOf(unit.magFilter)},
-              {"minFilter", nameOf(unit.minFilter)}};
+              {"magFilter", nameOf(unit.sampler.magFilter)},
+              {"minFilter", nameOf(unit.sampler.minFilter)}};
     json["sample"] = jsonOf(unit.sample, unit);
     json["environment"] = {{"mode", nameOf(unit.mode)},
                            {"previous", listOf(unit.inputs.previous)},

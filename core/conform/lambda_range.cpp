@@ -1,7 +1,7 @@
 #include "core/conform/lambda_range.h"
 
-#include "core/reference/sampling/cube.h"
 #include "core/reference/probe.h"
+#include "core/reference/sampling/cube.h"
 #include "core/texture/image_source.h"
 #include "core/texture/level_plan.h"
 
@@ -85,7 +85,7 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
     const double alongY = glm::length((coords(corner + glm::dvec2(0, 1)) - here) * size);
     const double longer = std::max(alongX, alongY);
     const double rho = unit.sample.lod.ellipse // then the shorter axis decides
-                           ? std::max(std::min(alongX, alongY), longer / double{unit.maxAnisotropy})
+                           ? std::max(std::min(alongX, alongY), longer / double{unit.sampler.maxAnisotropy})
                            : longer;
     const auto squared = static_cast<float>(rho * rho);
     LambdaRange range{-lambdaError, lambdaError};

@@ -23,7 +23,7 @@ Scene filtered(int& number, MagFilter mag, MinFilter min, Dice& state, Dice& val
 /// Bias, the limits of lambda, and which levels there are.
 void limitLod(Scene& scene, Dice& values) {
     Texture& texture = scene.textures[0];
-    // A bias in 256ths: some drivers keep no more of it.
+    // Each bias in 256ths: some drivers keep no more of it.
     scene.passes[0].units[0].lodBias = static_cast<float>(values.below(1025) - 512) / 256;
     if (values.chance(2))
         texture.minLod = values.number(-1, 3);
@@ -33,6 +33,8 @@ void limitLod(Scene& scene, Dice& values) {
         texture.baseLevel = values.below(4);
     if (values.chance(3))
         texture.maxLevel = texture.baseLevel + values.below(4);
+    if (values.chance(2))
+        texture.lodBias = static_cast<float>(values.below(513) - 256) / 256;
 }
 
 } // namespace

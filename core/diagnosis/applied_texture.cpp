@@ -20,8 +20,8 @@ void withoutAnisotropy(Texture& texture) {
     texture.maxAnisotropy = 1;
 }
 
-// Where lambda chooses between two filters and nothing else, and a shader biases it, llvmpipe has no level of
-// detail and reads it all the same.
+// Where lambda chooses between two filters and nothing else, and is biased, llvmpipe may have no level of
+// detail and read it all the same. Whose bias it is, the shader's or the texture object's, doesn't count.
 bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape) {
     const bool oneLevel =
         !reference::wantsMipmaps(texture.minFilter) || reference::lastMipLevel(shape) == shape.baseLevel;

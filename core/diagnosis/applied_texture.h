@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/reference/sampling/completeness.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/reference/sampling/completeness.h"
 #include "core/scene/scene.h"
 
 #include <span>

@@ -32,12 +32,8 @@ bool Case::works(const Unit& unit) const {
     return facts && facts->completeness.complete();
 }
 
-std::string at(std::string_view list, std::size_t index) {
-    return std::string(list) + "[" + std::to_string(index) + "]";
-}
-
 std::string unitPath(std::size_t pass, std::size_t unit) {
-    return at("passes", pass) + "." + at("units", unit) + ".";
+    return elementOf<&Scene::passes>(pass) + "." + elementOf<&Pass::units>(unit) + ".";
 }
 
 TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,

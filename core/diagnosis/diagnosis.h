@@ -3,8 +3,8 @@
 // What is wrong in a scene, undefined, or without effect, in sentences for a reader. One table of rules
 // (diagnosis_*.cpp) feeds the window, `texshot shot` and `texshot check`.
 
-#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,9 @@
 // GL_COMBINE: OpenGL 2.1, section 3.8.13.
 
-#include "core/gl/combine_arguments.h"
 #include "core/diagnosis/diagnosis_rules.h"
+#include "core/gl/combine_arguments.h"
+
+#include <algorithm>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -18,7 +20,7 @@ void undefinedCrossbar(const Case& about, Report& report) {
             const Unit& other = about.scene.passes[pass].units[*asked];
             if (about.works(other))
                 continue;
-            const std::string source = path + "combine." + std::string(each.sourceKey);
+            const std::string source = path + keyOf<&Unit::combine>() + "." + std::string(each.sourceKey);
             report.add(source,
                        nameOf(each.source) + " is undefined: unit " + std::to_string(*asked) +
                            (other.enabled ? " has no texture that is complete" : " is off"),
@@ -32,11 +34,11 @@ void unreadArguments(const Case& about, Report& report) {
         if (unit.envMode != EnvMode::Combine)
             return;
         const Combine& combine = unit.combine;
-        const std::string own = path + "combine.";
+        const std::string own = path + keyOf<&Unit::combine>() + ".";
         const bool dot = combine.rgb == CombineRgb::Dot3Rgba;
         const std::string overruled = nameOf(combine.rgb) + " gives alpha, too";
         if (dot) // its scale stays: ARB_texture_env_dot3 multiplies alpha by it
-            report.add(own + "alpha", overruled);
+            report.add(own + keyOf<&Combine::alpha>(), overruled);
         for (const Argument& each : argumentsOf(combine)) {
             if (each.read)
                 continue;
@@ -55,10 +57,32 @@ void unreadArguments(const Case& about, Report& report) {
 void otherMode(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (unit.envMode != EnvMode::Combine)
-            report.add(path + "combine",
+            report.add(path + keyOf<&Unit::combine>(),
                        "the mode is " + nameOf(unit.envMode) + ", not " + nameOf(EnvMode::Combine));
     });
 }
+
+struct ArgumentRow {
+    Key sourceKey;
+    Key operandKey;
+    CombineSource Combine::*source;
+    int number;
+    bool ofAlpha;
+};
+
+template<auto Source, auto Operand>
+constexpr ArgumentRow argument(int number, bool ofAlpha) {
+    return {keyOf<Source>, keyOf<Operand>, Source, number, ofAlpha};
+}
+
+constexpr std::array arguments{
+    argument<&Combine::source0Rgb, &Combine::operand0Rgb>(0, false),
+    argument<&Combine::source1Rgb, &Combine::operand1Rgb>(1, false),
+    argument<&Combine::source2Rgb, &Combine::operand2Rgb>(2, false),
+    argument<&Combine::source0Alpha, &Combine::operand0Alpha>(0, true),
+    argument<&Combine::source1Alpha, &Combine::operand1Alpha>(1, true),
+    argument<&Combine::source2Alpha, &Combine::operand2Alpha>(2, true),
+};
 
 constexpr std::array rules{
     Rule{"undefined-crossbar", Severity::Warning, undefinedCrossbar},
@@ -71,12 +95,12 @@ constexpr std::array rules{
 std::array<Argument, 6> argumentsOf(const Combine& combine) {
     const int rgb = argumentCount(combine.rgb);
     const int alpha = combine.rgb == CombineRgb::Dot3Rgba ? 0 : argumentCount(combine.alpha);
-    return {{{"source0Rgb", "operand0Rgb", combine.source0Rgb, rgb > 0, false},
-             {"source1Rgb", "operand1Rgb", combine.source1Rgb, rgb > 1, false},
-             {"source2Rgb", "operand2Rgb", combine.source2Rgb, rgb > 2, false},
-             {"source0Alpha", "operand0Alpha", combine.source0Alpha, alpha > 0, true},
-             {"source1Alpha", "operand1Alpha", combine.source1Alpha, alpha > 1, true},
-             {"source2Alpha", "operand2Alpha", combine.source2Alpha, alpha > 2, true}}};
+    std::array<Argument, 6> found{};
+    std::ranges::transform(arguments, found.begin(), [&](const ArgumentRow& row) {
+        return Argument{row.sourceKey(), row.operandKey(), combine.*row.source,
+                        row.number < (row.ofAlpha ? alpha : rgb), row.ofAlpha};
+    });
+    return found;
 }
 
 std::span<const Rule> combineRules() {

@@ -1,9 +1,9 @@
 // Which settings of a texture object change nothing at present.
 
+#include "core/diagnosis/diagnosis_rules.h"
 #include "core/image/border.h"
 #include "core/image/power_of_two.h"
 #include "core/reference/sampling/lod.h"
-#include "core/diagnosis/diagnosis_rules.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 
 /// A setting and why it changes nothing: an empty reason says that it does.
 struct Setting {
-    std::string_view key;
+    Key key;
     std::string (*reason)(const Texture& texture, const TextureFacts& facts);
 };
 
@@ -93,12 +93,13 @@ std::string noLod(const Texture& texture, const TextureFacts&) {
 }
 
 constexpr std::array settings{
-    Setting{"flip", noFlip},        Setting{"internalFormat", noInternalFormat},
-    Setting{"npot", noScaling},     Setting{"wrapT", noWrapT},
-    Setting{"wrapR", noWrapR},      Setting{"borderColor", noBorderColor},
-    Setting{"border", noBorder},    Setting{"mipFilter", noMipmaps},
-    Setting{"mipGamma", noMipmaps}, Setting{"maxLevel", noMipmaps},
-    Setting{"minLod", noLod},       Setting{"maxLod", noLod},
+    Setting{keyOf<&Texture::flip>, noFlip},        Setting{keyOf<&Texture::internalFormat>, noInternalFormat},
+    Setting{keyOf<&Texture::npot>, noScaling},     Setting{keyOf<&Texture::wrapT>, noWrapT},
+    Setting{keyOf<&Texture::wrapR>, noWrapR},      Setting{keyOf<&Texture::borderColor>, noBorderColor},
+    Setting{keyOf<&Texture::border>, noBorder},    Setting{keyOf<&Texture::mipFilter>, noMipmaps},
+    Setting{keyOf<&Texture::mipGamma>, noMipmaps}, Setting{keyOf<&Texture::maxLevel>, noMipmaps},
+    Setting{keyOf<&Texture::minLod>, noLod},       Setting{keyOf<&Texture::maxLod>, noLod},
+    Setting{keyOf<&Texture::lodBias>, noLod},
 };
 
 void noEffect(const Case& about, Report& report) {
@@ -106,7 +107,7 @@ void noEffect(const Case& about, Report& report) {
         for (const Setting& setting : settings) {
             std::string reason = setting.reason(about.scene.textures[i], about.textures[i]);
             if (!reason.empty())
-                report.add(at("textures", i) + "." + std::string(setting.key), std::move(reason));
+                report.add(elementOf<&Scene::textures>(i) + "." + setting.key(), std::move(reason));
         }
     }
 }
@@ -115,7 +116,8 @@ void noEffect(const Case& about, Report& report) {
 void ownBorder(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         if (about.scene.textures[i].border != 0 && about.driver.textureBorders)
-            report.add(at("textures", i) + ".borderColor", "the texture has a border of its own texels");
+            report.add(elementOf<&Scene::textures>(i) + "." + keyOf<&Texture::borderColor>(),
+                       "the texture has a border of its own texels");
     }
 }
 
@@ -126,9 +128,9 @@ void notShown(const Case& about, Report& report) {
         std::vector<Fix> fixes;
         forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
             if (fixes.empty() && !unit.enabled && unit.texture == static_cast<int>(i))
-                fixes = {{"Switch the unit on", {{path + "enabled", "true"}}}};
+                fixes = {{"Switch the unit on", {{path + keyOf<&Unit::enabled>(), "true"}}}};
         });
-        report.add(at("textures", i), "no unit that is on shows this texture", std::move(fixes));
+        report.add(elementOf<&Scene::textures>(i), "no unit that is on shows this texture", std::move(fixes));
     }
 }
 
@@ -136,23 +138,24 @@ void notShown(const Case& about, Report& report) {
 void unused(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         const Texture& texture = about.scene.textures[i];
-        const std::string path = at("textures", i) + ".";
-        const auto unless = [&](bool used, const char* key, const std::string& chosen) {
+        const std::string path = elementOf<&Scene::textures>(i) + ".";
+        const auto unless = [&](bool used, const std::string& key, const std::string& chosen) {
             if (!used)
                 report.add(path + key, "it is not used with " + chosen);
         };
-        unless(texture.source == SourceKind::Pattern, "pattern", nameOf(texture.source));
-        unless(texture.source == SourceKind::File, "file", nameOf(texture.source));
-        unless(texture.transparency == Transparency::Stencil, "stencilColor", nameOf(texture.transparency));
+        unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), nameOf(texture.source));
+        unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), nameOf(texture.source));
+        unless(texture.transparency == Transparency::Stencil, keyOf<&Texture::stencilColor>(),
+               nameOf(texture.transparency));
         const bool cached = texture.compression == Compression::Cached;
-        unless(cached || texture.compression == Compression::Driver, "compressedFormat",
+        unless(cached || texture.compression == Compression::Driver, keyOf<&Texture::compressedFormat>(),
                nameOf(texture.compression));
-        unless(cached, "compressionQuality", nameOf(texture.compression));
+        unless(cached, keyOf<&Texture::compressionQuality>(), nameOf(texture.compression));
         const bool averages =
             texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
-        unless(averages, "mipFilter", nameOf(texture.mipmaps));
-        unless(averages, "mipGamma", nameOf(texture.mipmaps));
-        unless(texture.mipmaps != MipPolicy::FromFile, "npot", nameOf(texture.mipmaps));
+        unless(averages, keyOf<&Texture::mipFilter>(), nameOf(texture.mipmaps));
+        unless(averages, keyOf<&Texture::mipGamma>(), nameOf(texture.mipmaps));
+        unless(texture.mipmaps != MipPolicy::FromFile, keyOf<&Texture::npot>(), nameOf(texture.mipmaps));
     }
 }
 

@@ -25,47 +25,60 @@ bool addsHighlight(const Scene& scene) {
     return scene.light.colorControl == ColorControl::SeparateSpecular && !whyDull(scene);
 }
 
-void addAll(Report& report, std::initializer_list<const char*> paths, const char* reason) {
-    for (const char* path : paths)
-        report.add(path, reason);
+void addAll(Report& report, std::initializer_list<Key> paths, const char* reason) {
+    for (const Key path : paths)
+        report.add(path(), reason);
 }
 
 void noColor(const Case& about, Report& report) {
     if (std::ranges::none_of(about.scene.passes,
                              [&](const Pass& pass) { return primaryInFragments(about, pass).any(); }))
-        report.add("material.color", blocked);
+        report.add(pathOf<&Scene::material, &Material::color>(), blocked);
 }
 
 /// Alpha is the same with lighting and without it (section 2.14.1).
 void noLighting(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         if (!primaryInFragments(about, about.scene.passes[p]).rgb && !addsHighlight(about.scene))
-            report.add(at("passes", p) + ".lighting", blocked);
+            report.add(elementOf<&Scene::passes>(p) + "." + keyOf<&Pass::lighting>(), blocked);
     }
 }
 
 void noLight(const Case& about, Report& report) {
     const Scene& scene = about.scene;
     if (std::ranges::none_of(scene.passes, &Pass::lighting)) {
-        addAll(report, {"light", "material.specular", "material.shininess"}, "no pass has lighting");
-        report.add("material.shadeModel", "without lighting all vertices have the same colour");
+        addAll(report,
+               {keyOf<&Scene::light>, pathOf<&Scene::material, &Material::specular>,
+                pathOf<&Scene::material, &Material::shininess>},
+               "no pass has lighting");
+        report.add(pathOf<&Scene::material, &Material::shadeModel>(),
+                   "without lighting all vertices have the same colour");
         return;
     }
     const char* dull = whyDull(scene);
     if (dull)
-        addAll(report, {"light.colorControl"}, dull);
+        addAll(report, {pathOf<&Scene::light, &Light::colorControl>}, dull);
     const bool shown = std::ranges::any_of(
         scene.passes, [&](const Pass& pass) { return pass.lighting && primaryInFragments(about, pass).rgb; });
     if (!shown)
-        addAll(report, {"light.ambient", "light.diffuse", "light.modelAmbient"}, blocked);
+        addAll(report,
+               {pathOf<&Scene::light, &Light::ambient>, pathOf<&Scene::light, &Light::diffuse>,
+                pathOf<&Scene::light, &Light::modelAmbient>},
+               blocked);
     if (!shown && !addsHighlight(scene))
-        return addAll(report,
-                      {"light.position", "light.specular", "light.localViewer", "material.specular",
-                       "material.shininess", "material.shadeModel"},
-                      blocked);
+        return addAll(
+            report,
+            {pathOf<&Scene::light, &Light::position>, pathOf<&Scene::light, &Light::specular>,
+             pathOf<&Scene::light, &Light::localViewer>, pathOf<&Scene::material, &Material::specular>,
+             pathOf<&Scene::material, &Material::shininess>, pathOf<&Scene::material, &Material::shadeModel>},
+            blocked);
     if (dull) {
-        report.add(isBlack(scene.material.specular) ? "light.specular" : "material.specular", dull);
-        addAll(report, {"material.shininess", "light.localViewer"}, dull);
+        report.add(isBlack(scene.material.specular) ? pathOf<&Scene::light, &Light::specular>()
+                                                    : pathOf<&Scene::material, &Material::specular>(),
+                   dull);
+        addAll(report,
+               {pathOf<&Scene::material, &Material::shininess>, pathOf<&Scene::light, &Light::localViewer>},
+               dull);
     }
 }
 

@@ -11,20 +11,20 @@ namespace {
 template<class Visit> ///< visit(pass, "passes[0].", number)
 void forEachPass(const Scene& scene, Visit visit) {
     for (std::size_t p = 0; p < scene.passes.size(); ++p)
-        visit(scene.passes[p], at("passes", p) + ".", p);
+        visit(scene.passes[p], elementOf<&Scene::passes>(p) + ".", p);
 }
 
 void nothingPasses(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (pass.alphaTest && pass.alphaFunc == CompareFunc::Never)
-            report.add(path + "alphaFunc",
+            report.add(path + keyOf<&Pass::alphaFunc>(),
                        nameOf(pass.alphaFunc) + " lets no fragment through: this pass draws nothing",
-                       Fix{"Switch the alpha test off", {{path + "alphaTest", "false"}}});
+                       Fix{"Switch the alpha test off", {{path + keyOf<&Pass::alphaTest>(), "false"}}});
         if (pass.depthTest && pass.depthFunc == CompareFunc::Never)
-            report.add(path + "depthFunc",
+            report.add(path + keyOf<&Pass::depthFunc>(),
                        nameOf(pass.depthFunc) + " lets no fragment through: this pass draws nothing",
                        Fix{"Set " + nameOf(CompareFunc::LessEqual),
-                           {{path + "depthFunc", nameOf(CompareFunc::LessEqual)}}});
+                           {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
     });
 }
 
@@ -34,11 +34,11 @@ void hiddenPass(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         const bool strict = pass.depthFunc == CompareFunc::Less;
         if (drawn && pass.depthTest && strict)
-            report.add(path + "depthFunc",
+            report.add(path + keyOf<&Pass::depthFunc>(),
                        "a pass before has drawn the same surfaces, and no depth is less than itself: this "
                        "pass draws nothing",
                        Fix{"Set " + nameOf(CompareFunc::LessEqual),
-                           {{path + "depthFunc", nameOf(CompareFunc::LessEqual)}}});
+                           {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
         const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
         drawn |= pass.depthTest && writes && !pass.alphaTest;
     });
@@ -72,29 +72,35 @@ void noDepthTest(const Case& about, Report& report) {
             pass.blend && (pass.blendSrc != BlendFactor::One || pass.blendDst != BlendFactor::Zero);
         if (pass.depthTest || blends)
             return;
-        Fix fix{"Switch the depth test on", {{path + "depthTest", "true"}}};
+        Fix fix{"Switch the depth test on", {{path + keyOf<&Pass::depthTest>(), "true"}}};
         if (p > 0) // no depth is less than that of a pass before
-            fix.assignments.push_back({path + "depthFunc", nameOf(CompareFunc::LessEqual)});
-        report.add(path + "depthTest", "there is no depth test: what is drawn last covers what is nearer",
-                   std::move(fix));
+            fix.assignments.push_back({path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)});
+        report.add(path + keyOf<&Pass::depthTest>(),
+                   "there is no depth test: what is drawn last covers what is nearer", std::move(fix));
     });
 }
 
 void noFragmentTest(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (!pass.depthTest)
-            report.add(path + "depthFunc", "the depth test is off");
+            report.add(path + keyOf<&Pass::depthFunc>(), "the depth test is off");
         if (!pass.alphaTest) {
-            report.add(path + "alphaFunc", "the alpha test is off");
-            report.add(path + "alphaRef", "the alpha test is off");
+            report.add(path + keyOf<&Pass::alphaFunc>(), "the alpha test is off");
+            report.add(path + keyOf<&Pass::alphaRef>(), "the alpha test is off");
         } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
-            report.add(path + "alphaRef", nameOf(pass.alphaFunc) + " compares with nothing");
+            report.add(path + keyOf<&Pass::alphaRef>(), nameOf(pass.alphaFunc) + " compares with nothing");
         if (!pass.blend) {
-            report.add(path + "blendSrc", "blending is off");
-            report.add(path + "blendDst", "blending is off");
+            report.add(path + keyOf<&Pass::blendSrc>(), "blending is off");
+            report.add(path + keyOf<&Pass::blendDst>(), "blending is off");
         } else if (pass.blendSrc == BlendFactor::One && pass.blendDst == BlendFactor::Zero)
-            report.add(path + "blend", "with these factors the new colour replaces the old one, as without");
+            report.add(path + keyOf<&Pass::blend>(),
+                       "with these factors the new colour replaces the old one, as without");
     });
+}
+
+/// "models[0].texCoords1"
+std::string texCoordsPath(std::size_t model, std::size_t unit) {
+    return elementOf<&Scene::models>(model) + "." + std::string(findKey(memberId<&Model::texCoords>, unit));
 }
 
 /// Coordinates that reach the texture: those of units that are on.
@@ -124,8 +130,7 @@ void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
                                        : "q of vertex " + vertex + " is 0, and s, t and r are divided by it";
             if (others > 0)
                 sentence += "; so it is with " + std::to_string(others) + " more";
-            report.add(at("models", m) + ".texCoords" + std::to_string(u) + "[" + vertex + "]",
-                       std::move(sentence));
+            report.add(texCoordsPath(m, u) + "[" + vertex + "]", std::move(sentence));
         }
     }
 }
@@ -140,9 +145,10 @@ void zeroQ(const Case& about, Report& report) {
 
 void hiddenModel(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
-        const std::string path = at("models", m);
+        const std::string path = elementOf<&Scene::models>(m);
         if (!about.scene.models[m].visible)
-            report.add(path, "the model is hidden", Fix{"Show it", {{path + ".visible", "true"}}});
+            report.add(path, "the model is hidden",
+                       Fix{"Show it", {{path + "." + keyOf<&Model::visible>(), "true"}}});
     }
 }
 
@@ -157,7 +163,7 @@ void unreadCoordinates(const Case& about, Report& report) {
                                      unit.texGenQ.enabled);
         });
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
-            report.add(at("models", m) + ".texCoords" + std::to_string(u),
+            report.add(texCoordsPath(m, u),
                        "unit " + std::to_string(u) + (off ? " is off" : " generates all of its coordinates"));
     }
 }
@@ -167,23 +173,25 @@ void otherShape(const Case& about, Report& report) {
         const Shape shape = about.scene.models[m].shape;
         if (shape == Shape::Sphere)
             continue;
-        for (const char* key : {"slices", "stacks"})
-            report.add(at("models", m) + "." + key, "a " + nameOf(shape) + " has none");
+        for (const Key key : {keyOf<&Model::slices>, keyOf<&Model::stacks>})
+            report.add(elementOf<&Scene::models>(m) + "." + key(), "a " + nameOf(shape) + " has none");
     }
 }
 
 void ignoredHint(const Case& about, Report& report) {
     const View& view = about.scene.view;
     if (view.perspectiveHint == HintMode::Fastest && view.projection == Projection::Perspective)
-        report.add("view.perspectiveHint",
+        report.add(pathOf<&Scene::view, &View::perspectiveHint>(),
                    "fixed function may ignore this hint, and most drivers do; the shaders and the reference "
                    "interpolate without perspective",
-                   Fix{"Correct the perspective", {{"view.perspectiveHint", nameOf(HintMode::Nicest)}}});
+                   Fix{"Correct the perspective",
+                       {{pathOf<&Scene::view, &View::perspectiveHint>(), nameOf(HintMode::Nicest)}}});
 }
 
 void nothingToCorrect(const Case& about, Report& report) {
     if (about.scene.view.projection == Projection::Orthographic)
-        report.add("view.perspectiveHint", "an orthographic view has no perspective to correct");
+        report.add(pathOf<&Scene::view, &View::perspectiveHint>(),
+                   "an orthographic view has no perspective to correct");
 }
 
 constexpr std::array rules{

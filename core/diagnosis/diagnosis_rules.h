@@ -3,8 +3,9 @@
 // How the rules of the diagnosis are written: a row each, {name, severity, function}. Only diagnosis*.cpp
 // include this.
 
-#include "core/reference/sampling/completeness.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/reference/sampling/completeness.h"
+#include "core/scene/params/keys.h"
 #include "core/texture/level_plan.h"
 
 #include <array>
@@ -90,15 +91,13 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> passRules();  ///< models, too
 [[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
 
-/// "textures[3]"
-[[nodiscard]] std::string at(std::string_view list, std::size_t index);
 /// "passes[0].units[1]."
 [[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit);
 
 /// One of GL_COMBINE's arguments.
 struct Argument {
-    std::string_view sourceKey;  ///< "source0Rgb"
-    std::string_view operandKey; ///< "operand0Rgb"
+    std::string_view sourceKey;
+    std::string_view operandKey;
     CombineSource source = CombineSource::Texture;
     bool read = false; ///< by the function that is chosen
     bool ofAlpha = false;

@@ -1,8 +1,8 @@
 // What is wrong with textures: not there, incomplete, undefined, or beyond the driver.
 
+#include "core/diagnosis/diagnosis_rules.h"
 #include "core/image/power_of_two.h"
 #include "core/reference/sampling/lod.h"
-#include "core/diagnosis/diagnosis_rules.h"
 #include "core/scene/params/param_text.h"
 
 #include <algorithm>
@@ -14,14 +14,20 @@ namespace {
 template<class Visit> ///< visit(texture, its facts, "textures[0].")
 void forEachTexture(const Case& about, Visit visit) {
     for (std::size_t i = 0; i < about.textures.size(); ++i)
-        visit(about.scene.textures[i], about.textures[i], at("textures", i) + ".");
+        visit(about.scene.textures[i], about.textures[i], elementOf<&Scene::textures>(i) + ".");
+}
+
+/// What names the image.
+Key imageKey(const Texture& texture) {
+    return texture.source == SourceKind::File ? keyOf<&Texture::file> : keyOf<&Texture::pattern>;
 }
 
 void missingFile(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         if (facts.image)
             return;
-        report.add(path + "file", texture.file.empty() ? "the texture wants an image file, but names none"
+        report.add(path + keyOf<&Texture::file>(), texture.file.empty()
+                                                       ? "the texture wants an image file, but names none"
                                                        : texture.file + " can't be found or read");
     });
 }
@@ -36,13 +42,13 @@ struct Cure {
 /// may do: make the others, read no more than these, read none but the base level.
 std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::string& path) {
     std::vector<Cure> cures;
-    const auto add = [&](std::string label, const char* key, std::string value, auto set) {
+    const auto add = [&](std::string label, const std::string& key, std::string value, auto set) {
         Texture cured = texture;
         set(cured);
         cures.push_back({{std::move(label), {{path + key, std::move(value)}}}, std::move(cured)});
     };
     const auto begin = [&](int level) {
-        add("Begin at level " + std::to_string(level), "baseLevel", std::to_string(level),
+        add("Begin at level " + std::to_string(level), keyOf<&Texture::baseLevel>(), std::to_string(level),
             [&](Texture& cured) { cured.baseLevel = level; });
     };
     if (texture.baseLevel <= lastLevel && texture.baseLevel > texture.maxLevel)
@@ -50,15 +56,15 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
     if (texture.baseLevel > 0)
         begin(0);
     if (texture.mipmaps != MipPolicy::Generated)
-        add("Generate mipmaps", "mipmaps", nameOf(MipPolicy::Generated),
+        add("Generate mipmaps", keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
             [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
     for (int level = lastLevel; level >= texture.baseLevel; --level)
-        add("End at level " + std::to_string(level), "maxLevel", std::to_string(level),
+        add("End at level " + std::to_string(level), keyOf<&Texture::maxLevel>(), std::to_string(level),
             [&](Texture& cured) { cured.maxLevel = level; });
     if (reference::wantsMipmaps(texture.minFilter)) {
         const MinFilter filter =
             reference::isLinear(texture.minFilter) ? MinFilter::Linear : MinFilter::Nearest;
-        add("Set " + nameOf(filter), "minFilter", nameOf(filter),
+        add("Set " + nameOf(filter), keyOf<&Texture::minFilter>(), nameOf(filter),
             [&](Texture& cured) { cured.minFilter = filter; });
     }
     return cures;
@@ -92,7 +98,7 @@ std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, cons
     for (Fix& fix : fixes) {
         fix.label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(fix.label.front())));
         fix.label = "Begin at level 0 and " + fix.label;
-        fix.assignments.push_back({path + "baseLevel", "0"});
+        fix.assignments.push_back({path + keyOf<&Texture::baseLevel>(), "0"});
     }
     return fixes;
 }
@@ -108,13 +114,13 @@ void incomplete(const Case& about, Report& report) {
         if (broken == facts.targets.end())
             return;
         const std::string sentence = broken->completeness.reason + "; drawn as if the unit were off";
-        const char* key = texture.mipmaps == MipPolicy::None ? "minFilter" : "mipmaps";
+        Key key = texture.mipmaps == MipPolicy::None ? keyOf<&Texture::minFilter> : keyOf<&Texture::mipmaps>;
         if (broken->completeness.rule == Rule::BaseLevelMissing ||
             broken->completeness.rule == Rule::BaseAboveMaxLevel)
-            key = "baseLevel";
+            key = keyOf<&Texture::baseLevel>;
         else if (broken->completeness.rule == Rule::CubeFaces)
-            key = texture.source == SourceKind::File ? "file" : "pattern";
-        report.add(path + key, sentence, fixesOf(texture, facts, path));
+            key = imageKey(texture);
+        report.add(path + key(), sentence, fixesOf(texture, facts, path));
     });
 }
 
@@ -125,10 +131,11 @@ void lodRange(const Case& about, Report& report) {
             return;
         const std::string low = formatNumber(texture.minLod);
         const std::string high = formatNumber(texture.maxLod);
-        report.add(path + "minLod",
+        report.add(path + keyOf<&Texture::minLod>(),
                    "the least level of detail, " + low + ", exceeds the greatest, " + high +
                        ": OpenGL leaves undefined what is drawn",
-                   Fix{"Exchange them", {{path + "minLod", high}, {path + "maxLod", low}}});
+                   Fix{"Exchange them",
+                       {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
     });
 }
 
@@ -138,11 +145,11 @@ void anisotropyLimit(const Case& about, Report& report) {
         if (texture.maxAnisotropy <= limit)
             return;
         const std::string most = formatNumber(limit);
-        report.add(path + "maxAnisotropy",
+        report.add(path + keyOf<&Texture::maxAnisotropy>(),
                    limit <= 1 ? std::string("the driver has no anisotropic filtering")
                               : "an anisotropy of " + formatNumber(texture.maxAnisotropy) +
                                     " exceeds the driver's " + most + ", which is used instead",
-                   Fix{"Set anisotropy to " + most, {{path + "maxAnisotropy", most}}});
+                   Fix{"Set anisotropy to " + most, {{path + keyOf<&Texture::maxAnisotropy>(), most}}});
     });
 }
 
@@ -151,8 +158,8 @@ void heldBack(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
         for (const TargetFacts& each : facts.targets) {
             for (const std::string_view sentence : each.heldBack)
-                report.add(path + "maxAnisotropy", std::string(sentence),
-                           Fix{"Set anisotropy to 1", {{path + "maxAnisotropy", "1"}}});
+                report.add(path + keyOf<&Texture::maxAnisotropy>(), std::string(sentence),
+                           Fix{"Set anisotropy to 1", {{path + keyOf<&Texture::maxAnisotropy>(), "1"}}});
         }
     });
 }
@@ -172,8 +179,8 @@ void nonPowerOfTwo(const Case& about, Report& report) {
             return;
         std::vector<Fix> fixes;
         if (texture.mipmaps != MipPolicy::FromFile)
-            fixes = {{"Scale it", {{path + "npot", nameOf(NpotPolicy::PowerOfTwo)}}}};
-        report.add(path + "npot",
+            fixes = {{"Scale it", {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
+        report.add(path + keyOf<&Texture::npot>(),
                    extentsOf(plan.levels.front()) +
                        " texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
                    std::move(fixes));
@@ -191,9 +198,9 @@ void sizeLimit(const Case& about, Report& report) {
             const PlannedLevel& base = each.plan.levels.front();
             if (std::max({base.width, base.height, base.depth}) <= limit)
                 continue;
-            report.add(path + (texture.source == SourceKind::File ? "file" : "pattern"),
-                       extentsOf(base) + " texels exceed the driver's " + std::to_string(limit) + " for " +
-                           nameOf(each.target) + ": drawn without it");
+            report.add(path + imageKey(texture)(), extentsOf(base) + " texels exceed the driver's " +
+                                                       std::to_string(limit) + " for " + nameOf(each.target) +
+                                                       ": drawn without it");
         }
     });
 }
@@ -203,7 +210,7 @@ void lacksFormat(const Case& about, Report& report) {
         const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
         if (!blocks || (isS3tc(*blocks) ? about.driver.s3tc : about.driver.rgtc))
             return;
-        report.add(path + "compression",
+        report.add(path + keyOf<&Texture::compression>(),
                    "the driver has no " + nameOf(*blocks) + ": the texture is uploaded decompressed");
     });
 }
@@ -213,10 +220,10 @@ void lostBorder(const Case& about, Report& report) {
         return;
     forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
         if (texture.border != 0)
-            report.add(path + "border",
+            report.add(path + keyOf<&Texture::border>(),
                        "the driver takes a texture's border away, and the border colour stands for it: the "
                        "reference renderer shows the border",
-                       Fix{"Do without it", {{path + "border", "0"}}});
+                       Fix{"Do without it", {{path + keyOf<&Texture::border>(), "0"}}});
     });
 }
 

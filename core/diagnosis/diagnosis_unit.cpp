@@ -1,9 +1,9 @@
 // Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
 // collapse, and what changes nothing.
 
+#include "core/diagnosis/color_flow.h"
 #include "core/gl/combine_arguments.h"
 #include "core/reference/sampling/lod.h"
-#include "core/diagnosis/color_flow.h"
 #include "core/scene/params/param_text.h"
 
 #include <algorithm>
@@ -12,24 +12,24 @@ namespace texplorer::diagnosis {
 namespace {
 
 struct Generated {
-    const char* key;
+    Key key;
     TexGen Unit::*state;
 };
-constexpr std::array<Generated, 4> generated{{{"texGenS", &Unit::texGenS},
-                                              {"texGenT", &Unit::texGenT},
-                                              {"texGenR", &Unit::texGenR},
-                                              {"texGenQ", &Unit::texGenQ}}};
+constexpr std::array<Generated, 4> generated{{{keyOf<&Unit::texGenS>, &Unit::texGenS},
+                                              {keyOf<&Unit::texGenT>, &Unit::texGenT},
+                                              {keyOf<&Unit::texGenR>, &Unit::texGenR},
+                                              {keyOf<&Unit::texGenQ>, &Unit::texGenQ}}};
 
 void missingTexture(const Case& about, Report& report) {
     const std::size_t count = about.textures.size();
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!unit.enabled || about.textureOf(unit))
             return;
-        report.add(path + "texture",
+        report.add(path + keyOf<&Unit::texture>(),
                    "there is no texture " + std::to_string(unit.texture) + ", the scene has " +
                        std::to_string(count),
-                   count > 0 ? Fix{"Bind texture 0", {{path + "texture", "0"}}}
-                             : Fix{"Switch the unit off", {{path + "enabled", "false"}}});
+                   count > 0 ? Fix{"Bind texture 0", {{path + keyOf<&Unit::texture>(), "0"}}}
+                             : Fix{"Switch the unit off", {{path + keyOf<&Unit::enabled>(), "false"}}});
     });
 }
 
@@ -38,8 +38,9 @@ void unitLimit(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         for (std::size_t u = limit; u < maxUnits; ++u) {
             if (about.scene.passes[p].units[u].enabled)
-                report.add(unitPath(p, u) + "enabled", "the driver has " + std::to_string(limit) +
-                                                           " texture units: drawn without this one");
+                report.add(unitPath(p, u) + keyOf<&Unit::enabled>(),
+                           "the driver has " + std::to_string(limit) +
+                               " texture units: drawn without this one");
         }
     }
 }
@@ -52,12 +53,13 @@ void undefinedDecal(const Case& about, Report& report) {
         if (!unit.enabled || unit.envMode != EnvMode::Decal || !facts || facts->format == BaseFormat::Rgb ||
             facts->format == BaseFormat::Rgba)
             return;
-        report.add(path + "envMode",
+        report.add(path + keyOf<&Unit::envMode>(),
                    nameOf(unit.envMode) + " of a " + nameOf(facts->format) +
                        " texture is undefined: it needs " + nameOf(BaseFormat::Rgb) + " or " +
                        nameOf(BaseFormat::Rgba),
                    Fix{"Make it " + nameOf(BaseFormat::Rgba),
-                       {{at("textures", static_cast<std::size_t>(unit.texture)) + ".internalFormat",
+                       {{elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + "." +
+                             keyOf<&Texture::internalFormat>(),
                          nameOf(BaseFormat::Rgba)}}});
     });
 }
@@ -69,7 +71,8 @@ void collapsingMatrix(const Case& about, Report& report) {
             return;
         for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
             const MatrixStep& step = unit.matrix[i];
-            const std::string amount = path + at("matrix", i) + ".amount";
+            const std::string amount =
+                path + elementOf<&Unit::matrix>(i) + "." + keyOf<&MatrixStep::amount>();
             if (step.op == MatrixOp::Rotate && step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
                 report.add(amount, "an axis of length 0: OpenGL leaves undefined where this rotates",
                            Fix{"Rotate about r", {{amount, "0,0,1"}}});
@@ -109,11 +112,12 @@ void flatDirection(const Case& about, Report& report) {
                 continue;
             Fix fix{"Reflect", {}};
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const std::string own = unitPath(p, u) + generated[axis].key;
-                fix.assignments.push_back({own + ".mode", nameOf(TexGenMode::ReflectionMap)});
-                fix.assignments.push_back({own + ".enabled", "true"});
+                const std::string own = unitPath(p, u) + generated[axis].key();
+                fix.assignments.push_back(
+                    {own + "." + keyOf<&TexGen::mode>(), nameOf(TexGenMode::ReflectionMap)});
+                fix.assignments.push_back({own + "." + keyOf<&TexGen::enabled>(), "true"});
             }
-            report.add(unitPath(p, u) + "target",
+            report.add(unitPath(p, u) + keyOf<&Unit::target>(),
                        "a cube map takes s, t and r as a direction, and r is 0 at every vertex: only a line "
                        "around the sides of the cube is seen; " +
                            nameOf(TexGenMode::ReflectionMap) + " or " + nameOf(TexGenMode::NormalMap) +
@@ -134,15 +138,16 @@ void cubeSeams(const Case& about, Report& report) {
         if (!about.textures[i].shown || !about.textures[i].hasTarget(Target::CubeMap) || !linear ||
             (!leaves(texture.wrapS) && !leaves(texture.wrapT)))
             continue;
-        const std::string path = at("textures", i) + ".";
+        const std::string path = elementOf<&Scene::textures>(i) + ".";
         const bool ofS = leaves(texture.wrapS);
         const std::string edge = nameOf(Wrap::ClampToEdge);
-        report.add(path + (ofS ? "wrapS" : "wrapT"),
+        report.add(path + (ofS ? keyOf<&Texture::wrapS>() : keyOf<&Texture::wrapT>()),
                    nameOf(ofS ? texture.wrapS : texture.wrapT) +
                        " reaches beyond the edge of each face of a cube map, which then shows as a "
                        "seam; some drivers take " +
                        edge + " whatever is asked for",
-                   Fix{"Clamp to the edges", {{path + "wrapS", edge}, {path + "wrapT", edge}}});
+                   Fix{"Clamp to the edges",
+                       {{path + keyOf<&Texture::wrapS>(), edge}, {path + keyOf<&Texture::wrapT>(), edge}}});
     }
 }
 
@@ -153,7 +158,8 @@ void generatedZeroQ(const Case& about, Report& report) {
         const bool object = q.mode == TexGenMode::ObjectLinear;
         if (!unit.enabled || !q.enabled || (object ? q.objectPlane : q.eyePlane) != glm::vec4(0))
             return;
-        const std::string plane = path + (object ? "texGenQ.objectPlane" : "texGenQ.eyePlane");
+        const std::string plane = path + (object ? pathOf<&Unit::texGenQ, &TexGen::objectPlane>()
+                                                 : pathOf<&Unit::texGenQ, &TexGen::eyePlane>());
         report.add(plane, "this plane makes q 0 everywhere, and s, t and r are divided by it",
                    Fix{"Make q 1", {{plane, "0,0,0,1"}}});
     });
@@ -166,7 +172,7 @@ void unitOff(const Case& about, Report& report) {
             return;
         std::vector<Fix> fixes;
         if (about.textureOf(unit))
-            fixes = {{"Switch the unit on", {{path + "enabled", "true"}}}};
+            fixes = {{"Switch the unit on", {{path + keyOf<&Unit::enabled>(), "true"}}}};
         report.add(path.substr(0, path.size() - 1), "the unit is off", std::move(fixes));
     });
 }
@@ -186,9 +192,9 @@ bool readsConstant(const Case& about, const Unit& unit) {
 void noEnvColor(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!readsConstant(about, unit))
-            report.add(path + "envColor", "the environment colour is used only by " + nameOf(EnvMode::Blend) +
-                                              " and by " + nameOf(EnvMode::Combine) + "'s " +
-                                              nameOf(CombineSource::Constant));
+            report.add(path + keyOf<&Unit::envColor>(),
+                       "the environment colour is used only by " + nameOf(EnvMode::Blend) + " and by " +
+                           nameOf(EnvMode::Combine) + "'s " + nameOf(CombineSource::Constant));
     });
 }
 
@@ -198,7 +204,7 @@ void noLodBias(const Case& about, Report& report) {
             return;
         const Texture& texture = about.scene.textures[static_cast<std::size_t>(unit.texture)];
         if (static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter))
-            report.add(path + "lodBias",
+            report.add(path + keyOf<&Unit::lodBias>(),
                        nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same");
     });
 }
@@ -207,22 +213,22 @@ void noGeneration(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         for (const Generated& each : generated) {
             const TexGen& state = unit.*each.state;
-            const std::string own = path + each.key + ".";
+            const std::string own = path + each.key() + ".";
             const std::string reason = state.enabled ? nameOf(state.mode) + " does not read this plane"
                                                      : "the vertex's own coordinate is taken";
             if (!state.enabled)
-                report.add(own + "mode", reason);
+                report.add(own + keyOf<&TexGen::mode>(), reason);
             if (!state.enabled || state.mode != TexGenMode::ObjectLinear)
-                report.add(own + "objectPlane", reason);
+                report.add(own + keyOf<&TexGen::objectPlane>(), reason);
             if (!state.enabled || state.mode != TexGenMode::EyeLinear)
-                report.add(own + "eyePlane", reason);
+                report.add(own + keyOf<&TexGen::eyePlane>(), reason);
         }
         // Without a matrix that could carry them over, coordinates that the target has not are lost.
         const int axes = coordinatesOf(unit.target);
         for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
-                report.add(path + each.key + ".enabled",
+                report.add(path + each.key() + "." + keyOf<&TexGen::enabled>(),
                            nameOf(unit.target) + " does not look at this coordinate");
         }
     });
@@ -263,8 +269,8 @@ void overruledUnit(const Case& about, Report& report) {
             "unit " + std::to_string(*later) + " lets nothing of the units before it through";
         if (!isAsked(about, pass, index))
             return report.add(path.substr(0, path.size() - 1), reason);
-        for (const char* key : {"envMode", "envColor", "combine"}) // its texture is read elsewhere
-            report.add(path + key, reason);
+        for (const Key key : {keyOf<&Unit::envMode>, keyOf<&Unit::envColor>, keyOf<&Unit::combine>})
+            report.add(path + key(), reason); // its texture is read elsewhere
     });
 }
 
@@ -279,7 +285,8 @@ void overruledTexture(const Case& about, Report& report) {
             reaches |= !about.works(unit) || isAsked(about, pass, index) || !overrulerOf(about, pass, index);
         });
         if (!reaches)
-            report.add(at("textures", i), "later units let nothing through of those that show it");
+            report.add(elementOf<&Scene::textures>(i),
+                       "later units let nothing through of those that show it");
     }
 }
 
@@ -288,8 +295,8 @@ void otherOperation(const Case& about, Report& report) {
         for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
             if (unit.matrix[i].op == MatrixOp::Rotate)
                 continue;
-            for (const char* key : {"angle", "angleRate"})
-                report.add(path + at("matrix", i) + "." + key,
+            for (const Key key : {keyOf<&MatrixStep::angle>, keyOf<&MatrixStep::angleRate>})
+                report.add(path + elementOf<&Unit::matrix>(i) + "." + key(),
                            "only " + nameOf(MatrixOp::Rotate) + " has an angle");
         }
     });

@@ -1,10 +1,10 @@
 #include "core/reference/probe.h"
 
-#include "core/reference/sampling/completeness.h"
-#include "core/reference/shading/fragment.h"
 #include "core/reference/raster/raster.h"
-#include "core/reference/sampling/sampler.h"
 #include "core/reference/raster/shade.h"
+#include "core/reference/sampling/completeness.h"
+#include "core/reference/sampling/sampler.h"
+#include "core/reference/shading/fragment.h"
 #include "core/reference/shading/stored_color.h"
 #include "core/reference/shading/vertex_stage.h"
 #include "core/scene/animation.h"
@@ -245,12 +245,7 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.pixel.transformed = place.homogeneous;
         unit.coords = place.coords;
         unit.derivatives = place.derivatives;
-        unit.magFilter = state.texture->magFilter;
-        unit.minFilter = state.texture->minFilter;
-        unit.wrap = state.texture->wrap;
-        unit.minLod = state.texture->minLod;
-        unit.maxLod = state.texture->maxLod;
-        unit.maxAnisotropy = state.texture->maxAnisotropy;
+        unit.sampler = *state.texture;
         unit.lodBias = state.sampling.unitBias;
         unit.sample = explainSample(*state.texture, place.coords, place.derivatives, state.sampling);
         unit.extents = extentsOf(*state.texture, unit.sample);

@@ -15,6 +15,7 @@
 #include "core/image/patterns/pattern.h"
 #include "core/image/transparency.h"
 #include "core/mesh/mesh.h"
+#include "core/scene/sampler_state.h"
 #include "core/scene/texture_options.h"
 
 #include <glm/vec3.hpp>
@@ -92,7 +93,7 @@ struct Model {
 };
 
 /// A texture object: its images and glTexParameter state.
-struct Texture {
+struct Texture : SamplerState {
     SourceKind source = SourceKind::Pattern;
     Pattern pattern = Pattern::Checker;
     std::string file{}; ///< path of an image; relative to the scene file
@@ -108,17 +109,6 @@ struct Texture {
     MipFilter mipFilter = MipFilter::Box;
     bool mipGamma = false;
     NpotPolicy npot = NpotPolicy::Keep;
-    MagFilter magFilter = MagFilter::Linear;
-    MinFilter minFilter = MinFilter::NearestMipmapLinear;
-    Wrap wrapS = Wrap::Repeat;
-    Wrap wrapT = Wrap::Repeat;
-    Wrap wrapR = Wrap::Repeat;
-    glm::vec4 borderColor{0, 0, 0, 0};
-    int baseLevel = 0;
-    int maxLevel = 1000;
-    float minLod = -1000;
-    float maxLod = 1000;
-    float maxAnisotropy = 1;
     float priority = 1;
 
     bool operator==(const Texture&) const = default;

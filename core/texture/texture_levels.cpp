@@ -6,9 +6,9 @@
 #include "core/image/resample.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
+#include "core/s3tc/surface_pixels.h"
 #include "core/texture/level_plan.h"
 #include "core/texture/target_image.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -423,20 +423,9 @@ void decompress(TextureLevels& levels) {
 }
 
 Texture imageSettings(const Texture& texture) {
-    const Texture initial;
     Texture settings = texture;
-    settings.magFilter = initial.magFilter;
-    settings.minFilter = initial.minFilter;
-    settings.wrapS = initial.wrapS;
-    settings.wrapT = initial.wrapT;
-    settings.wrapR = initial.wrapR;
-    settings.borderColor = initial.borderColor;
-    settings.baseLevel = initial.baseLevel;
-    settings.maxLevel = initial.maxLevel;
-    settings.minLod = initial.minLod;
-    settings.maxLod = initial.maxLod;
-    settings.maxAnisotropy = initial.maxAnisotropy;
-    settings.priority = initial.priority;
+    static_cast<SamplerState&>(settings) = {};
+    settings.priority = Texture{}.priority;
     return settings;
 }
 

@@ -1,5 +1,6 @@
 #include "app/render/gl_functions.h"
 #include "core/base/file_io.h"
+#include "core/scene/params/params.h"
 #include "tests/support/render_fixture.h"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,39 @@ TEST(GlFunctions, AreAllThatTheSourcesCallThroughGlew) {
     for (const render::GlFunction& each : render::glFunctions())
         EXPECT_TRUE(listed.insert(each.name).second) << each.name << " is listed twice";
     EXPECT_EQ(called, listed);
+}
+
+/// Every name that GLEW's and GLU's headers give to a function or a number.
+Names namesOfHeaders() {
+    const std::string glew = textOf(TEXPLORER_GLEW_HEADER);
+    Names names = pointersOfGlew();
+    names.merge(found(glew, std::regex("#define (GL_\\w+) ")));
+    names.merge(found(glew, std::regex("GLAPIENTRY (gl[A-Z]\\w*) \\(")));
+    names.merge(found(textOf(TEXPLORER_GLU_HEADER), std::regex("GLAPIENTRY (glu[A-Z]\\w*) \\(")));
+    return names;
+}
+
+TEST(GlCalls, NameWhatTheHeadersOfOpenGlHave) {
+    const Names known = namesOfHeaders();
+    ASSERT_GT(known.size(), 3000U);
+    Names said;
+    Scene scene;
+    scene.models.resize(1);
+    scene.textures.resize(1);
+    scene.passes[0].units[0].matrix.resize(1);
+    forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
+        for (const EnumRow& target : EnumTable<Target>::rows) {
+            const std::string call = formatCall(row, value, static_cast<Target>(target.value));
+            EXPECT_EQ(call.find("{target}"), std::string::npos) << path;
+            for (const std::string& name : found(call, std::regex("\\b((?:glu?[A-Z]|GL_)\\w*)"))) {
+                EXPECT_TRUE(known.contains(name)) << path << ": " << call;
+                said.insert(name);
+            }
+        }
+    });
+    for (const char* name :
+         {"glTexImage3D", "glTexGenfv", "gluPerspective", "GL_TEXTURE_LOD_BIAS", "GL_SRC2_ALPHA"})
+        EXPECT_TRUE(said.contains(name)) << name;
 }
 
 class LoadedGlFunctions : public testing_support::RenderTest {};

@@ -2,11 +2,11 @@
 // specification. The texture has 64 x 64 texels and the coloured mip set, so that the colour says the level.
 
 #include "app/render/gl_handle.h"
+#include "core/image/mip_colors.h"
 #include "core/image/mipmaps.h"
 #include "core/image/patterns/pattern.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
-#include "core/image/mip_colors.h"
 
 #include <glm/common.hpp>
 #include <gmock/gmock.h>
@@ -28,7 +28,8 @@ struct Case {
     const char* name;
     float texelsPerPixel;
     MinFilter filter = MinFilter::NearestMipmapNearest;
-    float bias = 0;
+    float bias = 0;        ///< of the unit
+    float textureBias = 0; ///< of the texture object
     float minLod = -1000;
     float maxLod = 1000;
     int baseLevel = 0;
@@ -52,6 +53,7 @@ TEST_P(MipLevel, IsTheOneOfTheSpecification) {
     texture.baseLevel = row.baseLevel;
     texture.maxLevel = row.maxLevel;
     scene.passes[0].units[0].lodBias = row.bias;
+    texture.lodBias = row.textureBias;
     const float repeats = row.texelsPerPixel * pixels / texels;
     scene.models[0].texCoords[0] = quadCoords({0, 0, 0, 1}, {repeats, repeats, 0, 1});
 
@@ -123,6 +125,44 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{.name = "BiasPlusOne", .texelsPerPixel = 4, .bias = 1, .expectedLevel = 3},
         Case{.name = "BiasMinusOne", .texelsPerPixel = 4, .bias = -1, .expectedLevel = 1},
+        Case{.name = "TextureBiasPlusOne", .texelsPerPixel = 4, .textureBias = 1, .expectedLevel = 3},
+        Case{.name = "TextureBiasMinusOne", .texelsPerPixel = 4, .textureBias = -1, .expectedLevel = 1},
+        Case{.name = "BiasesAddUp", .texelsPerPixel = 4, .bias = -3, .textureBias = 4, .expectedLevel = 3},
+        Case{.name = "TextureBiasMagnifies",
+             .texelsPerPixel = 4,
+             .filter = M::LinearMipmapLinear,
+             .textureBias = -2.5F,
+             .expectedLevel = 0},
+        Case{.name = "TextureBiasBetweenLevels",
+             .texelsPerPixel = 4,
+             .filter = M::LinearMipmapLinear,
+             .bias = 0.125F,
+             .textureBias = 0.125F,
+             .expectedLevel = 2,
+             .shareOfNextLevel = 0.25F},
+        Case{.name = "TextureBiasBeyondMaxLod",
+             .texelsPerPixel = 4,
+             .textureBias = 2,
+             .maxLod = 3,
+             .expectedLevel = 3},
+        // lambda is -12 before the biases: their sum is clamped to 16 (GL_MAX_TEXTURE_LOD_BIAS), and neither
+        // alone.
+        Case{.name = "OneBiasIsClamped", .texelsPerPixel = 1.0F / 4096, .bias = 16, .expectedLevel = 4},
+        Case{.name = "TheSumOfBiasesIsClamped",
+             .texelsPerPixel = 1.0F / 4096,
+             .bias = 10,
+             .textureBias = 8,
+             .expectedLevel = 4},
+        Case{.name = "TheSumOfBiasesIsClampedBelow", // lambda is 20 before them
+             .texelsPerPixel = 1 << 20,
+             .bias = -12,
+             .textureBias = -12,
+             .expectedLevel = 4},
+        Case{.name = "ABiasThatTakesTheOtherBack",
+             .texelsPerPixel = 4,
+             .bias = -16,
+             .textureBias = 16,
+             .expectedLevel = 2},
         Case{.name = "MinLod", .texelsPerPixel = 2, .minLod = 3, .expectedLevel = 3},
         Case{.name = "MaxLod", .texelsPerPixel = 8, .maxLod = 1, .expectedLevel = 1},
         // The bias comes first, then the clamp.

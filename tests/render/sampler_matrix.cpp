@@ -17,6 +17,7 @@
 #include <string_view>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -31,7 +32,8 @@ struct Case {
     Scene scene;
 };
 
-/// A surface with a gradient in each coordinate, that minifies on one side.
+/// A surface with a gradient in each coordinate, that minifies on one side. The unit has a bias, the texture
+/// may have one, too.
 Scene drawnScene(Target target, const Texture& texture, float bias) {
     Scene scene = testing_support::texturedScene();
     scene.textures[0] = texture;
@@ -46,17 +48,20 @@ std::string describe(Target target, const Texture& texture, float bias) {
     return std::string(rowOf(target).name) + " " + std::string(rowOf(texture.mipmaps).name) + " " +
            std::string(rowOf(texture.minFilter).name) + " " + std::string(rowOf(texture.magFilter).name) +
            " " + std::string(rowOf(texture.wrapS).name) + " anisotropy " +
-           std::to_string(texture.maxAnisotropy) + " bias " + std::to_string(bias) + " levels " +
-           std::to_string(texture.baseLevel) + " to " + std::to_string(texture.maxLevel);
+           std::to_string(texture.maxAnisotropy) + " biases " + std::to_string(texture.lodBias) + " and " +
+           std::to_string(bias) + " levels " + std::to_string(texture.baseLevel) + " to " +
+           std::to_string(texture.maxLevel);
 }
 
-/// target x levels x filters x anisotropy x bias; the wrap modes take turns, as all of them would be too
+/// target x levels x filters x anisotropy x biases; the wrap modes take turns, as all of them would be too
 /// many.
 std::vector<Case> filterCases(bool all) {
     const std::vector<float> anisotropies =
         all ? std::vector<float>{1, 1.5F, 2, 4, 16} : std::vector<float>{4};
-    const std::vector<float> biases =
-        all ? std::vector<float>{0, -6.49F, -0.3F, 3.5F, 16} : std::vector<float>{0, -6.49F};
+    using Biases = std::pair<float, float>; // of the texture and of the unit
+    const std::vector<Biases> biases = all ? std::vector<Biases>{{0, 0},  {0, -6.49F}, {0, -0.3F}, {0, 3.5F},
+                                                                 {0, 16}, {-6.49F, 0}, {16, -0.3F}}
+                                           : std::vector<Biases>{{0, 0}, {0, -6.49F}, {-6.49F, 0}};
     const auto rounds = all ? rows<Wrap>.size() : 1;
     std::vector<Case> cases;
     for (std::size_t round = 0; round < rounds; ++round)
@@ -65,8 +70,9 @@ std::vector<Case> filterCases(bool all) {
                 for (const EnumRow& min : rows<MinFilter>)
                     for (const EnumRow& mag : rows<MagFilter>)
                         for (const float anisotropy : anisotropies)
-                            for (const float bias : biases) {
+                            for (const auto& [ofTexture, bias] : biases) {
                                 Texture texture;
+                                texture.lodBias = ofTexture;
                                 texture.mipmaps = mipmaps;
                                 texture.minFilter = static_cast<MinFilter>(min.value);
                                 texture.magFilter = static_cast<MagFilter>(mag.value);
@@ -101,6 +107,7 @@ std::vector<Case> levelCases(bool all) {
         texture.minLod = static_cast<float>(below(2000)) - 1000;
         texture.maxLod = static_cast<float>(below(2000)) - 1000;
         texture.maxAnisotropy = below(2) == 0 ? 1 : 16;
+        texture.lodBias = below(2) == 0 ? 0 : static_cast<float>(below(40)) - 20;
         const Target target = any(Target{});
         const float bias = static_cast<float>(below(40)) - 20;
         cases.push_back({describe(target, texture, bias), drawnScene(target, texture, bias)});

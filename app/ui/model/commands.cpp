@@ -2,6 +2,7 @@
 
 #include "core/scene/animation.h"
 #include "core/scene/initial_like.h"
+#include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
@@ -32,6 +33,13 @@ Target targetOf(const Scene& scene, std::size_t texture) {
     return Target::Texture2D;
 }
 
+constexpr std::array<std::pair<TexGen Unit::*, Key>, 4> generatedCoordinates{{
+    {&Unit::texGenS, keyOf<&Unit::texGenS>},
+    {&Unit::texGenT, keyOf<&Unit::texGenT>},
+    {&Unit::texGenR, keyOf<&Unit::texGenR>},
+    {&Unit::texGenQ, keyOf<&Unit::texGenQ>},
+}};
+
 /// The parts that decide nothing: formats of an image that is uploaded with another, coordinates that a
 /// target has not, units that are off, GL_COMBINE's state under another mode, coordinates that aren't
 /// generated. Their calls are left out.
@@ -40,35 +48,31 @@ std::vector<std::string> idleParts(const Scene& scene) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
         const Compression compression = scene.textures[i].compression;
         const bool compressed = compression == Compression::Driver || compression == Compression::Cached;
-        for (const char* key : {"internalFormat", "border"})
-            if (compressed)
-                parts.push_back("textures[" + std::to_string(i) + "]." + key);
-        const std::string path = "textures[" + std::to_string(i) + "].";
-        if (!compressed)
-            parts.push_back(path + "compressedFormat");
+        const std::string path = elementOf<&Scene::textures>(i) + ".";
+        if (compressed) {
+            parts.push_back(path + keyOf<&Texture::internalFormat>());
+            parts.push_back(path + keyOf<&Texture::border>());
+        } else {
+            parts.push_back(path + keyOf<&Texture::compressedFormat>());
+        }
         if (targetOf(scene, i) != Target::Texture3D)
-            parts.push_back(path + "wrapR");
+            parts.push_back(path + keyOf<&Texture::wrapR>());
         if (targetOf(scene, i) == Target::Texture1D)
-            parts.push_back(path + "wrapT");
+            parts.push_back(path + keyOf<&Texture::wrapT>());
     }
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = scene.passes[p].units[u];
-            const std::string path = "passes[" + std::to_string(p) + "].units[" + std::to_string(u) + "]";
+            const std::string path = elementOf<&Scene::passes>(p) + "." + elementOf<&Pass::units>(u);
             if (!unit.enabled) {
                 parts.push_back(path);
                 continue;
             }
             if (unit.envMode != EnvMode::Combine)
-                parts.push_back(path + ".combine.");
-            const std::array<std::pair<const TexGen*, const char*>, 4> generated{
-                {{&unit.texGenS, ".texGenS."},
-                 {&unit.texGenT, ".texGenT."},
-                 {&unit.texGenR, ".texGenR."},
-                 {&unit.texGenQ, ".texGenQ."}}};
-            for (const auto& [state, name] : generated) {
-                if (!state->enabled)
-                    parts.push_back(path + name);
+                parts.push_back(path + "." + keyOf<&Unit::combine>() + ".");
+            for (const auto& [state, key] : generatedCoordinates) {
+                if (!(unit.*state).enabled)
+                    parts.push_back(path + "." + key() + ".");
             }
         }
     }
@@ -77,10 +81,9 @@ std::vector<std::string> idleParts(const Scene& scene) {
 
 /// Where a block of calls stands in a program.
 std::size_t rank(std::string_view owner) {
-    constexpr std::array<std::string_view, 6> order{"textures", "view",   "light",
-                                                    "material", "passes", "models"};
-    const auto found =
-        std::ranges::find_if(order, [&](std::string_view root) { return owner.starts_with(root); });
+    constexpr std::array<Key, 6> order{keyOf<&Scene::textures>, keyOf<&Scene::view>,   keyOf<&Scene::light>,
+                                       keyOf<&Scene::material>, keyOf<&Scene::passes>, keyOf<&Scene::models>};
+    const auto found = std::ranges::find_if(order, [&](Key root) { return owner.starts_with(root()); });
     return static_cast<std::size_t>(found - order.begin());
 }
 
@@ -92,32 +95,6 @@ std::size_t indexOf(const std::string& owner) {
 void replaceAll(std::string& text, std::string_view what, std::string_view by) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
         text.replace(at, what.size(), by);
-}
-
-/// The rows of a texture name the target of a picture.
-std::string forTarget(std::string call, Target target) {
-    const std::string_view name = rowOf(target).name;
-    switch (target) {
-    case Target::Texture1D:
-        replaceAll(call, "glTexImage2D", "glTexImage1D");
-        replaceAll(call, "width, height", "width");
-        break;
-    case Target::Texture2D:
-        return call;
-    case Target::Texture3D:
-        replaceAll(call, "glTexImage2D", "glTexImage3D");
-        replaceAll(call, "width, height", "width, height, depth");
-        break;
-    case Target::CubeMap:
-        if (call.starts_with("glTexImage2D")) {
-            replaceAll(call, rowOf(Target::Texture2D).name,
-                       std::string(rowOf(CubeFace::PositiveX).name) + " + face");
-            return call;
-        }
-        break;
-    }
-    replaceAll(call, rowOf(Target::Texture2D).name, name);
-    return call;
 }
 
 /// Replaces the words of a call that are keys beside its own: "glAlphaFunc(GL_LESS, alphaRef)".
@@ -143,29 +120,32 @@ std::string withSiblings(const Scene& scene, const std::string& call, const std:
 
 /// A call that the camera needs and that no parameter makes alone, before that of `key` or instead of it.
 struct CameraCall {
-    std::string_view key;
+    Key key;
     std::string_view call;
     std::optional<Projection> instead{}; ///< in this projection
 };
 constexpr std::array cameraCalls{
-    CameraCall{"fieldOfView", "glMatrixMode(GL_PROJECTION)"},
-    CameraCall{"fieldOfView", "glLoadIdentity()"},
-    CameraCall{"fieldOfView", "glOrtho(-height * aspect, height * aspect, -height, height, -zFar, zFar)",
+    CameraCall{keyOf<&View::fieldOfView>, "glMatrixMode(GL_PROJECTION)"},
+    CameraCall{keyOf<&View::fieldOfView>, "glLoadIdentity()"},
+    CameraCall{keyOf<&View::fieldOfView>,
+               "glOrtho(-height * aspect, height * aspect, -height, height, -zFar, zFar)",
                Projection::Orthographic},
-    CameraCall{"distance", "glMatrixMode(GL_MODELVIEW)"},
-    CameraCall{"distance", "glLoadIdentity()"},
+    CameraCall{keyOf<&View::distance>, "glMatrixMode(GL_MODELVIEW)"},
+    CameraCall{keyOf<&View::distance>, "glLoadIdentity()"},
 };
 
 /// In the order in which the matrices are multiplied: what is called last is done to a vertex first.
-constexpr std::array<std::string_view, 7> cameraOrder{
-    "background", "perspectiveHint", "fieldOfView", "distance", "elevation", "azimuth", "target"};
+constexpr std::array<Key, 7> cameraOrder{keyOf<&View::background>,  keyOf<&View::perspectiveHint>,
+                                         keyOf<&View::fieldOfView>, keyOf<&View::distance>,
+                                         keyOf<&View::elevation>,   keyOf<&View::azimuth>,
+                                         keyOf<&View::target>};
 
 /// The calls of the view's parameters, which come in the order of its panel, as those of a program that sets
 /// up the same camera. `aspect` stays: it is the window's.
 std::vector<Command> cameraOf(const View& view, std::vector<Command> calls) {
     std::vector<Command> camera{std::move(calls.front())}; // the heading
-    for (const std::string_view key : cameraOrder) {
-        const std::string path = camera.front().text + "." + std::string(key);
+    for (const Key key : cameraOrder) {
+        const std::string path = camera.front().text + "." + key();
         const auto own = std::ranges::find(calls, path, &Command::path);
         if (own == calls.end())
             continue;
@@ -209,17 +189,17 @@ std::vector<Command> commandsOf(const Scene& scene) {
             blocks.push_back({{Command::Kind::Heading, owner, {}, false}});
         }
         std::vector<Command>& block = blocks.back();
-        std::string call = withSiblings(scene, formatCall(row, value), owner);
-        if (owner.starts_with("textures["))
-            call = forTarget(std::move(call), targetOf(scene, indexOf(owner)));
-        Command command{Command::Kind::Call, std::move(call) + ";", path, changed};
+        const Target target = owner.starts_with(keyOf<&Scene::textures>()) ? targetOf(scene, indexOf(owner))
+                                                                           : Target::Texture2D;
+        const std::string call = withSiblings(scene, formatCall(row, value, target), owner);
+        Command command{Command::Kind::Call, call + ";", path, changed};
         if (block.back().text == command.text) // two parameters of one call
             block.back().changed |= command.changed;
         else
             block.push_back(std::move(command));
     });
     for (std::vector<Command>& block : blocks) {
-        if (block.front().text == "view")
+        if (block.front().text == keyOf<&Scene::view>())
             block = cameraOf(scene.view, std::move(block));
     }
     // As a program does it: first what is set up once, then the camera and the light, then what is drawn.

@@ -53,13 +53,13 @@ void warningSign() {
                        color::ground);
 }
 
-void paramTip(const ParamRow& row, const Value& value, const Value& initial, const Finding* idle,
-              const Finding* problem) {
+void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
+              const Finding* idle, const Finding* problem) {
     if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-    if (const std::string call = formatCall(row, value); !call.empty()) {
+    if (const std::string call = formatCall(row, value, target); !call.empty()) {
         ImGui::PushFont(codeFont());
         text(call);
         ImGui::PopFont();

@@ -13,10 +13,10 @@ namespace texplorer::ui {
 void text(std::string_view words);
 void dimText(std::string_view words);
 
-/// The GL call, the help, the choice, how to edit it, what the diagnosis says (nullptr: nothing) and how to
-/// reset it.
-void paramTip(const ParamRow& row, const Value& value, const Value& initial, const Finding* idle,
-              const Finding* problem);
+/// The GL call for a texture of this target, the help, the choice, how to edit it, what the diagnosis says
+/// (nullptr: nothing) and how to reset it.
+void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
+              const Finding* idle, const Finding* problem);
 
 /// A triangle with an exclamation mark, as high as a control.
 void warningSign();

@@ -289,7 +289,7 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
     }
     if (line.idle)
         noteItem(line.path + "#inert");
-    paramTip(row, line.value, line.initial, line.idle, line.problem);
+    paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
     line.reset |= line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     showWanted(session, line);
     if (row.kind == Kind::Color)
@@ -345,7 +345,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
                                                         : color::text);
     text(row.label);
     ImGui::PopStyleColor();
-    paramTip(row, line.value, line.initial, line.idle, line.problem);
+    paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
     line.reset = line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (line.problem) {
         ImGui::SameLine(0, em * 0.35F);

@@ -2,11 +2,11 @@
 
 // Why a pixel has its colour: every number between a scene and a byte, as a plain value.
 
+#include "core/reference/explain/tap_places.h"
+#include "core/reference/sampling/sample_record.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/environment.h"
 #include "core/reference/shading/lighting.h"
-#include "core/reference/sampling/sample_record.h"
-#include "core/reference/explain/tap_places.h"
 #include "core/scene/scene.h"
 
 #include <glm/mat4x4.hpp>
@@ -73,13 +73,8 @@ struct UnitExplanation {
     Derivatives derivatives;
 
     // The state that decided, as it was at the pixel.
-    MagFilter magFilter = MagFilter::Linear;
-    MinFilter minFilter = MinFilter::NearestMipmapLinear;
-    std::array<Wrap, 3> wrap{};
-    float minLod = -1000;
-    float maxLod = 1000;
-    float maxAnisotropy = 1;
-    float lodBias = 0; ///< of the unit, before the clamp
+    SamplerState sampler; ///< of the texture object
+    float lodBias = 0;    ///< of the unit
 
     SampleRecord sample;
     std::vector<LevelExtent> extents; ///< of the levels in `sample`

@@ -1,7 +1,7 @@
 #include "core/reference/explain/explanation_steps.h"
 
-#include "core/reference/shading/equation_text.h"
 #include "core/reference/explain/sampling_steps.h"
+#include "core/reference/shading/equation_text.h"
 
 #include <glm/common.hpp>
 

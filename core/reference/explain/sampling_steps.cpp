@@ -85,7 +85,8 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
 
 /// Whether the filter that decided blends neighbours.
 bool isLinearHere(const UnitExplanation& unit) {
-    return unit.sample.lod.magnified ? unit.magFilter == MagFilter::Linear : isLinear(unit.minFilter);
+    return unit.sample.lod.magnified ? unit.sampler.magFilter == MagFilter::Linear
+                                     : isLinear(unit.sampler.minFilter);
 }
 
 Step lodStep(const UnitExplanation& unit) {
@@ -104,27 +105,32 @@ Step lodStep(const UnitExplanation& unit) {
     value("texels a pixel, in x", lod.lengthX);
     value("texels a pixel, in y", lod.lengthY);
     if (lod.ellipse)
-        step.rows.push_back({"anisotropic, up to " + numberText(unit.maxAnisotropy) +
+        step.rows.push_back({"anisotropic, up to " + numberText(unit.sampler.maxAnisotropy) +
                              ": averaged over the ellipse that the pixel covers, whatever the filters are"});
     else if (lod.probes > 1)
-        value("anisotropic, up to " + numberText(unit.maxAnisotropy) + ": probes",
+        value("anisotropic, up to " + numberText(unit.sampler.maxAnisotropy) + ": probes",
               static_cast<float>(lod.probes));
     value(lod.probes > 1 ? "rho = the longer, over the probes"
           : lod.ellipse  ? "rho"
                          : "rho = the longer",
           lod.rho);
     value("log2(rho)", lod.base);
-    if (lod.bias != 0)
-        value("+ LOD bias", lod.bias);
-    if (lod.bias != unit.lodBias)
-        step.rows.push_back({"The bias " + numberText(unit.lodBias) + " was clamped."});
+    if (unit.sampler.lodBias != 0)
+        value("+ LOD bias of the texture", unit.sampler.lodBias);
+    if (unit.lodBias != 0)
+        value("+ LOD bias of the unit", unit.lodBias);
+    if (lod.bias != unit.sampler.lodBias + unit.lodBias)
+        step.rows.push_back(
+            {unit.sampler.lodBias != 0 && unit.lodBias != 0 ? "together clamped to" : "clamped to",
+             {{numberText(lod.bias)}}});
     if (lod.lambda != lod.biased)
-        step.rows.push_back({"clamped to " + numberText(unit.minLod) + " ... " + numberText(unit.maxLod),
-                             {{numberText(lod.lambda)}}});
+        step.rows.push_back(
+            {"clamped to " + numberText(unit.sampler.minLod) + " ... " + numberText(unit.sampler.maxLod),
+             {{numberText(lod.lambda)}}});
     if (!lod.ellipse)
         step.rows.push_back({whyMagnified(unit)});
     if (lod.undefined)
-        step.rows.push_back({unit.minLod > unit.maxLod
+        step.rows.push_back({unit.sampler.minLod > unit.sampler.maxLod
                                  ? "The least LOD is above the greatest: undefined. The greatest wins here."
                                  : "A derivative is infinite or not a number: undefined. rho is 1 here.",
                              {},
@@ -167,14 +173,14 @@ Step wrapStep(const UnitExplanation& unit) {
             const std::string wrapped = numberText(found->given) + " lands at texel " +
                                         numberText(found->texels) + " of " +
                                         std::to_string(extent.size[axis]);
-            step.rows.push_back(
-                {std::string("  ") + coordinateNames.at(i) + ", " + std::string(rowOf(unit.wrap.at(i)).name),
-                 {{wrapped, coordinateInks.at(i)}}});
+            step.rows.push_back({std::string("  ") + coordinateNames.at(i) + ", " +
+                                     std::string(rowOf(unit.sampler.wrap(axis)).name),
+                                 {{wrapped, coordinateInks.at(i)}}});
             if (!unit.sample.lod.ellipse) // which weighs all texels in it
-                step.rows.push_back(
-                    {"",
-                     {{texelsText(isLinearHere(unit), unit.wrap.at(i), found->texels, extent.size[axis]),
-                       coordinateInks.at(i)}}});
+                step.rows.push_back({"",
+                                     {{texelsText(isLinearHere(unit), unit.sampler.wrap(axis), found->texels,
+                                                  extent.size[axis]),
+                                       coordinateInks.at(i)}}});
         }
     }
     if (unit.sample.probes.size() > 1)
@@ -241,8 +247,8 @@ std::vector<Step> samplingSteps(const FragmentExplanation& fragment, const UnitE
 
 std::string whyMagnified(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
-    const std::string mag(rowOf(unit.magFilter).name);
-    const std::string min(rowOf(unit.minFilter).name);
+    const std::string mag(rowOf(unit.sampler.magFilter).name);
+    const std::string min(rowOf(unit.sampler.minFilter).name);
     const std::string c =
         lod.switchOver > 0 ? numberText(lod.switchOver) + " (as " + mag + " meets " + min + ")" : "0";
     return lod.magnified ? "lambda is not above " + c + ": the magnification filter decides, " + mag + "."

@@ -1,7 +1,7 @@
 #include "core/reference/explain/tap_places.h"
 
-#include "core/reference/sampling/ellipse.h"
 #include "core/reference/explain/sampling_steps.h"
+#include "core/reference/sampling/ellipse.h"
 #include "core/reference/sampling/texel.h"
 
 #include <glm/common.hpp>
@@ -80,9 +80,9 @@ LevelPatch patchOf(const SampledTexture& texture, const Level& level, const Samp
     patch.low = {(low.x + high.x + 1 - side) / 2, axes > 1 ? (low.y + high.y + 1 - side) / 2 : 0};
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x) {
-            glm::ivec3 index(wrappedTexel(texture.wrap[0], patch.low.x + x, level.width), 0, slice);
+            glm::ivec3 index(wrappedTexel(texture.wrapS, patch.low.x + x, level.width), 0, slice);
             if (axes > 1)
-                index.y = wrappedTexel(texture.wrap[1], patch.low.y + y, level.height);
+                index.y = wrappedTexel(texture.wrapT, patch.low.y + y, level.height);
             patch.colors.push_back(isBeyond(level, index, axesOf(texture.target))
                                        ? texture.borderColor
                                        : texelAt(level, index, axesOf(texture.target)));
@@ -104,9 +104,9 @@ std::vector<PlacedTap> placeTaps(const SampledTexture& texture, const SampleReco
         if (tap.level != level)
             continue;
         PlacedTap each{tap, glm::ivec2(tap.index)};
-        each.at.x = unwrapped(texture.wrap[0], tap.index.x, place.x, read->width);
+        each.at.x = unwrapped(texture.wrapS, tap.index.x, place.x, read->width);
         if (axesOf(texture.target) > 1)
-            each.at.y = unwrapped(texture.wrap[1], tap.index.y, place.y, read->height);
+            each.at.y = unwrapped(texture.wrapT, tap.index.y, place.y, read->height);
         placed.push_back(each);
     }
     return placed;

@@ -83,8 +83,8 @@ glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec
                 const auto r2 = static_cast<float>(
                     ellipse.radius2({static_cast<float>(u) - centre.x, static_cast<float>(v) - centre.y}));
                 if (r2 < 1)
-                    take(glm::ivec3(wrappedTexel(texture.wrap[0], u, level->width),
-                                    wrappedTexel(texture.wrap[1], v, level->height), 0),
+                    take(glm::ivec3(wrappedTexel(texture.wrapS, u, level->width),
+                                    wrappedTexel(texture.wrapT, v, level->height), 0),
                          std::exp(-2 * r2));
             }
         }
@@ -101,8 +101,8 @@ glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec
     if (total > 0)
         visit([&](glm::ivec3 index, float weight) { take(index, weight / total); });
     else // so far outside that floats no longer tell texels apart
-        take({nearestTexel(wrapCoordinate(texture.wrap[0], coords.s, level->width), level->width),
-              nearestTexel(wrapCoordinate(texture.wrap[1], coords.t, level->height), level->height), 0},
+        take({nearestTexel(wrapCoordinate(texture.wrapS, coords.s, level->width), level->width),
+              nearestTexel(wrapCoordinate(texture.wrapT, coords.t, level->height), level->height), 0},
              1);
     return sum;
 }

@@ -27,8 +27,7 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
                                                   static_cast<float>(level->height)};
     }
     lastStep = static_cast<float>(steps);
-    const float sum = sampling.objectBias + sampling.unitBias + sampling.shaderBias;
-    bias = std::isnan(sum) ? 0.0F : std::clamp(sum, -sampling.maxBias, sampling.maxBias);
+    bias = lodBias(sampled, sampling);
     switchOver = switchOverOf(sampled.magFilter, sampled.minFilter);
     if (bias > 32) // no GL allows it; the kernel takes it for granted that tiny footprints are magnified
         return;

@@ -43,6 +43,11 @@ bool averagesOverEllipse(const SampledTexture& texture, const SampleOptions& opt
 
 } // namespace
 
+float lodBias(const SamplerState& object, const SampleOptions& options) {
+    const float sum = object.lodBias + options.unitBias + options.shaderBias;
+    return std::isnan(sum) ? 0.0F : std::clamp(sum, -options.maxBias, options.maxBias);
+}
+
 Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
                   const SampleOptions& options) {
     Lod lod;
@@ -65,8 +70,7 @@ Lod levelOfDetail(const SampledTexture& texture, const Derivatives& derivatives,
         lod.rho = longer / lod.probes;
     }
     lod.base = baseLambda(lod.rho); // minus infinity where nothing changes: magnified, after the clamp
-    const float bias = options.objectBias + options.unitBias + options.shaderBias;
-    lod.bias = std::isnan(bias) ? 0.0F : std::clamp(bias, -options.maxBias, options.maxBias);
+    lod.bias = lodBias(texture, options);
     lod.biased = lod.base + lod.bias;
     // Equation 3.20; undefined where the limits contradict each other: the upper one wins here.
     lod.undefined = lod.undefined || texture.minLod > texture.maxLod;

@@ -27,8 +27,7 @@ inline constexpr std::array anisotropyMethodRows{
 };
 
 struct SampleOptions {
-    float unitBias = 0;   ///< GL_TEXTURE_LOD_BIAS of GL_TEXTURE_FILTER_CONTROL
-    float objectBias = 0; ///< GL_TEXTURE_LOD_BIAS of the texture object
+    float unitBias = 0; ///< GL_TEXTURE_LOD_BIAS of GL_TEXTURE_FILTER_CONTROL; the texture object has its own
     float shaderBias = 0; ///< a shader's own; 0 without one
     float maxBias = 16;   ///< GL_MAX_TEXTURE_LOD_BIAS, of the implementation; at least 2
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
@@ -50,6 +49,10 @@ struct Lod {
     bool undefined =
         false; ///< a derivative is NaN or infinite, or the clamp is empty: lambda was chosen here
 };
+
+/// Below equation 3.18: the biases of the texture object, the unit and the shader together, clamped to
+/// GL_MAX_TEXTURE_LOD_BIAS. What is not a number counts as 0.
+[[nodiscard]] float lodBias(const SamplerState& object, const SampleOptions& options);
 
 /// The level-of-detail parameter and whether the texture is magnified. Of a cube map the derivatives are
 /// those on the face (cube.h).

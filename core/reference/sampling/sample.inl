@@ -91,7 +91,7 @@ public:
         : sampler_(sampler)
         , texture_(*sampler.texture)
         , border_(loadColor(texture_.borderColor))
-        , usesBorder_(reachesBorder(texture_.wrap[0]) || (axes > 1 && reachesBorder(texture_.wrap[1]))) {}
+        , usesBorder_(reachesBorder(texture_.wrapS) || (axes > 1 && reachesBorder(texture_.wrapT))) {}
 
     /// Without mipmaps, where magnification and minification are the same.
     void sampleBase(const SampleRow& row, int count, glm::vec4* colors) const {
@@ -268,11 +268,10 @@ private:
 
     /// NEAREST: tau_ij.
     [[nodiscard]] Colors nearest(const Levels& levels, Floats s, Floats t) const {
-        const Ints i =
-            nearestTexels(texture_.wrap[0], wrapped(texture_.wrap[0], s, levels.width), levels.width);
-        const Ints j = axes > 1 ? nearestTexels(texture_.wrap[1], wrapped(texture_.wrap[1], t, levels.height),
-                                                levels.height)
-                                : ints(0);
+        const Ints i = nearestTexels(texture_.wrapS, wrapped(texture_.wrapS, s, levels.width), levels.width);
+        const Ints j =
+            axes > 1 ? nearestTexels(texture_.wrapT, wrapped(texture_.wrapT, t, levels.height), levels.height)
+                     : ints(0);
         Colors colors;
         if (usesBorder_) {
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
@@ -288,7 +287,7 @@ private:
 
     /// LINEAR: equations 3.23 and 3.24.
     [[nodiscard, gnu::always_inline]] Colors linearly(const Levels& levels, Floats s, Floats t) const {
-        const Wrap wrapS = texture_.wrap[0];
+        const Wrap wrapS = texture_.wrapS;
         const TexelPairs i(wrapS, wrapped(wrapS, s, levels.width), levels.width);
         Colors colors;
         if constexpr (axes == 1) {
@@ -300,7 +299,7 @@ private:
             });
             return colors;
         }
-        const Wrap wrapT = texture_.wrap[1];
+        const Wrap wrapT = texture_.wrapT;
         const TexelPairs j(wrapT, wrapped(wrapT, t, levels.height), levels.height);
         const Floats share00 = (1.0F - i.share) * (1.0F - j.share);
         const Floats share10 = i.share * (1.0F - j.share);

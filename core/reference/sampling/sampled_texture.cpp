@@ -139,17 +139,11 @@ SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, T
     return shape;
 }
 
-void setParameters(SampledTexture& sampled, const Texture& texture, int lastLevel) {
-    sampled.magFilter = texture.magFilter;
-    sampled.minFilter = texture.minFilter;
-    sampled.wrap = {texture.wrapS, texture.wrapT, texture.wrapR};
+void setParameters(SampledTexture& sampled, const SamplerState& given, int lastLevel) {
+    static_cast<SamplerState&>(sampled) = given;
     // Section 3.8.4: the border colour is clamped to [0, 1] when it is given.
-    sampled.borderColor = sourceColor(sampled.format, glm::clamp(texture.borderColor, 0.0F, 1.0F));
-    sampled.baseLevel = texture.baseLevel;
-    sampled.maxLevel = std::min(texture.maxLevel, lastLevel);
-    sampled.minLod = texture.minLod;
-    sampled.maxLod = texture.maxLod;
-    sampled.maxAnisotropy = texture.maxAnisotropy;
+    sampled.borderColor = sourceColor(sampled.format, glm::clamp(given.borderColor, 0.0F, 1.0F));
+    sampled.maxLevel = std::min(given.maxLevel, lastLevel);
 }
 
 } // namespace texplorer::reference

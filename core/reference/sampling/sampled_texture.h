@@ -28,21 +28,13 @@ struct Level {
     [[nodiscard]] glm::ivec3 size() const { return {width, height, depth}; }
 };
 
-/// A texture object with its images: everything that OpenGL 2.1's section 3.8.12 calls texture state.
-struct SampledTexture {
+/// A texture object with its images: everything that OpenGL 2.1's section 3.8.12 calls texture state. The
+/// border colour is a texture source colour, as the texels are.
+struct SampledTexture : SamplerState {
     Target target = Target::Texture2D;
     BaseFormat format = BaseFormat::Rgba; ///< decides what the environment does with a sample
     std::vector<Level> levels{};          ///< the index is GL's level number; of a cube map: of its face +x
     std::vector<std::vector<Level>> otherFaces{}; ///< of a cube map: -x, +y, -y, +z, -z
-    MagFilter magFilter = MagFilter::Linear;
-    MinFilter minFilter = MinFilter::NearestMipmapLinear;
-    std::array<Wrap, 3> wrap{Wrap::Repeat, Wrap::Repeat, Wrap::Repeat}; ///< for s, t and r
-    glm::vec4 borderColor{0}; ///< a texture source colour, as the texels are
-    int baseLevel = 0;
-    int maxLevel = 1000;
-    float minLod = -1000;
-    float maxLod = 1000;
-    float maxAnisotropy = 1;
 
     /// The level with this number, or nullptr. Faces as in CubeFace, counted from 0.
     [[nodiscard]] const Level* level(int number, int face = 0) const;
@@ -94,6 +86,6 @@ struct SampledTexture {
 [[nodiscard]] SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, Target target);
 
 /// The parameters alone; `lastLevel` is TextureLevels'.
-void setParameters(SampledTexture& sampled, const Texture& texture, int lastLevel);
+void setParameters(SampledTexture& sampled, const SamplerState& given, int lastLevel);
 
 } // namespace texplorer::reference

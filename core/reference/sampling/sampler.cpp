@@ -71,7 +71,7 @@ public:
 
 private:
     [[nodiscard]] int axes() const { return axesOf(texture_.target); }
-    [[nodiscard]] Wrap wrap(int axis) const { return texture_.wrap[static_cast<std::size_t>(axis)]; }
+    [[nodiscard]] Wrap wrap(int axis) const { return texture_.wrap(axis); }
 
     glm::vec4 nearest(const Level& level, int number, glm::vec3 uvw, float weight) const {
         glm::ivec3 index(0);

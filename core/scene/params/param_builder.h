@@ -14,8 +14,17 @@ struct MemberOf<T O::*> {
     using Owner = O;
     using Type = T;
 };
+/// The struct whose table has the members of `T`: itself, but for a base that has no table of its own.
+template<class T>
+struct TableOf {
+    using Struct = T;
+};
+template<>
+struct TableOf<SamplerState> {
+    using Struct = Texture;
+};
 template<auto Member>
-using Owner = typename MemberOf<decltype(Member)>::Owner;
+using Owner = typename TableOf<typename MemberOf<decltype(Member)>::Owner>::Struct;
 template<auto Member>
 using Type = typename MemberOf<decltype(Member)>::Type;
 
@@ -78,11 +87,17 @@ constexpr std::span<const EnumRow> choicesOf() {
 template<auto Member>
 constexpr ParamRow param(std::string_view key, std::string_view group, std::string_view label,
                          std::string_view glCall, std::string_view help, Range range = {}) {
-    return {key,          group,
-            label,        help,
-            glCall,       kindOf<Type<Member>>(),
-            range,        choicesOf<Type<Member>>(),
-            read<Member>, write<Member>};
+    return {memberId<Member>,
+            key,
+            group,
+            label,
+            help,
+            glCall,
+            kindOf<Type<Member>>(),
+            range,
+            choicesOf<Type<Member>>(),
+            read<Member>,
+            write<Member>};
 }
 
 /// A row for a vec4 that is a colour: 0 to 1 in each component, as GL clamps it.
@@ -103,13 +118,15 @@ constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::
     constexpr auto writeList = [](void* owner, const Value& value) {
         get<Member>(owner)[Index] = std::get<TexCoords>(value);
     };
-    return {key, group, label, help, glCall, Kind::TexCoordList, {}, {}, readList, writeList};
+    return {memberId<Member>,   key, group, label,    help,     glCall,
+            Kind::TexCoordList, {},  {},    readList, writeList};
 }
 
 /// A member that is one struct. Its initial value is the one that its owner gives it.
 template<auto Member>
 ChildRow single(std::string_view key, std::string_view label, const StructTable& table) {
-    return {key,
+    return {memberId<Member>,
+            key,
             label,
             &table,
             false,
@@ -130,7 +147,8 @@ ChildRow many(std::string_view key, std::string_view label, const StructTable& t
               std::size_t maxCount) {
     using List = Type<Member>;
     using T = typename List::value_type;
-    return {key,
+    return {memberId<Member>,
+            key,
             label,
             &table,
             true,
@@ -155,8 +173,8 @@ struct Anything {
     operator T() const;
 };
 
-/// How many members an aggregate has: the longest list of initialisers that it takes. A table whose
-/// static_assert compares with it can't forget a member.
+/// How many members an aggregate has, its base being one: the longest list of initialisers that it takes. A
+/// table whose static_assert compares with it can't forget a member.
 template<class T, class... Initialisers>
 consteval std::size_t memberCount() {
     if constexpr (requires { T{Initialisers{}..., Anything{}}; })

@@ -151,8 +151,8 @@ std::string listParams() {
         }
         if (row.kind == Kind::TexCoordList)
             out += "    One vertex is " + path + "[].\n";
-        if (!row.glCall.empty())
-            out.append("    ").append(row.glCall).append("\n");
+        if (const std::string call = callFor(row, Unit().target); !call.empty())
+            out += "    " + call + "\n";
         out += "\n";
     };
     walkAll({param, list});
@@ -172,7 +172,7 @@ std::string listParamsJson() {
                    {"group", row.group},
                    {"label", row.label},
                    {"help", row.help},
-                   {"glCall", row.glCall},
+                   {"glCall", callFor(row, Unit().target)},
                    {"default", jsonValue(row, initial)}};
         if (hasRange(row.kind))
             entry["range"] = {{"min", row.range.min},

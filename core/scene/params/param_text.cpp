@@ -40,6 +40,13 @@ std::string formatNumber(float number) {
     return {digits.data(), end};
 }
 
+std::string formatNumbers(std::span<const float> numbers, std::string_view separator) {
+    std::string text;
+    for (const float number : numbers)
+        text.append(text.empty() ? "" : separator).append(formatNumber(number));
+    return text;
+}
+
 std::string shortened(std::string_view text) {
     constexpr std::size_t longest = 40;
     std::string out;

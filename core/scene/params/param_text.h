@@ -3,6 +3,7 @@
 // The pieces that messages about parameters are made of. Input from outside is quoted, cut and made
 // printable.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@ namespace texplorer {
 
 /// The shortest digits that read back as the same float: "0.1", "1000", "1e-05". Independent of the locale.
 [[nodiscard]] std::string formatNumber(float number);
+
+/// Such numbers, one after the other.
+[[nodiscard]] std::string formatNumbers(std::span<const float> numbers, std::string_view separator = ",");
 
 /// The text in double quotes, at most about 40 bytes of it, printable
 /// (core/base/printable.h).

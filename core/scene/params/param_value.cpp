@@ -45,14 +45,6 @@ std::size_t alternativeOf(Kind kind) {
     return std::variant_npos;
 }
 
-template<class Vector>
-std::string joinNumbers(const Vector& vector, int count, std::string_view separator = ",") {
-    std::string text;
-    for (int i = 0; i < count; ++i)
-        text.append(i == 0 ? "" : separator).append(formatNumber(vector[i]));
-    return text;
-}
-
 bool accepts(const Range& range, float number) {
     return number >= range.min && number <= range.max; // false for NaN
 }
@@ -183,8 +175,8 @@ std::optional<Value> readValue(const ParamRow& row, std::string_view text) {
 } // namespace
 
 std::string formatTexCoord(glm::vec4 coord) {
-    const int count = coord.q != 1 ? 4 : coord.p != 0 ? 3 : 2;
-    return joinNumbers(coord, count);
+    const std::size_t count = coord.q != 1 ? 4 : coord.p != 0 ? 3 : 2;
+    return formatNumbers({&coord.x, count});
 }
 
 Result<glm::vec4> parseTexCoord(std::string_view text) {
@@ -258,10 +250,10 @@ std::string formatValue(const ParamRow& row, const Value& value) {
     case Kind::Float:
         return formatNumber(std::get<float>(value));
     case Kind::Vec3:
-        return joinNumbers(std::get<glm::vec3>(value), 3);
+        return formatNumbers({&std::get<glm::vec3>(value).x, 3});
     case Kind::Vec4:
     case Kind::Color:
-        return joinNumbers(std::get<glm::vec4>(value), 4);
+        return formatNumbers({&std::get<glm::vec4>(value).x, 4});
     case Kind::Enum: {
         const EnumRow* found = findRow(row.choices, std::get<EnumValue>(value).number);
         return found ? std::string(found->name) : std::to_string(std::get<EnumValue>(value).number);
@@ -295,45 +287,6 @@ Result<Value> parseValue(const ParamRow& row, std::string_view text) {
     if (auto checked = checkValue(row, *value); !checked)
         return fail(std::move(checked.error()));
     return *value;
-}
-
-std::string formatCall(const ParamRow& row, const Value& value) {
-    std::string call(row.glCall);
-    std::string_view place = "{}";
-    if (row.kind == Kind::Bool && call.find(place) == std::string::npos) {
-        constexpr std::string_view enable = "glEnable";
-        if (!std::get<bool>(value) && call.starts_with(enable))
-            call.replace(0, enable.size(), "glDisable");
-        return call;
-    }
-
-    std::string text;
-    constexpr std::string_view negated = "-{}"; // of every component, and without a second sign
-    const bool negates = call.find(negated) != std::string::npos;
-    if (negates)
-        place = negated;
-    if (row.kind == Kind::Bool)
-        text = std::get<bool>(value) ? "GL_TRUE" : "GL_FALSE";
-    else if (row.kind == Kind::Float && negates)
-        text = formatNumber(0 - std::get<float>(value));
-    else if (row.kind == Kind::Vec3)
-        text = joinNumbers(negates ? glm::vec3(0) - std::get<glm::vec3>(value) : std::get<glm::vec3>(value),
-                           3, ", ");
-    else if (row.kind == Kind::Vec4 || row.kind == Kind::Color)
-        text = joinNumbers(std::get<glm::vec4>(value), 4, ", ");
-    else if (row.kind == Kind::TexCoordList)
-        text = row.key; // called once a vertex
-    else
-        text = formatValue(row, value);
-    // glLightfv takes a pointer to its numbers, glColor4f takes them one by one.
-    const std::size_t parenthesis = call.find('(');
-    if (text.find(',') != std::string::npos && parenthesis != std::string::npos && parenthesis > 0 &&
-        call[parenthesis - 1] == 'v')
-        text = "{" + text + "}";
-
-    for (std::size_t at = call.find(place); at != std::string::npos; at = call.find(place, at + text.size()))
-        call.replace(at, place.size(), text);
-    return call;
 }
 
 } // namespace texplorer

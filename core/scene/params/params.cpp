@@ -1,6 +1,7 @@
-#include "core/scene/params/params.h"
-
+#include "core/scene/params/keys.h"
 #include "core/scene/params/param_builder.h"
+
+#include <cassert>
 
 namespace texplorer {
 
@@ -35,6 +36,31 @@ std::vector<std::string_view> tableKeys(const StructTable& table) {
     for (const ChildRow& child : table.children)
         keys.push_back(child.key);
     return keys;
+}
+
+namespace {
+
+/// Where a member has a row: in this table or below it; empty: nowhere.
+std::string_view findKeyIn(const StructTable& table, MemberId member, std::size_t element) {
+    for (const ParamRow& row : table.params) {
+        if (row.member == member && element-- == 0)
+            return row.key;
+    }
+    for (const ChildRow& child : table.children) {
+        if (child.member == member)
+            return child.key;
+        if (const std::string_view below = findKeyIn(*child.table, member, element); !below.empty())
+            return below;
+    }
+    return {};
+}
+
+} // namespace
+
+std::string_view findKey(MemberId member, std::size_t element) {
+    const std::string_view key = findKeyIn(sceneTable(), member, element);
+    assert(!key.empty()); // every member has a row, see build::memberCount
+    return key;
 }
 
 } // namespace texplorer

@@ -31,14 +31,23 @@ struct Range {
     std::string_view unit = {}; ///< "deg", "deg/s", "texels"; empty for a plain number
 };
 
+/// Tells the members of all structs apart, whatever their types: `memberId<&Texture::minFilter>`.
+using MemberId = const char*;
+template<auto Member>
+inline constexpr char memberMark = 0;
+template<auto Member>
+inline constexpr MemberId memberId = &memberMark<Member>;
+
 struct ParamRow {
+    MemberId member;
     std::string_view key;   ///< the JSON key and the last part of its path: "minFilter"
     std::string_view group; ///< the panel section it belongs to: "Filter"
     std::string_view label; ///< "Minification"
     std::string_view help;  ///< one or two sentences for a student
     /// The call that sets it, "{}" where the value goes; empty where GL has no such state. A call without
     /// "{}" is a glEnable, which glDisable takes back. Words that aren't GL's are keys beside this one:
-    /// "glAlphaFunc({}, alphaRef)".
+    /// "glAlphaFunc({}, alphaRef)". What depends on a texture's target is in braces: "{target}" and the other
+    /// words of gl_call.cpp.
     std::string_view glCall;
     Kind kind;
     Range range;                                    ///< for Int, Float, Vec3, Vec4, Color
@@ -51,6 +60,7 @@ struct StructTable;
 
 /// A member that is a struct, a fixed array of structs or a list of structs.
 struct ChildRow {
+    MemberId member;
     std::string_view key;   ///< "textures"
     std::string_view label; ///< "Texture"
     const StructTable* table;
@@ -109,9 +119,13 @@ inline constexpr std::size_t maxTextBytes = 4096;
 [[nodiscard]] std::string formatTexCoord(glm::vec4 coord);
 [[nodiscard]] Result<glm::vec4> parseTexCoord(std::string_view text);
 
-/// The row's GL call with the value in its place: "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {0, 0, 0,
-/// 1})", "glDisable(GL_BLEND)"; empty where GL has no such state.
-[[nodiscard]] std::string formatCall(const ParamRow& row, const Value& value);
+/// The row's GL call for a texture of this target: "glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, {})".
+[[nodiscard]] std::string callFor(const ParamRow& row, Target target);
+
+/// The same with the value in its place: "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {0, 0, 0, 1})",
+/// "glDisable(GL_BLEND)"; empty where GL has no such state.
+[[nodiscard]] std::string formatCall(const ParamRow& row, const Value& value,
+                                     Target target = Target::Texture2D);
 
 /// Calls `visit` for every parameter of a scene in table order; `path` is "textures[0].minFilter".
 void forEachParam(

@@ -23,12 +23,11 @@ constexpr std::array rows{
                                   "The colour that the stencil makes invisible; its alpha says nothing."),
     param<&Texture::internalFormat>(
         "internalFormat", "Image", "Internal format",
-        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, border, format, GL_UNSIGNED_BYTE, pixels)",
+        "glTexImage{n}D({image}, level, {}, {extents}, border, format, GL_UNSIGNED_BYTE, pixels)",
         "Which components the texture keeps of the image; the environment treats each format differently."),
     param<&Texture::border>(
         "border", "Image", "Border",
-        "glTexImage2D(GL_TEXTURE_2D, level, internalFormat, width, height, {}, format, GL_UNSIGNED_BYTE, "
-        "pixels)",
+        "glTexImage{n}D({image}, level, internalFormat, {extents}, {}, format, GL_UNSIGNED_BYTE, pixels)",
         "1: a ring of texels replaces the border colour: the outer ring of an image of 2^k + 2 texels a "
         "side; "
         "else, and of levels in a file, the edge once more.",
@@ -39,27 +38,26 @@ constexpr std::array rows{
         "has its own internal format."),
     param<&Texture::compressedFormat>(
         "compressedFormat", "Compression", "Format",
-        "glTexImage2D(GL_TEXTURE_2D, level, {}, width, height, border, format, GL_UNSIGNED_BYTE, pixels)",
+        "glTexImage{n}D({image}, level, {}, {extents}, border, format, GL_UNSIGNED_BYTE, pixels)",
         "What it is compressed to, by the driver or at run time; a file that is compressed has its own."),
     param<&Texture::compressionQuality>(
         "compressionQuality", "Compression", "Quality", "",
         "How much time is spent on each block where Texplorer compresses and then caches."),
     param<&Texture::magFilter>(
-        "magFilter", "Filter", "Magnification", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {})",
+        "magFilter", "Filter", "Magnification", "glTexParameteri({target}, GL_TEXTURE_MAG_FILTER, {})",
         "How a colour is found where a texel covers more than a pixel: seen from close by."),
     param<&Texture::minFilter>(
-        "minFilter", "Filter", "Minification", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, {})",
+        "minFilter", "Filter", "Minification", "glTexParameteri({target}, GL_TEXTURE_MIN_FILTER, {})",
         "How a colour is found where a pixel covers more than a texel: seen from afar. "
         "The four with MIPMAP in their name need mipmaps."),
-    param<&Texture::wrapS>("wrapS", "Wrap", "Wrap s", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, {})",
+    param<&Texture::wrapS>("wrapS", "Wrap", "Wrap s", "glTexParameteri({target}, GL_TEXTURE_WRAP_S, {})",
                            "What lies to the left and right of the image, where s leaves 0 to 1."),
-    param<&Texture::wrapT>("wrapT", "Wrap", "Wrap t", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, {})",
+    param<&Texture::wrapT>("wrapT", "Wrap", "Wrap t", "glTexParameteri({target}, GL_TEXTURE_WRAP_T, {})",
                            "What lies below and above the image, where t leaves 0 to 1."),
     param<&Texture::wrapR>("wrapR", "Wrap", "Wrap r", "glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, {})",
                            "What lies before and behind a volume, where r leaves 0 to 1; 3D textures only."),
     color<&Texture::borderColor>(
-        "borderColor", "Wrap", "Border colour",
-        "glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, {})",
+        "borderColor", "Wrap", "Border colour", "glTexParameterfv({target}, GL_TEXTURE_BORDER_COLOR, {})",
         "What GL_CLAMP_TO_BORDER shows outside of the image, and half of GL_CLAMP's edge."),
     param<&Texture::mipmaps>("mipmaps", "Mipmaps", "Mipmaps", "",
                              "Where the smaller copies of the image come from, each half as wide and high."),
@@ -72,30 +70,37 @@ constexpr std::array rows{
     param<&Texture::npot>("npot", "Mipmaps", "Non-power-of-two", "",
                           "What is done with a size that is no power of two before levels are made."),
     param<&Texture::baseLevel>(
-        "baseLevel", "Mipmaps", "Base level", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, {})",
+        "baseLevel", "Mipmaps", "Base level", "glTexParameteri({target}, GL_TEXTURE_BASE_LEVEL, {})",
         "The largest mip level that is used; 0 is the image itself.", {0, 1000, 0.05F, {}}),
     param<&Texture::maxLevel>(
-        "maxLevel", "Mipmaps", "Max level", "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, {})",
+        "maxLevel", "Mipmaps", "Max level", "glTexParameteri({target}, GL_TEXTURE_MAX_LEVEL, {})",
         "The smallest mip level that is used. Levels beyond it need not exist.", {0, 1000, 0.05F, {}}),
     param<&Texture::minLod>("minLod", "Mipmaps", "Min LOD",
-                            "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, {})",
+                            "glTexParameterf({target}, GL_TEXTURE_MIN_LOD, {})",
                             "The level of detail never falls below this: 2 hides the two sharpest levels.",
                             {-1000, 1000, 0.02F, "levels"}),
     param<&Texture::maxLod>(
-        "maxLod", "Mipmaps", "Max LOD", "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, {})",
+        "maxLod", "Mipmaps", "Max LOD", "glTexParameterf({target}, GL_TEXTURE_MAX_LOD, {})",
         "The level of detail never rises above this: 0 keeps far surfaces sharp, and aliased.",
         {-1000, 1000, 0.02F, "levels"}),
+    param<&Texture::lodBias>(
+        "lodBias", "Mipmaps", "LOD bias", "glTexParameterf({target}, GL_TEXTURE_LOD_BIAS, {})",
+        "Added to the level of detail before the limits, beside the bias of the unit: above 0 blurs, below 0 "
+        "sharpens and aliases.",
+        {-16, 16, 0.02F, "levels"}),
     param<&Texture::maxAnisotropy>(
         "maxAnisotropy", "Anisotropy", "Max anisotropy",
-        "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",
+        "glTexParameterf({target}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",
         "How long and thin the sampled patch may be. Above 1, surfaces that are seen at a "
         "slant stay sharp (GL_EXT_texture_filter_anisotropic).",
         {1, 16, 0.05F, {}}),
     param<&Texture::priority>(
-        "priority", "Residency", "Priority", "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_PRIORITY, {})",
+        "priority", "Residency", "Priority", "glTexParameterf({target}, GL_TEXTURE_PRIORITY, {})",
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
-static_assert(rows.size() == 27 && rows.size() == build::memberCount<Texture>());
+// The sampler state is one member of the texture, its base, and has a row for each of its own.
+static_assert(rows.size() == 28 &&
+              rows.size() == build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
 
 } // namespace
 

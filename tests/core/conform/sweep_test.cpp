@@ -455,6 +455,7 @@ const Wrong wrongs[] = {
      [](Scene& s) { eachUnit(s, [](Unit& u) { u.lodBias -= 0.5F; }); }},
     {"LambdaOffByATenth", "trilinear", [](Scene& s) { eachUnit(s, [](Unit& u) { u.lodBias += 0.1F; }); }},
     {"BiasIgnored", "lod", [](Scene& s) { eachUnit(s, [](Unit& u) { u.lodBias = 0; }); }},
+    {"BiasOfTheTextureIgnored", "lod", [](Scene& s) { eachTexture(s, [](Texture& t) { t.lodBias = 0; }); }},
     {"MinLodIgnored", "lod-trilinear",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.minLod = -1000; }); }},
     {"MaxLodIgnored", "lod-trilinear", [](Scene& s) { eachTexture(s, [](Texture& t) { t.maxLod = 1000; }); }},

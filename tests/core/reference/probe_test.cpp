@@ -88,13 +88,17 @@ TEST(Probe, FindsTheTexelsAndTheirWeights) {
 // Two texels on four pixels: half a texel a pixel, lambda = log2(1/2).
 TEST(Probe, FindsTheLevelOfDetail) {
     Flat flat;
-    flat.scene.passes[0].units[0].lodBias = 0.25F;
+    flat.scene.passes[0].units[0].lodBias = 0.375F;
+    flat.scene.textures[0].lodBias = -0.125F;
     flat.scene.textures[0].minLod = -0.5F;
     const UnitExplanation unit = flat.unit(2, 1);
     EXPECT_FLOAT_EQ(unit.derivatives.dx.s, 0.25F);
     EXPECT_FLOAT_EQ(unit.derivatives.dy.t, 0.25F);
     EXPECT_NEAR(unit.sample.lod.rho, 0.5, 1e-6);
     EXPECT_FLOAT_EQ(unit.sample.lod.base, -1);
+    EXPECT_EQ(unit.lodBias, 0.375F);
+    EXPECT_EQ(unit.sampler.lodBias, -0.125F);
+    EXPECT_EQ(unit.sample.lod.bias, 0.25F);
     EXPECT_FLOAT_EQ(unit.sample.lod.biased, -0.75F);
     EXPECT_FLOAT_EQ(unit.sample.lod.lambda, -0.5F);
     EXPECT_TRUE(unit.sample.lod.magnified);

@@ -35,6 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
                     InitialValue{"MaxLevel", "textures[0].maxLevel", "1000"},
                     InitialValue{"MinLod", "textures[0].minLod", "-1000"},
                     InitialValue{"MaxLod", "textures[0].maxLod", "1000"},
+                    InitialValue{"LodBiasOfTheTexture", "textures[0].lodBias", "0"},
                     InitialValue{"Priority", "textures[0].priority", "1"},
                     InitialValue{"UnitEnabled", "passes[0].units[0].enabled", "false"},
                     InitialValue{"EnvMode", "passes[0].units[0].envMode", "GL_MODULATE"},

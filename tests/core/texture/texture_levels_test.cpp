@@ -1,9 +1,9 @@
 // What is uploaded: flip, levels and compression of a texture, checked against pictures turned by hand.
 
 #include "core/s3tc/decode.h"
+#include "core/s3tc/surface_pixels.h"
 #include "core/texture/texture_levels.h"
 #include "tests/support/watched_heap.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -359,6 +359,7 @@ TEST(ImageSettings, IgnoreSamplingAndNothingElse) {
     sampled.borderColor = glm::vec4(1);
     sampled.baseLevel = sampled.maxLevel = 3;
     sampled.minLod = sampled.maxLod = 1;
+    sampled.lodBias = 1;
     sampled.maxAnisotropy = 2;
     sampled.priority = 0;
     EXPECT_EQ(imageSettings(sampled), Texture{});

@@ -38,6 +38,12 @@ class Probe(Texshot):
         self.assertEqual((sample["lod"]["rho"], sample["lod"]["lambda"], sample["lod"]["magnified"]), (0.5, -1, True))
         self.assertEqual(self.probe("--at", "0,0", "--no-gl")["window"], [0, 3])
 
+    def test_both_lod_biases_are_told_apart(self):
+        found = self.probe("--at", "0,3", "--no-gl", "--set", "textures[0].lodBias=1.5",
+                           "--set", "passes[0].units[0].lodBias=-0.25")
+        lod = found["fragments"][0]["units"][0]["sample"]["lod"]
+        self.assertEqual([lod[key] for key in ("textureBias", "unitBias", "bias", "biased")], [1.5, -0.25, 1.25, 0.25])
+
     def test_it_gives_the_bytes_of_the_pictures_of_all_three_renderers(self):
         pictures = {
             renderer: self.shot(self.scene, "--size", "4x4", "--renderer", renderer)

@@ -1,8 +1,8 @@
 // The words; their numbers are tested in probe_test.cpp.
 
 #include "core/reference/explain/explanation_steps.h"
-#include "core/reference/probe.h"
 #include "core/reference/explain/sampling_steps.h"
+#include "core/reference/probe.h"
 
 #include <gmock/gmock.h>
 
@@ -100,7 +100,18 @@ INSTANTIATE_TEST_SUITE_P(
                  it.textures[0].maxLod = 2;
              },
              "undefined. The greatest wins here."},
-        Case{"Bias", [](Scene& it) { it.passes[0].units[0].lodBias = 90; }, "The bias 90 was clamped."},
+        Case{"Bias", [](Scene& it) { it.passes[0].units[0].lodBias = 1.5F; },
+             "\n+ LOD bias of the unit | 1.5\n"},
+        Case{"BiasOfTheTexture", [](Scene& it) { it.textures[0].lodBias = -2; },
+             "\n+ LOD bias of the texture | -2\n"},
+        Case{"BothBiases",
+             [](Scene& it) {
+                 it.textures[0].lodBias = 10;
+                 it.passes[0].units[0].lodBias = 9;
+             },
+             "\n+ LOD bias of the texture | 10\n+ LOD bias of the unit | 9\ntogether clamped to | 16\n"},
+        Case{"BiasBeyondTheLimit", [](Scene& it) { it.passes[0].units[0].lodBias = 90; },
+             "\n+ LOD bias of the unit | 90\nclamped to | 16\n"},
         Case{"Generated",
              [](Scene& it) {
                  it.passes[0].units[0].texGenS.enabled = it.passes[0].units[0].texGenT.enabled = true;

@@ -1,5 +1,5 @@
-#include "core/reference/sampling/sampler.h"
 #include "core/reference/explain/tap_places.h"
+#include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ SampledTexture rowOf4(Wrap wrap, MagFilter filter = MagFilter::Nearest) {
     }));
     texture.minFilter = MinFilter::Linear;
     texture.magFilter = filter;
-    texture.wrap = {wrap, wrap, wrap};
+    texture.wrapS = texture.wrapT = texture.wrapR = wrap;
     texture.borderColor = {1, 1, 1, 1};
     return texture;
 }

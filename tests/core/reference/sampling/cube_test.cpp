@@ -81,7 +81,7 @@ SampledTexture cubeTexture(int extent) {
     texture.target = Target::CubeMap;
     texture.magFilter = MagFilter::Nearest;
     texture.minFilter = MinFilter::Nearest;
-    texture.wrap.fill(Wrap::ClampToEdge);
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::ClampToEdge;
     for (int face = 0; face < 6; ++face)
         texture.levelToFill(0, face) = makeLevel({extent, extent, 1}, [face](int i, int j, int) {
             return glm::vec4(static_cast<float>(face), static_cast<float>(i), static_cast<float>(j), 10) /
@@ -111,9 +111,9 @@ TEST(SampleOfACubeMap, KnowsTheShareOfATexelOfAFace) {
 TEST(SampleOfACubeMap, StaysOnItsFaceAtAnEdge) {
     SampledTexture texture = cubeTexture(4);
     texture.magFilter = MagFilter::Linear;
-    texture.wrap.fill(Wrap::Repeat);
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::Repeat;
     EXPECT_TRUE(isNear(sample(texture, {0.999999F, 0, 1}, {}), {0.4F, 0.15F, 0.15F, 1}, 1e-4F));
-    texture.wrap.fill(Wrap::ClampToEdge);
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::ClampToEdge;
     EXPECT_TRUE(isNear(sample(texture, {0.999999F, 0, 1}, {}), {0.4F, 0.3F, 0.15F, 1}, 1e-4F));
 }
 

@@ -153,7 +153,8 @@ TEST_P(FastSamplerTest, EqualsTheLiteralOne) {
     for (const EnumRow& s : wrapRows) {
         for (const EnumRow& t : wrapRows) {
             SCOPED_TRACE(std::string(s.name) + " " + std::string(t.name));
-            made.wrap = {static_cast<Wrap>(s.value), static_cast<Wrap>(t.value), static_cast<Wrap>(s.value)};
+            made.wrapS = made.wrapR = static_cast<Wrap>(s.value);
+            made.wrapT = static_cast<Wrap>(t.value);
             for (int i = 0; i < 4; ++i)
                 expectTheSame(made, {.anisotropy = method}, randomRow(numbers));
             if (HasFatalFailure())
@@ -206,7 +207,18 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Parameters{"Bias", [](SampledTexture&, SampleOptions& it) { it.unitBias = 1.7F; }},
         Parameters{"HugeBias", [](SampledTexture&, SampleOptions& it) { it.unitBias = -1e30F; }},
-        Parameters{"NanBias", [](SampledTexture&, SampleOptions& it) { it.objectBias = nan; }},
+        Parameters{"BiasOfTheTexture", [](SampledTexture& it, SampleOptions&) { it.lodBias = -1.3F; }},
+        Parameters{"BothBiases",
+                   [](SampledTexture& texture, SampleOptions& options) {
+                       texture.lodBias = 2.3F;
+                       options.unitBias = -1.1F;
+                   }},
+        Parameters{"BothBiasesBeyondTheLimit",
+                   [](SampledTexture& texture, SampleOptions& options) {
+                       texture.lodBias = options.unitBias = 1.5F;
+                       options.maxBias = 2;
+                   }},
+        Parameters{"NanBias", [](SampledTexture& it, SampleOptions&) { it.lodBias = nan; }},
         Parameters{"HugeBiasWithoutLimit",
                    [](SampledTexture&, SampleOptions& it) {
                        it.unitBias = 100;
@@ -251,7 +263,7 @@ TEST(FastSampler, LeavesCubeMapsAndBordersToTheLiteralOne) {
     for (Level& level : bordered.levels)
         level = makeLevel(
             level.size(), [](int i, int j, int) { return glm::vec4(i + 1, j + 1, 3, 9) / 18.0F; }, 1, 2);
-    bordered.wrap.fill(Wrap::Clamp);
+    bordered.wrapS = bordered.wrapT = bordered.wrapR = Wrap::Clamp;
     for (int i = 0; i < 20; ++i) {
         const SampleRow row = randomRow(numbers);
         expectTheSame(cube, {}, row);

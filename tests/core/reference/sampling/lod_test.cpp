@@ -22,6 +22,7 @@ struct Case {
     MinFilter min = MinFilter::LinearMipmapLinear;
     MagFilter mag = MagFilter::Linear;
     SampleOptions options = {};
+    float bias = 0; ///< of the texture object
     float minLod = -1000;
     float maxLod = 1000;
     int base = 0;
@@ -41,6 +42,7 @@ TEST_P(LevelRule, FollowsTheEquations) {
     SampledTexture texture = leveledTexture(64);
     texture.minFilter = row.min;
     texture.magFilter = row.mag;
+    texture.lodBias = row.bias;
     texture.minLod = row.minLod;
     texture.maxLod = row.maxLod;
     texture.baseLevel = row.base;
@@ -110,11 +112,29 @@ INSTANTIATE_TEST_SUITE_P(
              .lambda = 0.32192809F},
         Case{.name = "BiasesAddUp",
              .texelsX = 2,
-             .options = {.unitBias = 0.5F, .objectBias = 0.25F, .shaderBias = 1},
+             .options = {.unitBias = 0.5F, .shaderBias = 1},
+             .bias = 0.25F,
              .lambda = 2.75F,
              .first = 2,
              .second = 3,
              .share = 0.75F},
+        Case{.name = "BiasOfTheTexture", .texelsX = 2, .bias = 2, .lambda = 3, .first = 3, .second = 4},
+        // 1 + min(1.5 + 1.5, 2), and not 1 + min(1.5, 2) + min(1.5, 2)
+        Case{.name = "TheSumIsClamped",
+             .texelsX = 2,
+             .options = {.unitBias = 1.5F, .maxBias = 2},
+             .bias = 1.5F,
+             .lambda = 3,
+             .first = 3,
+             .second = 4},
+        // 1 + (9 - 8), and not 1 + (2 - 2)
+        Case{.name = "NeitherIsClampedAlone",
+             .texelsX = 2,
+             .options = {.unitBias = -8, .maxBias = 2},
+             .bias = 9,
+             .lambda = 2,
+             .first = 2,
+             .second = 3},
         Case{.name = "BiasIsClamped",
              .texelsX = 2,
              .options = {.unitBias = 9, .maxBias = 2},

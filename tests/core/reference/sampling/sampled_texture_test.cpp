@@ -59,6 +59,9 @@ TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     texture.internalFormat = F::Luminance;
     texture.borderColor = {2, 0.5F, -1, 0.25F};
     texture.wrapT = Wrap::Clamp;
+    texture.minFilter = MinFilter::Linear;
+    texture.lodBias = 0.5F;
+    texture.maxAnisotropy = 3;
     TextureLevels levels;
     levels.levels = {{0, bytes(PixelFormat::Rgba8, 1, 2, {255, 0, 0, 0, 51, 0, 0, 0})}};
     levels.lastLevel = 0;
@@ -66,8 +69,12 @@ TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Luminance);
     EXPECT_EQ(sampled.borderColor, glm::vec4(1, 1, 1, 1));
-    EXPECT_EQ(sampled.wrap[1], Wrap::Clamp);
+    EXPECT_EQ(sampled.wrap(1), Wrap::Clamp);
     EXPECT_EQ(sampled.maxLevel, 0);
+    SamplerState expected = texture; // all but what is the format's and the file's
+    expected.borderColor = sampled.borderColor;
+    expected.maxLevel = sampled.maxLevel;
+    EXPECT_EQ(static_cast<const SamplerState&>(sampled), expected);
     ASSERT_NE(sampled.level(0), nullptr);
     EXPECT_EQ(sampled.level(1), nullptr);
     EXPECT_TRUE(isNear(sampled.level(0)->texels[1], {0.2F, 0.2F, 0.2F, 1}));

@@ -23,7 +23,7 @@ SampledTexture indexTexture(Target target, glm::ivec3 size, int border = 0) {
     texture.target = target;
     texture.levels = {makeLevel(size, indexColor, border, axesOf(target))};
     texture.minFilter = MinFilter::Linear;
-    texture.wrap.fill(Wrap::ClampToEdge);
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::ClampToEdge;
     texture.borderColor = {0.9F, 0.9F, 0.9F, 0.5F};
     return texture;
 }
@@ -45,16 +45,16 @@ TEST(Sample, LinearBlendsAlongEveryAxisOfTheTarget) {
 
 TEST(Sample, ClampBlendsHalfTheBorderColourIntoTheRim) {
     SampledTexture texture = indexTexture(Target::Texture1D, {4, 1, 1});
-    texture.wrap[0] = Wrap::Clamp;
+    texture.wrapS = Wrap::Clamp;
     EXPECT_TRUE(isNear(sample(texture, {2, 0, 0}, {}), {(0.3F + 0.9F) / 2, 0.45F, 0.45F, 0.75F}));
 }
 
 TEST(Sample, BorderTexelsGoBeforeTheBorderColour) {
     SampledTexture texture = indexTexture(Target::Texture2D, {4, 4, 1}, 1);
-    texture.wrap.fill(Wrap::ClampToBorder);
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::ClampToBorder;
     EXPECT_TRUE(isNear(sample(texture, {-3, 0.375F, 0}, {}), {-0.1F, 0.1F, 0, 1}));
     EXPECT_TRUE(isNear(sample(texture, {3, 3, 0}, {}), {0.4F, 0.4F, 0, 1}));
-    texture.wrap.fill(Wrap::Clamp);
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::Clamp;
     EXPECT_TRUE(isNear(sample(texture, {3, 0.375F, 0}, {}), {0.35F, 0.1F, 0, 1}));
 }
 
@@ -151,7 +151,7 @@ TEST_P(BadInput, GivesAColourBetweenThoseOfTheTexture) {
     const auto& [row, wrap, target, method] = GetParam();
     SampledTexture texture =
         indexTexture(target, {4, target == Target::Texture1D ? 1 : 4, target == Target::Texture3D ? 4 : 1});
-    texture.wrap.fill(wrap);
+    texture.wrapS = texture.wrapT = texture.wrapR = wrap;
     texture.maxAnisotropy = 16;
     const glm::vec4 color = sample(texture, row.coords, row.derivatives, {.anisotropy = method});
     for (int i = 0; i < 4; ++i) {
@@ -193,7 +193,7 @@ TEST_P(Record, AddsUpToTheColour) {
         }));
     texture.minFilter = min;
     texture.magFilter = mag;
-    texture.wrap.fill(wrap);
+    texture.wrapS = texture.wrapT = texture.wrapR = wrap;
     texture.borderColor = {1, 0.5F, 0.25F, 0.125F};
     texture.maxAnisotropy = anisotropy;
     for (const float texels : {0.4F, 1.3F, 3.7F, 20.0F}) {

@@ -91,6 +91,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "maxLevel": 1000,
       "minLod": -1000,
       "maxLod": 1000,
+      "lodBias": 0,
       "maxAnisotropy": 1,
       "priority": 1
     }

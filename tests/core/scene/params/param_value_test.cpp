@@ -111,41 +111,5 @@ TEST(ParamValue, AValueOfAnotherKindIsRefused) {
     EXPECT_FALSE(checkValue(*findParam(modelTable(), "texCoords0"), TexCoords{{0, INFINITY, 0, 1}}));
 }
 
-struct Call {
-    const char* name;
-    const StructTable& (*table)();
-    const char* key;
-    const char* value;
-    const char* call;
-};
-
-class Calls : public testing::TestWithParam<Call> {};
-
-TEST_P(Calls, HaveTheValueInItsPlace) {
-    const ParamRow& row = *findParam(GetParam().table(), GetParam().key);
-    EXPECT_EQ(formatCall(row, parseValue(row, GetParam().value).value()), GetParam().call);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Gl, Calls,
-    testing::Values(Call{"Enum", textureTable, "wrapS", "GL_CLAMP",
-                         "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP)"},
-                    Call{"Float", textureTable, "minLod", "-0.5",
-                         "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, -0.5)"},
-                    Call{"Pointer", unitTable, "envColor", "1,0,0.5,1",
-                         "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {1, 0, 0.5, 1})"},
-                    Call{"Combine", combineTable, "rgbScale", "4",
-                         "glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 4)"},
-                    Call{"TexGen", []() -> const StructTable& { return texGenTable(2); }, "objectPlane",
-                         "1,0,0,0.5", "glTexGenfv(GL_R, GL_OBJECT_PLANE, {1, 0, 0, 0.5})"},
-                    Call{"Arguments", viewTable, "background", "0,0,0,1", "glClearColor(0, 0, 0, 1)"},
-                    Call{"Repeated", modelTable, "size", "2", "glScalef(2, 2, 2)"},
-                    Call{"Enable", passTable, "blend", "true", "glEnable(GL_BLEND)"},
-                    Call{"Disable", passTable, "blend", "false", "glDisable(GL_BLEND)"},
-                    Call{"Bool", lightTable, "localViewer", "true",
-                         "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE)"},
-                    Call{"None", modelTable, "shape", "cube", ""}),
-    [](const auto& test) { return std::string(test.param.name); });
-
 } // namespace
 } // namespace texplorer

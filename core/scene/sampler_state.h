@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/gl/sampling.h"
+
+#include <glm/vec4.hpp>
+
+namespace texplorer {
+
+/// How a texture object is read: the part of glTexParameter's state that filters and wraps (OpenGL 2.1,
+/// section 3.8.4, with GL_TEXTURE_MAX_ANISOTROPY_EXT). The initial values are GL's.
+struct SamplerState {
+    MagFilter magFilter = MagFilter::Linear;
+    MinFilter minFilter = MinFilter::NearestMipmapLinear;
+    Wrap wrapS = Wrap::Repeat;
+    Wrap wrapT = Wrap::Repeat;
+    Wrap wrapR = Wrap::Repeat;
+    glm::vec4 borderColor{0, 0, 0, 0};
+    int baseLevel = 0;
+    int maxLevel = 1000;
+    float minLod = -1000;
+    float maxLod = 1000;
+    float lodBias = 0; ///< the unit has one of its own, which is added
+    float maxAnisotropy = 1;
+
+    /// Of s, t and r: 0 to 2.
+    [[nodiscard]] constexpr Wrap wrap(int axis) const {
+        return axis == 0 ? wrapS : axis == 1 ? wrapT : wrapR;
+    }
+
+    bool operator==(const SamplerState&) const = default;
+};
+
+} // namespace texplorer
