@@ -37,7 +37,7 @@ struct Contributions {
                                                   int width, int height, const TexelQuestion& question,
                                                   const DrawOptions& options = {});
 
-/// For a caller that keeps a TextureStore. Throws std::bad_alloc.
+/// For a caller that keeps a TextureStore.
 [[nodiscard]] Result<Contributions> findContributions(const Scene& scene, const ImageSource& images,
                                                       double time, Viewport viewport,
                                                       const TexelQuestion& question,

@@ -14,7 +14,6 @@ namespace texplorer::reference {
                                         int height, PixelPlace pixel, const DrawOptions& options = {});
 
 /// The same for a caller that keeps a TextureStore, and has seen that the picture has the pixel. Error: Cancelled.
-/// Throws std::bad_alloc.
 [[nodiscard]] Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
                                                Viewport viewport, PixelPlace pixel,
                                                const DrawOptions& options, TextureStore& textures);

@@ -19,7 +19,6 @@ struct Canvas {
     std::uint32_t background = 0;     ///< a pixel's four bytes
     bool cleared = false;
 
-    /// Throws std::bad_alloc.
     Canvas(Viewport viewport, glm::vec4 clearColor);
 
     [[nodiscard]] Viewport viewport() const { return {color.width, color.height}; }

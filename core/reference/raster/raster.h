@@ -19,7 +19,7 @@ enum class Remaining { None, More };
 
 /// Draws triangles in their order. Tiles of the picture are drawn by up to `threads` threads; the result is
 /// the same with any number. Stops early when it is asked to. Without a kernel: pixel by pixel, as shade.h
-/// has it; the bytes are the same, only later. Throws std::bad_alloc.
+/// has it; the bytes are the same, only later.
 void rasterize(std::span<const Triangle> triangles, Canvas& canvas, Remaining remaining, const Kernel* kernel,
                unsigned threads, const std::stop_token& stop);
 

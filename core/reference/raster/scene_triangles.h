@@ -14,7 +14,7 @@
 namespace texplorer::reference {
 
 /// Calls `work` for each, clipped and set up. Their `pass` points into `passes`, which must outlive them.
-/// Leaves out models that are invisible, and the rest after a stop request. Throws std::bad_alloc.
+/// Leaves out models that are invisible, and the rest after a stop request.
 void eachTriangle(const Scene& scene, std::span<const PassState> passes, double time, Viewport viewport,
                   const std::stop_token& stop, const std::function<void(const Triangle&)>& work);
 

@@ -76,7 +76,7 @@ struct SampledTexture : SamplerState {
 
 /// The texture object that GL would have: the parameters of `texture` over prepared levels. What a driver
 /// would compress is compressed with Texplorer's own encoder, which a sentence in `notes` says. Errors: those
-/// of encodeBlocks. Throws std::bad_alloc.
+/// of encodeBlocks.
 [[nodiscard]] Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevels& levels,
                                                     Target target, std::vector<std::string>& notes,
                                                     const std::stop_token& stop = {});

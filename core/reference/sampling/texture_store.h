@@ -23,7 +23,7 @@ class TextureStore {
 public:
     /// Brings one of the scene's textures up to date; nullptr where it can't be drawn, or the work was
     /// stopped. What was returned before stays valid until `keepOnly`. Sentences about what stands in the
-    /// way, or was done otherwise than asked for, are added to `problems`. Throws std::bad_alloc.
+    /// way, or was done otherwise than asked for, are added to `problems`.
     [[nodiscard]] const StoredTexture* prepare(const Scene& scene, std::size_t index, Target target,
                                                const ImageSource& images, const LevelWork& work,
                                                std::vector<std::string>& problems);

@@ -45,8 +45,7 @@ struct PassState {
     bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)
 };
 
-/// Every pass of the scene. Sentences about what could not be drawn are added to `problems`. Throws
-/// std::bad_alloc.
+/// Every pass of the scene. Sentences about what could not be drawn are added to `problems`.
 [[nodiscard]] std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
                                                 const LevelWork& work, AnisotropyMethod anisotropy,
                                                 TextureStore& store, std::vector<std::string>& problems);
