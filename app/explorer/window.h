@@ -45,12 +45,12 @@ public:
     /// Ends a wait, from any thread.
     static void wake();
 
-    [[nodiscard]] bool isHidden() const;            ///< minimised, or without a single pixel
+    [[nodiscard]] bool isHidden() const;          ///< minimised, or without a single pixel
     [[nodiscard]] view::Size size() const;        ///< in screen coordinates, in which the mouse is measured
     [[nodiscard]] view::Size framebuffer() const; ///< in pixels
-    [[nodiscard]] float contentScale() const;       ///< pixels of the monitor to those of a plain one
-    [[nodiscard]] double frameSeconds() const;      ///< how long the monitor shows a frame
-    [[nodiscard]] double now() const;               ///< seconds on a clock that only goes forwards
+    [[nodiscard]] float contentScale() const;     ///< pixels of the monitor to those of a plain one
+    [[nodiscard]] double frameSeconds() const;    ///< how long the monitor shows a frame
+    [[nodiscard]] double now() const;             ///< seconds on a clock that only goes forwards
 
     void setTitle(const std::string& title);
     void swap();

@@ -37,8 +37,8 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
 
 } // namespace
 
-void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities, LevelsSource* source,
-                         std::string_view where) {
+void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities,
+                         LevelsSource* source, std::string_view where) {
     cancelled_ = false;
     giveBack(source); // a frame later: to read them takes its time, as the last part of an upload does
     if (shown_ == request)

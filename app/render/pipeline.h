@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/view/frame.h"
 #include "app/render/gl_errors.h"
 #include "app/render/mesh_cache.h"
 #include "app/render/texture_cache.h"
+#include "app/view/frame.h"
 #include "core/scene/scene.h"
 
 #include <glm/mat4x4.hpp>

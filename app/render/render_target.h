@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/view/frame.h"
 #include "app/render/gl_handle.h"
+#include "app/view/frame.h"
 #include "core/base/result.h"
 
 namespace texplorer::render {

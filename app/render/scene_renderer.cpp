@@ -77,8 +77,8 @@ SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 SceneRenderer::~SceneRenderer() = default;
 
-Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images, double time, view::Size size,
-                                  LevelsSource* levels) {
+Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& images, double time,
+                                        view::Size size, LevelsSource* levels) {
     State& state = *state_;
     if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
         size.height > state.limit.height)
@@ -101,15 +101,16 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
     return view::Frame{state.target.texture(),
-                 size,
-                 elapsed.count(),
-                 state.errors.sentences(),
-                 state.textures->isUploading(),
-                 state.pipeline->shaders(),
-                 state.revision};
+                       size,
+                       elapsed.count(),
+                       state.errors.sentences(),
+                       state.textures->isUploading(),
+                       state.pipeline->shaders(),
+                       state.revision};
 }
 
-void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size) {
+void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time,
+                                     view::Size size) {
     glViewport(0, 0, size.width, size.height);
     const glm::vec4& background = scene.view.background;
     glClearColor(background.r, background.g, background.b, background.a);

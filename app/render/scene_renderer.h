@@ -4,9 +4,9 @@
 #include "app/view/frame.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
+#include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 #include "core/texture/levels_source.h"
-#include "core/scene/scene.h"
 #include "core/texture/texture_levels.h"
 
 #include <memory>
@@ -30,8 +30,8 @@ public:
     /// Draws the scene at `time` seconds. Refused: a size below 1 or above the driver's limit. A GL error
     /// does not end the drawing: it is reported in Frame::problems. Without `levels` the textures are made
     /// and uploaded before the drawing; with it, a texture is what it was before until they are.
-    [[nodiscard]] Result<view::Frame> draw(const Scene& scene, const ImageSource& images, double time, view::Size size,
-                                     LevelsSource* levels = nullptr);
+    [[nodiscard]] Result<view::Frame> draw(const Scene& scene, const ImageSource& images, double time,
+                                           view::Size size, LevelsSource* levels = nullptr);
 
     /// Uses the textures of a renderer in the same context that draws the same scenes, instead of its own.
     void shareTextures(const SceneRenderer& other);

@@ -328,7 +328,7 @@ bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled) {
 }
 
 Result<view::ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
-                                  const ShaderPieces& pieces) {
+                                        const ShaderPieces& pieces) {
     const Plan plan{scene, scene.passes[pass], units};
     Result<view::StageSource> vertex = vertexStage(plan, pieces);
     if (!vertex)
@@ -376,7 +376,7 @@ std::optional<Place> placeIn(std::string_view text) {
 } // namespace
 
 std::vector<view::ShaderMessage> translateLog(std::string_view log, const view::StageSource& source,
-                                        std::optional<view::ShaderStage> stage) {
+                                              std::optional<view::ShaderStage> stage) {
     std::vector<view::ShaderMessage> messages;
     while (!log.empty()) {
         const std::size_t end = std::min(log.find('\n'), log.size());

@@ -2,8 +2,8 @@
 
 #include "app/render/state_guard.h"
 #include "core/image/cube_faces.h"
-#include "core/texture/texture_levels.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/texture/texture_levels.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/render/live_texture.h"
-#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
 #include <memory>
 #include <string>

@@ -2,8 +2,8 @@
 
 // Where drafts lie: a directory with a file for each window that has unsaved work, and a lock beside it.
 
-#include "core/base/descriptor.h"
 #include "core/autosave/unsaved_scene.h"
+#include "core/base/descriptor.h"
 
 #include <chrono>
 #include <vector>

@@ -10,8 +10,8 @@ namespace texplorer::conform {
 
 struct Judgement {
     Difference difference; ///< over the rule's bound
-    /// Of these pixels, those that the rule's tolerance doesn't allow either. Above a sixteenth of the picture
-    /// lambda's error is no longer asked for.
+    /// Of these pixels, those that the rule's tolerance doesn't allow either. Above a sixteenth of the
+    /// picture lambda's error is no longer asked for.
     std::size_t unexplained = 0;
 };
 

@@ -3,8 +3,8 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/reference/explain/explanation.h"
-#include "core/texture/image_source.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
 #include <memory>
 #include <string>

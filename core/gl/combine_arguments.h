@@ -1,6 +1,7 @@
 #pragma once
 
-// GL_COMBINE's state in the order in which it is computed with: by argument. Only combine.h keeps it by parameter.
+// GL_COMBINE's state in the order in which it is computed with: by argument. Only combine.h keeps it by
+// parameter.
 
 #include "core/gl/combine.h"
 

@@ -2,8 +2,8 @@
 
 // Everything that an image file holds for a texture: one picture, or faces and mip levels, compressed or not.
 
-#include "core/image/image.h"
 #include "core/image/block_image.h"
+#include "core/image/image.h"
 
 #include <string>
 #include <string_view>

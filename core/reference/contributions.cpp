@@ -1,9 +1,9 @@
 #include "core/reference/contributions.h"
 
-#include "core/reference/shading/fragment.h"
 #include "core/reference/raster/raster.h"
 #include "core/reference/raster/scene_triangles.h"
 #include "core/reference/raster/shade.h"
+#include "core/reference/shading/fragment.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,9 +3,9 @@
 // The probe the other way round: which pixels a texel has a share in.
 
 #include "core/reference/draw.h"
+#include "core/reference/raster/triangle.h"
 #include "core/reference/sampling/sampler.h"
 #include "core/reference/sampling/texture_store.h"
-#include "core/reference/raster/triangle.h"
 
 #include <vector>
 

@@ -2,11 +2,11 @@
 
 #include "core/base/parallel.h"
 #include "core/reference/contributions.h"
-#include "core/reference/raster/kernel.h"
-#include "core/reference/shading/pass_state.h"
 #include "core/reference/probe.h"
+#include "core/reference/raster/kernel.h"
 #include "core/reference/raster/raster.h"
 #include "core/reference/raster/scene_triangles.h"
+#include "core/reference/shading/pass_state.h"
 
 #include <new>
 

@@ -2,8 +2,8 @@
 
 #include "core/reference/draw.h"
 #include "core/reference/explain/explanation.h"
-#include "core/reference/sampling/texture_store.h"
 #include "core/reference/raster/triangle.h"
+#include "core/reference/sampling/texture_store.h"
 
 namespace texplorer::reference {
 
@@ -13,7 +13,8 @@ namespace texplorer::reference {
 [[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time, int width,
                                         int height, PixelPlace pixel, const DrawOptions& options = {});
 
-/// The same for a caller that keeps a TextureStore, and has seen that the picture has the pixel. Error: Cancelled.
+/// The same for a caller that keeps a TextureStore, and has seen that the picture has the pixel. Error:
+/// Cancelled.
 [[nodiscard]] Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
                                                Viewport viewport, PixelPlace pixel,
                                                const DrawOptions& options, TextureStore& textures);

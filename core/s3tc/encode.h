@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/image/image.h"
 #include "core/image/block_image.h"
+#include "core/image/image.h"
 #include "core/s3tc/encode_quality.h"
 
 #include <functional>

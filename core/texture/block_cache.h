@@ -3,8 +3,8 @@
 // Compressed levels that are kept between runs, as DDS files in a directory.
 
 #include "core/base/result.h"
-#include "core/image/image.h"
 #include "core/image/block_image.h"
+#include "core/image/image.h"
 #include "core/s3tc/encode_quality.h"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "core/base/result.h"
 #include "core/image/texture_image.h"
-#include "core/texture/image_budget.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_budget.h"
 
 #include <filesystem>
 #include <map>

@@ -8,8 +8,8 @@
 #include "core/image/shared_surface.h"
 #include "core/image/texture_image.h"
 #include "core/s3tc/encode.h"
-#include "core/texture/block_cache.h"
 #include "core/scene/scene.h"
+#include "core/texture/block_cache.h"
 
 #include <limits>
 #include <memory>
@@ -43,8 +43,8 @@ struct TextureLevels {
 };
 
 /// What compressing at run time (Compression::Cached) needs. It takes long where the cache doesn't have the
-/// blocks, at best quality two seconds a megatexel: a caller that must not wait calls prepareLevels on a thread of
-/// his own, with a `stop` that he can request.
+/// blocks, at best quality two seconds a megatexel: a caller that must not wait calls prepareLevels on a
+/// thread of his own, with a `stop` that he can request.
 struct LevelWork {
     BlockCache cache;    ///< where blocks are looked for and kept
     Progress progress{}; ///< of the compressing, on the thread that calls

@@ -7,9 +7,9 @@
 #include "app/render/shader_renderer.h"
 #include "core/image/mipmaps.h"
 #include "core/mesh/mesh.h"
+#include "core/s3tc/surface_pixels.h"
 #include "core/scene/animation.h"
 #include "core/texture/image_source.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <GL/glew.h>
 #include <benchmark/benchmark.h>
@@ -171,10 +171,8 @@ void frame(benchmark::State& state) {
 /// The same with GLSL.
 void frameShader(benchmark::State& state) {
     const Stage stage;
-    Result<render::ShaderRenderer> renderer =
-        render::loadCapabilities().and_then([](const view::Capabilities& capabilities) {
-            return render::ShaderRenderer::create(capabilities);
-        });
+    Result<render::ShaderRenderer> renderer = render::loadCapabilities().and_then(
+        [](const view::Capabilities& capabilities) { return render::ShaderRenderer::create(capabilities); });
     drawFrames(state, stage.images, renderer);
 }
 

@@ -1,9 +1,9 @@
 #include "tests/random/trial.h"
 
 #include "app/offscreen/osmesa_context.h"
-#include "app/view/driver_facts.h"
 #include "app/render/scene_renderer.h"
 #include "app/render/shader_renderer.h"
+#include "app/view/driver_facts.h"
 #include "core/conform/feature.h"
 #include "core/conform/judge.h"
 #include "core/reference/contributions.h"

@@ -1,9 +1,9 @@
 #include "tests/support/codec_promises.h"
 
 #include "core/base/utf8.h"
+#include "core/s3tc/surface_pixels.h"
 #include "core/scene/params/param_text.h"
 #include "tests/support/watched_heap.h"
-#include "core/s3tc/surface_pixels.h"
 
 #include <algorithm>
 

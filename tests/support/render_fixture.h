@@ -2,9 +2,9 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/render/scene_renderer.h"
-#include "core/texture/image_source.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
+#include "core/texture/image_source.h"
 
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>

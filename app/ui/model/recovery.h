@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/image.h"
 #include "core/autosave/unsaved_folder.h"
+#include "core/image/image.h"
 
 #include <functional>
 #include <memory>

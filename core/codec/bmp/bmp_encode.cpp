@@ -1,8 +1,8 @@
 #include "core/codec/bmp/bmp.h"
 #include "core/codec/bmp/bmp_header.h"
-#include "core/codec/common/write_options.h"
 #include "core/codec/common/reorder.h"
 #include "core/codec/common/swizzle.h"
+#include "core/codec/common/write_options.h"
 #include "core/s3tc/surface_pixels.h"
 
 #include <cstring>

@@ -1,6 +1,6 @@
+#include "core/codec/common/swizzle.h"
 #include "core/codec/dds/dds.h"
 #include "core/codec/dds/dds_pixels.h"
-#include "core/codec/common/swizzle.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/flip.h"
 

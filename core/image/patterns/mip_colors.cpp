@@ -1,4 +1,5 @@
 #include "core/image/mip_colors.h"
+
 #include "core/image/patterns/canvas.h"
 #include "core/image/patterns/patterns.h"
 

@@ -16,9 +16,9 @@ namespace texplorer::reference {
 namespace {
 namespace eight {
 
+#include "core/reference/raster/shade.inl"
 #include "core/reference/sampling/lanes.inl"
 #include "core/reference/sampling/sample.inl"
-#include "core/reference/raster/shade.inl"
 
 } // namespace eight
 } // namespace

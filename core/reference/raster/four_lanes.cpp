@@ -6,9 +6,9 @@ namespace texplorer::reference {
 namespace {
 namespace four {
 
+#include "core/reference/raster/shade.inl"
 #include "core/reference/sampling/lanes.inl"
 #include "core/reference/sampling/sample.inl"
-#include "core/reference/raster/shade.inl"
 
 } // namespace four
 } // namespace

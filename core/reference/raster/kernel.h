@@ -7,8 +7,8 @@
 // vectors that a processor may have (four_lanes.cpp, eight_lanes.cpp); which one is used is decided at run
 // time.
 
-#include "core/reference/sampling/fast_sampler.h"
 #include "core/reference/raster/triangle.h"
+#include "core/reference/sampling/fast_sampler.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,10 +4,10 @@
 // compiled for a processor that is not there.
 
 #include "core/reference/raster/canvas.h"
+#include "core/reference/raster/kernel.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/environment.h"
 #include "core/reference/shading/fragment.h"
-#include "core/reference/raster/kernel.h"
 #include "core/reference/shading/pass_state.h"
 #include "core/reference/shading/stored_color.h"
 

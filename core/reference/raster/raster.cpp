@@ -1,9 +1,9 @@
 #include "core/reference/raster/raster.h"
 
 #include "core/base/parallel.h"
-#include "core/reference/shading/fragment.h"
 #include "core/reference/raster/kernel.h"
 #include "core/reference/raster/shade.h"
+#include "core/reference/shading/fragment.h"
 #include "core/reference/shading/stored_color.h"
 
 #include <glm/common.hpp>

@@ -3,8 +3,8 @@
 // The triangles of a scene, ready for rasterising, in the order in which OpenGL draws them: pass by pass, in
 // each model by model.
 
-#include "core/reference/shading/pass_state.h"
 #include "core/reference/raster/triangle.h"
+#include "core/reference/shading/pass_state.h"
 #include "core/scene/scene.h"
 
 #include <functional>

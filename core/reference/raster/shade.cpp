@@ -1,8 +1,8 @@
 #include "core/reference/raster/shade.h"
 
+#include "core/reference/sampling/sampler.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/environment.h"
-#include "core/reference/sampling/sampler.h"
 
 #include <glm/common.hpp>
 

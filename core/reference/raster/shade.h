@@ -3,8 +3,8 @@
 // A fragment's colour: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum) and 4.1 (what becomes of it).
 
 #include "core/reference/raster/canvas.h"
-#include "core/reference/shading/pass_state.h"
 #include "core/reference/raster/triangle.h"
+#include "core/reference/shading/pass_state.h"
 
 #include <glm/vec2.hpp>
 

@@ -2,10 +2,10 @@
 
 // A pass as the reference draws it: what a Scene says, looked up once.
 
-#include "core/reference/shading/environment.h"
 #include "core/reference/sampling/fast_sampler.h"
 #include "core/reference/sampling/lod.h"
 #include "core/reference/sampling/texture_store.h"
+#include "core/reference/shading/environment.h"
 
 #include <glm/mat4x4.hpp>
 

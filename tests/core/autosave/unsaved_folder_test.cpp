@@ -1,8 +1,8 @@
 // Drafts are held by locks (flock), which belong to an open file, not to a process: two objects in one
 // process lock each other out as two processes do. That a lock ends with its process is tried with a child.
 
-#include "core/base/file_io.h"
 #include "core/autosave/unsaved_folder.h"
+#include "core/base/file_io.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>

@@ -2,8 +2,8 @@
 #include "core/codec/png/png.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
-#include "core/scene/params/json.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/scene/params/json.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -157,8 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
         Survival{
             "LastFaceCut",
             cube(sized(dxt1, 8, 8, 4)),
-            5 * 56 +
-                48,
+            5 * 56 + 48,
             6,
             3,
             1,
