@@ -3,6 +3,9 @@
 #include "core/reference/probe.h"
 #include "tests/ui/workbench.h"
 
+#include <atomic>
+#include <mutex>
+
 namespace texplorer::ui::test {
 namespace {
 
@@ -101,7 +104,13 @@ TEST_F(ExplainTab, FollowsTheScene) {
 }
 
 TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
-    reference::ProbeWorker worker(reference::ProbeWorker::When::WhenReady, [] {});
+    std::mutex held; // keeps the worker from what is asked next
+    std::atomic<int> answers = 0;
+    reference::ProbeWorker worker(reference::ProbeWorker::When::WhenReady, [&] {
+        ++answers;
+        answers.notify_all();
+        const std::scoped_lock lock(held);
+    });
     const Services& atOnce = session->services;
     lend({atOnce.files, atOnce.levels, atOnce.reference, worker});
     open();
@@ -111,10 +120,16 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
     ASSERT_NE(explanationOf(*session), nullptr);
     const std::string compared = "explain:compared " + std::string(rowOf(RendererKind::Fixed).label);
     EXPECT_TRUE(has(compared));
-    session->document.scene.view.azimuth += 20;
+    std::unique_lock hold(held);
+    const int before = answers;
+    session->document.scene.view.azimuth += 10;
+    (void)picture(); // asks, and the worker stops when it has answered
+    answers.wait(before);
+    session->document.scene.view.azimuth += 10;
     (void)picture(); // asks, and has an answer about the view before
     EXPECT_NE(explanationOf(*session), nullptr);
     EXPECT_FALSE(has(compared));
+    hold.unlock();
     worker.wait();
     (void)picture();
     EXPECT_TRUE(has(compared));
