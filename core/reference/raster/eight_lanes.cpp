@@ -16,9 +16,11 @@ namespace texplorer::reference {
 namespace {
 namespace eight {
 
-#include "core/reference/raster/shade.inl"
+// clang-format off: each builds on the one before it
 #include "core/reference/sampling/lanes.inl"
 #include "core/reference/sampling/sample.inl"
+#include "core/reference/raster/shade.inl"
+// clang-format on
 
 } // namespace eight
 } // namespace
