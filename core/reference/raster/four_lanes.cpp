@@ -6,7 +6,8 @@ namespace texplorer::reference {
 namespace {
 namespace four {
 
-// clang-format off: each builds on the one before it
+// Each builds on the one before it.
+// clang-format off
 #include "core/reference/sampling/lanes.inl"
 #include "core/reference/sampling/sample.inl"
 #include "core/reference/raster/shade.inl"
