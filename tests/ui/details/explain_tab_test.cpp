@@ -331,7 +331,7 @@ TEST_F(ExplainTab, ATexelGoesWithItsTexture) {
     frames(2);
     EXPECT_FALSE(session->window.explaining.texel);
     pick();
-    scene().textures.push_back({.pattern = Pattern::UvTemplate});
+    scene().textures.emplace_back().pattern = Pattern::UvTemplate;
     unit().texture = 1;
     frames(2);
     EXPECT_FALSE(session->window.explaining.texel);

@@ -15,7 +15,7 @@ TEST(WriteScene, ReadsLikeThis) {
     scene.view.background = {0.1F, 0, 0.25F, 1};
     scene.models = {Model{.shape = Shape::Quad}};
     scene.models[0].texCoords[1] = {{0, 0, 0, 1}, {1, 0, 0.5F, 1}, {1, 1, 0, 2}, {-0.0F, 1, 0, 1}};
-    scene.textures = {Texture{.file = "a \"b\"\n\xC3\xA9.png"}};
+    scene.textures.emplace_back().file = "a \"b\"\n\xC3\xA9.png";
     scene.passes[0].units[1].enabled = true;
     EXPECT_EQ(writeScene(scene), R"({
   "version": 1,
@@ -161,7 +161,7 @@ TEST(WriteScene, LeavesOutCoordinatesThatDoNotFitTheirMesh) {
 
 TEST(WriteScene, IsJsonEvenForAFileNameThatIsNotUtf8) {
     Scene scene;
-    scene.textures = {Texture{.file = "\xff.png"}};
+    scene.textures.emplace_back().file = "\xff.png";
     EXPECT_EQ(parseScene(writeScene(scene)).value().textures[0].file, "\xEF\xBF\xBD.png");
 }
 
