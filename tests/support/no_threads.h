@@ -15,7 +15,7 @@ public:
         EXPECT_EQ(::pthread_getattr_default_np(&before_), 0);
         pthread_attr_t huge;
         EXPECT_EQ(::pthread_attr_init(&huge), 0);
-        EXPECT_EQ(::pthread_attr_setstacksize(&huge, std::numeric_limits<std::size_t>::max() / 4), 0);
+        EXPECT_EQ(::pthread_attr_setstacksize(&huge, std::numeric_limits<std::size_t>::max() / 16 * 15), 0);
         EXPECT_EQ(::pthread_setattr_default_np(&huge), 0);
         ::pthread_attr_destroy(&huge);
     }

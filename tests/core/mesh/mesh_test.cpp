@@ -197,7 +197,7 @@ TEST(Patches, AreDividedBetweenTheirSecondAndFourthCorner) {
     EXPECT_THAT(makeMesh(Shape::Floor, 0, 0).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
     const Mesh cube = makeMesh(Shape::Cube, 0, 0);
     for (std::uint32_t face = 0; face < 6; ++face) {
-        const auto first = cube.triangles.begin() + std::ptrdiff_t{6} * face;
+        const auto first = cube.triangles.begin() + 6 * static_cast<std::ptrdiff_t>(face);
         const std::uint32_t at = 4 * face;
         EXPECT_THAT(std::vector(first, first + 6),
                     testing::ElementsAre(at, at + 1, at + 3, at + 1, at + 2, at + 3));

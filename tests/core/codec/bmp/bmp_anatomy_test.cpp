@@ -96,7 +96,7 @@ TEST(BmpAnatomy, NamesEveryByteOfAGoodFile) {
     EXPECT_EQ(dissect(file).fields.size(), anatomy.fields.size()) << "by way of the registry";
 
     // The fields of a section follow each other without a hole.
-    std::size_t next = 0;
+    std::uint64_t next = 0;
     for (const Field& field : anatomy.fields) {
         if (field.depth == 0) {
             next = field.offset;

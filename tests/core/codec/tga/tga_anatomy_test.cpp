@@ -68,8 +68,8 @@ TEST(TgaAnatomy, FieldsLieWithinTheirSections) {
     const Bytes file = withAttributesType(
         fileOf({.type = 10, .width = 4, .depth = 24, .data = {0x80, 1, 2, 3, 2, 1, 2, 3, 4, 5, 6, 7, 8, 9}}),
         0);
-    std::size_t begin = 0;
-    std::size_t end = 0;
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
     for (const Field& field : dissectTga(file).fields) {
         if (field.depth == 0) {
             EXPECT_GE(field.offset, end) << field.name;
