@@ -6,8 +6,9 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 cp -r "$2" "$folder/shaders"
-grep -q 'color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);' "$folder/shaders/environment.glsl"
-sed -i 's/color.rgb = min(color.rgb + texelUNIT.rgb, 1.0);/color.rgb = vec3(1.0, 0.0, 1.0);/' "$folder/shaders/environment.glsl"
+# Every texel is turned into its negative, so that hardly a scene is drawn rightly.
+sed -i 's/vec4 texelUNIT = \(texture.*\);/vec4 texelUNIT = 1.0 - \1;/' "$folder/shaders/fragment.glsl"
+[ "$(grep -c 'vec4 texelUNIT = 1.0 - texture' "$folder/shaders/fragment.glsl")" -ge 4 ]
 
 if "$soak" --count 25 --keep "$folder/kept" --shaders "$folder/shaders" >"$folder/said"; then
     echo "shaders that are wrong were not found:"
