@@ -1,6 +1,5 @@
-# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels,
-# program or LAYER_tests. Off where
-# it should show that every file includes what it uses: TEXPLORER_PRECOMPILE.
+# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels, program or
+# LAYER_tests. TEXPLORER_PRECOMPILE is off where it should show that every file includes what it uses.
 option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)
 
 set(texplorer_precompiled_code
