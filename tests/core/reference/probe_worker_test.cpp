@@ -144,7 +144,7 @@ TEST(ProbeWorker, EndsWithAQuestionThatWaits) {
     EXPECT_EQ(answers, 0);
 }
 
-TEST(ProbeWorker, EndsWhileItWorks) {
+TEST(ProbeWorker, EndsWithoutACrashWhileItWorks) {
     Scene scene = defaultScene();
     scene.models[1].slices = scene.models[1].stacks = 256;
     for (int i = 0; i < 8; ++i) {
