@@ -28,7 +28,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Ends the process as this signal does where nobody waits for it: whoever started it sees why.
+/// Ends the process as this signal does where nobody waits for it: its parent process sees why.
 [[noreturn]] void endBy(int signal);
 
 } // namespace texplorer::explorer

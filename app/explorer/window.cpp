@@ -201,7 +201,7 @@ void Window::wait(double seconds) {
 }
 
 void Window::wake() {
-    woken = true; // who wakes it has news: Dear ImGui needs some frames for that, too
+    woken = true; // something is new: Dear ImGui needs some frames for that, too
     glfwPostEmptyEvent();
 }
 

@@ -33,12 +33,12 @@ struct Options {
 };
 
 /// One of OpenGL's renderers in a studio.
-class StudioPainter : public conform::Painter {
+class StudioRenderer : public conform::Renderer {
 public:
-    StudioPainter(Studio& studio, RendererKind kind)
+    StudioRenderer(Studio& studio, RendererKind kind)
         : studio_(studio)
         , kind_(kind) {}
-    Result<conform::Painting> paint(const Scene& scene) override {
+    Result<Frame> draw(const Scene& scene) override {
         return studio_.draw(kind_, scene, {conform::extent, conform::extent});
     }
 
@@ -48,7 +48,7 @@ private:
 };
 
 /// Mesa takes shortcuts where it chooses mip levels and filters, unless it is told not to before it is
-/// loaded: without them, what remains are errors. Whoever has chosen himself is left alone. Returns what it
+/// loaded: without them, what remains are errors. What the user has set is left alone. Returns what it
 /// was told.
 std::string askMesaForPrecision() {
     constexpr const char* variable = "GALLIVM_PERF";
@@ -188,8 +188,8 @@ ExitCode conformTo(const Options& options) {
     const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders);
     if (!studio)
         return complain(studio.error());
-    StudioPainter fixed(**studio, RendererKind::Fixed);
-    StudioPainter shader(**studio, RendererKind::Shader);
+    StudioRenderer fixed(**studio, RendererKind::Fixed);
+    StudioRenderer shader(**studio, RendererKind::Shader);
     LongWork work("texshot: comparing");
     conform::SweepOptions sweep;
     sweep.selection = *selection;
@@ -224,10 +224,11 @@ void addConform(CommandLine& line) {
     auto options = std::make_shared<Options>();
     const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
     command.option("--renderer", options->renderer,
-                   "Who is compared, " + renderers +
+                   "The renderer to compare, " + renderers +
                        ". Without it and --against: shader against fixed, and reference against fixed.",
                    {.value = "RENDERER"});
-    command.option("--against", options->against, "With whom, " + renderers + ".", {.value = "RENDERER"});
+    command.option("--against", options->against, "The renderer to compare it with, " + renderers + ".",
+                   {.value = "RENDERER"});
     command.option("--feature", options->features, "Only these features; --list names them.",
                    {.value = "FEATURE"});
     command.number("--scenes", options->scenes, 1, 100000,

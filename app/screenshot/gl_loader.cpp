@@ -26,13 +26,13 @@ Result<Entry> findEntry(const char* name) {
 
 } // namespace
 
-Result<Picture> draw(const Drawing& drawing) {
+Result<Shot> draw(const ShotRequest& request) {
     const Result<DrawEntry> entry = findEntry<DrawEntry>(drawEntryName);
     if (!entry)
         return fail(entry.error());
-    Result<Picture> picture;
-    (*entry)(drawing, picture);
-    return picture;
+    Result<Shot> shot;
+    (*entry)(request, shot);
+    return shot;
 }
 
 Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders) {

@@ -33,9 +33,9 @@ Result<void> checkShaders(const std::filesystem::path& folder) {
     return pieces ? Result<void>() : fail(pieces.error());
 }
 
-Result<Picture> drawScene(const Drawing& drawing) {
+Result<Shot> drawScene(const ShotRequest& request) {
     if (const Result<void> readable =
-            drawing.renderer == RendererKind::Shader ? checkShaders(drawing.shaders) : Result<void>();
+            request.renderer == RendererKind::Shader ? checkShaders(request.shaders) : Result<void>();
         !readable)
         return fail(readable.error());
     // The scene is drawn into a framebuffer object: the context's own one is never seen.
@@ -46,45 +46,45 @@ Result<Picture> drawScene(const Drawing& drawing) {
     if (!capabilities)
         return fail(capabilities.error());
     Result<render::SceneRenderer> renderer =
-        render::createRenderer(drawing.renderer, *capabilities, {drawing.shaders, {}});
+        render::createRenderer(request.renderer, *capabilities, {request.shaders, {}});
     if (!renderer)
         return fail(renderer.error());
-    LevelsWorker levels(LevelsWorker::When::AtOnce, {}, drawing.levels);
+    LevelsWorker levels(LevelsWorker::When::AtOnce, {}, request.levels);
     Result<view::Frame> frame =
-        renderer->draw(drawing.scene, drawing.images, drawing.time, drawing.size, &levels);
+        renderer->draw(request.scene, request.images, request.time, request.size, &levels);
     if (!frame)
         return fail(frame.error());
     Result<Image> image = renderer->read();
     if (!image)
         return fail(image.error());
-    return Picture{std::move(*image), std::move(frame->problems), view::driverFacts(*capabilities)};
+    return Shot{{std::move(*image), std::move(frame->problems)}, view::driverFacts(*capabilities)};
 }
 
 constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
 
-Result<Picture> drawWindow(const Drawing& drawing) {
-    if (const Result<void> readable = checkShaders(drawing.shaders); !readable)
+Result<Shot> drawWindow(const ShotRequest& request) {
+    if (const Result<void> readable = checkShaders(request.shaders); !readable)
         return fail(readable.error());
-    const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(drawing.size);
+    const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(request.size);
     if (!context)
         return fail(context.error());
-    const auto graphics = opengl::OpenGlGraphics::create({drawing.shaders, {}});
+    const auto graphics = opengl::OpenGlGraphics::create({request.shaders, {}});
     if (!graphics)
         return fail(graphics.error());
     stage::Stage stage(**graphics, 1);
 
-    ui::ServicesAtOnce services(drawing.levels);
-    ui::Session session(services.lend(), {drawing.scene, drawing.images, drawing.file});
-    if (drawing.compared.empty())
-        showOne(session.window.views, drawing.renderer);
+    ui::ServicesAtOnce services(request.levels);
+    ui::Session session(services.lend(), {request.scene, request.images, request.file});
+    if (request.compared.empty())
+        showOne(session.window.view, request.renderer);
     else
-        showComparison(session.window.views, drawing.compared);
-    session.window.views.anisotropy = drawing.anisotropy;
-    if (drawing.probed) {
-        const ui::Rect picture = ui::layoutFor(drawing.size.width, drawing.size.height, 1,
-                                               session.window.columns, ui::gridOf(session.window.views))
+        showComparison(session.window.view, request.compared);
+    session.window.view.anisotropy = request.anisotropy;
+    if (request.probed) {
+        const ui::Rect picture = ui::layoutFor(request.size.width, request.size.height, 1,
+                                               session.window.columns, ui::gridOf(session.window.view))
                                      .picture;
-        const auto [x, y] = *drawing.probed;
+        const auto [x, y] = *request.probed;
         if (x >= picture.width || y >= picture.height)
             return fail(ErrorCode::OutOfRange,
                         "the picture in this window has " + view::asText({picture.width, picture.height}) +
@@ -92,18 +92,18 @@ Result<Picture> drawWindow(const Drawing& drawing) {
                         "--probe");
         session.window.explaining.pixel = {x, picture.height - 1 - y};
     }
-    session.window.playback.time = drawing.time;
+    session.window.playback.time = request.time;
     session.window.showsFrameTime = false;
-    session.window.wantedTab = drawing.tab;
+    session.window.wantedTab = request.tab;
     for (int frame = 0; frame < settlingFrames; ++frame) {
         (void)ui::receiveFiles(session);
-        session.window.wantedSection = drawing.section; // where it is, is known once the panel has its size
-        stage.draw(session, {drawing.size, drawing.size, 1});
+        session.window.wantedSection = request.section; // where it is, is known once the panel has its size
+        stage.draw(session, {request.size, request.size, 1});
     }
 
-    Image image = Image::uninitialised(PixelFormat::Rgba8, drawing.size.width, drawing.size.height);
+    Image image = Image::uninitialised(PixelFormat::Rgba8, request.size.width, request.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Picture{std::move(image), stage.problems(), view::driverFacts((*graphics)->capabilities())};
+    return Shot{{std::move(image), stage.problems()}, view::driverFacts((*graphics)->capabilities())};
 }
 
 class OsmesaStudio : public Studio {
@@ -118,7 +118,7 @@ public:
         return {capabilities_.renderer, capabilities_.version, {}, view::driverFacts(capabilities_)};
     }
 
-    Result<conform::Painting> draw(RendererKind kind, const Scene& scene, view::Size size) override {
+    Result<Frame> draw(RendererKind kind, const Scene& scene, view::Size size) override {
         auto found = renderers_.find(kind);
         if (found == renderers_.end()) {
             if (const Result<void> readable =
@@ -136,7 +136,7 @@ public:
         Result<Image> image = found->second.read();
         if (!image)
             return fail(image.error());
-        return conform::Painting{std::move(*image), std::move(frame->problems)};
+        return Frame{std::move(*image), std::move(frame->problems)};
     }
 
 private:
@@ -160,11 +160,11 @@ Result<std::unique_ptr<Studio>> openOsmesaStudio(const std::filesystem::path& sh
 } // namespace texplorer::screenshot
 
 extern "C" [[gnu::visibility("default")]] void
-texshotDraw(const texplorer::screenshot::Drawing& drawing,
-            texplorer::Result<texplorer::screenshot::Picture>& picture) {
+texshotDraw(const texplorer::screenshot::ShotRequest& request,
+            texplorer::Result<texplorer::screenshot::Shot>& shot) {
     using namespace texplorer::screenshot;
     texplorer::render::setUpDriverCache();
-    picture = drawing.window ? drawWindow(drawing) : drawScene(drawing);
+    shot = request.window ? drawWindow(request) : drawScene(request);
 }
 
 extern "C" [[gnu::visibility("default")]] void

@@ -7,10 +7,11 @@
 #include "app/ui/model/sections.h"
 #include "app/view/frame.h"
 #include "core/base/result.h"
-#include "core/conform/painter.h"
 #include "core/conform/pair.h"
+#include "core/conform/renderer.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/image/image.h"
+#include "core/reference/draw_request.h"
 #include "core/reference/explain/explanation.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
@@ -23,7 +24,8 @@
 
 namespace texplorer::screenshot {
 
-struct Drawing {
+/// A frame, or the whole window, that texshot draws.
+struct ShotRequest {
     Scene scene;
     ImageSource images;
     std::filesystem::path file;                    ///< of the scene; empty: none
@@ -39,12 +41,16 @@ struct Drawing {
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
     std::optional<ui::Section> section{}; ///< of the window's parameters, to scroll to
     LevelWork levels{};                   ///< how textures are compressed at run time
+
+    /// Of the reference.
+    [[nodiscard]] reference::DrawRequest drawRequest() const {
+        return {scene, images, time, size.width, size.height, anisotropy};
+    }
 };
 
-struct Picture {
-    Image image;                       ///< Rgba8, opaque where the window is drawn
-    std::vector<std::string> problems; ///< sentences: what the driver or a texture lacked
-    DriverFacts driver;                ///< of the driver that drew it
+struct Shot {
+    Frame frame;        ///< opaque where the window is drawn
+    DriverFacts driver; ///< of the driver that drew it
 };
 
 /// A context that stays, and its renderers, for many small pictures. Used on the thread that opened it.
@@ -58,20 +64,19 @@ public:
     [[nodiscard]] virtual conform::Driver driver() const = 0;
     /// Fixed function or the shaders, at time 0. No file is read: textures are patterns and
     /// conform::madeFiles.
-    [[nodiscard]] virtual Result<conform::Painting> draw(RendererKind renderer, const Scene& scene,
-                                                         view::Size size) = 0;
+    [[nodiscard]] virtual Result<Frame> draw(RendererKind renderer, const Scene& scene, view::Size size) = 0;
 };
 
 /// The module's entry points, found by these names.
-using DrawEntry = void (*)(const Drawing& drawing, Result<Picture>& picture);
+using DrawEntry = void (*)(const ShotRequest& request, Result<Shot>& shot);
 inline constexpr const char* drawEntryName = "texshotDraw";
 using StudioEntry = void (*)(const std::filesystem::path& shaders, Result<std::unique_ptr<Studio>>& studio);
 inline constexpr const char* studioEntryName = "texshotStudio";
 
 /// Loads the module beside this program and draws. The error says where the module was looked for.
-[[nodiscard]] Result<Picture> draw(const Drawing& drawing);
+[[nodiscard]] Result<Shot> draw(const ShotRequest& request);
 
-/// Loads the module and opens a studio. `shaders` as in Drawing.
+/// Loads the module and opens a studio. `shaders` as in ShotRequest.
 [[nodiscard]] Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders);
 
 } // namespace texplorer::screenshot

@@ -48,23 +48,23 @@ Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
 }
 
 /// What OpenGL has at the pixel: the whole picture is drawn for it.
-std::vector<ReadBack> readBack(Drawing drawing, const reference::PixelPlace& pixel,
+std::vector<ReadBack> readBack(ShotRequest request, const reference::PixelPlace& pixel,
                                std::vector<std::string>& problems) {
     std::vector<ReadBack> all;
     for (const RendererKind renderer : {RendererKind::Fixed, RendererKind::Shader}) {
-        drawing.renderer = renderer;
-        const Result<Picture> picture = draw(drawing);
-        if (!picture) {
-            all.push_back({renderer, fail(picture.error())});
+        request.renderer = renderer;
+        const Result<Shot> shot = draw(request);
+        if (!shot) {
+            all.push_back({renderer, fail(shot.error())});
             continue;
         }
-        for (const std::string& problem : picture->problems) {
+        for (const std::string& problem : shot->frame.problems) {
             if (std::ranges::find(problems, problem) == problems.end())
                 problems.push_back(problem);
         }
         reference::PixelBytes bytes{};
         for (std::size_t i = 0; i < bytes.size(); ++i)
-            bytes[i] = std::to_integer<std::uint8_t>(picture->image.at(pixel.x, pixel.y)[i]);
+            bytes[i] = std::to_integer<std::uint8_t>(shot->frame.image.at(pixel.x, pixel.y)[i]);
         all.push_back({renderer, bytes});
     }
     return all;
@@ -75,31 +75,29 @@ void complainAbout(const std::vector<std::string>& problems) {
         complain({ErrorCode::Driver, problem, {}});
 }
 
-ExitCode probePixel(const Options& options, Drawing drawing) {
-    const Result<reference::PixelPlace> pixel = parsePlace(options.at, drawing.size);
+ExitCode probePixel(const Options& options, ShotRequest request) {
+    const Result<reference::PixelPlace> pixel = parsePlace(options.at, request.size);
     if (!pixel)
         return complain(pixel.error(), wrongCall);
     Result<reference::Explanation> explanation =
-        reference::probe(drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height,
-                         *pixel, {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
+        reference::probe(request.drawRequest(), *pixel, {.levels = request.levels});
     if (!explanation)
         return complain(explanation.error());
     std::vector<std::string> problems = explanation->problems;
     const std::vector<ReadBack> readBacks =
-        options.withoutGl ? std::vector<ReadBack>() : readBack(std::move(drawing), *pixel, problems);
+        options.withoutGl ? std::vector<ReadBack>() : readBack(std::move(request), *pixel, problems);
     complainAbout(problems);
     const Result<void> printed =
         print(options.json ? asJson(*explanation, readBacks) : asText(*explanation, readBacks));
     return printed ? success : complain(printed.error());
 }
 
-ExitCode findPixels(const Options& options, const Drawing& drawing) {
+ExitCode findPixels(const Options& options, const ShotRequest& request) {
     const Result<reference::TexelQuestion> question = parseTexel(options.texel, options.pass);
     if (!question)
         return complain(question.error(), wrongCall);
-    const Result<reference::Contributions> found = reference::contributions(
-        drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height, *question,
-        {.anisotropy = drawing.anisotropy, .levels = drawing.levels});
+    const Result<reference::Contributions> found =
+        reference::contributions(request.drawRequest(), *question, {.levels = request.levels});
     if (!found)
         return complain(found.error(), found.error().code == ErrorCode::OutOfRange ? wrongCall : failure);
     complainAbout(found->problems);
@@ -127,17 +125,17 @@ ExitCode probe(const Options& options) {
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    Drawing drawing;
-    drawing.scene = std::move(opened->scene);
-    drawing.images = std::move(opened->images);
-    drawing.file = options.scene.file;
-    drawing.time = *time;
-    drawing.size = *size;
-    drawing.anisotropy = *anisotropy;
-    drawing.levels.cache = BlockCache::ofUser();
-    if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
+    ShotRequest request;
+    request.scene = std::move(opened->scene);
+    request.images = std::move(opened->images);
+    request.file = options.scene.file;
+    request.time = *time;
+    request.size = *size;
+    request.anisotropy = *anisotropy;
+    request.levels.cache = BlockCache::ofUser();
+    if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(options.scene, loaded.error()));
-    return options.at.empty() ? findPixels(options, drawing) : probePixel(options, std::move(drawing));
+    return options.at.empty() ? findPixels(options, request) : probePixel(options, std::move(request));
 }
 
 } // namespace

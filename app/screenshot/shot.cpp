@@ -103,13 +103,12 @@ Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
 }
 
 /// Without OpenGL: the module that holds it is not even loaded.
-Result<Picture> drawByReference(const Drawing& drawing) {
-    Result<reference::Drawn> drawn = reference::drawReference(
-        drawing.scene, drawing.images, drawing.time, drawing.size.width, drawing.size.height,
-        {.anisotropy = drawing.anisotropy, .levels = drawing.levels, .stop = drawing.levels.stop});
+Result<Shot> drawByReference(const ShotRequest& request) {
+    Result<Frame> drawn = reference::drawReference(request.drawRequest(),
+                                                   {.levels = request.levels, .stop = request.levels.stop});
     if (!drawn)
         return fail(drawn.error());
-    return Picture{std::move(drawn->image), std::move(drawn->problems), {}};
+    return Shot{std::move(*drawn), {}};
 }
 
 ExitCode shoot(const Options& options) {
@@ -157,45 +156,45 @@ ExitCode shoot(const Options& options) {
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    Drawing drawing{std::move(opened->scene),
-                    std::move(opened->images),
-                    options.scene.file,
-                    *time,
-                    *size,
-                    options.window,
-                    *tab,
-                    *probed,
-                    *renderer,
-                    *compared,
-                    options.shaders,
-                    *anisotropy,
-                    *section};
-    if (const auto loaded = drawing.images.load(drawing.scene); !loaded)
+    ShotRequest request{std::move(opened->scene),
+                        std::move(opened->images),
+                        options.scene.file,
+                        *time,
+                        *size,
+                        options.window,
+                        *tab,
+                        *probed,
+                        *renderer,
+                        *compared,
+                        options.shaders,
+                        *anisotropy,
+                        *section};
+    if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(options.scene, loaded.error()));
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
-    drawing.levels.cache = BlockCache::ofUser();
-    if (std::ranges::find(drawing.scene.textures, Compression::Cached, &Texture::compression) !=
-        drawing.scene.textures.end()) {
+    request.levels.cache = BlockCache::ofUser();
+    if (std::ranges::find(request.scene.textures, Compression::Cached, &Texture::compression) !=
+        request.scene.textures.end()) {
         compressing.emplace("texshot: compressing");
-        drawing.levels.progress = [&work = *compressing](float done) { work.report(done); };
-        drawing.levels.stop = compressing->stopToken();
+        request.levels.progress = [&work = *compressing](float done) { work.report(done); };
+        request.levels.stop = compressing->stopToken();
     }
-    const bool needsGl = drawing.window || *renderer != RendererKind::Reference;
-    Result<Picture> picture = needsGl ? draw(drawing) : drawByReference(drawing);
+    const bool needsGl = request.window || *renderer != RendererKind::Reference;
+    Result<Shot> shot = needsGl ? draw(request) : drawByReference(request);
     if (compressing)
         compressing->finish();
-    if (drawing.levels.stop.stop_requested())
+    if (request.levels.stop.stop_requested())
         return complainInterrupted();
-    if (!picture)
-        return complain(picture.error());
-    for (const std::string& problem : picture->problems)
+    if (!shot)
+        return complain(shot.error());
+    for (const std::string& problem : shot->frame.problems)
         complain({ErrorCode::Driver, problem, {}});
-    for (const Finding& each : diagnose(drawing.scene, drawing.images, picture->driver)) {
+    for (const Finding& each : diagnose(request.scene, request.images, shot->driver)) {
         if (each.severity <= Severity::Warning && !each.reportedByRenderer) // else it is a problem already
             complain({ErrorCode::Malformed, each.sentence, each.path});
     }
     // What one sees: a viewer would let its own background through the framebuffer's alpha.
-    const TextureImage seen = textureOf(withoutAlpha(std::move(picture->image)), {});
+    const TextureImage seen = textureOf(withoutAlpha(std::move(shot->frame.image)), {});
     if (const auto written = output->write(seen); !written)
         return complain(written.error());
     return success;
@@ -220,10 +219,10 @@ void addShot(CommandLine& line) {
         "--probe", options->probe,
         "With --ui: the pixel of the picture that is explained, counted from the picture's top left.",
         {.value = "X,Y", .needs = &window});
-    options->rendererOption =
-        &command.option("--renderer", options->renderer,
-                        "Who draws the scene, one of " + listNames(EnumTable<RendererKind>::rows) + ".",
-                        {.value = "RENDERER", .showsDefault = true});
+    options->rendererOption = &command.option("--renderer", options->renderer,
+                                              "The renderer that draws the scene, one of " +
+                                                  listNames(EnumTable<RendererKind>::rows) + ".",
+                                              {.value = "RENDERER", .showsDefault = true});
     command.option("--compare", options->compared,
                    "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
                    "difference of the first two.",

@@ -1,6 +1,6 @@
 #include "app/stage/stage.h"
 
-#include "app/stage/view_pictures.h"
+#include "app/stage/view_frames.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/layout.h"
@@ -48,11 +48,11 @@ private:
 struct Stage::State {
     State(Graphics& lent, float scale)
         : graphics(lent)
-        , views(lent)
+        , frames(lent)
         , panels(lent, scale) {}
 
     Graphics& graphics;
-    ViewPictures views;
+    ViewFrames frames;
     Panels panels;
     ui::PanelStates states;
     std::vector<std::string> problems;
@@ -75,14 +75,14 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
     const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density,
-                                            session.window.columns, ui::gridOf(session.window.views));
+                                            session.window.columns, ui::gridOf(session.window.view));
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
     };
     const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
-    state_->views.draw(session, picture);
+    state_->frames.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));
     const unsigned texture =
         bound ? graphics.showTexture(*bound, session.document.images, session.services.levels) : 0;
@@ -98,20 +98,20 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
         return graphics.show(image, Graphics::Use::Scaled);
     };
     ui::Requests requests = ui::drawWorkbench(session, state_->states,
-                                              {.views = state_->views.views(),
-                                               .difference = state_->views.difference(),
-                                               .problems = state_->views.problems(),
-                                               .shaders = state_->views.shaders(),
+                                              {.frames = state_->frames.frames(),
+                                               .difference = state_->frames.difference(),
+                                               .problems = state_->frames.problems(),
+                                               .shaders = state_->frames.shaders(),
                                                .texture = texture,
                                                .setBlending = graphics.blendingSwitch(),
                                                .textureOf = textureOf},
                                               graphics.capabilities(), layout);
-    requests.unfinished = state_->views.isUnfinished() || graphics.isUploading();
+    requests.unfinished = state_->frames.isUnfinished() || graphics.isUploading();
     ImGui::Render();
 
     graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels);
     graphics.endFrame();
-    state_->problems = state_->views.problems();
+    state_->problems = state_->frames.problems();
     return requests;
 }
 

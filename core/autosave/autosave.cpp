@@ -43,7 +43,7 @@ Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std
     state_->delay = delay;
     try {
         state_->thread = std::jthread([this](const std::stop_token& stop) { state_->work(stop); });
-    } catch (const std::system_error&) { // no thread to be had: whoever tells something writes what is due
+    } catch (const std::system_error&) { // no thread to be had: the next call writes what is due
     }
 }
 

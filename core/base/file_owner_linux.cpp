@@ -9,7 +9,7 @@ unsigned thisUser() {
 }
 
 bool takeOwnerAndMode(int file, const struct stat& like) {
-    // Only root may give files away; whoever can't must not pass on a set-user-ID bit.
+    // Only root may give files away; what can't be given away must not keep a set-user-ID bit.
     const bool sameOwner = ::fchown(file, like.st_uid, like.st_gid) == 0;
     return ::fchmod(file, like.st_mode & (sameOwner ? 07777 : 0777)) == 0;
 }

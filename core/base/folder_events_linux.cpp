@@ -64,7 +64,7 @@ FolderEvents::Reason FolderEvents::wait(int milliseconds) {
         return Reason::Failed;
     drain(state_->bell);
     if ((sources[1].revents & POLLIN) != 0) {
-        drain(state_->inotify); // which file it was, whoever asks has to see
+        drain(state_->inotify); // which file it was, the caller has to see
         return Reason::Happened;
     }
     return ready == 0 ? Reason::Quiet : Reason::Rang;

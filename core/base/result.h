@@ -19,7 +19,7 @@ enum class ErrorCode {
     OutOfRange,  ///< a number or name outside of what is accepted
     TooLarge,    ///< it would exceed a stated limit
     Driver,      ///< OpenGL refused
-    Cancelled,   ///< whoever asked for it asked to stop
+    Cancelled,   ///< a stop was requested
 };
 
 struct Error {

@@ -18,10 +18,10 @@
 
 namespace texplorer {
 
-/// Who does long work.
+/// Where long work is done.
 enum class When : std::uint8_t {
-    AtOnce,    ///< whoever asks, and waits: for programs without a user
-    WhenReady, ///< a thread of its own; whoever asks looks again when it is woken
+    AtOnce,    ///< the caller, who waits: for programs without a user
+    WhenReady, ///< a thread of its own; the caller looks again when `wake` was called
 };
 
 /// Which jobs are done.
@@ -183,7 +183,7 @@ public:
         const std::scoped_lock lock(mutex_);
         return isBusy(current_ && !current_->dropped);
     }
-    /// Sleeps until none is, and whoever is to be woken for them was.
+    /// Sleeps until none is, and `wake` was called for the last.
     void wait() const {
         std::unique_lock lock(mutex_);
         finished_.wait(lock, [this] { return !isBusy(busy_ && !(current_ && current_->dropped)); });

@@ -97,10 +97,10 @@ Result<Judgement> judge(const Rule& rule, const Scene& scene, const Image& ours,
 
     std::vector<Image> moved{ours};
     for (const Scene& end : movedByTexelError(scene, reference.images())) {
-        Result<Painting> painted = reference.paint(end);
-        if (!painted)
-            return fail(painted.error());
-        moved.push_back(std::move(painted->image));
+        Result<Frame> frame = reference.draw(end);
+        if (!frame)
+            return fail(frame.error());
+        moved.push_back(std::move(frame->image));
     }
     judgement.unexplained = 0;
     std::vector<PixelBytes> ends;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/conform/painter.h"
+#include "core/conform/renderer.h"
 #include "core/conform/rule.h"
 #include "core/image/compare.h"
 

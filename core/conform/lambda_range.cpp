@@ -99,33 +99,31 @@ LambdaRange lambdaRange(const reference::Explanation& pixel, const reference::Fr
 }
 
 Result<std::vector<reference::PixelBytes>> colorsOverLambda(reference::ReferenceRenderer& renderer,
-                                                            const Scene& scene, const ImageSource& images,
-                                                            int extent, reference::PixelPlace pixel,
+                                                            const reference::DrawRequest& request,
+                                                            reference::PixelPlace pixel,
                                                             const reference::DrawOptions& options) {
-    const Result<reference::Explanation> exact =
-        renderer.probe(scene, images, 0, extent, extent, pixel, options);
+    const Result<reference::Explanation> exact = renderer.probe(request, pixel, options);
     if (!exact)
         return fail(exact.error());
     constexpr std::array places{0.0F, 0.25F, 0.5F, 0.75F, 1.0F}; // within the range
     std::vector<reference::PixelBytes> colors;
     for (const float place : places) {
-        Scene biased = scene;
+        reference::DrawRequest biased = request;
         // Of the fragments of a pass the last one that is drawn is the one that is seen.
         for (const reference::FragmentExplanation& fragment : exact->fragments) {
             if (fragment.outcome != reference::FragmentOutcome::Drawn)
                 continue;
             for (const reference::UnitExplanation& unit : fragment.units) {
-                const Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
+                const Texture& texture = request.scene.textures[static_cast<std::size_t>(unit.texture)];
                 const LambdaRange range =
-                    lambdaRange(*exact, fragment, unit, baseSizeOf(texture, unit.target, images));
+                    lambdaRange(*exact, fragment, unit, baseSizeOf(texture, unit.target, request.images));
                 const auto pass = static_cast<std::size_t>(fragment.pass);
                 const auto index = static_cast<std::size_t>(unit.unit);
-                biased.passes[pass].units[index].lodBias =
-                    scene.passes[pass].units[index].lodBias + std::lerp(range.low, range.high, place);
+                biased.scene.passes[pass].units[index].lodBias =
+                    request.scene.passes[pass].units[index].lodBias + std::lerp(range.low, range.high, place);
             }
         }
-        const Result<reference::Explanation> found =
-            renderer.probe(biased, images, 0, extent, extent, pixel, options);
+        const Result<reference::Explanation> found = renderer.probe(biased, pixel, options);
         if (!found)
             return fail(found.error());
         colors.push_back(found->bytes);

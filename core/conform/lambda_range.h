@@ -26,8 +26,8 @@ struct LambdaRange {
 /// The colours of one pixel at both ends of that range and in its middle, as the reference draws them.
 /// Errors: those of the probe.
 [[nodiscard]] Result<std::vector<reference::PixelBytes>>
-colorsOverLambda(reference::ReferenceRenderer& renderer, const Scene& scene, const ImageSource& images,
-                 int extent, reference::PixelPlace pixel, const reference::DrawOptions& options);
+colorsOverLambda(reference::ReferenceRenderer& renderer, const reference::DrawRequest& request,
+                 reference::PixelPlace pixel, const reference::DrawOptions& options);
 
 /// Texels of the base level along s, t and r; (1, 1, 1) where there is none.
 [[nodiscard]] glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& images);

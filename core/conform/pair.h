@@ -1,6 +1,6 @@
 #pragma once
 
-// Who is compared with whom, on which driver.
+// Which renderers are compared, on which driver.
 
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/renderer.h"

@@ -23,27 +23,27 @@ const Rule& ruleOf(const Feature& feature, const Pair& pair) {
 }
 
 /// A scene with what OpenGL made of it, on its way to the threads that compare.
-struct Drawn {
+struct DrawnCase {
     const Case* item = nullptr;
-    std::map<RendererKind, Painting> paintings;
+    std::map<RendererKind, Frame> frames;
 };
 
 /// Scenes between the thread that has the context and those that compare. Short, because pictures that nobody
 /// looks at yet are only memory.
 class Queue {
 public:
-    void push(Drawn drawn) {
+    void push(DrawnCase drawn) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return items_.size() < limit || closed_; });
         items_.push_back(std::move(drawn));
         changed_.notify_all();
     }
-    std::optional<Drawn> pop() {
+    std::optional<DrawnCase> pop() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return !items_.empty() || closed_; });
         if (items_.empty())
             return std::nullopt;
-        Drawn drawn = std::move(items_.front());
+        DrawnCase drawn = std::move(items_.front());
         items_.pop_front();
         changed_.notify_all();
         return drawn;
@@ -58,7 +58,7 @@ private:
     static constexpr std::size_t limit = 64;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<Drawn> items_;
+    std::deque<DrawnCase> items_;
     bool closed_ = false;
 };
 
@@ -103,8 +103,8 @@ public:
         ++of(pair, item).skipped[&skip];
     }
 
-    void add(std::size_t pair, const Case& item, const Judgement& judgement, const Painting& subject,
-             const Painting& against) {
+    void add(std::size_t pair, const Case& item, const Judgement& judgement, const Frame& subject,
+             const Frame& against) {
         const std::scoped_lock lock(mutex_);
         Outcome& outcome = of(pair, item);
         outcome.all.add(judgement);
@@ -144,9 +144,9 @@ private:
 };
 
 /// Compares what comes out of the queue, until there is no more.
-void compareAll(const SweepOptions& options, const Painters& painters, Queue& queue, Outcomes& outcomes) {
-    const std::unique_ptr<Explainer> reference = painters.reference();
-    while (std::optional<Drawn> drawn = queue.pop()) {
+void compareAll(const SweepOptions& options, const Renderers& renderers, Queue& queue, Outcomes& outcomes) {
+    const std::unique_ptr<Explainer> reference = renderers.reference();
+    while (std::optional<DrawnCase> drawn = queue.pop()) {
         if (options.stop.stop_requested() || outcomes.error())
             continue;
         const Case& item = *drawn->item;
@@ -156,14 +156,14 @@ void compareAll(const SweepOptions& options, const Painters& painters, Queue& qu
                 outcomes.skip(i, item, *skip);
                 continue;
             }
-            if (pair.has(RendererKind::Reference) && !drawn->paintings.contains(RendererKind::Reference)) {
-                Result<Painting> painted = reference->paint(item.scene);
-                if (!painted)
-                    return outcomes.fail(painted.error());
-                drawn->paintings.emplace(RendererKind::Reference, std::move(*painted));
+            if (pair.has(RendererKind::Reference) && !drawn->frames.contains(RendererKind::Reference)) {
+                Result<Frame> frame = reference->draw(item.scene);
+                if (!frame)
+                    return outcomes.fail(frame.error());
+                drawn->frames.emplace(RendererKind::Reference, std::move(*frame));
             }
-            const Painting& subject = drawn->paintings.at(pair.subject);
-            const Painting& against = drawn->paintings.at(pair.against);
+            const Frame& subject = drawn->frames.at(pair.subject);
+            const Frame& against = drawn->frames.at(pair.against);
             const bool turned = pair.against == RendererKind::Reference;
             const Result<Judgement> judgement =
                 judge(ruleOf(*item.feature, pair), item.scene, turned ? against.image : subject.image,
@@ -176,32 +176,32 @@ void compareAll(const SweepOptions& options, const Painters& painters, Queue& qu
 }
 
 /// What OpenGL makes of a scene, as far as a pair wants it.
-Result<Drawn> drawByOpenGl(const SweepOptions& options, const Painters& painters, const Case& item) {
-    Drawn drawn{&item, {}};
-    for (const auto& [kind, painter] :
-         {std::pair{RendererKind::Fixed, painters.fixed}, std::pair{RendererKind::Shader, painters.shader}}) {
+Result<DrawnCase> drawByOpenGl(const SweepOptions& options, const Renderers& renderers, const Case& item) {
+    DrawnCase drawn{&item, {}};
+    for (const auto& [kind, renderer] : {std::pair{RendererKind::Fixed, renderers.fixed},
+                                         std::pair{RendererKind::Shader, renderers.shader}}) {
         const bool wanted = std::ranges::any_of(options.pairs, [&, kind = kind](const Pair& pair) {
             return pair.has(kind) && !skipOf(item.scene, pair, options.driver);
         });
         if (!wanted)
             continue;
-        Result<Painting> painted = painter->paint(item.scene);
-        if (!painted)
-            return fail(painted.error());
-        drawn.paintings.emplace(kind, std::move(*painted));
+        Result<Frame> frame = renderer->draw(item.scene);
+        if (!frame)
+            return fail(frame.error());
+        drawn.frames.emplace(kind, std::move(*frame));
     }
     return drawn;
 }
 
 /// Draws the scenes into the queue.
-void drawAll(const SweepOptions& options, const Painters& painters, const std::vector<Case>& cases,
+void drawAll(const SweepOptions& options, const Renderers& renderers, const std::vector<Case>& cases,
              Queue& queue, Outcomes& outcomes) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (options.progress)
             options.progress(static_cast<float>(i) / static_cast<float>(cases.size()));
         if (options.stop.stop_requested() || outcomes.error())
             return;
-        Result<Drawn> drawn = drawByOpenGl(options, painters, cases[i]);
+        Result<DrawnCase> drawn = drawByOpenGl(options, renderers, cases[i]);
         if (!drawn)
             return outcomes.fail(drawn.error());
         queue.push(std::move(*drawn));
@@ -295,7 +295,7 @@ std::vector<Case> casesOf(const Selection& selection) {
     return cases;
 }
 
-Result<Report> sweep(const SweepOptions& options, const Painters& painters) {
+Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<Case> cases = casesOf(options.selection);
     Outcomes outcomes(options, cases);
@@ -315,8 +315,8 @@ Result<Report> sweep(const SweepOptions& options, const Painters& painters) {
         std::vector<std::jthread> comparers;
         side([&] {
             startComparers(comparers, options.threads,
-                           [&] { side([&] { compareAll(options, painters, queue, outcomes); }); });
-            drawAll(options, painters, cases, queue, outcomes);
+                           [&] { side([&] { compareAll(options, renderers, queue, outcomes); }); });
+            drawAll(options, renderers, cases, queue, outcomes);
         });
     }
     if (options.stop.stop_requested())

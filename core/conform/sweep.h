@@ -86,7 +86,7 @@ struct PairReport {
     [[nodiscard]] bool agrees() const;
 };
 
-/// Who made a report, for a reader elsewhere.
+/// What made a report, for a reader elsewhere.
 struct Origin {
     std::string program; ///< "texshot 0.1.0"
     std::string command; ///< that makes it again
@@ -105,11 +105,12 @@ struct Report {
     [[nodiscard]] bool agrees() const;   ///< false where nothing was compared
 };
 
-/// Who draws. OpenGL's two are used on the calling thread alone; a pair without them needs none.
-struct Painters {
-    Painter* fixed = nullptr;
-    Painter* shader = nullptr;
-    std::function<std::unique_ptr<Explainer>()> reference = referencePainter; ///< one for each thread
+/// The renderers to compare. OpenGL's two are used on the calling thread alone; a pair without them needs
+/// none.
+struct Renderers {
+    Renderer* fixed = nullptr;
+    Renderer* shader = nullptr;
+    std::function<std::unique_ptr<Explainer>()> reference = referenceRenderer; ///< one for each thread
 };
 
 struct SweepOptions {
@@ -123,6 +124,6 @@ struct SweepOptions {
 
 /// The same report whatever the number of threads, but for its time. Errors: a renderer that can't draw at
 /// all; Cancelled.
-[[nodiscard]] Result<Report> sweep(const SweepOptions& options, const Painters& painters);
+[[nodiscard]] Result<Report> sweep(const SweepOptions& options, const Renderers& renderers);
 
 } // namespace texplorer::conform

@@ -151,7 +151,7 @@ void cubeSeams(const Case& about, Report& report) {
     }
 }
 
-/// GL's initial planes for q are 0: whoever enables it alone divides by zero.
+/// GL's initial planes for q are 0: enabled alone, they divide by zero.
 void generatedZeroQ(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         const TexGen& q = unit.texGenQ;

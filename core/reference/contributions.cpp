@@ -109,13 +109,14 @@ private:
 
 } // namespace
 
-Result<Contributions> findContributions(const Scene& scene, const ImageSource& images, double time,
-                                        Viewport viewport, const TexelQuestion& question,
+Result<Contributions> findContributions(const DrawRequest& request, const TexelQuestion& question,
                                         const DrawOptions& options, TextureStore& textures) {
+    const auto& [scene, images, time, width, height, anisotropy] = request;
+    const Viewport viewport{width, height};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the search was stopped"); };
     Contributions found;
     const std::vector<PassState> passes =
-        passStates(scene, images, time, options.levels, options.anisotropy, textures, found.problems);
+        passStates(scene, images, time, options.levels, anisotropy, textures, found.problems);
     if (options.isStopped())
         return stopped();
     const Result<const UnitState*> unit = unitOf(passes, question);
@@ -136,9 +137,9 @@ Result<Contributions> findContributions(const Scene& scene, const ImageSource& i
     return found;
 }
 
-Result<Contributions> contributions(const Scene& scene, const ImageSource& images, double time, int width,
-                                    int height, const TexelQuestion& question, const DrawOptions& options) {
-    return ReferenceRenderer().contributions(scene, images, time, width, height, question, options);
+Result<Contributions> contributions(const DrawRequest& request, const TexelQuestion& question,
+                                    const DrawOptions& options) {
+    return ReferenceRenderer().contributions(request, question, options);
 }
 
 } // namespace texplorer::reference

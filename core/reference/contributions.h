@@ -33,13 +33,11 @@ struct Contributions {
 /// Errors: OutOfRange for a bad size, or where the pass, the unit, the level or the texel does not exist;
 /// Unsupported where the unit samples nothing; TooLarge without memory; Cancelled after a stop request.
 /// Texels of the border count from -1 to the level's extent.
-[[nodiscard]] Result<Contributions> contributions(const Scene& scene, const ImageSource& images, double time,
-                                                  int width, int height, const TexelQuestion& question,
+[[nodiscard]] Result<Contributions> contributions(const DrawRequest& request, const TexelQuestion& question,
                                                   const DrawOptions& options = {});
 
 /// For a caller that keeps a TextureStore.
-[[nodiscard]] Result<Contributions> findContributions(const Scene& scene, const ImageSource& images,
-                                                      double time, Viewport viewport,
+[[nodiscard]] Result<Contributions> findContributions(const DrawRequest& request,
                                                       const TexelQuestion& question,
                                                       const DrawOptions& options, TextureStore& textures);
 

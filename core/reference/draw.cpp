@@ -9,6 +9,7 @@
 #include "core/reference/shading/pass_state.h"
 
 #include <new>
+#include <utility>
 
 namespace texplorer::reference {
 
@@ -28,12 +29,13 @@ struct ReferenceRenderer::State {
     TextureStore textures;
     std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
 
-    Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, Viewport viewport,
-                       const DrawOptions& options) {
+    Result<Frame> draw(const DrawRequest& request, const DrawOptions& options) {
+        const auto& [scene, images, time, width, height, anisotropy] = request;
+        const Viewport viewport{width, height};
         std::vector<std::string> problems;
         textures.keepOnly(scene);
         const std::vector<PassState> passes =
-            passStates(scene, images, time, options.levels, options.anisotropy, textures, problems);
+            passStates(scene, images, time, options.levels, anisotropy, textures, problems);
         if (options.isStopped())
             return stopped();
         Canvas canvas(viewport, scene.view.background);
@@ -54,7 +56,7 @@ struct ReferenceRenderer::State {
         flush(Remaining::None);
         if (options.isStopped())
             return stopped();
-        return Drawn{std::move(canvas.color), std::move(problems)};
+        return Frame{std::move(canvas.color), std::move(problems)};
     }
 };
 
@@ -64,12 +66,18 @@ std::string extents(int width, int height) {
     return std::to_string(width) + " x " + std::to_string(height);
 }
 
-Result<void> checkSize(int width, int height) {
+Result<void> checkSize(const DrawRequest& request) {
+    const auto [width, height] = std::pair(request.width, request.height);
     if (width >= 1 && height >= 1 && width <= maxPictureExtent && height <= maxPictureExtent)
         return {};
     return fail(ErrorCode::OutOfRange, "a picture has 1 x 1 to " +
                                            extents(maxPictureExtent, maxPictureExtent) + " pixels, not " +
                                            extents(width, height));
+}
+
+tl::unexpected<Error> noMemory(const DrawRequest& request) {
+    return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
+                                         extents(request.width, request.height) + " pixels");
 }
 
 } // namespace
@@ -80,46 +88,42 @@ ReferenceRenderer::ReferenceRenderer(ReferenceRenderer&&) noexcept = default;
 ReferenceRenderer& ReferenceRenderer::operator=(ReferenceRenderer&&) noexcept = default;
 ReferenceRenderer::~ReferenceRenderer() = default;
 
-Result<Drawn> ReferenceRenderer::draw(const Scene& scene, const ImageSource& images, double time, int width,
-                                      int height, const DrawOptions& options) {
-    if (const Result<void> size = checkSize(width, height); !size)
+Result<Frame> ReferenceRenderer::draw(const DrawRequest& request, const DrawOptions& options) {
+    if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        return state_->draw(scene, images, time, {width, height}, options);
+        return state_->draw(request, options);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
-                                             extents(width, height) + " pixels");
+        return noMemory(request);
     }
 }
 
-Result<Explanation> ReferenceRenderer::probe(const Scene& scene, const ImageSource& images, double time,
-                                             int width, int height, PixelPlace pixel,
+Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPlace pixel,
                                              const DrawOptions& options) {
-    if (const Result<void> size = checkSize(width, height); !size)
+    if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= width || pixel.y >= height)
-        return fail(ErrorCode::OutOfRange, "a picture of " + extents(width, height) + " has no pixel " +
-                                               std::to_string(pixel.x) + ", " + std::to_string(pixel.y));
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= request.width || pixel.y >= request.height)
+        return fail(ErrorCode::OutOfRange, "a picture of " + extents(request.width, request.height) +
+                                               " has no pixel " + std::to_string(pixel.x) + ", " +
+                                               std::to_string(pixel.y));
     try {
-        state_->textures.keepOnly(scene);
-        return explainPixel(scene, images, time, {width, height}, pixel, options, state_->textures);
+        state_->textures.keepOnly(request.scene);
+        return explainPixel(request, pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
     }
 }
 
-Result<Contributions> ReferenceRenderer::contributions(const Scene& scene, const ImageSource& images,
-                                                       double time, int width, int height,
+Result<Contributions> ReferenceRenderer::contributions(const DrawRequest& request,
                                                        const TexelQuestion& question,
                                                        const DrawOptions& options) {
-    if (const Result<void> size = checkSize(width, height); !size)
+    if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        state_->textures.keepOnly(scene);
-        return findContributions(scene, images, time, {width, height}, question, options, state_->textures);
+        state_->textures.keepOnly(request.scene);
+        return findContributions(request, question, options, state_->textures);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
-                                             extents(width, height) + " pixels");
+        return noMemory(request);
     }
 }
 
@@ -127,9 +131,8 @@ void ReferenceRenderer::rest() {
     *state_ = State();
 }
 
-Result<Drawn> drawReference(const Scene& scene, const ImageSource& images, double time, int width, int height,
-                            const DrawOptions& options) {
-    return ReferenceRenderer().draw(scene, images, time, width, height, options);
+Result<Frame> drawReference(const DrawRequest& request, const DrawOptions& options) {
+    return ReferenceRenderer().draw(request, options);
 }
 
 } // namespace texplorer::reference

@@ -1,16 +1,12 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/image/image.h"
-#include "core/reference/sampling/lod.h"
-#include "core/scene/scene.h"
-#include "core/texture/image_source.h"
+#include "core/reference/draw_request.h"
+#include "core/scene/frame.h"
 #include "core/texture/texture_levels.h"
 
 #include <memory>
 #include <stop_token>
-#include <string>
-#include <vector>
 
 namespace texplorer::reference {
 
@@ -20,8 +16,8 @@ struct PixelPlace;
 struct Contributions; // see contributions.h
 struct TexelQuestion;
 
+/// How a frame is come by: it is the same whatever these are.
 struct DrawOptions {
-    AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
     unsigned threads = 0; ///< 0: as many as the processor has
     /// Draws every pixel by itself, with the functions that are written to be read (shade.h, sampler.h), many
     /// times as slowly. The same bytes: this is what proves it.
@@ -32,11 +28,6 @@ struct DrawOptions {
 
     /// By either token.
     [[nodiscard]] bool isStopped() const { return stop.stop_requested() || levels.stop.stop_requested(); }
-};
-
-struct Drawn {
-    Image image;                       ///< Rgba8, bottom row first
-    std::vector<std::string> problems; ///< sentences: what could not be drawn, or was done otherwise
 };
 
 /// The largest picture, on each axis.
@@ -55,21 +46,17 @@ public:
     ReferenceRenderer& operator=(const ReferenceRenderer&) = delete;
     ~ReferenceRenderer();
 
-    /// The same bytes with any number of threads. Errors: OutOfRange for a size below 1 or above
+    /// An Rgba8 image of the request's size. Errors: OutOfRange for a size below 1 or above
     /// maxPictureExtent, TooLarge without memory, Cancelled after a stop request.
-    [[nodiscard]] Result<Drawn> draw(const Scene& scene, const ImageSource& images, double time, int width,
-                                     int height, const DrawOptions& options = {});
+    [[nodiscard]] Result<Frame> draw(const DrawRequest& request, const DrawOptions& options = {});
 
     /// Why one pixel of that picture has its colour, without drawing the others: see probe.h.
-    [[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time,
-                                            int width, int height, PixelPlace pixel,
+    [[nodiscard]] Result<Explanation> probe(const DrawRequest& request, PixelPlace pixel,
                                             const DrawOptions& options = {});
 
     /// Which pixels of that picture a texel has a share in: see contributions.h.
-    [[nodiscard]] Result<Contributions> contributions(const Scene& scene, const ImageSource& images,
-                                                      double time, int width, int height,
-                                                      const TexelQuestion& question,
-                                                      const DrawOptions& options = {});
+    [[nodiscard]] Result<Contributions>
+    contributions(const DrawRequest& request, const TexelQuestion& question, const DrawOptions& options = {});
 
     /// Gives back the memory that it holds for the next picture.
     void rest();
@@ -79,8 +66,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// One picture.
-[[nodiscard]] Result<Drawn> drawReference(const Scene& scene, const ImageSource& images, double time,
-                                          int width, int height, const DrawOptions& options = {});
+/// One frame.
+[[nodiscard]] Result<Frame> drawReference(const DrawRequest& request, const DrawOptions& options = {});
 
 } // namespace texplorer::reference

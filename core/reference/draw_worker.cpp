@@ -19,13 +19,6 @@ constexpr FailureWords failure{"there is no memory for the picture", "the pictur
 
 } // namespace
 
-bool sameLevels(const DrawRequest& a, const DrawRequest& b) {
-    return std::ranges::equal(
-        a.scene.textures, b.scene.textures, [&](const Texture& one, const Texture& other) {
-            return imageSettings(one) == imageSettings(other) && a.images.find(one) == b.images.find(other);
-        });
-}
-
 int coarseness(double expectedMilliseconds) {
     int factor = 1;
     while (factor < coarsest && expectedMilliseconds > noticed * factor * factor)
@@ -49,14 +42,14 @@ struct DrawWorker::State {
     };
     struct Answer {
         std::uint64_t number = 0; ///< of the job
-        Picture picture;
+        Frame frame;
     };
     using Drawing = Worker<Job, Answer>;
 
     // Of the thread that asks.
     std::optional<DrawRequest> wanted;
     std::uint64_t lastNumber = 0; ///< of the job for `wanted`
-    Picture shown;                ///< what it was given last
+    Frame shown;                  ///< what it was given last
 
     // Of the thread that draws.
     const LevelWork levels;
@@ -66,42 +59,41 @@ struct DrawWorker::State {
     Drawing worker; // last: it ends before the rest does
 
     std::optional<Answer> work(const Drawing::Task& task);
-    std::optional<Picture> draw(const DrawRequest& request, int factor, const std::stop_token& stop);
-    std::optional<Picture> tryToDraw(const DrawRequest& request, int factor, const std::stop_token& stop);
+    std::optional<Frame> draw(const DrawRequest& request, int factor, const std::stop_token& stop);
+    std::optional<Frame> tryToDraw(const DrawRequest& request, int factor, const std::stop_token& stop);
 };
 
 /// Nothing where it was stopped.
-std::optional<DrawWorker::Picture> DrawWorker::State::draw(const DrawRequest& request, int factor,
-                                                           const std::stop_token& stop) {
-    Result<std::optional<Picture>> drawn = tried(failure, [&] { return tryToDraw(request, factor, stop); });
-    return drawn ? std::move(*drawn) : Picture{nullptr, {drawn.error().message}, 0, factor == 1};
+std::optional<DrawWorker::Frame> DrawWorker::State::draw(const DrawRequest& request, int factor,
+                                                         const std::stop_token& stop) {
+    Result<std::optional<Frame>> drawn = tried(failure, [&] { return tryToDraw(request, factor, stop); });
+    return drawn ? std::move(*drawn) : Frame{nullptr, {drawn.error().message}, 0, factor == 1};
 }
 
-std::optional<DrawWorker::Picture> DrawWorker::State::tryToDraw(const DrawRequest& request, int factor,
-                                                                const std::stop_token& stop) {
+std::optional<DrawWorker::Frame> DrawWorker::State::tryToDraw(const DrawRequest& request, int factor,
+                                                              const std::stop_token& stop) {
     const auto extent = [factor](int whole) { return factor == 1 ? whole : std::max(1, whole / factor); };
-    const int width = extent(request.width);
-    const int height = extent(request.height);
+    DrawRequest coarse = request;
+    coarse.width = extent(request.width);
+    coarse.height = extent(request.height);
     LevelWork work = levels;
     work.stop = stop;
     const auto begin = std::chrono::steady_clock::now();
-    Result<Drawn> drawn =
-        renderer.draw(request.scene, request.images, request.time, width, height,
-                      {.anisotropy = request.anisotropy, .levels = std::move(work), .stop = stop});
+    Result<texplorer::Frame> drawn = renderer.draw(coarse, {.levels = std::move(work), .stop = stop});
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
     if (!drawn && drawn.error().code == ErrorCode::Cancelled)
         return std::nullopt;
-    Picture picture;
-    picture.milliseconds = elapsed.count();
-    picture.whole = factor == 1;
+    Frame frame;
+    frame.milliseconds = elapsed.count();
+    frame.whole = factor == 1;
     if (!drawn) {
-        picture.problems = {describe(drawn.error())};
-        return picture;
+        frame.problems = {describe(drawn.error())};
+        return frame;
     }
-    picture.image = std::make_shared<const Image>(std::move(drawn->image));
-    picture.problems = std::move(drawn->problems);
-    millisecondsPerPixel = elapsed.count() / (static_cast<double>(width) * height);
-    return picture;
+    frame.image = std::make_shared<const Image>(std::move(drawn->image));
+    frame.problems = std::move(drawn->problems);
+    millisecondsPerPixel = elapsed.count() / (static_cast<double>(coarse.width) * coarse.height);
+    return frame;
 }
 
 std::optional<DrawWorker::State::Answer> DrawWorker::State::work(const Drawing::Task& task) {
@@ -112,7 +104,7 @@ std::optional<DrawWorker::State::Answer> DrawWorker::State::work(const Drawing::
     }
     const double pixels = static_cast<double>(request->width) * request->height;
     const int factor = task.atOnce() ? 1 : coarseness(pixels * millisecondsPerPixel);
-    std::optional<Picture> drawn = draw(*request, factor, task.stop());
+    std::optional<Frame> drawn = draw(*request, factor, task.stop());
     if (drawn && factor > 1) {
         task.give({number, std::move(*drawn)});
         drawn = draw(*request, 1, task.superseded());
@@ -125,7 +117,7 @@ DrawWorker::DrawWorker(When when, std::function<void()> wake, LevelWork levels)
 
 DrawWorker::~DrawWorker() = default;
 
-const DrawWorker::Picture& DrawWorker::picture(const DrawRequest& request) {
+const DrawWorker::Frame& DrawWorker::frame(const DrawRequest& request) {
     State& state = *state_;
     if (state.wanted != request) {
         state.wanted = request;
@@ -135,7 +127,7 @@ const DrawWorker::Picture& DrawWorker::picture(const DrawRequest& request) {
         state.worker.ask({++state.lastNumber, request});
     }
     for (State::Answer& answer : state.worker.take()) {
-        state.shown = std::move(answer.picture);
+        state.shown = std::move(answer.frame);
         // Of an earlier request it is still nearer to what is wanted than what was there before.
         state.shown.whole = state.shown.whole && answer.number == state.lastNumber;
     }

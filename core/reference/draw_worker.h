@@ -10,22 +10,6 @@
 
 namespace texplorer::reference {
 
-/// A picture that somebody wants to see.
-struct DrawRequest {
-    Scene scene;
-    ImageSource images;
-    double time = 0;
-    int width = 1;
-    int height = 1;
-    AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
-
-    bool operator==(const DrawRequest&) const = default;
-};
-
-/// Whether the levels of one's textures serve the other: the images are the same, and what is made of them
-/// (imageSettings). How they are sampled may differ.
-[[nodiscard]] bool sameLevels(const DrawRequest& a, const DrawRequest& b);
-
 /// Draws for a window that must not wait: on a thread of its own, first coarsely where the whole picture
 /// takes long, then the whole. A new request ends the drawing of the last one; a coarse picture is ended only
 /// where other levels are needed (sameLevels), so that there is something to see while a user drags or a
@@ -34,7 +18,7 @@ class DrawWorker {
 public:
     using When = texplorer::When; ///< AtOnce: the whole picture
 
-    /// `wake` is called on the working thread whenever `picture` has something new to give; it must not
+    /// `wake` is called on the working thread whenever `frame` has something new to give; it must not
     /// throw. Textures that are compressed at run time are made as `levels` says; its `stop` ends a drawing
     /// AtOnce.
     explicit DrawWorker(When when, std::function<void()> wake = {}, LevelWork levels = {});
@@ -43,16 +27,16 @@ public:
     /// Ends what is being drawn, and waits for that.
     ~DrawWorker();
 
-    struct Picture {
+    struct Frame {
         /// Bottom row first; nullptr: none yet. Smaller than was asked for where it is coarse. Of an earlier
         /// request until there is one of this.
         std::shared_ptr<const Image> image;
-        std::vector<std::string> problems; ///< as of Drawn, or why it can't be drawn
+        std::vector<std::string> problems; ///< as of texplorer::Frame, or why it can't be drawn
         double milliseconds = 0;           ///< how long it took
         bool whole = false;                ///< it is what drawReference makes of this request
     };
     /// The newest picture of what is wanted now.
-    [[nodiscard]] const Picture& picture(const DrawRequest& request);
+    [[nodiscard]] const Frame& frame(const DrawRequest& request);
 
     /// Nobody looks any more: ends what is being drawn, and forgets the picture and the textures.
     void rest();

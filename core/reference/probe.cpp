@@ -357,9 +357,10 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
 
 } // namespace
 
-Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
-                                 Viewport viewport, PixelPlace pixel, const DrawOptions& options,
+Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, const DrawOptions& options,
                                  TextureStore& textures) {
+    const auto& [scene, images, time, width, height, anisotropy] = request;
+    const Viewport viewport{width, height};
     const auto stopped = [] { return fail(ErrorCode::Cancelled, "the probe was stopped"); };
     Explanation explanation;
     explanation.pixel = pixel;
@@ -368,7 +369,7 @@ Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, 
     explanation.time = time;
     explanation.background = explanation.color = glm::clamp(scene.view.background, 0.0F, 1.0F);
     const std::vector<PassState> passes =
-        passStates(scene, images, time, options.levels, options.anisotropy, textures, explanation.problems);
+        passStates(scene, images, time, options.levels, anisotropy, textures, explanation.problems);
     if (options.isStopped())
         return stopped();
     const glm::mat4 view = viewMatrix(scene.view);
@@ -393,9 +394,8 @@ Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, 
     return explanation;
 }
 
-Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time, int width, int height,
-                          PixelPlace pixel, const DrawOptions& options) {
-    return ReferenceRenderer().probe(scene, images, time, width, height, pixel, options);
+Result<Explanation> probe(const DrawRequest& request, PixelPlace pixel, const DrawOptions& options) {
+    return ReferenceRenderer().probe(request, pixel, options);
 }
 
 } // namespace texplorer::reference

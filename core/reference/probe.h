@@ -10,13 +10,12 @@ namespace texplorer::reference {
 /// Why the pixel has the colour that drawReference gives it: nothing else is drawn. Errors: OutOfRange for a
 /// bad size or a pixel outside of the picture, TooLarge without memory, Cancelled after a stop request.
 /// ReferenceRenderer::probe keeps the textures for the next one.
-[[nodiscard]] Result<Explanation> probe(const Scene& scene, const ImageSource& images, double time, int width,
-                                        int height, PixelPlace pixel, const DrawOptions& options = {});
+[[nodiscard]] Result<Explanation> probe(const DrawRequest& request, PixelPlace pixel,
+                                        const DrawOptions& options = {});
 
 /// The same for a caller that keeps a TextureStore, and has seen that the picture has the pixel. Error:
 /// Cancelled.
-[[nodiscard]] Result<Explanation> explainPixel(const Scene& scene, const ImageSource& images, double time,
-                                               Viewport viewport, PixelPlace pixel,
+[[nodiscard]] Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel,
                                                const DrawOptions& options, TextureStore& textures);
 
 } // namespace texplorer::reference

@@ -48,18 +48,14 @@ ProbeWorker::State::work(const Probing::Task& task) {
     auto made = std::make_shared<Answer>();
     made->request = *task.job();
     const DrawRequest& asked = made->request.picture;
-    DrawOptions options{.anisotropy = asked.anisotropy, .levels = levels, .stop = task.stop()};
+    DrawOptions options{.levels = levels, .stop = task.stop()};
     options.levels.stop = task.stop();
     if (made->request.pixel)
-        made->explanation = tried(failure, [&] {
-            return renderer.probe(asked.scene, asked.images, asked.time, asked.width, asked.height,
-                                  *made->request.pixel, options);
-        });
+        made->explanation =
+            tried(failure, [&] { return renderer.probe(asked, *made->request.pixel, options); });
     if (made->request.texel)
-        made->contributions = tried(failure, [&] {
-            return renderer.contributions(asked.scene, asked.images, asked.time, asked.width, asked.height,
-                                          *made->request.texel, options);
-        });
+        made->contributions =
+            tried(failure, [&] { return renderer.contributions(asked, *made->request.texel, options); });
     return made;
 }
 

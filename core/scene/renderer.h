@@ -4,7 +4,7 @@
 
 namespace texplorer {
 
-/// Who draws a Scene. All draw the same; where they don't, one of them is wrong.
+/// What draws a Scene. All draw the same; where they don't, one of them is wrong.
 enum class RendererKind : std::uint32_t { Fixed, Shader, Reference };
 
 inline constexpr std::array rendererKindRows{

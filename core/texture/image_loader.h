@@ -27,7 +27,7 @@ struct DissectedFile {
 };
 
 /// Reads files and makes pictures of them on a thread of its own, one after the other in the order in which
-/// they were asked for. Whoever asks keeps the ticket and looks for its result in `take`. All functions are
+/// they were asked for. The caller keeps the ticket and looks for its result in `take`. All functions are
 /// to be called from one thread; the first `load` starts the other one.
 class ImageLoader {
 public:

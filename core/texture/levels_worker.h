@@ -24,7 +24,7 @@ struct LevelsSummary {
 /// functions are to be called from one thread; the first long work starts the other one.
 class LevelsWorker final : public LevelsSource {
 public:
-    using When = texplorer::When; ///< WhenReady: whoever asks for something large is told to ask again
+    using When = texplorer::When; ///< WhenReady: a caller who asks for something large is told to ask again
 
     /// `wake` is called on the working thread whenever `receive` or `progress` has something new to say.
     /// What is compressed at run time is looked for and kept in `work.cache`; `work.progress` and `work.stop`

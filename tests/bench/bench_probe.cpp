@@ -9,17 +9,16 @@ namespace texplorer::reference {
 namespace {
 
 void probePixel(benchmark::State& state) {
-    const Scene scene = defaultScene();
-    const ImageSource images;
     ReferenceRenderer renderer;
     constexpr int width = 640;
     constexpr int height = 480;
+    const DrawRequest request{defaultScene(), {}, 0, width, height};
     int place = 0;
     std::size_t fragments = 0;
-    benchmark::DoNotOptimize(renderer.probe(scene, images, 0, width, height, {0, 0}));
+    benchmark::DoNotOptimize(renderer.probe(request, {0, 0}));
     for (auto _ : state) {
         place = (place + 7919) % (width * height); // all over the picture
-        const auto found = renderer.probe(scene, images, 0, width, height, {place % width, place / width});
+        const auto found = renderer.probe(request, {place % width, place / width});
         if (!found)
             return state.SkipWithError("the pixel can't be probed");
         fragments += found->fragments.size();

@@ -114,10 +114,10 @@ void driverFrame(benchmark::State& state, const char* gallium, const char* scene
 }
 
 void frameReference(benchmark::State& state, const Scene& scene, unsigned threads) {
-    const ImageSource images;
     reference::ReferenceRenderer renderer;
+    const reference::DrawRequest request{scene, {}, 0, frameWidth, frameHeight};
     for (auto _ : state) {
-        const auto drawn = renderer.draw(scene, images, 0, frameWidth, frameHeight, {.threads = threads});
+        const auto drawn = renderer.draw(request, {.threads = threads});
         if (!drawn || !drawn->problems.empty())
             return state.SkipWithError("the scene can't be drawn");
         benchmark::DoNotOptimize(drawn->image.pixels.data());

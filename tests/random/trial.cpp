@@ -120,11 +120,13 @@ struct Trial::State::Run {
         pictures.emplace(kind, std::move(*image));
     }
 
+    [[nodiscard]] reference::DrawRequest request() const {
+        return {scene(), images, 0, extent, extent, reference::AnisotropyMethod::Ellipse};
+    }
+
     void drawReference() {
         journal.step("reference");
-        Result<reference::Drawn> drawn =
-            reference::drawReference(scene(), images, 0, extent, extent,
-                                     {.anisotropy = reference::AnisotropyMethod::Ellipse, .threads = 1});
+        Result<Frame> drawn = reference::drawReference(request(), {.threads = 1});
         if (!drawn)
             return broken("reference: " + describe(drawn.error()));
         heed(drawn->problems);
@@ -141,8 +143,7 @@ struct Trial::State::Run {
         for (const reference::PixelPlace place :
              {reference::PixelPlace{0, 0}, {extent / 2, extent / 2}, {extent / 3, extent - 9}}) {
             const Result<reference::Explanation> explained =
-                reference::probe(scene(), images, 0, extent, extent, place,
-                                 {.anisotropy = reference::AnisotropyMethod::Ellipse, .threads = 1});
+                reference::probe(request(), place, {.threads = 1});
             if (!explained) {
                 broken("probe: " + describe(explained.error()));
                 continue;
@@ -166,7 +167,7 @@ struct Trial::State::Run {
                     continue;
                 const int level = scene().textures[static_cast<std::size_t>(unit.texture)].baseLevel;
                 const Result<reference::Contributions> found = reference::contributions(
-                    scene(), images, 0, extent, extent,
+                    {scene(), images, 0, extent, extent},
                     {static_cast<int>(p), static_cast<int>(u), {level, {0, 0, 0}}}, {.threads = 1});
                 if (!found && found.error().code != ErrorCode::OutOfRange &&
                     found.error().code != ErrorCode::Unsupported)
@@ -184,7 +185,7 @@ struct Trial::State::Run {
         if (const Skipped skipped = skipOf({random, findings, pair, driver}); !skipped.name.empty())
             return journal.note("skip", name + ": " + std::string(skipped.name));
         const conform::Rule rule = ruleFor(scene(), pair);
-        const std::unique_ptr<conform::Explainer> reference = conform::referencePainterWith(images);
+        const std::unique_ptr<conform::Explainer> reference = conform::referenceRendererWith(images);
         const Result<conform::Judgement> judgement =
             conform::judge(rule, scene(), pictures.at(pair.subject), pictures.at(pair.against), *reference);
         if (!judgement)

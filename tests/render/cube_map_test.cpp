@@ -53,7 +53,7 @@ TEST_P(CubeMap, SamplesTheFaceThatADirectionHits) {
                              GetParam().low ? 1 : 0, 1);
     EXPECT_TRUE(isColor(onlyColor(scene), expected, 0));
     EXPECT_THAT(problems, testing::IsEmpty());
-    Result<reference::Drawn> ours = reference::drawReference(scene, images, 0, 8, 8);
+    Result<Frame> ours = reference::drawReference({scene, images, 0, 8, 8});
     ASSERT_TRUE(ours);
     EXPECT_TRUE(isColor(colorAt(ours->image, 4, 4), expected, 0));
 }
@@ -81,7 +81,7 @@ protected:
     /// The share of pixels in which the reference differs by more than 8 / 255.
     double difference(const Scene& scene, int extent = 160) {
         const Image theirs = picture(scene, extent);
-        const Result<reference::Drawn> ours = reference::drawReference(scene, images, 0, extent, extent);
+        const Result<Frame> ours = reference::drawReference({scene, images, 0, extent, extent});
         EXPECT_TRUE(ours);
         EXPECT_EQ(ours->problems, problems);
         std::size_t far = 0;

@@ -42,10 +42,9 @@ class Reference : public RenderTest {
 protected:
     /// At most this share of the pixels may differ by more than `tolerance` 255ths.
     void agree(const Scene& scene, double share, int tolerance = 2, int extent = 96,
-               const reference::DrawOptions& options = {}) {
+               reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes) {
         const Image theirs = picture(scene, extent, 0.5);
-        const Result<reference::Drawn> ours =
-            reference::drawReference(scene, images, 0.5, extent, extent, options);
+        const Result<Frame> ours = reference::drawReference({scene, images, 0.5, extent, extent, anisotropy});
         ASSERT_TRUE(ours) << describe(ours.error());
         EXPECT_EQ(ours->problems, problems);
         ASSERT_EQ(theirs.pixels.size(), ours->image.pixels.size());
@@ -333,7 +332,7 @@ TEST_F(Reference, DrawsTheInsideOfAnImageWithABorderAlike) {
     scene.textures[0].wrapS = scene.textures[0].wrapT = Wrap::ClampToBorder;
     scene.textures[0].borderColor = {0.2F, 0.4F, 0.6F, 1};
     scene.models[0].texCoords[0] = quadCoords({3, 3, 0, 1});
-    const Result<reference::Drawn> ours = reference::drawReference(scene, images, 0, 8, 8);
+    const Result<Frame> ours = reference::drawReference({scene, images, 0, 8, 8});
     ASSERT_TRUE(ours);
     EXPECT_TRUE(isColor(colorAt(ours->image, 4, 4), glm::vec4(1), 0));
     if (!capabilities.textureBorders) {
@@ -385,7 +384,7 @@ TEST_P(ReferenceTrilinear, LiesBetweenTheBoundsOfLambda) {
     std::vector<Image> ours;
     for (const float bias : {lowestError, lowestError / 2, 0.0F, highestError}) {
         scene.passes[0].units[0].lodBias = bias;
-        Result<reference::Drawn> drawn = reference::drawReference(scene, images, 0, 256, 256);
+        Result<Frame> drawn = reference::drawReference({scene, images, 0, 256, 256});
         ASSERT_TRUE(drawn);
         ours.push_back(std::move(drawn->image));
     }
@@ -422,7 +421,7 @@ TEST_F(Reference, FiltersByAnEllipseAsLlvmpipeWhateverTheFilters) {
         scene.textures[0].minFilter = filter;
         for (const float anisotropy : {8.0F, 16.0F}) {
             scene.textures[0].maxAnisotropy = anisotropy;
-            agree(scene, 0.01, 6, 256, {.anisotropy = reference::AnisotropyMethod::Ellipse});
+            agree(scene, 0.01, 6, 256, reference::AnisotropyMethod::Ellipse);
         }
     }
 }

@@ -189,7 +189,7 @@ protected:
         const Result<view::Frame> frame = shader->draw(scene, images, 0, {extent, extent});
         ASSERT_TRUE(frame) << describe(frame.error());
         EXPECT_THAT(frame->problems, IsEmpty());
-        const Result<reference::Drawn> drawn = reference::drawReference(scene, images, 0, extent, extent);
+        const Result<Frame> drawn = reference::drawReference({scene, images, 0, extent, extent});
         ASSERT_TRUE(drawn);
         EXPECT_LE(differing(shader->read().value_or(Image()), drawn->image), extent * extent / 100);
     }

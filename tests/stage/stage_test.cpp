@@ -117,7 +117,7 @@ TEST_F(StageTest, AFrameIsDrawnByWhatTheHostLends) {
 }
 
 TEST_F(StageTest, TheReferenceNeedsNoRenderer) {
-    showOne(session.window.views, RendererKind::Reference);
+    showOne(session.window.view, RendererKind::Reference);
     frame();
     EXPECT_THAT(graphics.drawn, IsEmpty());
     ASSERT_THAT(graphics.shown, SizeIs(1));
@@ -127,13 +127,13 @@ TEST_F(StageTest, TheReferenceNeedsNoRenderer) {
 }
 
 TEST_F(StageTest, ARendererThatThereIsNotIsSaid) {
-    showOne(session.window.views, RendererKind::Shader);
+    showOne(session.window.view, RendererKind::Shader);
     frame();
     EXPECT_THAT(stage.problems(), ElementsAre(HasSubstr("there are no shaders here")));
 }
 
 TEST_F(StageTest, PixelsAreReadOnceForEachPicture) {
-    showComparison(session.window.views, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session.window.view, {RendererKind::Fixed, RendererKind::Reference});
     for (int i = 0; i < 3; ++i)
         frame();
     EXPECT_EQ(graphics.reads, 1) << "its revision stays";

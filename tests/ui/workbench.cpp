@@ -2,7 +2,7 @@
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/opengl/opengl_graphics.h"
-#include "app/stage/view_pictures.h"
+#include "app/stage/view_frames.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
@@ -32,7 +32,7 @@ struct Workbench::Drawing {
     Drawing(view::Size size, const std::filesystem::path& shaders)
         : context(offscreen::OsmesaContext::create(size).value())
         , graphics(opengl::OpenGlGraphics::create({shaders, {}}).value())
-        , views(*graphics) {
+        , frames(*graphics) {
         graphics->startPanels();
     }
     ~Drawing() { graphics->endPanels(); }
@@ -41,7 +41,7 @@ struct Workbench::Drawing {
 
     offscreen::OsmesaContext context;
     std::unique_ptr<opengl::OpenGlGraphics> graphics;
-    stage::ViewPictures views;
+    stage::ViewFrames frames;
 };
 
 Workbench::Workbench() {
@@ -92,31 +92,32 @@ void Workbench::build(const Pictures& pictures) {
 void Workbench::frames(int count) {
     for (int i = 0; i < count; ++i) {
         receiveFiles(*session);
-        layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.views));
+        layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.view));
         settle(*session, layout);
-        std::vector<RenderedView> views;
-        for (const RendererKind renderer : shownRenderers(session->window.views))
-            views.push_back({renderer, {0, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
-        build({views});
+        std::vector<ViewFrame> frames;
+        for (const RendererKind renderer : shownRenderers(session->window.view))
+            frames.push_back(
+                {renderer, {0, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
+        build({frames});
     }
 }
 
 Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
     if (!drawing_)
         drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
-    layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.views));
+    layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.view));
     settle(*session, layout);
     stage::Graphics& graphics = *drawing_->graphics;
-    drawing_->views.draw(*session, {layout.picture.width, layout.picture.height});
-    EXPECT_THAT(drawing_->views.problems(), problems);
+    drawing_->frames.draw(*session, {layout.picture.width, layout.picture.height});
+    EXPECT_THAT(drawing_->frames.problems(), problems);
     const Texture* bound = boundTexture(std::as_const(*session));
     const unsigned texture =
         bound ? graphics.showTexture(*bound, session->document.images, session->services.levels) : 0;
     graphics.beginFrame();
-    build({.views = drawing_->views.views(),
-           .difference = drawing_->views.difference(),
-           .problems = drawing_->views.problems(),
-           .shaders = drawing_->views.shaders(),
+    build({.frames = drawing_->frames.frames(),
+           .difference = drawing_->frames.difference(),
+           .problems = drawing_->frames.problems(),
+           .shaders = drawing_->frames.shaders(),
            .texture = texture,
            .setBlending = graphics.blendingSwitch(),
            .textureOf = [&graphics](const std::shared_ptr<const Image>& image) {

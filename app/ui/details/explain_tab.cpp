@@ -223,7 +223,7 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
     };
     add(RendererKind::Reference, explanation.bytes, {});
     const bool comparable = explainsThePicture(session);
-    for (const RenderedView& view : pictures.views) {
+    for (const ViewFrame& view : pictures.frames) {
         if (!view.image || !view.whole || view.image->width != explanation.width ||
             view.image->height != explanation.height || view.image->format != PixelFormat::Rgba8)
             continue;

@@ -219,7 +219,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
 
 /// One line that says which file this is, and what is wrong with it.
 void heading(Session& session) {
-    FileView& view = session.window.fileView;
+    InspectedFile& view = session.window.fileView;
     if (!view.chosen.empty()) {
         if (ImGui::SmallButton("←"))
             view.chosen.clear();
@@ -254,7 +254,7 @@ void heading(Session& session) {
 
 void drawFileTab(Session& session, FileTabState& state) {
     followFile(session);
-    const FileView& view = session.window.fileView;
+    const InspectedFile& view = session.window.fileView;
     if (view.shown.empty()) {
         ImGui::TextWrapped(boundTexture(session)
                                ? "This texture is a built-in pattern: there is no file. Open an image with "

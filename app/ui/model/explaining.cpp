@@ -7,7 +7,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// White, as strong as the texel's share: whoever shows it gives it a colour.
+/// White, as strong as the texel's share: the view gives it a colour.
 std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
     Image image = Image::uninitialised(PixelFormat::Rgba8, found.width, found.height);
     std::ranges::fill(image.pixels, std::byte{255});
@@ -22,8 +22,8 @@ std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
 
 reference::DrawRequest pictureNow(const Session& session, int width, int height) {
     return {
-        session.document.scene,         session.document.images, session.window.playback.time, width, height,
-        session.window.views.anisotropy};
+        session.document.scene,        session.document.images, session.window.playback.time, width, height,
+        session.window.view.anisotropy};
 }
 
 /// The image in which the unit that is asked about would look up the texel now.

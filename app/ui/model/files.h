@@ -12,7 +12,7 @@
 
 namespace texplorer::ui {
 
-/// Who reads files for the window. What is asked for has a ticket, and is there to be taken later: how much
+/// Reads files for the window. What is asked for has a ticket, and is there to be taken later: how much
 /// later is the implementation's. All functions are called from one thread.
 class Files {
 public:

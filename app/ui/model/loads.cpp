@@ -177,7 +177,7 @@ void cancelWaiting(Session& session, const Load& load) {
 
 void receive(Session& session, ImageLoader::Loaded loaded) {
     if (loaded.ticket == session.window.fileView.ticket)
-        return receiveView(session, std::move(loaded.content));
+        return receiveInspected(session, std::move(loaded.content));
     const auto load = std::ranges::find_if(
         session.document.loads, [&](const Load& each) { return each.waits.contains(loaded.ticket); });
     if (load == session.document.loads.end())
@@ -206,7 +206,7 @@ void reloadChanged(Session& session) {
     }
     for (const fs::path& changed : session.services.files.changed()) {
         if (changed == session.window.fileView.shown)
-            refreshView(session);
+            refreshInspected(session);
         for (const std::string& file : files) {
             if (session.document.images.directory() / file == changed)
                 start(session, {.kind = Load::Kind::Reload, .path = changed, .file = file});

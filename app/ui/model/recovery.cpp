@@ -36,8 +36,8 @@ void Recovery::draw(const std::stop_token& stop, std::vector<UnsavedScene> draft
         (void)images.load(drafts[i].scene); // what can't be read is missing in the picture, too
         reference::DrawOptions options;
         options.levels.stop = options.stop = stop;
-        Result<reference::Drawn> drawn =
-            reference::drawReference(drafts[i].scene, images, 0, pictureWidth, pictureHeight, options);
+        Result<Frame> drawn =
+            reference::drawReference({drafts[i].scene, images, 0, pictureWidth, pictureHeight}, options);
         if (!drawn)
             continue;
         {

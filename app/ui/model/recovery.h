@@ -33,7 +33,8 @@ public:
 
     void discard(); ///< the first: its draft is removed
     void later();   ///< all: they stay for another start
-    /// The first is restored: its place is kept for whoever shows it. The others stay for another start.
+    /// The first is restored: its place is kept for the window that shows it. The others stay for another
+    /// start.
     [[nodiscard]] UnsavedScene restore();
     /// The place of what was restored, once.
     [[nodiscard]] UnsavedPlace takeRestored() { return std::move(restored_); }

@@ -40,7 +40,7 @@ private:
     reference::ProbeWorker probe_;
 };
 
-/// The same without a thread: whoever asks waits. For programs without a user. `work`: how textures are
+/// The same without a thread: every call waits. For programs without a user. `work`: how textures are
 /// compressed at run time.
 class ServicesAtOnce {
 public:

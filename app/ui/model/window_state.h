@@ -2,11 +2,11 @@
 
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/explaining.h"
-#include "app/ui/model/file_view.h"
+#include "app/ui/model/inspected_file.h"
 #include "app/ui/model/layout.h"
 #include "app/ui/model/load.h"
 #include "app/ui/model/sections.h"
-#include "app/ui/model/views.h"
+#include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
 
@@ -54,7 +54,7 @@ struct Notice {
 /// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
 /// panel alone remembers is beside that panel.
 struct WindowState {
-    Views views; ///< who draws the scene, and how one looks at it
+    ViewSettings view; ///< which renderers draw the scene, and how one looks at their frames
     Playback playback;
     bool showsFrameTime = true; ///< off where two pictures of the window should be the same
     Selection selection;
@@ -76,7 +76,7 @@ struct WindowState {
     bool quitConfirmed = false;
 
     Explaining explaining;
-    FileView fileView;
+    InspectedFile fileView;
     Notice notice;
 
     std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`

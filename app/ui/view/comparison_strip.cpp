@@ -81,10 +81,10 @@ float buttonWidth(const char* label) {
 }
 
 /// The part of the pictures around a pixel.
-void showPixel(Views& views, glm::ivec2 pixel, view::Size picture) {
-    views.zoom.factor = worstFactor;
-    views.zoom.centre = (glm::vec2(pixel) + 0.5F) /
-                        glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
+void showPixel(ViewSettings& settings, glm::ivec2 pixel, view::Size picture) {
+    settings.zoom.factor = worstFactor;
+    settings.zoom.centre = (glm::vec2(pixel) + 0.5F) /
+                           glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
 }
 
 constexpr const char* unit = "/255";
@@ -107,8 +107,8 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     }
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
-    ImGui::DragInt("##tolerance", &session.window.views.tolerance, 0.1F, 0, Views::largestTolerance, "%d",
-                   ImGuiSliderFlags_AlwaysClamp);
+    ImGui::DragInt("##tolerance", &session.window.view.tolerance, 0.1F, 0, ViewSettings::largestTolerance,
+                   "%d", ImGuiSliderFlags_AlwaysClamp);
     noteItem("tolerance");
     helpTip("Differences up to here don't count. Drag, or double click to type.");
     ImGui::SameLine(0, narrow);
@@ -125,7 +125,7 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
     flow.place(width, gap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##worst", {width, 0}))
-        showPixel(session.window.views, difference.worst, picture);
+        showPixel(session.window.view, difference.worst, picture);
     noteItem("worst");
     helpTip("The largest difference, at the pixel " + std::to_string(difference.worst.x) + "," +
             std::to_string(picture.height - 1 - difference.worst.y) + " (from the upper left)" +
@@ -156,28 +156,28 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
 } // namespace
 
 void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout) {
-    Views& views = session.window.views;
-    if (!isComparing(views))
+    ViewSettings& settings = session.window.view;
+    if (!isComparing(settings))
         return;
     const float gap = ImGui::GetFontSize() * 0.9F;
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     Flow flow(layout.strip);
     for (const ArrangementRow& row : arrangementRows) {
-        const bool chosen = views.arrangement == row.arrangement;
+        const bool chosen = settings.arrangement == row.arrangement;
         flow.place(buttonWidth(row.label), narrow);
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
         if (ImGui::Button(row.label))
-            views.arrangement = views.comparing = row.arrangement;
+            settings.arrangement = settings.comparing = row.arrangement;
         ImGui::PopStyleColor();
         noteItem(std::string("arrangement:") + row.label);
         helpTip(row.help);
     }
     toleranceField(session, flow, pictures.difference ? &pictures.difference->numbers : nullptr, gap);
     if (pictures.difference)
-        numbers(session, flow, pictures.difference->numbers, pictures.views.front().frame.size, gap);
+        numbers(session, flow, pictures.difference->numbers, pictures.frames.front().frame.size, gap);
     else
-        flow.text(isDrawing(pictures, views.compared) ? "drawing…" : "no numbers: a picture is missing",
+        flow.text(isDrawing(pictures, settings.compared) ? "drawing…" : "no numbers: a picture is missing",
                   color::dim, gap);
 }
 

@@ -48,11 +48,11 @@ bool holds(const Image& image, glm::ivec2 pixel) {
 }
 
 /// By how much the two that are compared differ there, component by component.
-std::string differenceText(const Views& views, const Pictures& pictures, glm::ivec2 pixel) {
+std::string differenceText(const ViewSettings& settings, const Pictures& pictures, glm::ivec2 pixel) {
     std::array<const Image*, 2> images{};
     for (std::size_t i = 0; i < images.size(); ++i) {
-        const auto view = std::ranges::find(pictures.views, views.compared[i], &RenderedView::renderer);
-        if (view == pictures.views.end() || !view->image || !holds(*view->image, pixel))
+        const auto view = std::ranges::find(pictures.frames, settings.compared[i], &ViewFrame::renderer);
+        if (view == pictures.frames.end() || !view->image || !holds(*view->image, pixel))
             return "…";
         images[i] = view->image.get();
     }
@@ -74,13 +74,13 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
         lens.texture = textureOf(pane, pictures);
         if (!pane.renderer) {
             lens.name = "Difference";
-            lens.value = differenceText(session.window.views, pictures, pixel);
+            lens.value = differenceText(session.window.view, pictures, pixel);
             lenses.push_back(std::move(lens));
             continue;
         }
         lens.name = std::string(rowOf(*pane.renderer).label);
-        const auto view = std::ranges::find(pictures.views, *pane.renderer, &RenderedView::renderer);
-        const bool known = view != pictures.views.end() && view->image && holds(*view->image, pixel);
+        const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
+        const bool known = view != pictures.frames.end() && view->image && holds(*view->image, pixel);
         lens.value = known ? textOf(*view->image, pixel) : "…";
         lens.swatch = known ? colorOf(*view->image, pixel) : 0;
         lenses.push_back(std::move(lens));
@@ -120,13 +120,13 @@ void drawPixels(ImDrawList& draw, ImVec2 low, float cell, unsigned texture, glm:
 } // namespace
 
 void drawMagnifier(Session& session, const Panes& panes, const Pictures& pictures, const Layout& layout) {
-    if (!session.window.views.magnifies)
+    if (!session.window.view.magnifies)
         return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const std::optional<glm::ivec2> pixel = panes.pixelAt(mouse);
     if (!pixel)
         return;
-    const view::Size picture = pictures.views.front().frame.size;
+    const view::Size picture = pictures.frames.front().frame.size;
     const std::vector<Lens> lenses = lensesOf(session, panes, pictures, *pixel);
     const float em = ImGui::GetFontSize();
     const float pad = em * 0.5F;

@@ -46,7 +46,7 @@ float comboWidth(RendererKind renderer) {
 
 /// A list of the renderers on the picture, as wide as its text, at most `width`.
 void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) {
-    RendererKind& compared = session.window.views.compared[which];
+    RendererKind& compared = session.window.view.compared[which];
     const std::string id = "##compared" + std::to_string(which);
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
@@ -73,18 +73,18 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
 unsigned textureOf(const Pane& pane, const Pictures& pictures) {
     if (!pane.renderer)
         return pictures.difference ? pictures.difference->heatMap : 0;
-    const auto view = std::ranges::find(pictures.views, *pane.renderer, &RenderedView::renderer);
-    return view == pictures.views.end() ? 0 : view->frame.texture;
+    const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
+    return view == pictures.frames.end() ? 0 : view->frame.texture;
 }
 
 bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers) {
-    return std::ranges::any_of(pictures.views, [&](const RenderedView& view) {
+    return std::ranges::any_of(pictures.frames, [&](const ViewFrame& view) {
         return !view.whole && std::ranges::find(renderers, view.renderer) != renderers.end();
     });
 }
 
 void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures,
-              const Views& views) {
+              const ViewSettings& settings) {
     const ImVec2 low = lowOf(pane.frame);
     const ImVec2 high = highOf(pane.frame);
     draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
@@ -98,8 +98,8 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, &draw);
     } else if (pictures.setBlending) {
-        const bool comes =
-            pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1}) : isDrawing(pictures, views.compared);
+        const bool comes = pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1})
+                                         : isDrawing(pictures, settings.compared);
         const char* text = comes ? "Drawing…" : "No picture: the status bar says why";
         const ImVec2 size = ImGui::CalcTextSize(text);
         draw.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, color::dim, text);
@@ -108,10 +108,10 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 }
 
 void paneLabels(Session& session, const Panes& panes) {
-    const Views& views = session.window.views;
+    const ViewSettings& settings = session.window.view;
     const float gap = ImGui::GetFontSize() * 0.4F;
-    const float left = comboWidth(views.compared[0]);
-    const float right = comboWidth(views.compared[1]);
+    const float left = comboWidth(settings.compared[0]);
+    const float right = comboWidth(settings.compared[1]);
     const auto lists = [&](const Rect& frame, bool apart) {
         const auto width = static_cast<float>(frame.width) - 2 * gap;
         const ImVec2 at(static_cast<float>(frame.x) + gap, static_cast<float>(frame.y) + gap);
@@ -122,9 +122,9 @@ void paneLabels(Session& session, const Panes& panes) {
         rendererCombo(session, 1, {x, y}, width);
     };
     const std::vector<Pane>& all = panes.all();
-    if (views.arrangement == Arrangement::Split)
+    if (settings.arrangement == Arrangement::Split)
         return lists(all.front().frame, true);
-    if (views.arrangement != Arrangement::Grid)
+    if (settings.arrangement != Arrangement::Grid)
         return;
     for (const Pane& pane : all) {
         if (pane.renderer)
@@ -138,12 +138,12 @@ void paneLabels(Session& session, const Panes& panes) {
 }
 
 void paneSeam(Session& session, const Layout& layout) {
-    if (session.window.views.arrangement != Arrangement::Split)
+    if (session.window.view.arrangement != Arrangement::Split)
         return;
     const Rect& whole = layout.picture;
     const float reach = ImGui::GetFontSize() * 0.4F;
-    const float x = static_cast<float>(whole.x) +
-                    std::round(session.window.views.split * static_cast<float>(whole.width));
+    const float x =
+        static_cast<float>(whole.x) + std::round(session.window.view.split * static_cast<float>(whole.width));
     // At the picture's edge, where the panel's padding takes no mouse, the grip stays inside.
     const float grip = std::clamp(
         x - reach, static_cast<float>(whole.x) + reach,
@@ -153,9 +153,9 @@ void paneSeam(Session& session, const Layout& layout) {
     noteItem("picture seam");
     const bool held = ImGui::IsItemActive();
     if (held)
-        session.window.views.split = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
-                                                    static_cast<float>(whole.width),
-                                                0.0F, 1.0F);
+        session.window.view.split = std::clamp((ImGui::GetIO().MousePos.x - static_cast<float>(whole.x)) /
+                                                   static_cast<float>(whole.width),
+                                               0.0F, 1.0F);
     if (held || ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const ImU32 tint = held || ImGui::IsItemHovered() ? color::text : color::outline;

@@ -8,7 +8,7 @@ namespace texplorer::ui {
 
 /// The part of a pane's picture that the zoom shows; without a picture a sentence that says what is missing.
 void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures,
-              const Views& views);
+              const ViewSettings& settings);
 
 /// The GL texture that a pane shows; 0: none.
 [[nodiscard]] unsigned textureOf(const Pane& pane, const Pictures& pictures);

@@ -19,22 +19,22 @@ Rect cellOf(const Layout& layout, int column, int row) {
     return cell;
 }
 
-std::vector<Pane> arrange(const Layout& layout, const Views& views) {
+std::vector<Pane> arrange(const Layout& layout, const ViewSettings& settings) {
     const Rect whole = layout.picture;
-    switch (views.arrangement) {
+    switch (settings.arrangement) {
     case Arrangement::One:
-        return {{views.renderer, whole, whole}};
+        return {{settings.renderer, whole, whole}};
     case Arrangement::Split: {
         const int left = static_cast<int>(
-            std::lround(std::clamp(views.split, 0.0F, 1.0F) * static_cast<float>(whole.width)));
-        return {{views.compared[0], whole, {whole.x, whole.y, left, whole.height}},
-                {views.compared[1], whole, {whole.x + left, whole.y, whole.width - left, whole.height}}};
+            std::lround(std::clamp(settings.split, 0.0F, 1.0F) * static_cast<float>(whole.width)));
+        return {{settings.compared[0], whole, {whole.x, whole.y, left, whole.height}},
+                {settings.compared[1], whole, {whole.x + left, whole.y, whole.width - left, whole.height}}};
     }
     case Arrangement::Grid:
         break;
     }
     std::vector<Pane> panes;
-    for (const RendererKind renderer : shownRenderers(views)) {
+    for (const RendererKind renderer : shownRenderers(settings)) {
         const auto at = static_cast<int>(panes.size());
         panes.push_back({renderer, cellOf(layout, at % 2, at / 2), {}});
     }
@@ -65,17 +65,17 @@ glm::vec2 withinPicture(glm::vec2 centre, int factor) {
 
 } // namespace
 
-PaneGrid gridOf(const Views& views) {
+PaneGrid gridOf(const ViewSettings& settings) {
     static_assert(rendererKindRows.size() == 3, "with the difference they make a square of four");
-    const int extent = views.arrangement == Arrangement::Grid ? 2 : 1;
-    return {extent, extent, isComparing(views)};
+    const int extent = settings.arrangement == Arrangement::Grid ? 2 : 1;
+    return {extent, extent, isComparing(settings)};
 }
 
-Panes::Panes(const Layout& layout, const Views& views, view::Size picture)
-    : panes_(arrange(layout, views))
+Panes::Panes(const Layout& layout, const ViewSettings& settings, view::Size picture)
+    : panes_(arrange(layout, settings))
     , size_(static_cast<float>(picture.width), static_cast<float>(picture.height)) {
-    const int factor = std::clamp(views.zoom.factor, 1, PictureZoom::largest);
-    const glm::vec2 centre = withinPicture(views.zoom.centre, factor);
+    const int factor = std::clamp(settings.zoom.factor, 1, PictureZoom::largest);
+    const glm::vec2 centre = withinPicture(settings.zoom.centre, factor);
     const glm::vec2 half(0.5F / static_cast<float>(factor));
     low_ = centre - half;
     high_ = centre + half;
@@ -112,27 +112,27 @@ glm::vec2 Panes::pixelExtent() const {
     return sizeOf(panes_.front().frame) / ((high_ - low_) * glm::max(size_, glm::vec2(1)));
 }
 
-void zoomPictures(Views& views, const Layout& layout, ImVec2 place, int notches) {
-    const Panes before(layout, views, {1, 1});
+void zoomPictures(ViewSettings& settings, const Layout& layout, ImVec2 place, int notches) {
+    const Panes before(layout, settings, {1, 1});
     const Pane* pane = before.under(place);
     if (!pane)
         return;
     const glm::vec2 fixed = before.toPicture(*pane, place); // a share: the picture has one pixel here
-    int& factor = views.zoom.factor;
+    int& factor = settings.zoom.factor;
     const int old = factor;
     for (; notches > 0 && factor < PictureZoom::largest; --notches)
         factor *= 2;
     for (; notches < 0 && factor > 1; ++notches)
         factor /= 2;
     const glm::vec2 centre = (before.partLow() + before.partHigh()) / 2.0F;
-    views.zoom.centre = withinPicture(
+    settings.zoom.centre = withinPicture(
         fixed + (centre - fixed) * (static_cast<float>(old) / static_cast<float>(factor)), factor);
 }
 
-void movePictures(Views& views, const Layout& layout, ImVec2 way) {
-    const auto factor = static_cast<float>(views.zoom.factor);
+void movePictures(ViewSettings& settings, const Layout& layout, ImVec2 way) {
+    const auto factor = static_cast<float>(settings.zoom.factor);
     const glm::vec2 share = glm::vec2(way.x, -way.y) / (sizeOf(layout.picture) * factor);
-    views.zoom.centre = withinPicture(views.zoom.centre - share, views.zoom.factor);
+    settings.zoom.centre = withinPicture(settings.zoom.centre - share, settings.zoom.factor);
 }
 
 } // namespace texplorer::ui

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/model/layout.h"
-#include "app/ui/model/views.h"
+#include "app/ui/model/view_settings.h"
 #include "app/view/frame.h"
 
 #include <glm/vec2.hpp>
@@ -25,7 +25,7 @@ struct Pane {
 /// pixel at 0.5, 0.5.
 class Panes {
 public:
-    Panes(const Layout& layout, const Views& views, view::Size picture);
+    Panes(const Layout& layout, const ViewSettings& settings, view::Size picture);
 
     [[nodiscard]] const std::vector<Pane>& all() const { return panes_; }
     [[nodiscard]] const Pane* under(ImVec2 place) const; ///< nullptr: none
@@ -50,13 +50,13 @@ private:
     glm::vec2 high_;
 };
 
-/// The grid that the panes of these views make, which decides how large the pictures are.
-[[nodiscard]] PaneGrid gridOf(const Views& views);
+/// The grid that the panes of these settings make, which decides how large the pictures are.
+[[nodiscard]] PaneGrid gridOf(const ViewSettings& settings);
 
 /// Zooms by a power of two and keeps the place in the picture that lies under `place` where it is.
-void zoomPictures(Views& views, const Layout& layout, ImVec2 place, int notches);
+void zoomPictures(ViewSettings& settings, const Layout& layout, ImVec2 place, int notches);
 
 /// Moves the part that is shown by a way in the window.
-void movePictures(Views& views, const Layout& layout, ImVec2 way);
+void movePictures(ViewSettings& settings, const Layout& layout, ImVec2 way);
 
 } // namespace texplorer::ui

@@ -22,7 +22,7 @@ bool choice(const std::string& label, bool chosen, std::string_view help) {
 
 } // namespace
 
-void drawRendererChoice(Views& views, float available) {
+void drawRendererChoice(ViewSettings& settings, float available) {
     const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float before = ImGui::GetFontSize();
@@ -37,16 +37,16 @@ void drawRendererChoice(Views& views, float available) {
     int key = 0;
     for (const EnumRow& row : rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !isComparing(views) && views.renderer == renderer;
+        const bool chosen = !isComparing(settings) && settings.renderer == renderer;
         const std::string help = std::string(row.help) + "\nKey " + std::to_string(++key);
         if (choice(std::string(row.label), chosen, help))
-            showOne(views, renderer);
+            showOne(settings, renderer);
         ImGui::SameLine(0, gap);
     }
-    if (choice(compare, isComparing(views),
+    if (choice(compare, isComparing(settings),
                "Two renderers across one picture, or all of them with the difference.\nKey " +
                    std::to_string(++key)))
-        showComparison(views);
+        showComparison(settings);
     ImGui::SameLine(0, gap);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/ui/model/views.h"
+#include "app/ui/model/view_settings.h"
 
 namespace texplorer::ui {
 
-/// Who draws the picture, in the menu bar; nothing where `available` is too narrow.
-void drawRendererChoice(Views& views, float available);
+/// The choice of the renderer, in the menu bar; nothing where `available` is too narrow.
+void drawRendererChoice(ViewSettings& settings, float available);
 
 } // namespace texplorer::ui

@@ -101,14 +101,14 @@ void toolRow(Session& session, const Layout& layout) {
 /// With Ctrl the mouse moves and enlarges the pictures, as if with a magnifying glass; else the camera.
 void moveView(Session& session, bool hovered, bool active, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.window.views.zoom.factor),
-                     io.MouseDelta.y / static_cast<float>(session.window.views.zoom.factor));
+    const ImVec2 way(io.MouseDelta.x / static_cast<float>(session.window.view.zoom.factor),
+                     io.MouseDelta.y / static_cast<float>(session.window.view.zoom.factor));
     const bool moved = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
     if (io.KeyCtrl) {
         if (moved)
-            movePictures(session.window.views, layout, io.MouseDelta);
+            movePictures(session.window.view, layout, io.MouseDelta);
         if (hovered && io.MouseWheel != 0)
-            zoomPictures(session.window.views, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
+            zoomPictures(session.window.view, layout, io.MousePos, io.MouseWheel > 0 ? 1 : -1);
         return;
     }
     View& view = session.document.scene.view;
@@ -221,11 +221,11 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     toolRow(session, layout);
 
-    const view::Size picture = pictures.views.front().frame.size;
-    const Panes panes(layout, session.window.views, picture);
+    const view::Size picture = pictures.frames.front().frame.size;
+    const Panes panes(layout, session.window.view, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const Pane& pane : panes.all())
-        drawPane(draw, panes, pane, pictures, session.window.views);
+        drawPane(draw, panes, pane, pictures, session.window.view);
     if (pictures.difference && isRinged(pictures.difference->numbers))
         markPixel(draw, panes, pictures.difference->numbers.worst, color::problem);
     if (pictures.difference && !panes.all().back().renderer)

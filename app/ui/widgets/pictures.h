@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/model/rendered_view.h"
+#include "app/ui/model/view_frame.h"
 #include "app/view/pass_shader.h"
 #include "core/image/image.h"
 
@@ -15,9 +15,9 @@ namespace texplorer::ui {
 
 /// The GL textures that the panels show. The panels make no GL call themselves.
 struct Pictures {
-    std::span<const RenderedView> views; ///< of shownRenderers, at Layout::picture's size; never empty
-    const RenderedDifference* difference = nullptr; ///< of those that are compared; nullptr: not known
-    std::span<const std::string> problems = {};     ///< sentences: what the renderers said
+    std::span<const ViewFrame> frames;          ///< of shownRenderers, at Layout::picture's size; never empty
+    const ViewDifference* difference = nullptr; ///< of those that are compared; nullptr: not known
+    std::span<const std::string> problems = {}; ///< sentences: what the renderers said
     /// Of each pass, where WindowState::shownTab asks for them or shaders draw; nullptr: there is none.
     std::span<const std::shared_ptr<const view::PassShader>> shaders = {};
     unsigned texture = 0; ///< the base level of boundTexture(session), nearest filtering; 0: none

@@ -105,25 +105,25 @@ void viewMenu(Session& session, const Layout& layout) {
     int key = 0;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !isComparing(session.window.views) && session.window.views.renderer == renderer;
+        const bool chosen = !isComparing(session.window.view) && session.window.view.renderer == renderer;
         if (item("Drawn by: " + std::string(row.label), std::to_string(++key).c_str(), true, chosen))
-            showOne(session.window.views, renderer);
+            showOne(session.window.view, renderer);
     }
-    if (item("Compare", std::to_string(++key).c_str(), true, isComparing(session.window.views)))
-        showComparison(session.window.views);
+    if (item("Compare", std::to_string(++key).c_str(), true, isComparing(session.window.view)))
+        showComparison(session.window.view);
     using reference::AnisotropyMethod;
     for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {
         const auto method = static_cast<AnisotropyMethod>(row.value);
         if (item("Anisotropy of the reference: " + std::string(row.label), nullptr, true,
-                 session.window.views.anisotropy == method))
-            session.window.views.anisotropy = method;
+                 session.window.view.anisotropy == method))
+            session.window.view.anisotropy = method;
         helpTip(row.help);
     }
     ImGui::Separator();
-    if (item("Magnifier", "M", true, session.window.views.magnifies))
-        session.window.views.magnifies = !session.window.views.magnifies;
-    if (item("Picture pixel for pixel", "0", session.window.views.zoom.factor > 1))
-        session.window.views.zoom = {};
+    if (item("Magnifier", "M", true, session.window.view.magnifies))
+        session.window.view.magnifies = !session.window.view.magnifies;
+    if (item("Picture pixel for pixel", "0", session.window.view.zoom.factor > 1))
+        session.window.view.zoom = {};
     ImGui::Separator();
     if (item("Frame the models", "F"))
         frameAll(session, layout);
@@ -159,7 +159,7 @@ void drawMenuBar(Session& session, const Layout& layout) {
                 session.window.dialog = Dialog::Help;
             ImGui::EndMenu();
         }
-        drawRendererChoice(session.window.views,
+        drawRendererChoice(session.window.view,
                            ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
         drawPlaybackControls(session);
         ImGui::EndMenuBar();

@@ -32,14 +32,14 @@ void handleShortcuts(Session& session, const Layout& layout) {
     int digit = '1';
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         if (pressed(digit++))
-            showOne(session.window.views, static_cast<RendererKind>(row.value));
+            showOne(session.window.view, static_cast<RendererKind>(row.value));
     }
     if (pressed(digit))
-        showComparison(session.window.views);
+        showComparison(session.window.view);
     if (pressed('M'))
-        session.window.views.magnifies = !session.window.views.magnifies;
+        session.window.view.magnifies = !session.window.view.magnifies;
     if (pressed('0'))
-        session.window.views.zoom = {};
+        session.window.view.zoom = {};
     if (pressed(key::escape)) { // one after the other
         if (session.window.explaining.texel)
             clearTexel(session);

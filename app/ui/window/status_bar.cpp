@@ -93,17 +93,17 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
 }
 
 /// "llvmpipe · 583 × 682 · 3.1 ms"
-std::string factsOf(std::span<const RenderedView> views, const view::Capabilities& capabilities,
+std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities& capabilities,
                     bool showsTime) {
-    const RenderedView& first = views.front();
-    const bool onlyReference = views.size() == 1 && first.renderer == RendererKind::Reference;
+    const ViewFrame& first = frames.front();
+    const bool onlyReference = frames.size() == 1 && first.renderer == RendererKind::Reference;
     // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
     std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
                                       : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
     facts += " · " + std::to_string(first.frame.size.width) + " × " + std::to_string(first.frame.size.height);
     if (!showsTime)
         return facts;
-    for (const RenderedView& view : views) {
+    for (const ViewFrame& view : frames) {
         std::array<char, 32> time{};
         std::snprintf(time.data(), time.size(), " · %.1f ms", view.frame.milliseconds);
         facts += view.whole ? time.data() : " · drawing";
@@ -121,7 +121,7 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
     beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::TextDisabled("%s", factsOf(pictures.views, capabilities, session.window.showsFrameTime).c_str());
+    ImGui::TextDisabled("%s", factsOf(pictures.frames, capabilities, session.window.showsFrameTime).c_str());
     noteItem("status");
     helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
             "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +

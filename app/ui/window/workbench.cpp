@@ -66,7 +66,7 @@ void drawSeams(Session& session, const Layout& layout) {
 
 /// What can be drawn: where only the reference draws, it is not for the driver to say.
 DriverFacts factsFor(const Session& session, const view::Capabilities& capabilities) {
-    const std::vector<RendererKind> shown = shownRenderers(session.window.views);
+    const std::vector<RendererKind> shown = shownRenderers(session.window.view);
     const bool asksGl =
         std::ranges::any_of(shown, [](RendererKind renderer) { return renderer != RendererKind::Reference; });
     return asksGl || shown.empty() ? view::driverFacts(capabilities) : DriverFacts{};
@@ -83,7 +83,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         session.window.shownParam.clear();
     diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected
-    askAboutPicture(session, pictures.views.front().frame.size);
+    askAboutPicture(session, pictures.frames.front().frame.size);
     drawParametersPanel(session, layout);
     settle(session, layout);
     drawViewPanel(session, pictures, layout);

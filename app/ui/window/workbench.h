@@ -27,7 +27,7 @@ struct Requests {
 
 /// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
 /// frame is:
-///   layout = layoutFor(…, session.window.columns, gridOf(session.window.views)); settle(session, layout);
+///   layout = layoutFor(…, session.window.columns, gridOf(session.window.view)); settle(session, layout);
 ///   frame = renderer.draw(session.document.scene, …); ImGui::NewFrame(); drawWorkbench(…); ImGui::Render().
 /// Dear ImGui needs two or three frames until new windows have their sizes.
 Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,

@@ -13,11 +13,11 @@ constexpr Rule lambda{"lambda", 2, 1, Tolerance::Lambda, 1, 1, ""};
 
 class Judging : public testing::Test {
 protected:
-    Image draw(const Scene& scene) { return reference->paint(scene)->image; }
+    Image draw(const Scene& scene) { return reference->draw(scene)->image; }
     Judgement judged(const Rule& rule, const Scene& scene, const Scene& drawnAs) {
         return *judge(rule, scene, draw(scene), draw(drawnAs), *reference);
     }
-    std::unique_ptr<Explainer> reference = referencePainter();
+    std::unique_ptr<Explainer> reference = referenceRenderer();
 };
 
 /// A checkerboard, one texel a pixel, whose pixels' centres are `offset` texels behind an edge.

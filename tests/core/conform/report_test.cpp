@@ -18,17 +18,17 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// The reference, with wrap modes of s and t exchanged.
-class Swapped : public Painter {
+class Swapped : public Renderer {
 public:
-    Result<Painting> paint(const Scene& scene) override {
+    Result<Frame> draw(const Scene& scene) override {
         Scene changed = scene;
         for (Texture& texture : changed.textures)
             std::swap(texture.wrapS, texture.wrapT);
-        return reference_->paint(changed);
+        return reference_->draw(changed);
     }
 
 private:
-    std::unique_ptr<Painter> reference_ = referencePainter();
+    std::unique_ptr<Renderer> reference_ = referenceRenderer();
 };
 
 Report reportOf(std::vector<const Feature*> chosen) {
@@ -152,7 +152,7 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
     // The picture is the one that the scene gives.
     const Result<TextureImage> picture = decodePng(file("wrap-reference-fixed-reference.png"), {});
     ASSERT_TRUE(picture);
-    EXPECT_EQ(toImage(picture->surface(0, 0)), referencePainter()->paint(*parsed)->image);
+    EXPECT_EQ(toImage(picture->surface(0, 0)), referenceRenderer()->draw(*parsed)->image);
     EXPECT_TRUE(decodePng(file("wrap-reference-fixed-fixed.png"), {}));
     // The files that scenes name are beside them.
     for (const MadeFile& made : madeFiles)

@@ -14,7 +14,7 @@ namespace texplorer::conform {
 namespace {
 
 /// Draws each scene as the reference does, but for what is wrong with it.
-class Mutant : public Painter {
+class Mutant : public Renderer {
 public:
     using Change = void (*)(Scene&);
     using Blur = void (*)(Image&);
@@ -22,20 +22,20 @@ public:
         : change_(change)
         , blur_(blur) {}
 
-    Result<Painting> paint(const Scene& scene) override {
+    Result<Frame> draw(const Scene& scene) override {
         Scene changed = scene;
         if (change_)
             change_(changed);
-        Result<Painting> painted = reference_->paint(changed);
-        if (painted && blur_)
-            blur_(painted->image);
-        return painted;
+        Result<Frame> frame = reference_->draw(changed);
+        if (frame && blur_)
+            blur_(frame->image);
+        return frame;
     }
 
 private:
     Change change_;
     Blur blur_;
-    std::unique_ptr<Painter> reference_ = referencePainter();
+    std::unique_ptr<Renderer> reference_ = referenceRenderer();
 };
 
 SweepOptions optionsFor(const std::vector<const Feature*>& features, int scenes) {
@@ -60,19 +60,19 @@ TEST(Sweep, FindsThatTheReferenceAgreesWithItself) {
 }
 
 /// Draws as the reference does and complains of what it is told.
-class Complainer : public Painter {
+class Complainer : public Renderer {
 public:
     explicit Complainer(std::vector<std::string> problems)
         : problems_(std::move(problems)) {}
-    Result<Painting> paint(const Scene& scene) override {
-        Result<Painting> painted = reference_->paint(scene);
-        painted->problems = problems_;
-        return painted;
+    Result<Frame> draw(const Scene& scene) override {
+        Result<Frame> frame = reference_->draw(scene);
+        frame->problems = problems_;
+        return frame;
     }
 
 private:
     std::vector<std::string> problems_;
-    std::unique_ptr<Painter> reference_ = referencePainter();
+    std::unique_ptr<Renderer> reference_ = referenceRenderer();
 };
 
 TEST(Sweep, NamesTheProblemThatOnlyOneHas) {
@@ -122,9 +122,9 @@ TEST(Sweep, StopsWhenItIsAskedTo) {
     EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
 }
 
-class Broken : public Painter {
+class Broken : public Renderer {
 public:
-    Result<Painting> paint(const Scene& /*scene*/) override {
+    Result<Frame> draw(const Scene& /*scene*/) override {
         return fail(ErrorCode::Driver, "the context is gone");
     }
 };
@@ -141,10 +141,10 @@ class Throwing : public Explainer {
 public:
     explicit Throwing(int good)
         : good_(good) {}
-    Result<Painting> paint(const Scene& scene) override {
+    Result<Frame> draw(const Scene& scene) override {
         if (good_-- <= 0)
             throw std::runtime_error("the driver gave up");
-        return reference_->paint(scene);
+        return reference_->draw(scene);
     }
     Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
                                                           reference::PixelPlace pixel) override {
@@ -154,7 +154,7 @@ public:
 
 private:
     int good_;
-    std::unique_ptr<Explainer> reference_ = referencePainter();
+    std::unique_ptr<Explainer> reference_ = referenceRenderer();
 };
 
 // Neither side may wait for the other then.

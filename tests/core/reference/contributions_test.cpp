@@ -29,7 +29,7 @@ struct Flat {
 
     /// Of the lowest row of a picture of 4 x 4.
     [[nodiscard]] std::vector<float> row(const TexelQuestion& question) const {
-        const Result<Contributions> found = contributions(scene, images, 0, 4, 4, question);
+        const Result<Contributions> found = contributions({scene, images, 0, 4, 4}, question);
         EXPECT_TRUE(found) << describe(found.error());
         return found ? std::vector<float>(found->weights.begin(), found->weights.begin() + 4)
                      : std::vector<float>();
@@ -84,12 +84,12 @@ TEST(Contributions, AgreeWithTheProbe) {
     constexpr int width = 24;
     constexpr int height = 16;
     const TexelQuestion question{.texel = {4, {2, 1, 0}}};
-    const Result<Contributions> found = renderer.contributions(scene, images, 0, width, height, question);
+    const Result<Contributions> found = renderer.contributions({scene, images, 0, width, height}, question);
     ASSERT_TRUE(found);
     float sum = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const Result<Explanation> pixel = renderer.probe(scene, images, 0, width, height, {x, y});
+            const Result<Explanation> pixel = renderer.probe({scene, images, 0, width, height}, {x, y});
             ASSERT_TRUE(pixel);
             float weight = 0;
             if (const FragmentExplanation* seen = pixel->seen(); seen && !seen->units.empty()) {
@@ -111,7 +111,8 @@ struct Refused {
 class BadTexel : public testing::TestWithParam<Refused> {};
 TEST_P(BadTexel, IsRefusedWithItsNumbers) {
     const Flat flat;
-    const Result<Contributions> found = contributions(flat.scene, flat.images, 0, 4, 4, GetParam().question);
+    const Result<Contributions> found =
+        contributions({flat.scene, flat.images, 0, 4, 4}, GetParam().question);
     ASSERT_FALSE(found);
     EXPECT_THAT(found.error().message, HasSubstr(GetParam().expected));
 }

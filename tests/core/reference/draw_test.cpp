@@ -34,7 +34,7 @@ Scene squareScene() {
 
 Image drawn(const Scene& scene, int extent, const DrawOptions& options = {},
             const ImageSource& images = ImageSource()) {
-    const Result<Drawn> result = drawReference(scene, images, 0, extent, extent, options);
+    const Result<Frame> result = drawReference({scene, images, 0, extent, extent}, options);
     EXPECT_TRUE(result) << describe(result.error());
     return result ? result->image : Image{};
 }
@@ -136,7 +136,7 @@ TEST(ReferenceRenderer, FollowsTheSceneFromPictureToPicture) {
         scene.textures[0].pattern = pattern;
         for (const MinFilter filter : {MinFilter::Nearest, MinFilter::LinearMipmapLinear}) {
             scene.textures[0].minFilter = filter;
-            const Result<Drawn> next = renderer.draw(scene, ImageSource(), 0, 64, 64);
+            const Result<Frame> next = renderer.draw({scene, {}, 0, 64, 64});
             ASSERT_TRUE(next);
             EXPECT_EQ(next->image, drawn(scene, 64));
         }
@@ -150,8 +150,7 @@ struct Refused {
 };
 class BadSize : public testing::TestWithParam<Refused> {};
 TEST_P(BadSize, IsRefusedWithBothNumbers) {
-    const Result<Drawn> result =
-        drawReference(defaultScene(), ImageSource(), 0, GetParam().width, GetParam().height);
+    const Result<Frame> result = drawReference({defaultScene(), {}, 0, GetParam().width, GetParam().height});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::OutOfRange);
     EXPECT_THAT(result.error().message, testing::HasSubstr("1 x 1 to 16384 x 16384"));
@@ -164,8 +163,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadSize,
 TEST(DrawReference, StopsWhenItIsAskedTo) {
     std::stop_source source;
     source.request_stop();
-    const Result<Drawn> result =
-        drawReference(defaultScene(), ImageSource(), 0, 64, 64, {.stop = source.get_token()});
+    const Result<Frame> result = drawReference({defaultScene(), {}, 0, 64, 64}, {.stop = source.get_token()});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
 }
@@ -184,10 +182,11 @@ TEST_P(BadScene, IsDrawnWithoutHarm) {
     EXPECT_EQ(drawn(scene, 48), drawn(scene, 48, {.literal = true}));
     scene.textures[0].maxAnisotropy = 16;
     scene.view.perspectiveHint = HintMode::Fastest;
-    DrawOptions options{.anisotropy = AnisotropyMethod::Ellipse};
-    const Image quick = drawn(scene, 48, options);
-    options.literal = true;
-    EXPECT_EQ(quick, drawn(scene, 48, options));
+    const DrawRequest request{scene, {}, 0, 48, 48, AnisotropyMethod::Ellipse};
+    const Result<Frame> quick = drawReference(request);
+    const Result<Frame> literal = drawReference(request, {.literal = true});
+    ASSERT_TRUE(quick && literal);
+    EXPECT_EQ(quick->image, literal->image);
 }
 
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -26,16 +26,14 @@ Scene turned(float azimuth) {
 }
 
 Image expected(const DrawRequest& request) {
-    return drawReference(request.scene, request.images, request.time, request.width, request.height)
-        .value()
-        .image;
+    return drawReference(request).value().image;
 }
 
 /// Asks until the whole picture is there, as a window does that is woken.
-DrawWorker::Picture wholePicture(DrawWorker& worker, const DrawRequest& request) {
-    static_cast<void>(worker.picture(request));
+DrawWorker::Frame wholePicture(DrawWorker& worker, const DrawRequest& request) {
+    static_cast<void>(worker.frame(request));
     worker.wait();
-    return worker.picture(request);
+    return worker.frame(request);
 }
 
 class DrawWorkerTest : public testing::TestWithParam<When> {};
@@ -44,17 +42,17 @@ TEST_P(DrawWorkerTest, GivesWhatTheReferenceDraws) {
     DrawWorker worker(GetParam());
     for (const float azimuth : {0.0F, 40.0F}) {
         const DrawRequest request = requestOf(turned(azimuth));
-        const DrawWorker::Picture picture = wholePicture(worker, request);
+        const DrawWorker::Frame picture = wholePicture(worker, request);
         ASSERT_TRUE(picture.image);
         EXPECT_TRUE(picture.whole);
         EXPECT_EQ(*picture.image, expected(request));
-        EXPECT_EQ(worker.picture(request).image, picture.image) << "the same is not drawn again";
+        EXPECT_EQ(worker.frame(request).image, picture.image) << "the same is not drawn again";
     }
 }
 
 TEST_P(DrawWorkerTest, SaysWhatCanNotBeDrawn) {
     DrawWorker worker(GetParam());
-    const DrawWorker::Picture picture = wholePicture(worker, requestOf(defaultScene(), 0, 10));
+    const DrawWorker::Frame picture = wholePicture(worker, requestOf(defaultScene(), 0, 10));
     EXPECT_FALSE(picture.image);
     EXPECT_TRUE(picture.whole);
     EXPECT_THAT(picture.problems, testing::ElementsAre(testing::HasSubstr("not 0 x 10")));
@@ -74,7 +72,7 @@ TEST_P(DrawWorkerTest, ForgetsWhatNobodyLooksAt) {
     const DrawRequest request = requestOf(turned(10));
     const std::shared_ptr<const Image> before = wholePicture(worker, request).image;
     worker.rest();
-    const DrawWorker::Picture again = wholePicture(worker, request);
+    const DrawWorker::Frame again = wholePicture(worker, request);
     ASSERT_TRUE(again.image);
     EXPECT_NE(again.image, before);
     EXPECT_EQ(*again.image, *before);
@@ -92,12 +90,12 @@ TEST(DrawWorkerThread, TheLastPictureStaysUntilThereIsANewOne) {
     ASSERT_TRUE(wholePicture(worker, requestOf(turned(0))).whole);
     EXPECT_GT(wakes, 0);
     for (int degree = 1; degree <= 50; ++degree) { // a drag, faster than it can be drawn
-        const DrawWorker::Picture meanwhile =
-            worker.picture(requestOf(turned(static_cast<float>(degree)), 900, 700));
+        const DrawWorker::Frame meanwhile =
+            worker.frame(requestOf(turned(static_cast<float>(degree)), 900, 700));
         ASSERT_TRUE(meanwhile.image) << degree;
     }
     const DrawRequest last = requestOf(turned(50), 900, 700);
-    const DrawWorker::Picture picture = wholePicture(worker, last);
+    const DrawWorker::Frame picture = wholePicture(worker, last);
     EXPECT_TRUE(picture.whole);
     EXPECT_EQ(*picture.image, expected(last));
     EXPECT_FALSE(worker.isDrawing());
@@ -114,14 +112,14 @@ DrawRequest compressedRequest(Pattern pattern = Pattern::Checker) {
 TEST(DrawWorkerThread, OtherTexturesEndEvenACoarsePicture) {
     PausedEncoding encoding;
     DrawWorker worker(When::WhenReady, {}, encoding.work());
-    static_cast<void>(worker.picture(compressedRequest(Pattern::Checker)));
+    static_cast<void>(worker.frame(compressedRequest(Pattern::Checker)));
     encoding.waitUntilBegun();
     const DrawRequest other = compressedRequest(Pattern::MipColors);
-    static_cast<void>(worker.picture(other));
+    static_cast<void>(worker.frame(other));
     encoding.goOn();
     worker.wait();
     EXPECT_THAT(encoding.shares, testing::ElementsAre(testing::Lt(1), 1));
-    EXPECT_EQ(*worker.picture(other).image, expected(other));
+    EXPECT_EQ(*worker.frame(other).image, expected(other));
 }
 
 // While a user drags a border colour there is something to see.
@@ -129,18 +127,18 @@ TEST(DrawWorkerThread, OtherParametersLetACoarsePictureBeFinished) {
     PausedEncoding encoding;
     DrawWorker worker(When::WhenReady, {}, encoding.work());
     DrawRequest request = compressedRequest();
-    static_cast<void>(worker.picture(request));
+    static_cast<void>(worker.frame(request));
     encoding.waitUntilBegun();
     Texture& texture = request.scene.textures[0];
     texture.borderColor = {1, 0, 0, 1};
     texture.wrapS = Wrap::ClampToBorder;
     texture.maxAnisotropy = 4;
     texture.minLod = 1;
-    static_cast<void>(worker.picture(request));
+    static_cast<void>(worker.frame(request));
     encoding.goOn();
     worker.wait();
     EXPECT_THAT(encoding.shares, testing::ElementsAre(1)) << "the same levels, made once";
-    EXPECT_EQ(*worker.picture(request).image, expected(request));
+    EXPECT_EQ(*worker.frame(request).image, expected(request));
 }
 
 /// Of noise that takes seconds to compress.
@@ -163,7 +161,7 @@ TEST(DrawWorkerThread, EndsWithWorkUnderWay) {
         PausedEncoding encoding(0);
         {
             DrawWorker worker(When::WhenReady, {}, encoding.work());
-            static_cast<void>(worker.picture(slowRequest()));
+            static_cast<void>(worker.frame(slowRequest()));
             encoding.waitUntilBegun();
             encoding.goOn();
             if (rests) {
@@ -198,7 +196,7 @@ TEST_P(DrawWorkerTest, SaysWhatWasThrown) {
                                                throw std::runtime_error("the disc is gone");
                                        }});
     const DrawRequest request = compressedRequest();
-    const DrawWorker::Picture picture = wholePicture(worker, request);
+    const DrawWorker::Frame picture = wholePicture(worker, request);
     EXPECT_FALSE(picture.image);
     EXPECT_THAT(picture.problems, testing::ElementsAre("the picture can't be drawn: the disc is gone"));
     throws = false;
@@ -210,7 +208,7 @@ TEST(DrawWorkerThread, WhereThereIsNoneThePictureIsDrawnAtOnce) {
     const test::NoThreads none;
     DrawWorker worker(When::WhenReady);
     const DrawRequest request = requestOf(defaultScene(), 500, 400);
-    const DrawWorker::Picture& picture = worker.picture(request);
+    const DrawWorker::Frame& picture = worker.frame(request);
     EXPECT_TRUE(picture.whole);
     EXPECT_EQ(*picture.image, expected(request));
     worker.rest();

@@ -46,7 +46,7 @@ struct Flat {
     }
 
     [[nodiscard]] Explanation at(int x, int y, int extent = 4) const {
-        const Result<Explanation> found = probe(scene, images, 0, extent, extent, {x, y});
+        const Result<Explanation> found = probe({scene, images, 0, extent, extent}, {x, y});
         EXPECT_TRUE(found) << describe(found.error());
         return found.value_or(Explanation{});
     }
@@ -260,7 +260,7 @@ struct Refused {
 class BadPixel : public testing::TestWithParam<Refused> {};
 TEST_P(BadPixel, IsRefusedWithItsNumbers) {
     const auto& [name, width, height, pixel, expected] = GetParam();
-    const Result<Explanation> found = probe(defaultScene(), ImageSource(), 0, width, height, pixel);
+    const Result<Explanation> found = probe({defaultScene(), {}, 0, width, height}, pixel);
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().code, ErrorCode::OutOfRange);
     EXPECT_THAT(found.error().message, HasSubstr(expected));
@@ -280,25 +280,24 @@ INSTANTIATE_TEST_SUITE_P(
 struct Case {
     const char* name;
     void (*change)(Scene& scene);
-    DrawOptions options{};
+    AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
 };
 class EveryPixel : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryPixel, HasTheBytesOfThePicture) {
-    const auto& [name, change, options] = GetParam();
+    const auto& [name, change, anisotropy] = GetParam();
     Scene scene = defaultScene();
     change(scene);
     constexpr int width = 40;
     constexpr int height = 24;
-    const ImageSource images;
-    const Result<Drawn> drawn = drawReference(scene, images, 0.75, width, height, options);
+    const DrawRequest request{scene, {}, 0.75, width, height, anisotropy};
+    const Result<Frame> drawn = drawReference(request);
     ASSERT_TRUE(drawn);
     ReferenceRenderer renderer;
     std::size_t fragments = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const Result<Explanation> found =
-                renderer.probe(scene, images, 0.75, width, height, {x, y}, options);
+            const Result<Explanation> found = renderer.probe(request, {x, y});
             ASSERT_TRUE(found) << describe(found.error());
             for (std::size_t i = 0; i < 4; ++i)
                 ASSERT_EQ(found->bytes[i], std::to_integer<int>(drawn->image.at(x, y)[i])) << x << ", " << y;
@@ -348,7 +347,7 @@ INSTANTIATE_TEST_SUITE_P(
                              showOnly(it, Shape::Floor);
                              it.textures[0].maxAnisotropy = 8;
                          },
-                         {.anisotropy = AnisotropyMethod::Ellipse}},
+                         AnisotropyMethod::Ellipse},
                     Case{"Affine",
                          [](Scene& it) {
                              showOnly(it, Shape::Floor);

@@ -113,7 +113,7 @@ TEST_F(Images, WhatIsPutThereNeedsNoFileAndReplacesWhatWas) {
     ASSERT_NE(first, nullptr);
     source_.put(made.file, drawPattern(Pattern::CheckerRed));
     EXPECT_EQ(uprightImage(*source_.find(made)), drawPattern(Pattern::CheckerRed));
-    EXPECT_EQ(uprightImage(*first), drawPattern(Pattern::Checker)) << "whoever holds the old one keeps it";
+    EXPECT_EQ(uprightImage(*first), drawPattern(Pattern::Checker)) << "a pointer to the old one keeps it";
 }
 
 TEST_F(Images, AFileThatFailedIsTriedAgain) {

@@ -61,10 +61,10 @@ int main(int count, char** words) {
 
     ImageSource images;
     images.put("it", texture);
-    const auto explained = orEnd(reference::probe(scene, images, 0, width, height, {0, 0}));
-    reference::Drawn drawn[2];
-    const auto draw = [&](reference::Drawn& into) {
-        into = orEnd(reference::drawReference(scene, images, 0, width, height));
+    const auto explained = orEnd(reference::probe({scene, images, 0, width, height}, {0, 0}));
+    Frame drawn[2];
+    const auto draw = [&](Frame& into) {
+        into = orEnd(reference::drawReference({scene, images, 0, width, height}));
     };
     std::thread other(draw, std::ref(drawn[1]));
     draw(drawn[0]);

@@ -34,14 +34,14 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     open();
     clickAt(onTheCube());
     ASSERT_TRUE(session->window.explaining.pixel);
-    const Panes panes(layout, session->window.views, {layout.picture.width, layout.picture.height});
+    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
     const auto expected = panes.pixelAt(onTheCube());
     EXPECT_EQ(*session->window.explaining.pixel, (reference::PixelPlace{expected->x, expected->y}));
     const reference::Explanation* found = explanationOf(*session);
     ASSERT_NE(found, nullptr);
-    const auto alone =
-        reference::probe(session->document.scene, session->document.images, 0, layout.picture.width,
-                         layout.picture.height, *session->window.explaining.pixel);
+    const auto alone = reference::probe(
+        {session->document.scene, session->document.images, 0, layout.picture.width, layout.picture.height},
+        *session->window.explaining.pixel);
     EXPECT_EQ(found->bytes, alone->bytes);
     EXPECT_NE(found->seen(), nullptr);
     EXPECT_TRUE(has("explain:pixel"));

@@ -22,9 +22,9 @@ protected:
             file->bytes[i] = static_cast<std::byte>(i);
         file->fileBytes = file->bytes.size();
         file->problem = "Made up: the pixels are bad";
-        FileView& view = session->window.fileView;
+        InspectedFile& view = session->window.fileView;
         view.chosen = view.shown = "/made/up.img";
-        receiveView(*session, ImageLoader::Content(std::shared_ptr<const DissectedFile>(file)));
+        receiveInspected(*session, ImageLoader::Content(std::shared_ptr<const DissectedFile>(file)));
         click("tab:File");
     }
     /// Where a byte is in the bytes, in its hexadecimal form.

@@ -61,10 +61,10 @@ TEST_F(Findings, WhatADriverLacksIsNoMatterWhereOnlyTheReferenceDraws) {
     texture().border = 1; // Mesa takes it away
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
-    showOne(session->window.views, RendererKind::Reference);
+    showOne(session->window.view, RendererKind::Reference);
     frames(2);
     EXPECT_FALSE(has("textures[0].border#problem"));
-    showComparison(session->window.views, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
 }

@@ -67,7 +67,7 @@ TEST_F(EditMenu, TheListsFollowWhatUndoShows) {
     scene().models[0].visible = true;
     scene().models[1].visible = false;
     recordEdit(*session, "Visible");
-    EXPECT_EQ(session->window.selection.model, 1) << "whoever hides a model is still at its switch";
+    EXPECT_EQ(session->window.selection.model, 1) << "hiding a model does not move the selection off it";
     key('Z', {ctrl});
     EXPECT_EQ(session->window.selection.model, 1);
     key('Y', {ctrl});

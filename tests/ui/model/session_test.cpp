@@ -59,16 +59,16 @@ TEST_F(OpeningAScene, KeepsTheStageOfTheShaders) {
 
 TEST_F(OpeningAScene, KeepsHowOneLooksAtIt) {
     WindowState& window = session->window;
-    showComparison(window.views, {RendererKind::Fixed, RendererKind::Reference});
-    window.views.zoom = {4, {0.3F, 0.6F}};
+    showComparison(window.view, {RendererKind::Fixed, RendererKind::Reference});
+    window.view.zoom = {4, {0.3F, 0.6F}};
     window.plane = {1, 2, 3};
     window.columns = {300, 400, 0.4F};
     window.selection.unit = 2;
     window.explaining.pixel = {5, 6};
     open(R"({"version": 1})");
-    EXPECT_EQ(window.views.arrangement, Arrangement::Split);
-    EXPECT_EQ(window.views.compared[1], RendererKind::Reference);
-    EXPECT_EQ(window.views.zoom, (PictureZoom{4, {0.3F, 0.6F}}));
+    EXPECT_EQ(window.view.arrangement, Arrangement::Split);
+    EXPECT_EQ(window.view.compared[1], RendererKind::Reference);
+    EXPECT_EQ(window.view.zoom, (PictureZoom{4, {0.3F, 0.6F}}));
     EXPECT_EQ(window.plane.extent, 3);
     EXPECT_EQ(window.columns, (Columns{300, 400, 0.4F}));
     EXPECT_EQ(window.selection.unit, 2);

@@ -189,7 +189,7 @@ TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
-/// Walks the tables: whoever adds a row gets its widget, and a row without one is found here.
+/// Walks the tables: a new row gets its widget, and a row without one is found here.
 TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().matrix.resize(1);
     unit().matrix[0].op = MatrixOp::Rotate;

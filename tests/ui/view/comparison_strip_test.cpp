@@ -27,28 +27,28 @@ protected:
 
 TEST_F(Comparison, TheMenuBarAndAKeyLeadThereAndBack) {
     click("renderer:Compare");
-    EXPECT_EQ(session->window.views.arrangement, Arrangement::Split);
+    EXPECT_EQ(session->window.view.arrangement, Arrangement::Split);
     click("arrangement:Side by side");
-    EXPECT_EQ(session->window.views.arrangement, Arrangement::Grid);
+    EXPECT_EQ(session->window.view.arrangement, Arrangement::Grid);
     click("renderer:Shader");
-    EXPECT_EQ(session->window.views.arrangement, Arrangement::One);
+    EXPECT_EQ(session->window.view.arrangement, Arrangement::One);
     EXPECT_FALSE(has("arrangement:Split"));
     key('4');
-    EXPECT_EQ(session->window.views.arrangement, Arrangement::Grid) << "as it was last";
+    EXPECT_EQ(session->window.view.arrangement, Arrangement::Grid) << "as it was last";
     click("menu:View");
     click("menu:Compare");
-    EXPECT_TRUE(isComparing(session->window.views));
+    EXPECT_TRUE(isComparing(session->window.view));
 }
 
 TEST_F(Comparison, TheSeamIsDraggedAndTheCameraStays) {
     click("renderer:Compare");
     const View before = scene().view;
     drag(place("picture seam"), {100, 5});
-    EXPECT_NEAR(session->window.views.split, 0.5F + 100 / static_cast<float>(layout.picture.width), 0.01F);
+    EXPECT_NEAR(session->window.view.split, 0.5F + 100 / static_cast<float>(layout.picture.width), 0.01F);
     drag(place("picture seam"), {-2000, 0});
-    EXPECT_EQ(session->window.views.split, 0);
+    EXPECT_EQ(session->window.view.split, 0);
     drag(place("picture seam"), {60, 0});
-    EXPECT_GT(session->window.views.split, 0.05F) << "it can be taken hold of at the edge";
+    EXPECT_GT(session->window.view.split, 0.05F) << "it can be taken hold of at the edge";
     EXPECT_EQ(scene().view, before);
 }
 
@@ -56,24 +56,24 @@ TEST_F(Comparison, ListsChooseTheTwo) {
     click("renderer:Compare");
     click("compared:1");
     click("compared:1=shader");
-    EXPECT_THAT(session->window.views.compared,
+    EXPECT_THAT(session->window.view.compared,
                 testing::ElementsAre(RendererKind::Fixed, RendererKind::Shader));
     click("arrangement:Side by side");
     click("compared:0");
     click("compared:0=reference");
-    EXPECT_THAT(session->window.views.compared,
+    EXPECT_THAT(session->window.view.compared,
                 testing::ElementsAre(RendererKind::Reference, RendererKind::Shader));
 }
 
 TEST_F(Comparison, EachSideOfTheSeamIsItsRenderersPicture) {
     start(defaultScene(), 900, 600);
     std::array<Image, 2> alone;
-    showComparison(session->window.views);
-    session->window.views.split = 0;
+    showComparison(session->window.view);
+    session->window.view.split = 0;
     alone[1] = window();
-    session->window.views.split = 1;
+    session->window.view.split = 1;
     alone[0] = window();
-    session->window.views.split = 0.5F;
+    session->window.view.split = 0.5F;
     const Image both = window();
     const int seam = layout.picture.x + layout.picture.width / 2;
     for (int y = layout.picture.y + 70; y < layout.picture.bottom(); ++y) { // below the lists
@@ -86,10 +86,10 @@ TEST_F(Comparison, EachSideOfTheSeamIsItsRenderersPicture) {
 }
 
 TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
-    showComparison(session->window.views,
+    showComparison(session->window.view,
                    {RendererKind::Fixed, RendererKind::Reference, RendererKind::Shader});
     const Image shown = window();
-    const Panes panes(layout, session->window.views, {layout.picture.width, layout.picture.height});
+    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
     const Rect& fixed = panes.all()[0].frame;
     const Rect& reference = panes.all()[2].frame;
     const Rect& heat = panes.all()[3].frame;
@@ -121,7 +121,7 @@ TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
             const int difference = differenceAt(x, y);
             different += difference > 0 ? 1 : 0;
             const auto expected =
-                heatColor(static_cast<float>(difference), {session->window.views.tolerance, 255});
+                heatColor(static_cast<float>(difference), {session->window.view.tolerance, 255});
             ASSERT_EQ(at(shown, heat.x + x, heat.y + y),
                       (std::array<int, 3>{expected[0], expected[1], expected[2]}))
                 << x << ", " << y;
@@ -131,12 +131,12 @@ TEST_F(Comparison, TheGridShowsTheHeatMapOfTheTwo) {
 }
 
 TEST_F(Comparison, TheStripSaysHowFarTheyAreApart) {
-    showComparison(session->window.views, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
     static_cast<void>(window());
     EXPECT_TRUE(has("share over"));
     EXPECT_TRUE(has("mean difference"));
     ASSERT_TRUE(has("worst"));
-    session->window.views.compared = {RendererKind::Fixed, RendererKind::Fixed};
+    session->window.view.compared = {RendererKind::Fixed, RendererKind::Fixed};
     static_cast<void>(window());
     EXPECT_TRUE(has("equal"));
     EXPECT_FALSE(has("worst"));
@@ -144,11 +144,11 @@ TEST_F(Comparison, TheStripSaysHowFarTheyAreApart) {
 
 // A ring says that something is over the tolerance: a difference of one pixel is within one of 255.
 TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
-    showComparison(session->window.views, {RendererKind::Fixed, RendererKind::Reference});
-    session->window.views.tolerance = 2;
+    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
+    session->window.view.tolerance = 2;
     static_cast<void>(window());
     EXPECT_TRUE(has("ring"));
-    session->window.views.tolerance = Views::largestTolerance;
+    session->window.view.tolerance = ViewSettings::largestTolerance;
     static_cast<void>(window());
     ASSERT_TRUE(has("worst"));
     EXPECT_FALSE(has("ring"));
@@ -156,23 +156,23 @@ TEST_F(Comparison, OnlyWhatIsOverTheToleranceIsRinged) {
 
 // What is only noted, such as a border that the driver takes away, keeps no picture back.
 TEST_F(Comparison, APictureThatIsStillToComeIsNotMissing) {
-    showComparison(session->window.views, {RendererKind::Fixed, RendererKind::Reference});
+    showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
     frames(2);
     const std::array notes{std::string("textures[0]: drawn without its border")};
-    std::vector<RenderedView> views;
-    for (const RendererKind renderer : session->window.views.compared)
-        views.push_back({renderer, {0, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});
-    const Pictures coming{.views = views, .problems = notes};
-    EXPECT_TRUE(isDrawing(coming, session->window.views.compared));
+    std::vector<ViewFrame> frames;
+    for (const RendererKind renderer : session->window.view.compared)
+        frames.push_back({renderer, {0, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});
+    const Pictures coming{.frames = frames, .problems = notes};
+    EXPECT_TRUE(isDrawing(coming, session->window.view.compared));
     EXPECT_FALSE(isDrawing(coming, std::array{RendererKind::Fixed}));
-    views[1].whole = true;
-    EXPECT_FALSE(isDrawing(coming, session->window.views.compared));
+    frames[1].whole = true;
+    EXPECT_FALSE(isDrawing(coming, session->window.view.compared));
 }
 
 TEST_F(Comparison, AllOfTheStripIsInSightInEveryWindow) {
     for (const auto& [width, height] : {std::pair{1280, 800}, {900, 600}, {1920, 1080}}) {
         start(defaultScene(), width, height);
-        showComparison(session->window.views, {RendererKind::Fixed, RendererKind::Reference});
+        showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
         static_cast<void>(window());
         for (const char* name : {"arrangement:Split", "arrangement:Side by side", "tolerance", "share over",
                                  "mean difference", "worst"}) {

@@ -41,7 +41,7 @@ TEST_F(Magnifier, AKeyAndTheViewMenuSwitchIt) {
 }
 
 TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
-    session->window.views.magnifies = true;
+    session->window.view.magnifies = true;
     static_cast<void>(picture());
     for (const ImVec2 share :
          {ImVec2(0.2F, 0.5F), ImVec2(0.25F, 0.42F), ImVec2(0.7F, 0.5F), ImVec2(0.01F, 0.01F)}) {
@@ -57,7 +57,7 @@ TEST_F(Magnifier, ShowsThePixelUnderTheMouse) {
 
 TEST_F(Magnifier, ItsHeadingFits) {
     start(defaultScene(), 2400, 1200);
-    session->window.views.magnifies = true;
+    session->window.view.magnifies = true;
     moveTo(inside(0.9F, 0.9F)); // where numbers are long
     const WidgetPlaces::Item& frame = places.items.at("magnifier");
     const WidgetPlaces::Item& where = places.items.at("magnifier:where");
@@ -66,14 +66,14 @@ TEST_F(Magnifier, ItsHeadingFits) {
 }
 
 TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
-    session->window.views.magnifies = true;
-    showComparison(session->window.views,
+    session->window.view.magnifies = true;
+    showComparison(session->window.view,
                    {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
     static_cast<void>(picture());
     static_cast<void>(picture());
     moveTo(inside(0.2F, 0.5F));
     const Image window = picture();
-    const Panes panes(layout, session->window.views, {layout.picture.width, layout.picture.height});
+    const Panes panes(layout, session->window.view, {layout.picture.width, layout.picture.height});
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (const Pane& pane : panes.all()) {
         const std::string name = pane.renderer ? std::string(rowOf(*pane.renderer).label) : "Difference";
@@ -88,8 +88,8 @@ TEST_F(Magnifier, ShowsTheSamePixelOfEveryPicture) {
 
 TEST_F(Magnifier, StaysInTheWindow) {
     start(defaultScene(), 900, 600);
-    session->window.views.magnifies = true;
-    showComparison(session->window.views,
+    session->window.view.magnifies = true;
+    showComparison(session->window.view,
                    {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
     frames(2);
     for (const ImVec2 share :

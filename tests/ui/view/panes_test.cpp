@@ -7,8 +7,8 @@ namespace {
 
 constexpr view::Size picture{600, 400}; // twice as dense as the mouse
 
-Layout layoutWith(const Views& views, int width = 300, int height = 200) {
-    const PaneGrid grid = gridOf(views);
+Layout layoutWith(const ViewSettings& settings, int width = 300, int height = 200) {
+    const PaneGrid grid = gridOf(settings);
     Layout layout;
     layout.canvas = {100, 50, width * grid.columns + 2 * (grid.columns - 1),
                      height * grid.rows + 2 * (grid.rows - 1)};
@@ -17,8 +17,8 @@ Layout layoutWith(const Views& views, int width = 300, int height = 200) {
 }
 
 TEST(Panes, OnePaneShowsTheWholePicture) {
-    const Views views;
-    const Panes panes(layoutWith(views), views, picture);
+    const ViewSettings settings;
+    const Panes panes(layoutWith(settings), settings, picture);
     ASSERT_EQ(panes.all().size(), 1U);
     EXPECT_EQ(panes.all().front().renderer, RendererKind::Fixed);
     EXPECT_EQ(panes.pixelAt({100.75F, 50.75F}), glm::ivec2(1, 398)) << "rows are counted from the bottom";
@@ -35,10 +35,10 @@ TEST(Panes, OnePaneShowsTheWholePicture) {
 }
 
 TEST(Panes, TheSeamCutsOnePictureInTwo) {
-    Views views;
-    showComparison(views, {RendererKind::Shader, RendererKind::Reference});
-    views.split = 0.25F;
-    const Panes panes(layoutWith(views), views, picture);
+    ViewSettings settings;
+    showComparison(settings, {RendererKind::Shader, RendererKind::Reference});
+    settings.split = 0.25F;
+    const Panes panes(layoutWith(settings), settings, picture);
     ASSERT_EQ(panes.all().size(), 2U);
     const Pane* left = panes.under({174, 100});
     const Pane* right = panes.under({176, 100});
@@ -49,9 +49,9 @@ TEST(Panes, TheSeamCutsOnePictureInTwo) {
 }
 
 TEST(Panes, TheGridShowsTheSamePixelInEveryPane) {
-    Views views;
-    showComparison(views, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
-    const Panes panes(layoutWith(views), views, picture);
+    ViewSettings settings;
+    showComparison(settings, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+    const Panes panes(layoutWith(settings), settings, picture);
     std::vector<std::optional<RendererKind>> shown;
     for (const Pane& pane : panes.all()) {
         shown.push_back(pane.renderer);
@@ -65,46 +65,46 @@ TEST(Panes, TheGridShowsTheSamePixelInEveryPane) {
 }
 
 TEST(Panes, AZoomKeepsWhatIsUnderTheMouse) {
-    Views views;
-    const Layout layout = layoutWith(views);
+    ViewSettings settings;
+    const Layout layout = layoutWith(settings);
     const ImVec2 mouse(340, 80);
-    const glm::vec2 before = Panes(layout, views, picture).toPicture({{}, layout.picture, {}}, mouse);
+    const glm::vec2 before = Panes(layout, settings, picture).toPicture({{}, layout.picture, {}}, mouse);
     for (int notch = 0; notch < 3; ++notch)
-        zoomPictures(views, layout, mouse, 1);
-    EXPECT_EQ(views.zoom.factor, 8);
-    const Panes panes(layout, views, picture);
+        zoomPictures(settings, layout, mouse, 1);
+    EXPECT_EQ(settings.zoom.factor, 8);
+    const Panes panes(layout, settings, picture);
     const glm::vec2 after = panes.toPicture(panes.all().front(), mouse);
     EXPECT_NEAR(after.x, before.x, 0.01F);
     EXPECT_NEAR(after.y, before.y, 0.01F);
     EXPECT_EQ(panes.pixelExtent(), glm::vec2(4));
 
-    movePictures(views, layout, {40, -16}); // the pictures follow the mouse: ten pixels, and four
-    const Panes moved(layout, views, picture);
+    movePictures(settings, layout, {40, -16}); // the pictures follow the mouse: ten pixels, and four
+    const Panes moved(layout, settings, picture);
     EXPECT_NEAR(moved.toPicture(moved.all().front(), mouse).x, before.x - 10, 0.01F);
     EXPECT_NEAR(moved.toPicture(moved.all().front(), mouse).y, before.y - 4, 0.01F);
-    zoomPictures(views, layout, mouse, -9);
-    EXPECT_EQ(views.zoom, PictureZoom());
+    zoomPictures(settings, layout, mouse, -9);
+    EXPECT_EQ(settings.zoom, PictureZoom());
 }
 
 TEST(Panes, NothingBeyondThePictureIsShown) {
-    Views views;
-    const Layout layout = layoutWith(views);
-    zoomPictures(views, layout, {101, 51}, 1);
-    movePictures(views, layout, {500, 500});
-    const Panes panes(layout, views, picture);
+    ViewSettings settings;
+    const Layout layout = layoutWith(settings);
+    zoomPictures(settings, layout, {101, 51}, 1);
+    movePictures(settings, layout, {500, 500});
+    const Panes panes(layout, settings, picture);
     EXPECT_EQ(panes.partLow(), glm::vec2(0, 0.5F));
     EXPECT_EQ(panes.partHigh(), glm::vec2(0.5F, 1));
-    zoomPictures(views, layout, {101, 51}, 99);
-    EXPECT_EQ(views.zoom.factor, PictureZoom::largest);
-    zoomPictures(views, layout, {0, 0}, -1);
-    EXPECT_EQ(views.zoom.factor, PictureZoom::largest) << "the mouse is elsewhere";
+    zoomPictures(settings, layout, {101, 51}, 99);
+    EXPECT_EQ(settings.zoom.factor, PictureZoom::largest);
+    zoomPictures(settings, layout, {0, 0}, -1);
+    EXPECT_EQ(settings.zoom.factor, PictureZoom::largest) << "the mouse is elsewhere";
 }
 
 TEST(Panes, ToWindowIsTheInverseOfToPicture) {
-    Views views;
-    showComparison(views, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
-    views.zoom = {4, {0.3F, 0.6F}};
-    const Panes panes(layoutWith(views), views, picture);
+    ViewSettings settings;
+    showComparison(settings, {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
+    settings.zoom = {4, {0.3F, 0.6F}};
+    const Panes panes(layoutWith(settings), settings, picture);
     for (const Pane& pane : panes.all()) {
         const ImVec2 place(static_cast<float>(pane.frame.x) + 17, static_cast<float>(pane.frame.y) + 5);
         const ImVec2 back = panes.toWindow(pane, panes.toPicture(pane, place));
@@ -114,8 +114,8 @@ TEST(Panes, ToWindowIsTheInverseOfToPicture) {
 }
 
 TEST(Panes, WithoutAPictureThereIsNoPixel) {
-    const Views views;
-    const Panes panes(layoutWith(views), views, {0, 0});
+    const ViewSettings settings;
+    const Panes panes(layoutWith(settings), settings, {0, 0});
     EXPECT_EQ(panes.pixelAt({200, 100}), std::nullopt);
 }
 

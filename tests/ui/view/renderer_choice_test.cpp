@@ -25,30 +25,30 @@ protected:
 TEST_F(RendererChoice, TheMenuBarChoosesAmongThem) {
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         click("renderer:" + std::string(row.label));
-        EXPECT_EQ(session->window.views.renderer, static_cast<RendererKind>(row.value)) << row.label;
+        EXPECT_EQ(session->window.view.renderer, static_cast<RendererKind>(row.value)) << row.label;
     }
     EXPECT_FALSE(session->document.history.canUndo()) << "it is no edit of the scene";
 }
 
 TEST_F(RendererChoice, KeysAndTheViewMenuChooseToo) {
     key('3');
-    EXPECT_EQ(session->window.views.renderer, RendererKind::Reference);
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
     key('2');
-    EXPECT_EQ(session->window.views.renderer, RendererKind::Shader);
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
     click("menu:View");
     click("menu:Drawn by: Fixed function");
-    EXPECT_EQ(session->window.views.renderer, RendererKind::Fixed);
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Fixed);
 }
 
 TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropy) {
     Scene scene = defaultScene();
     scene.textures[0].maxAnisotropy = 8;
     start(std::move(scene), 800, 500);
-    showOne(session->window.views, RendererKind::Reference);
+    showOne(session->window.view, RendererKind::Reference);
     const auto probes = view();
     click("menu:View");
     click("menu:Anisotropy of the reference: Ellipse");
-    EXPECT_EQ(session->window.views.anisotropy, reference::AnisotropyMethod::Ellipse);
+    EXPECT_EQ(session->window.view.anisotropy, reference::AnisotropyMethod::Ellipse);
     EXPECT_FALSE(view() == probes);
 }
 
@@ -64,7 +64,7 @@ TEST_F(RendererChoice, EachDrawsThePictureItself) {
     start(defaultScene(), 800, 500);
     std::vector<std::vector<std::byte>> pictures;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        showOne(session->window.views, static_cast<RendererKind>(row.value));
+        showOne(session->window.view, static_cast<RendererKind>(row.value));
         pictures.push_back(view());
     }
     for (std::size_t i = 1; i < pictures.size(); ++i) {

@@ -77,7 +77,7 @@ TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
     hold(true);
     wheel(pixelOf(0, 2), 1);
     wheel(pixelOf(0, 2), 1);
-    EXPECT_EQ(session->window.views.zoom.factor, 4);
+    EXPECT_EQ(session->window.view.zoom.factor, 4);
     hold(false);
     const ImVec2 where = pixelOf(0, 2); // of the vertex, which stayed under the mouse
     clickAt(where);
@@ -94,7 +94,7 @@ TEST_F(ViewPanel, WithCtrlTheMouseEnlargesAndMovesThePicture) {
 
 TEST_F(ViewPanel, AnEnlargedPictureShowsItsPixelsAsSquares) {
     const ImVec2 at = pixelOf(0, 2);
-    zoomPictures(session->window.views, layout, at, 5);
+    zoomPictures(session->window.view, layout, at, 5);
     const Image window = picture();
     for (int y = layout.picture.y; y < layout.picture.bottom(); ++y) {
         int changes = 0;

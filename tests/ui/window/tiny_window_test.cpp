@@ -13,7 +13,7 @@ protected:
         start(defaultScene(), width, height);
         session->window.selection.vertex = 3;
         session->window.explaining.pixel = {0, 0};
-        session->window.views.magnifies = true;
+        session->window.view.magnifies = true;
         session->window.showRq = true;
         texture().mipmaps = MipPolicy::None; // something to say in the status bar
         unit().envMode = EnvMode::Combine;
@@ -29,7 +29,7 @@ protected:
         }
         for (const bool compares : {false, true}) {
             if (compares)
-                showComparison(session->window.views,
+                showComparison(session->window.view,
                                {RendererKind::Fixed, RendererKind::Shader, RendererKind::Reference});
             frames(2);
         }

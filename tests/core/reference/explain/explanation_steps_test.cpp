@@ -22,7 +22,7 @@ std::string textOf(void (*change)(Scene& scene)) {
     scene.models[0].shape = Shape::Quad;
     scene.view = View{};
     change(scene);
-    const Result<Explanation> found = probe(scene, ImageSource(), 0, 9, 9, {4, 4});
+    const Result<Explanation> found = probe({scene, {}, 0, 9, 9}, {4, 4});
     EXPECT_TRUE(found);
     std::string text;
     for (const FragmentSteps& fragment : stepsOf(found.value_or(Explanation{}))) {

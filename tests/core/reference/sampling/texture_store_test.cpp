@@ -90,7 +90,7 @@ TEST_F(Store, HoldsWhatTheSceneSamplesAlone) {
     EXPECT_EQ(image.use_count(), unused);
 }
 
-// Whoever gives only the stop of the levels is answered with it, too; the first unit's texels are not freed
+// The stop of the levels alone is heeded, too; the first unit's texels are not freed
 // under it.
 struct Question {
     const char* name;
@@ -111,19 +111,18 @@ TEST_P(LateStopped, IsCancelled) {
 }
 INSTANTIATE_TEST_SUITE_P(
     All, LateStopped,
-    testing::Values(
-        Question{"Picture",
-                 [](ReferenceRenderer& renderer, const Scene& scene, const DrawOptions& options) {
-                     return codeOf(renderer.draw(scene, ImageSource(), 0, 64, 48, options));
-                 }},
-        Question{"Probe",
-                 [](ReferenceRenderer& renderer, const Scene& scene, const DrawOptions& options) {
-                     return codeOf(renderer.probe(scene, ImageSource(), 0, 64, 48, {20, 24}, options));
-                 }},
-        Question{"Contributions",
-                 [](ReferenceRenderer& renderer, const Scene& scene, const DrawOptions& options) {
-                     return codeOf(renderer.contributions(scene, ImageSource(), 0, 64, 48, {}, options));
-                 }}),
+    testing::Values(Question{"Picture",
+                             [](ReferenceRenderer& renderer, const Scene& scene, const DrawOptions& options) {
+                                 return codeOf(renderer.draw({scene, {}, 0, 64, 48}, options));
+                             }},
+                    Question{"Probe",
+                             [](ReferenceRenderer& renderer, const Scene& scene, const DrawOptions& options) {
+                                 return codeOf(renderer.probe({scene, {}, 0, 64, 48}, {20, 24}, options));
+                             }},
+                    Question{"Contributions",
+                             [](ReferenceRenderer& renderer, const Scene& scene, const DrawOptions& options) {
+                                 return codeOf(renderer.contributions({scene, {}, 0, 64, 48}, {}, options));
+                             }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 // Not Unsupported, as where the unit has no texture.
@@ -132,8 +131,7 @@ TEST(StoppedContributions, AreCancelled) {
     stopped.request_stop();
     DrawOptions options;
     options.stop = options.levels.stop = stopped.get_token();
-    EXPECT_EQ(codeOf(contributions(sceneWithTwoUnits(), ImageSource(), 0, 64, 48, {}, options)),
-              ErrorCode::Cancelled);
+    EXPECT_EQ(codeOf(contributions({sceneWithTwoUnits(), {}, 0, 64, 48}, {}, options)), ErrorCode::Cancelled);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/stage/graphics.h"
-#include "app/ui/model/rendered_view.h"
 #include "app/ui/model/session.h"
+#include "app/ui/model/view_frame.h"
 
 #include <array>
 #include <map>
@@ -14,20 +14,20 @@
 namespace texplorer::stage {
 
 /// The pictures that the view shows, by whichever renderers it asks for.
-class ViewPictures {
+class ViewFrames {
 public:
     /// `graphics` must outlive it.
-    explicit ViewPictures(Graphics& graphics)
+    explicit ViewFrames(Graphics& graphics)
         : graphics_(graphics) {}
 
-    /// To be called once a frame, before the panels are drawn: the views are valid until the next call.
+    /// To be called once a frame, before the panels are drawn: the frames are valid until the next call.
     void draw(ui::Session& session, view::Size size);
 
     /// In the order of ui::shownRenderers; never empty after `draw`.
-    [[nodiscard]] const std::vector<ui::RenderedView>& views() const { return views_; }
+    [[nodiscard]] const std::vector<ui::ViewFrame>& frames() const { return frames_; }
 
     /// Of the two that the session compares; nullptr: it doesn't, or one of them isn't whole.
-    [[nodiscard]] const ui::RenderedDifference* difference() const {
+    [[nodiscard]] const ui::ViewDifference* difference() const {
         return difference_ ? &*difference_ : nullptr;
     }
 
@@ -49,15 +49,15 @@ private:
         std::shared_ptr<const Image> image;
     };
 
-    [[nodiscard]] ui::RenderedView drawLive(RendererKind kind, ui::Session& session, view::Size size);
-    [[nodiscard]] ui::RenderedView drawReference(ui::Session& session, view::Size size);
+    [[nodiscard]] ui::ViewFrame drawLive(RendererKind kind, ui::Session& session, view::Size size);
+    [[nodiscard]] ui::ViewFrame drawReference(ui::Session& session, view::Size size);
     void addProblems(const std::vector<std::string>& problems);
-    void compareViews(const ui::Views& views);
+    void compareViews(const ui::ViewSettings& settings);
 
     Graphics& graphics_;
     std::map<RendererKind, Pixels> pixels_;
-    std::vector<ui::RenderedView> views_;
-    std::optional<ui::RenderedDifference> difference_;
+    std::vector<ui::ViewFrame> frames_;
+    std::optional<ui::ViewDifference> difference_;
     std::array<std::shared_ptr<const Image>, 2> compared_; ///< what the difference was made of
     std::shared_ptr<const Image> heatMap_;
     std::vector<std::string> problems_;

@@ -1,4 +1,4 @@
-#include "app/stage/view_pictures.h"
+#include "app/stage/view_frames.h"
 
 #include <algorithm>
 #include <array>
@@ -6,28 +6,28 @@
 
 namespace texplorer::stage {
 
-void ViewPictures::draw(ui::Session& session, view::Size size) {
-    views_.clear();
-    for (const RendererKind kind : ui::shownRenderers(session.window.views)) {
-        const auto drawn = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
-        if (drawn != views_.end()) // compared with itself
-            views_.push_back(ui::RenderedView(*drawn));
+void ViewFrames::draw(ui::Session& session, view::Size size) {
+    frames_.clear();
+    for (const RendererKind kind : ui::shownRenderers(session.window.view)) {
+        const auto drawn = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
+        if (drawn != frames_.end()) // compared with itself
+            frames_.push_back(ui::ViewFrame(*drawn));
         else
-            views_.push_back(kind == RendererKind::Reference ? drawReference(session, size)
-                                                             : drawLive(kind, session, size));
+            frames_.push_back(kind == RendererKind::Reference ? drawReference(session, size)
+                                                              : drawLive(kind, session, size));
     }
-    if (std::ranges::find(views_, RendererKind::Reference, &ui::RenderedView::renderer) == views_.end())
+    if (std::ranges::find(frames_, RendererKind::Reference, &ui::ViewFrame::renderer) == frames_.end())
         session.services.reference.rest();
-    compareViews(session.window.views);
+    compareViews(session.window.view);
     problems_.clear();
     shaders_.clear();
-    for (const ui::RenderedView& view : views_) {
+    for (const ui::ViewFrame& view : frames_) {
         addProblems(view.frame.problems);
         if (view.renderer == RendererKind::Shader)
             shaders_ = view.frame.shaders;
     }
     const bool drawn =
-        std::ranges::find(views_, RendererKind::Shader, &ui::RenderedView::renderer) != views_.end();
+        std::ranges::find(frames_, RendererKind::Shader, &ui::ViewFrame::renderer) != frames_.end();
     if (session.window.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
         const view::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
         addProblems(frame.problems);
@@ -35,15 +35,15 @@ void ViewPictures::draw(ui::Session& session, view::Size size) {
     }
 }
 
-void ViewPictures::addProblems(const std::vector<std::string>& problems) {
+void ViewFrames::addProblems(const std::vector<std::string>& problems) {
     for (const std::string& problem : problems) {
         if (std::ranges::find(problems_, problem) == problems_.end())
             problems_.push_back(problem);
     }
 }
 
-ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
-    ui::RenderedView view{kind, {0, size, 0, {}, false}, nullptr, true};
+ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
+    ui::ViewFrame view{kind, {0, size, 0, {}, false}, nullptr, true};
     Result<view::Frame> frame = graphics_.draw(kind, session.document.scene, session.document.images,
                                                session.window.playback.time, size, session.services.levels);
     if (!frame) {
@@ -52,7 +52,7 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
     }
     view.frame = std::move(*frame);
     Pixels& pixels = pixels_[kind];
-    if (!ui::wantsPixels(session.window.views) && !session.window.explaining.pixel) {
+    if (!ui::wantsPixels(session.window.view) && !session.window.explaining.pixel) {
         pixels.image.reset();
         return view;
     }
@@ -68,10 +68,10 @@ ui::RenderedView ViewPictures::drawLive(RendererKind kind, ui::Session& session,
     return view;
 }
 
-ui::RenderedView ViewPictures::drawReference(ui::Session& session, view::Size size) {
-    const reference::DrawWorker::Picture& picture = session.services.reference.picture(
+ui::ViewFrame ViewFrames::drawReference(ui::Session& session, view::Size size) {
+    const reference::DrawWorker::Frame& picture = session.services.reference.frame(
         {session.document.scene, session.document.images, session.window.playback.time, size.width,
-         size.height, session.window.views.anisotropy});
+         size.height, session.window.view.anisotropy});
     const unsigned texture = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
             {texture, size, picture.milliseconds, picture.problems, false},
@@ -79,14 +79,14 @@ ui::RenderedView ViewPictures::drawReference(ui::Session& session, view::Size si
             picture.whole};
 }
 
-void ViewPictures::compareViews(const ui::Views& views) {
+void ViewFrames::compareViews(const ui::ViewSettings& settings) {
     const auto imageOf = [this](RendererKind kind) {
-        const auto found = std::ranges::find(views_, kind, &ui::RenderedView::renderer);
-        return found == views_.end() ? nullptr : found->image;
+        const auto found = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
+        return found == frames_.end() ? nullptr : found->image;
     };
-    const std::array images{imageOf(views.compared[0]), imageOf(views.compared[1])};
-    const HeatScale scale{views.tolerance, 255};
-    if (!ui::isComparing(views) || !images[0] || !images[1]) {
+    const std::array images{imageOf(settings.compared[0]), imageOf(settings.compared[1])};
+    const HeatScale scale{settings.tolerance, 255};
+    if (!ui::isComparing(settings) || !images[0] || !images[1]) {
         difference_.reset();
         compared_ = {};
         heatMap_.reset();
@@ -98,7 +98,7 @@ void ViewPictures::compareViews(const ui::Views& views) {
     }
     compared_ = images;
     difference_.reset();
-    const Result<Difference> numbers = compare(*images[0], *images[1], views.tolerance, Compared::Rgb);
+    const Result<Difference> numbers = compare(*images[0], *images[1], settings.tolerance, Compared::Rgb);
     Result<Image> heat = heatMap(*images[0], *images[1], scale, Compared::Rgb);
     if (!numbers || !heat)
         return;
@@ -106,8 +106,8 @@ void ViewPictures::compareViews(const ui::Views& views) {
     difference_ = {*numbers, scale, graphics_.show(heatMap_, Graphics::Use::Enlarged)};
 }
 
-bool ViewPictures::isUnfinished() const {
-    return std::ranges::any_of(views_, [](const ui::RenderedView& view) { return view.frame.unfinished; });
+bool ViewFrames::isUnfinished() const {
+    return std::ranges::any_of(frames_, [](const ui::ViewFrame& view) { return view.frame.unfinished; });
 }
 
 } // namespace texplorer::stage

@@ -1,4 +1,4 @@
-#include "app/ui/model/file_view.h"
+#include "app/ui/model/inspected_file.h"
 
 #include <gtest/gtest.h>
 

@@ -26,7 +26,7 @@ private:
 };
 
 /// The file that the tab "File" shows, as it is read.
-struct FileView {
+struct InspectedFile {
     std::filesystem::path chosen;   ///< what the user wants to look into; empty: the bound texture's file
     std::filesystem::path shown;    ///< the file that `content` or `problem` is about; empty: none yet
     ImageLoader::Ticket ticket = 0; ///< of what is awaited; 0: nothing
@@ -39,10 +39,10 @@ struct FileView {
 void lookInto(Session& session, std::filesystem::path file);
 
 /// The content has arrived.
-void receiveView(Session& session, Result<ImageLoader::Content> content);
+void receiveInspected(Session& session, Result<ImageLoader::Content> content);
 
 /// Reads the file anew: it has changed.
-void refreshView(Session& session);
+void refreshInspected(Session& session);
 
 /// Asks for the file that the tab is to show, if it shows another one.
 void followFile(Session& session);

@@ -28,9 +28,9 @@ struct PictureZoom {
 
 /// Which renderers draw the scene, and how one looks at what they drew. Belongs to the window, not to the
 /// scene.
-struct Views {
+struct ViewSettings {
     Arrangement arrangement = Arrangement::One;
-    RendererKind renderer = RendererKind::Fixed; ///< who draws the one picture
+    RendererKind renderer = RendererKind::Fixed; ///< of the one picture
     std::array<RendererKind, 2> compared{RendererKind::Fixed, RendererKind::Reference};
     Arrangement comparing = Arrangement::Split; ///< what Compare leads to: Split or Grid, as it was last
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
@@ -42,25 +42,25 @@ struct Views {
     static constexpr int largestTolerance = 254;
 };
 
-[[nodiscard]] inline bool isComparing(const Views& views) {
-    return views.arrangement != Arrangement::One;
+[[nodiscard]] inline bool isComparing(const ViewSettings& settings) {
+    return settings.arrangement != Arrangement::One;
 }
 
 /// Whether the panels need the pixels of the pictures, not only something to show.
-[[nodiscard]] inline bool wantsPixels(const Views& views) {
-    return isComparing(views) || views.magnifies;
+[[nodiscard]] inline bool wantsPixels(const ViewSettings& settings) {
+    return isComparing(settings) || settings.magnifies;
 }
 
 /// Those whose pictures are shown, in the order of their panes.
-[[nodiscard]] std::vector<RendererKind> shownRenderers(const Views& views);
+[[nodiscard]] std::vector<RendererKind> shownRenderers(const ViewSettings& settings);
 
 /// Shows one renderer's picture.
-void showOne(Views& views, RendererKind renderer);
+void showOne(ViewSettings& settings, RendererKind renderer);
 
 /// Compares, in the arrangement that was used last.
-void showComparison(Views& views);
+void showComparison(ViewSettings& settings);
 
 /// Compares exactly these, of which there must be two or more: two with a seam, more side by side.
-void showComparison(Views& views, const std::vector<RendererKind>& renderers);
+void showComparison(ViewSettings& settings, const std::vector<RendererKind>& renderers);
 
 } // namespace texplorer::ui

@@ -1,4 +1,4 @@
-#include "app/ui/model/file_view.h"
+#include "app/ui/model/inspected_file.h"
 
 #include "app/ui/model/loads.h"
 #include "app/ui/model/session.h"
@@ -47,8 +47,8 @@ std::optional<std::size_t> FieldMap::at(std::size_t offset) const {
     return next == starts_.begin() ? std::nullopt : std::prev(next)->second;
 }
 
-void receiveView(Session& session, Result<ImageLoader::Content> content) {
-    FileView& view = session.window.fileView;
+void receiveInspected(Session& session, Result<ImageLoader::Content> content) {
+    InspectedFile& view = session.window.fileView;
     view.ticket = 0;
     if (!content) {
         view.content.reset();
@@ -60,8 +60,8 @@ void receiveView(Session& session, Result<ImageLoader::Content> content) {
     view.map = FieldMap(view.content->anatomy);
 }
 
-void refreshView(Session& session) {
-    FileView& view = session.window.fileView;
+void refreshInspected(Session& session) {
+    InspectedFile& view = session.window.fileView;
     if (view.shown.empty())
         return;
     Files& files = session.services.files;
@@ -71,17 +71,17 @@ void refreshView(Session& session) {
 }
 
 void followFile(Session& session) {
-    FileView& view = session.window.fileView;
+    InspectedFile& view = session.window.fileView;
     fs::path wanted = wantedFile(session);
     if (wanted == view.shown)
         return;
     if (view.ticket != 0)
         cancelLoad(session, view.ticket);
-    FileView next;
+    InspectedFile next;
     next.chosen = std::move(view.chosen);
     next.shown = std::move(wanted);
     view = std::move(next);
-    refreshView(session);
+    refreshInspected(session);
 }
 
 void lookInto(Session& session, fs::path file) {

@@ -11,17 +11,17 @@
 namespace texplorer::ui {
 
 /// What a renderer has drawn for the view.
-struct RenderedView {
+struct ViewFrame {
     RendererKind renderer = RendererKind::Fixed;
     view::Frame frame;                  ///< its texture may be smaller than its size: a coarse picture
-    std::shared_ptr<const Image> image; ///< the pixels, where the views want them and the picture is whole
+    std::shared_ptr<const Image> image; ///< the pixels, where the panels want them and the picture is whole
     /// Nothing better is on its way: the picture is of the scene as it is now, and not a coarse one. Where
     /// there is no picture, there will be none, and the frame's problems say why.
     bool whole = true;
 };
 
 /// How far the two pictures that are compared are apart.
-struct RenderedDifference {
+struct ViewDifference {
     Difference numbers;
     HeatScale scale;
     unsigned heatMap = 0; ///< a GL texture of the size of the pictures; 0: none could be had

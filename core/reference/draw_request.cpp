@@ -1,0 +1,16 @@
+#include "core/reference/draw_request.h"
+
+#include "core/texture/texture_levels.h"
+
+#include <algorithm>
+
+namespace texplorer::reference {
+
+bool sameLevels(const DrawRequest& a, const DrawRequest& b) {
+    return std::ranges::equal(
+        a.scene.textures, b.scene.textures, [&](const Texture& one, const Texture& other) {
+            return imageSettings(one) == imageSettings(other) && a.images.find(one) == b.images.find(other);
+        });
+}
+
+} // namespace texplorer::reference

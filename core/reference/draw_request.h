@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/reference/sampling/lod.h"
+#include "core/scene/scene.h"
+#include "core/texture/image_source.h"
+
+namespace texplorer::reference {
+
+/// A frame that somebody wants to see. How it is come by is in DrawOptions.
+struct DrawRequest {
+    Scene scene;
+    ImageSource images{};
+    double time = 0; ///< seconds
+    int width = 1;   ///< pixels
+    int height = 1;
+    AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
+
+    bool operator==(const DrawRequest&) const = default;
+};
+
+/// Whether the levels of one's textures serve the other: the images are the same, and what is made of them
+/// (imageSettings). How they are sampled may differ.
+[[nodiscard]] bool sameLevels(const DrawRequest& a, const DrawRequest& b);
+
+} // namespace texplorer::reference
