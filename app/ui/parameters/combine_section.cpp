@@ -6,6 +6,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/gl/combine_equation.h"
+#include "core/scene/params/keys.h"
 
 #include <algorithm>
 #include <array>
@@ -146,7 +147,8 @@ void combineSection(Session& session) {
             session.window.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
         return std::string(isNone ? "No unit before" : choice.label);
     };
-    const Owner owner{&combine, &initial, selectedUnitPath(session) + ".combine", {}, labelOfChoice};
+    const Owner owner{
+        &combine, &initial, selectedUnitPath(session) + "." + keyOf<&Unit::combine>(), {}, labelOfChoice};
     for (const Half& half : halves) {
         if (&half != halves.data())
             ImGui::Separator();

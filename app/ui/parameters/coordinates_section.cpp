@@ -6,6 +6,7 @@
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
 
 #include <array>
 
@@ -14,14 +15,14 @@ namespace {
 
 struct Coordinate {
     const char* letter;
-    const char* key; ///< of the unit
+    Key key; ///< of the unit
     TexGen Unit::*state;
 };
 
-constexpr std::array<Coordinate, 4> coordinates{{{"s", "texGenS", &Unit::texGenS},
-                                                 {"t", "texGenT", &Unit::texGenT},
-                                                 {"r", "texGenR", &Unit::texGenR},
-                                                 {"q", "texGenQ", &Unit::texGenQ}}};
+constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &Unit::texGenS},
+                                                 {"t", keyOf<&Unit::texGenT>, &Unit::texGenT},
+                                                 {"r", keyOf<&Unit::texGenR>, &Unit::texGenR},
+                                                 {"q", keyOf<&Unit::texGenQ>, &Unit::texGenQ}}};
 
 } // namespace
 
@@ -33,18 +34,20 @@ void coordinatesSection(Session& session) {
         const Coordinate& coordinate = coordinates[i];
         const TexGen& state = unit.*coordinate.state;
         const Owner owner{&(unit.*coordinate.state), &(initial.*coordinate.state),
-                          selectedUnitPath(session) + "." + coordinate.key};
+                          selectedUnitPath(session) + "." + coordinate.key()};
         const StructTable& table = texGenTable(i);
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, componentColor(static_cast<int>(i)));
         ImGui::TextUnformatted(coordinate.letter);
         ImGui::PopStyleColor();
         ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.2F);
-        paramControl(session, owner, *findParam(table, "enabled"), 0);
+        paramControl(session, owner, *findParam(table, keyOf<&TexGen::enabled>()), 0);
         ImGui::SameLine(0, gap);
-        paramControl(session, owner, *findParam(table, "mode"), ImGui::GetContentRegionAvail().x);
-        for (const char* plane : {"objectPlane", "eyePlane"}) { // at most one of them is read
-            const ParamRow& row = *findParam(table, plane);
+        paramControl(session, owner, *findParam(table, keyOf<&TexGen::mode>()),
+                     ImGui::GetContentRegionAvail().x);
+        for (const Key plane : {Key(keyOf<&TexGen::objectPlane>),
+                                Key(keyOf<&TexGen::eyePlane>)}) { // at most one of them is read
+            const ParamRow& row = *findParam(table, plane());
             if (state.enabled && !idleReasonOf(session.document.findings, owner.pathOf(row)))
                 paramWidget(session, owner, row);
         }

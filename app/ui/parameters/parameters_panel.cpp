@@ -8,6 +8,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
 
 #include <array>
 #include <cfloat>
@@ -110,7 +111,7 @@ void unitSection(Session& session) {
     static const Unit initial;
     const auto accepts = [&](const ParamRow& row, const Value& value) {
         const bool lacksTexture =
-            row.key == "enabled" && std::get<bool>(value) && boundTexture(session) == nullptr;
+            row.key == keyOf<&Unit::enabled>() && std::get<bool>(value) && boundTexture(session) == nullptr;
         if (lacksTexture)
             say(session, "A unit needs a texture before it can be enabled: add one with +.");
         return !lacksTexture;
@@ -118,13 +119,13 @@ void unitSection(Session& session) {
     const Owner owner{&selectedUnit(session), &initial, selectedUnitPath(session), accepts};
     std::string_view group;
     for (const ParamRow& row : unitTable().params) {
-        if (row.key == "texture") // chosen by its name, in the section of the texture
+        if (row.key == keyOf<&Unit::texture>()) // chosen by its name, in the section of the texture
             continue;
         if (!group.empty() && row.group != group)
             caption(row.group);
         group = row.group;
         paramWidget(session, owner, row);
-        if (row.key == "enabled")
+        if (row.key == keyOf<&Unit::enabled>())
             sharingNote(session, "of the unit");
     }
 }

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/base/printable.h"
+#include "core/scene/params/keys.h"
 
 namespace texplorer::ui {
 namespace {
@@ -48,7 +49,7 @@ void removeTexture(Session& session, int index) {
 /// below.
 void textureChoice(Session& session) {
     Unit& unit = selectedUnit(session);
-    const ParamRow* row = findParam(unitTable(), "texture");
+    const ParamRow* row = findParam(unitTable(), keyOf<&Unit::texture>());
     const bool bound = boundTexture(session) != nullptr;
     const std::string current = bound ? textureName(session, unit.texture) : "none";
     const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
@@ -59,7 +60,8 @@ void textureChoice(Session& session) {
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
                 unit.texture = i;
                 sealEdit(session);
-                recordEdit(session, row ? row->label : "Texture", selectedUnitPath(session) + ".texture");
+                recordEdit(session, row ? row->label : "Texture",
+                           selectedUnitPath(session) + "." + keyOf<&Unit::texture>());
                 sealEdit(session);
             }
             noteItem("bind:" + std::to_string(i));
@@ -80,13 +82,13 @@ void textureChoice(Session& session) {
 }
 
 bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, const Value& value) {
-    if (row.key == "source" &&
+    if (row.key == keyOf<&Texture::source>() &&
         std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File) &&
         texture.file.empty()) {
         askOpenImage(session); // there is no file yet: ask for one
         return false;
     }
-    if (row.key != "file")
+    if (row.key != keyOf<&Texture::file>())
         return true;
     const std::string& file = std::get<std::string>(value);
     if (file.empty() || session.document.images.holds(file))
