@@ -2,15 +2,16 @@
 # LAYER_tests. TEXPLORER_PRECOMPILE is off where it should show that every file includes what it uses.
 option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)
 
-set(texplorer_precompiled_code
+set(texplorer_precompiled_common
     <algorithm> <array> <chrono> <cmath> <condition_variable> <cstddef> <cstdint> <cstring> <filesystem> <functional>
     <limits> <map> <memory> <mutex> <optional> <span> <stop_token> <string> <string_view> <thread> <utility> <variant>
     <vector>
     <glm/glm.hpp> <tl/expected.hpp>)
+set(texplorer_precompiled_code ${texplorer_precompiled_common} <fmt/core.h>)
 set(texplorer_precompiled_program ${texplorer_precompiled_code}) # a program is linked at a fixed place: other flags
 set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
 foreach(layer command_line core plain_files random render stage ui) # a precompiled header of their own: their flags differ
-    set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_code} <gmock/gmock.h> <gtest/gtest.h>)
+    set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_common} <gmock/gmock.h> <gtest/gtest.h>)
 endforeach()
 
 # The first target of a kind makes it, the others take it over.

@@ -24,6 +24,7 @@ fi
 include=$prefix/include
 (cd "$include" && find texplorer -name '*.h' | sort) >"$work/headers"
 ! grep -rn '"core/' "$include" || complain "these lines are for inside the project"
+! grep -rn '<fmt/' "$include" || complain "these lines need a library of which users know nothing"
 while read -r header; do
     mkdir -p "$work/alone/$(dirname "$header")"
     echo "#include <$header>" >"$work/alone/$header.cpp"

@@ -1,0 +1,22 @@
+# TEXPLORER_FMT: what makes texts of values. The library where it can be linked; for another standard library or another
+# processor than it was built for its headers alone, which those who use the installed package then don't need.
+include(CheckCXXSourceCompiles)
+find_package(fmt QUIET GLOBAL)
+if(fmt_FOUND)
+    set(CMAKE_REQUIRED_LIBRARIES fmt::fmt)
+    check_cxx_source_compiles("
+        #include <fmt/core.h>
+        int main(int count, char**) { return static_cast<int>(fmt::format(\"{}\", count).size()); }"
+        TEXPLORER_FMT_LINKS)
+    unset(CMAKE_REQUIRED_LIBRARIES)
+endif()
+if(TEXPLORER_FMT_LINKS)
+    set(TEXPLORER_FMT fmt::fmt)
+    set(TEXPLORER_FMT_PACKAGE fmt) # as pkg-config knows it
+else()
+    find_path(FMT_INCLUDE_DIR fmt/core.h REQUIRED)
+    add_library(texplorer_fmt INTERFACE)
+    target_include_directories(texplorer_fmt SYSTEM INTERFACE ${FMT_INCLUDE_DIR})
+    target_compile_definitions(texplorer_fmt INTERFACE FMT_HEADER_ONLY)
+    set(TEXPLORER_FMT $<BUILD_INTERFACE:texplorer_fmt>)
+endif()
