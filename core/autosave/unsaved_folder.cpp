@@ -6,6 +6,8 @@
 #include "core/base/private_directory.h"
 #include "core/base/user_folder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
@@ -85,8 +87,7 @@ Result<UnsavedPlace> UnsavedPlace::create(const fs::path& folder) {
     // A process that had this number before may have left a draft.
     constexpr int attempts = 100;
     for (int attempt = 0;; ++attempt) {
-        const fs::path draft =
-            folder / (std::to_string(::getpid()) + "-" + std::to_string(attempt) + draftExtension);
+        const fs::path draft = folder / fmt::format("{}-{}{}", ::getpid(), attempt, draftExtension);
         if (isThere(draft))
             continue;
         // Another process may sweep the lock away before it is held.

@@ -1,5 +1,7 @@
 #include "core/autosave/unsaved_scene.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -74,7 +76,7 @@ std::string writeUnsaved(const UnsavedScene& draft) {
 Result<UnsavedScene> parseUnsaved(std::string_view text) {
     if (takeLine(text) != firstLine)
         return fail(ErrorCode::Malformed,
-                    "expected an unsaved scene, which begins with \"" + std::string(firstLine) + "\"");
+                    fmt::format("expected an unsaved scene, which begins with \"{}\"", firstLine));
     const Result<std::filesystem::path> file = takePath(text, "the scene file");
     if (!file)
         return fail(file.error());

@@ -6,6 +6,8 @@
 #include "core/base/file_owner.h"
 #include "core/base/nameless_file.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <fcntl.h>
 #include <string_view>
@@ -21,8 +23,7 @@ constexpr int attempts = 10000;
 /// ".texplorer-4711-0.tmp". It says nothing of the target's name, which may already be as long as the system
 /// allows.
 std::string temporaryName(int attempt) {
-    return std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(attempt) +
-           std::string(suffix);
+    return fmt::format("{}{}-{}{}", prefix, ::getpid(), attempt, suffix);
 }
 
 bool isTemporaryName(std::string_view name) {

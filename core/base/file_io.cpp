@@ -2,6 +2,8 @@
 
 #include "core/base/file_kind.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -24,9 +26,7 @@ ErrorCode codeForOpening(int error) {
 
 tl::unexpected<Error> tooLarge(std::uint64_t size, std::size_t maxBytes, const std::string& where) {
     return fail(ErrorCode::TooLarge,
-                "at most " + std::to_string(maxBytes) + " bytes are read, the file has at least " +
-                    std::to_string(size),
-                where);
+                fmt::format("at most {} bytes are read, the file has at least {}", maxBytes, size), where);
 }
 
 // Fills the buffer as far as the file goes; gives the number of bytes, or nothing after an error.
@@ -56,8 +56,7 @@ Result<std::uint64_t> sizeOf(int file, const std::string& where) {
     if (::fstat(file, &info) != 0)
         return fail(ErrorCode::Unreadable, "can't be examined: " + systemText(errno), where);
     if (!S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unreadable, "is " + std::string(kindName(info.st_mode)) + ", not a file",
-                    where);
+        return fail(ErrorCode::Unreadable, fmt::format("is {}, not a file", kindName(info.st_mode)), where);
     return static_cast<std::uint64_t>(info.st_size);
 }
 
@@ -96,8 +95,7 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
 
     Buffer buffer;
     const auto noMemory = [&] {
-        return fail(ErrorCode::TooLarge, "there is no memory for its " + std::to_string(size) + " bytes",
-                    where);
+        return fail(ErrorCode::TooLarge, fmt::format("there is no memory for its {} bytes", size), where);
     };
     if (size > buffer.max_size()) // where an address has 32 bits
         return noMemory();

@@ -7,6 +7,8 @@
 #include "core/base/file_kind.h"
 #include "core/base/open_directory.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <fcntl.h>
 #include <optional>
@@ -20,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<Error> unwritable(const std::string& what, int error, const std::string& where) {
-    return fail(ErrorCode::Unwritable, what + ": " + systemText(error), where);
+    return fail(ErrorCode::Unwritable, fmt::format("{}: {}", what, systemText(error)), where);
 }
 
 tl::unexpected<Error> unwritable(int error, const std::string& where) {
@@ -55,8 +57,7 @@ Result<Place> findPlace(const fs::path& path) {
     struct stat info = {};
     const bool exists = ::stat(path.c_str(), &info) == 0;
     if (exists && !S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unwritable, "is " + std::string(kindName(info.st_mode)) + ", not a file",
-                    where);
+        return fail(ErrorCode::Unwritable, fmt::format("is {}, not a file", kindName(info.st_mode)), where);
     const Result<fs::path> target = followLinks(path);
     if (!target)
         return fail(target.error());
@@ -81,7 +82,7 @@ Result<fs::path> existingFolder(const fs::path& folder) {
         above = above.parent_path();
     if (fs::is_directory(above, error))
         return above;
-    return fail(ErrorCode::Unwritable, "can't make the folder: " + above.string() + " is no folder",
+    return fail(ErrorCode::Unwritable, fmt::format("can't make the folder: {} is no folder", above.string()),
                 folder.string());
 }
 

@@ -1,5 +1,7 @@
 #include "core/base/nameless_file.h"
 
+#include <fmt/core.h>
+
 #include <fcntl.h>
 
 namespace texplorer {
@@ -10,7 +12,7 @@ Descriptor openNameless(int directory, mode_t mode) {
 
 bool nameFile(int file, int directory, const std::string& name) {
     // This way needs /proc and no privilege.
-    const std::string self = "/proc/self/fd/" + std::to_string(file);
+    const std::string self = fmt::format("/proc/self/fd/{}", file);
     return ::linkat(AT_FDCWD, self.c_str(), directory, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 

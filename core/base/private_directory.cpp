@@ -3,9 +3,9 @@
 #include "core/base/file_kind.h"
 #include "core/base/file_owner.h"
 
-#include <array>
+#include <fmt/core.h>
+
 #include <cerrno>
-#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -17,12 +17,6 @@ namespace fs = std::filesystem;
 
 tl::unexpected<Error> refuse(const std::string& message, const fs::path& path) {
     return fail(ErrorCode::Unwritable, message, path.string());
-}
-
-std::string octal(mode_t mode) {
-    std::array<char, 16> digits{};
-    std::snprintf(digits.data(), digits.size(), "%04o", mode & 07777U);
-    return digits.data();
 }
 
 /// As the XDG Base Directory Specification wants it: what is made above is private, too.
@@ -43,17 +37,17 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
         if (error == ENOENT)
             return fail(ErrorCode::NotFound, "can't be opened: " + systemText(error), path.string());
         if (::lstat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode))
-            return refuse("is " + std::string(kindName(info.st_mode)) + ", not a directory", path);
+            return refuse(fmt::format("is {}, not a directory", kindName(info.st_mode)), path);
         return refuse("can't be opened: " + systemText(error), path);
     }
     if (::fstat(directory.get(), &info) != 0)
         return refuse("can't be examined: " + systemText(errno), path);
     if (info.st_uid != thisUser())
-        return refuse("belongs to user " + std::to_string(info.st_uid) + ", not to this one, " +
-                          std::to_string(thisUser()),
-                      path);
+        return refuse(fmt::format("belongs to user {}, not to this one, {}", info.st_uid, thisUser()), path);
     if ((info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-        return refuse("may be written to by others: expected mode 0700, found " + octal(info.st_mode), path);
+        return refuse(fmt::format("may be written to by others: expected mode 0700, found {:04o}",
+                                  info.st_mode & 07777U),
+                      path);
     if ((info.st_mode & 07777U) != 0700 && !makeOwnersAlone(directory.get()))
         return refuse("can't be made private: " + systemText(errno), path);
     return PrivateDirectory(std::move(directory));

@@ -7,6 +7,8 @@
 #include "core/codec/tga/tga.h"
 #include "core/s3tc/surface_pixels.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -98,9 +100,9 @@ Result<TextureImage> decodeTexture(ByteView file, const DecodeLimits& limits) {
     for (const CodecRow& row : rows)
         known.append(known.empty() ? "" : ", ").append(row.name);
     if (file.empty())
-        return fail(ErrorCode::Malformed, "expected an image (" + known + "), the file is empty");
+        return fail(ErrorCode::Malformed, fmt::format("expected an image ({}), the file is empty", known));
     return fail(ErrorCode::Unsupported,
-                "expected an image (" + known + "), the file begins with " + firstBytes(file));
+                fmt::format("expected an image ({}), the file begins with {}", known, firstBytes(file)));
 }
 
 Result<TextureImage> outlineTexture(ByteView file, const Anatomy& anatomy) {

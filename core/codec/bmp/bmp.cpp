@@ -1,10 +1,13 @@
 #include "core/codec/bmp/bmp.h"
 
+#include "core/base/count.h"
 #include "core/codec/bmp/bmp_bitfields.h"
 #include "core/codec/bmp/bmp_header.h"
 #include "core/codec/bmp/bmp_palette.h"
 #include "core/codec/bmp/bmp_rle.h"
 #include "core/codec/common/swizzle.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <new>
@@ -26,8 +29,8 @@ Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLim
                                 static_cast<std::uint64_t>(header.height) *
                                 static_cast<std::uint64_t>(bytesPerPixel(format));
     if (bytes > limits.maxBytes)
-        return bmp::tooLarge("at most " + bmp::countOf(limits.maxBytes, "byte") +
-                             " of pixels are read, the picture has " + std::to_string(bytes));
+        return bmp::tooLarge(fmt::format("at most {} of pixels are read, the picture has {}",
+                                         countOf(limits.maxBytes, "byte"), bytes));
     Image image{format, static_cast<int>(header.width), static_cast<int>(header.height), 1, {}};
     if (limits.pixels)
         image.pixels.resize(image.byteCount());
@@ -108,8 +111,9 @@ Result<void> checkRleClaim(ByteView codes, const Header& header) {
     const std::uint64_t most = std::max(alwaysAdmitted, std::uint64_t{codes.size()} * 255);
     if (pixels <= most)
         return {};
-    return bmp::malformed(bmp::countOf(codes.size(), "byte") + " of run-length codes are good for at most " +
-                          std::to_string(most) + " pixels, the file says " + std::to_string(pixels));
+    return bmp::malformed(
+        fmt::format("{} of run-length codes are good for at most {} pixels, the file says {}",
+                    countOf(codes.size(), "byte"), most, pixels));
 }
 
 Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Image& image) {
@@ -118,18 +122,17 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
         bmp::decodeRle(codes, static_cast<int>(header.bitsPerPixel), image.width, image.height, painter);
     painter.fillTo(image.height);
     if (!report.ended)
-        return bmp::malformed("the run-length codes end at offset " +
-                              std::to_string(header.dataPos + report.consumed) + " within row " +
-                              std::to_string(report.row + 1) + " of " + std::to_string(image.height) +
-                              ", without an end-of-picture code");
+        return bmp::malformed(fmt::format(
+            "the run-length codes end at offset {} within row {} of {}, without an end-of-picture code",
+            header.dataPos + report.consumed, report.row + 1, image.height));
     if (report.clipped > 0)
-        header.notes.push_back(bmp::countOf(report.clipped, "run-length code") +
+        header.notes.push_back(countOf(report.clipped, "run-length code") +
                                " went on beyond a row's end and were cut off there");
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (report.painted < pixels)
-        header.notes.push_back("the run-length codes leave " +
-                               bmp::countOf(pixels - report.painted, "pixel") +
-                               " out; they have the palette's first colour");
+        header.notes.push_back(
+            fmt::format("the run-length codes leave {} out; they have the palette's first colour",
+                        countOf(pixels - report.painted, "pixel")));
     if (header.topDown)
         header.notes.emplace_back("run-length coded pictures should not be top-down");
     return {};
@@ -183,9 +186,8 @@ Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& l
         paintIndexed(data, header, palette, *image);
     }
     if (palette.exceeded())
-        header.notes.push_back("a pixel has colour " + std::to_string(palette.highest()) +
-                               ", the palette has " + std::to_string(header.paletteEntries) +
-                               "; it is black");
+        header.notes.push_back(fmt::format("a pixel has colour {}, the palette has {}; it is black",
+                                           palette.highest(), header.paletteEntries));
     return image;
 }
 
@@ -227,8 +229,8 @@ Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
         texture.notes = std::move(header->notes);
         return texture;
     } catch (const std::bad_alloc&) {
-        return bmp::tooLarge("there is no memory for " + std::to_string(header->width) + " x " +
-                             std::to_string(header->height) + " pixels");
+        return bmp::tooLarge(
+            fmt::format("there is no memory for {} x {} pixels", header->width, header->height));
     }
 }
 

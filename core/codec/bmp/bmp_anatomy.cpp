@@ -1,8 +1,11 @@
 #include "core/base/byte_reader.h"
+#include "core/base/count.h"
 #include "core/codec/bmp/bmp.h"
 #include "core/codec/bmp/bmp_fields.h"
 #include "core/codec/bmp/bmp_header.h"
 #include "core/codec/bmp/bmp_rle.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -10,7 +13,6 @@ namespace texplorer {
 
 namespace {
 
-using bmp::countOf;
 using bmp::Header;
 
 class Dissection {
@@ -33,8 +35,10 @@ public:
                 "extents and pixel format");
         fields(bmp::infoHeaderFields(header_.headerSize), bmp::fileHeaderSize + infoSize);
         if (infoSize == 4)
-            stop("an info header has 12, 16 to 64, 108 or 124 bytes, this one says " +
-                 std::to_string(header_.headerSize) + ": what follows can't be told");
+            stop(fmt::format(
+                "an info header has 12, 16 to 64, 108 or 124 bytes, this one says {}: what follows can't be "
+                "told",
+                header_.headerSize));
         if (stopped())
             return std::move(anatomy_);
         masks();
@@ -56,8 +60,8 @@ private:
 
     void add(Field field) {
         if (field.offset + field.size > file_.size())
-            stop(field.name + " needs " + countOf(field.size, "byte") + " from offset " +
-                 std::to_string(field.offset) + ", the file has " + std::to_string(file_.size()));
+            stop(fmt::format("{} needs {} from offset {}, the file has {}", field.name,
+                             countOf(field.size, "byte"), field.offset, file_.size()));
         anatomy_.fields.push_back(std::move(field));
     }
 
@@ -92,9 +96,8 @@ private:
         if (stopped() || header_.paletteEntries == 0) {
             if (!stopped() && header_.bitsPerPixel >= 1 && header_.bitsPerPixel <= 8)
                 anatomy_.fields.push_back({header_.palettePos, 0, "Palette", "no entries", "",
-                                           countOf(header_.bitsPerPixel, "bit") +
-                                               " a pixel need one, the pixels begin at offset " +
-                                               std::to_string(header_.dataPos),
+                                           fmt::format("{} a pixel need one, the pixels begin at offset {}",
+                                                       countOf(header_.bitsPerPixel, "bit"), header_.dataPos),
                                            0});
             return;
         }
@@ -103,11 +106,11 @@ private:
         const std::size_t most = std::size_t{1} << std::min(header_.bitsPerPixel, 8U);
         std::string wrong;
         if (header_.bitsPerPixel <= 8 && entries < most && header_.colorsUsed != entries)
-            wrong = "expected " + std::to_string(header_.colorsUsed == 0 ? most : header_.colorsUsed) +
-                    " entries, there is room for " + std::to_string(entries);
+            wrong = fmt::format("expected {} entries, there is room for {}",
+                                header_.colorsUsed == 0 ? most : header_.colorsUsed, entries);
         anatomy_.fields.push_back(
             {header_.palettePos, size, "Palette",
-             std::to_string(entries) + (entries == 1 ? " entry" : " entries"),
+             entries == 1 ? "1 entry" : fmt::format("{} entries", entries),
              header_.paletteEntryBytes == 3 ? "blue, green, red" : "blue, green, red, a reserved byte",
              std::move(wrong), 0});
         // A palette of 256 says little more than its beginning and its end do.
@@ -120,8 +123,7 @@ private:
         paletteEntries(0, shown);
         const std::size_t left = entries - shown - 1;
         add({entryOffset(shown), left * header_.paletteEntryBytes,
-             "entries " + std::to_string(shown) + " to " + std::to_string(entries - 2),
-             std::to_string(left) + " more", "", "", 1});
+             fmt::format("entries {} to {}", shown, entries - 2), fmt::format("{} more", left), "", "", 1});
         paletteEntries(entries - 1, entries);
     }
 
@@ -132,7 +134,7 @@ private:
     void paletteEntries(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const ByteView entry = partOf(file_, entryOffset(i), header_.paletteEntryBytes);
-            add({entryOffset(i), entry.size(), "entry " + std::to_string(i),
+            add({entryOffset(i), entry.size(), fmt::format("entry {}", i),
                  bmp::hexColor(entry[2], entry[1], entry[0]), "", "", 1});
         }
     }
@@ -149,14 +151,14 @@ private:
         if (stopped())
             return;
         if (header_.dataPos < header_.palettePos)
-            return stop("the pixels begin at offset " + std::to_string(header_.dataPos) +
-                        ", within the headers, which end at " + std::to_string(header_.palettePos));
+            return stop(fmt::format("the pixels begin at offset {}, within the headers, which end at {}",
+                                    header_.dataPos, header_.palettePos));
         if (header_.dataPos > file_.size())
-            return stop("the pixels begin at offset " + std::to_string(header_.dataPos) + ", the file has " +
-                        countOf(file_.size(), "byte"));
+            return stop(fmt::format("the pixels begin at offset {}, the file has {}", header_.dataPos,
+                                    countOf(file_.size(), "byte")));
         if (header_.width < 1 || header_.height < 1)
-            return stop("a picture has at least 1 x 1 pixels, this one says " +
-                        std::to_string(header_.width) + " x " + std::to_string(header_.height));
+            return stop(fmt::format("a picture has at least 1 x 1 pixels, this one says {} x {}",
+                                    header_.width, header_.height));
         if (header_.runLengthCoded())
             return runLengthCodes();
         const bool raw = header_.compression == 0 || header_.masksPos != 0;
@@ -170,8 +172,8 @@ private:
             return stop("a pixel has at least one bit, this file says 0");
         const std::string order = header_.topDown ? "top row first" : "bottom row first";
         pixelData(header_.pixelBytes(),
-                  std::to_string(header_.height) + " rows of " + countOf(header_.rowBytes(), "byte"),
-                  order + ", each padded to " + std::to_string(header_.rowStride()) + " bytes");
+                  fmt::format("{} rows of {}", header_.height, countOf(header_.rowBytes(), "byte")),
+                  fmt::format("{}, each padded to {} bytes", order, header_.rowStride()));
     }
 
     void pixelData(std::uint64_t size, std::string value, std::string meaning, std::string wrong = {}) {
@@ -185,9 +187,9 @@ private:
         } nowhere;
         constexpr std::int64_t most = DecodeLimits{}.maxExtent; // following codes costs what painting does
         if (header_.width > most || header_.height > most)
-            return stop("run-length codes are followed up to " + std::to_string(most) +
-                        " pixels along each axis, this picture says " + std::to_string(header_.width) +
-                        " x " + std::to_string(header_.height));
+            return stop(fmt::format(
+                "run-length codes are followed up to {} pixels along each axis, this picture says {} x {}",
+                most, header_.width, header_.height));
         const bmp::RleReport report =
             bmp::decodeRle(partOf(file_, header_.dataPos, file_.size()),
                            header_.compression == static_cast<std::uint32_t>(bmp::Compression::Rle8) ? 8 : 4,
@@ -196,16 +198,15 @@ private:
         if (report.clipped > 0)
             wrong = countOf(report.clipped, "code") + " go on beyond a row's end";
         pixelData(report.consumed,
-                  bmp::compressionName(header_.compression, header_.headerSize) + ": " +
-                      countOf(report.runs, "run") + ", " + countOf(report.literals, "literal") + ", " +
-                      countOf(report.deltas, "delta"),
-                  "they paint " + std::to_string(report.painted) + " of " +
-                      std::to_string(header_.width * header_.height) + " pixels",
+                  fmt::format("{}: {}, {}, {}", bmp::compressionName(header_.compression, header_.headerSize),
+                              countOf(report.runs, "run"), countOf(report.literals, "literal"),
+                              countOf(report.deltas, "delta")),
+                  fmt::format("they paint {} of {} pixels", report.painted, header_.width * header_.height),
                   std::move(wrong));
         if (!report.ended)
-            stop("the run-length codes end at offset " + std::to_string(pixelEnd_) + " within row " +
-                 std::to_string(report.row + 1) + " of " + std::to_string(header_.height) +
-                 ", without an end-of-picture code");
+            stop(fmt::format(
+                "the run-length codes end at offset {} within row {} of {}, without an end-of-picture code",
+                pixelEnd_, report.row + 1, header_.height));
     }
 
     void profile() {
@@ -217,7 +218,7 @@ private:
         if (size == 0 || offset == bmp::fileHeaderSize)
             return;
         add({offset, size, "Colour profile", countOf(size, "byte"), "ICC profile or its file name; not used",
-             offset < pixelEnd_ ? "begins before the pixels end, at offset " + std::to_string(pixelEnd_)
+             offset < pixelEnd_ ? fmt::format("begins before the pixels end, at offset {}", pixelEnd_)
                                 : std::string(),
              0});
         pixelEnd_ = std::max(pixelEnd_, offset + size);

@@ -5,6 +5,8 @@
 #include "core/codec/common/write_options.h"
 #include "core/s3tc/surface_pixels.h"
 
+#include <fmt/core.h>
+
 #include <cstring>
 #include <limits>
 #include <new>
@@ -113,8 +115,8 @@ void writeRow(PixelFormat format, const std::byte* from, std::byte* to, std::siz
 
 Result<Bytes> encode(const Image& image, bool topFirst) {
     if (image.width < 1 || image.height < 1)
-        return bmp::malformed("a picture has at least 1 x 1 pixels, this one has " +
-                              std::to_string(image.width) + " x " + std::to_string(image.height));
+        return bmp::malformed(fmt::format("a picture has at least 1 x 1 pixels, this one has {} x {}",
+                                          image.width, image.height));
     const Layout layout = layoutOf(image.format);
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
@@ -124,8 +126,7 @@ Result<Bytes> encode(const Image& image, bool topFirst) {
     const std::size_t stride = (rowBytes + 3) / 4 * 4;
     const std::size_t size = dataPos + stride * height;
     if (size > std::numeric_limits<std::uint32_t>::max())
-        return bmp::tooLarge("a file has at most 4294967295 bytes, this picture needs " +
-                             std::to_string(size));
+        return bmp::tooLarge(fmt::format("a file has at most 4294967295 bytes, this picture needs {}", size));
     Bytes file(size);
     writeHeaders(file, image, layout, static_cast<std::uint32_t>(dataPos));
     for (std::size_t y = 0; y < height; ++y) {

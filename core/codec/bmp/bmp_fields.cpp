@@ -1,12 +1,14 @@
 #include "core/codec/bmp/bmp_fields.h"
 
 #include "core/base/byte_reader.h"
+#include "core/base/count.h"
 #include "core/codec/bmp/bmp_bitfields.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdio>
 
 namespace texplorer::bmp {
 
@@ -27,9 +29,9 @@ std::string checkZero(std::int64_t value, const FieldContext& /*context*/) {
 
 std::string checkDataPos(std::int64_t value, const FieldContext& context) {
     if (value == 0)
-        return "expected " + std::to_string(context.header.dataPos) + ", which is taken instead";
+        return fmt::format("expected {}, which is taken instead", context.header.dataPos);
     if (value < static_cast<std::int64_t>(context.header.palettePos))
-        return "lies within the headers, which end at " + std::to_string(context.header.palettePos);
+        return fmt::format("lies within the headers, which end at {}", context.header.palettePos);
     if (value > static_cast<std::int64_t>(context.file.size()))
         return "the file has " + countOf(context.file.size(), "byte");
     return {};
@@ -65,7 +67,7 @@ std::string checkBits(std::int64_t value, const FieldContext& context) {
 
 std::string checkCompression(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
-    const std::string found = ", the file has " + std::to_string(bits);
+    const std::string found = fmt::format(", the file has {}", bits);
     if (value > 6)
         return value >= 11 && value <= 13 ? "" : "expected 0 to 6";
     if (value == 1 && bits != 8)
@@ -91,12 +93,12 @@ std::string checkColorsUsed(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
     if (bits < 1 || bits > 8 || value <= std::int64_t{1} << bits)
         return {};
-    return countOf(bits, "bit") + " a pixel tell " + std::to_string(1 << bits) + " entries apart";
+    return fmt::format("{} a pixel tell {} entries apart", countOf(bits, "bit"), 1 << bits);
 }
 
 std::string checkColorsImportant(std::int64_t value, const FieldContext& context) {
     const std::int64_t used = context.header.colorsUsed;
-    return used != 0 && value > used ? "more than the " + std::to_string(used) + " that there are" : "";
+    return used != 0 && value > used ? fmt::format("more than the {} that there are", used) : "";
 }
 
 std::string checkMask(std::int64_t value, const FieldContext& context) {
@@ -202,26 +204,12 @@ std::uint32_t numberOf(const FieldRow& row, ByteView file) {
     return row.size == 2 ? reader.u16() : reader.u32();
 }
 
-std::string shortNumber(double value) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.5g", value); // NOLINT(cppcoreguidelines-pro-type-vararg)
-    return text.data();
-}
-
-std::string hex(std::uint32_t value, unsigned digits) {
-    constexpr std::string_view letters = "0123456789abcdef";
-    std::string text;
-    for (unsigned i = digits; i-- > 0;)
-        text += letters[value >> (4 * i) & 15];
-    return text;
-}
-
 // A mask's width and place: "0x0000f800, 5 bits from bit 11".
 std::string maskText(std::uint32_t mask) {
-    std::string text = "0x" + hex(mask, 8);
+    std::string text = fmt::format("0x{:08x}", mask);
     if (mask != 0)
-        text += ", " + countOf(static_cast<std::size_t>(std::popcount(mask)), "bit") + " from bit " +
-                std::to_string(std::countr_zero(mask));
+        text += fmt::format(", {} from bit {}", countOf(static_cast<std::size_t>(std::popcount(mask)), "bit"),
+                            std::countr_zero(mask));
     return text;
 }
 
@@ -270,15 +258,15 @@ std::string valueOf(const FieldRow& row, const FieldContext& context) {
     case Show::Signed:
         return std::to_string(static_cast<std::int32_t>(value));
     case Show::Compression:
-        return std::to_string(value) + ", " + compressionName(value, context.header.headerSize);
+        return fmt::format("{}, {}", value, compressionName(value, context.header.headerSize));
     case Show::Mask:
         return maskText(value);
     case Show::ColorSpace: // a number, or four letters that stand last one first
         return value <= 2 ? std::to_string(value) : letters(context.file.subspan(row.offset, row.size), true);
     case Show::Fixed16:
-        return shortNumber(fixed / (1 << 16));
+        return fmt::format("{:.5g}", fixed / (1 << 16));
     case Show::Fixed30:
-        return shortNumber(fixed / (1 << 30));
+        return fmt::format("{:.5g}", fixed / (1 << 30));
     }
     return {};
 }
@@ -293,8 +281,7 @@ std::string wrongOf(const FieldRow& row, const FieldContext& context) {
 }
 
 std::string hexColor(std::byte red, std::byte green, std::byte blue) {
-    return "#" + hex(std::to_integer<std::uint32_t>(red), 2) + hex(std::to_integer<std::uint32_t>(green), 2) +
-           hex(std::to_integer<std::uint32_t>(blue), 2);
+    return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
 }
 
 } // namespace texplorer::bmp

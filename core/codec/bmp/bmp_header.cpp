@@ -1,6 +1,9 @@
 #include "core/codec/bmp/bmp_header.h"
 
 #include "core/base/byte_reader.h"
+#include "core/base/count.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -59,15 +62,16 @@ void placePalette(ByteView file, Header& header) {
     if (claimed == 0 && needed)
         claimed = most;
     if (claimed > most) {
-        header.notes.push_back("the header says " + std::to_string(claimed) + " palette entries, " +
-                               std::to_string(most) + " can be used");
+        header.notes.push_back(
+            fmt::format("the header says {} palette entries, {} can be used", claimed, most));
         claimed = needed ? most : 0;
     }
     if (header.dataPos == 0) {
         header.dataPos = header.palettePos + claimed * header.paletteEntryBytes;
-        header.notes.emplace_back("the header does not say where the pixels begin; they are taken to "
-                                  "follow what stands before them, at offset " +
-                                  std::to_string(header.dataPos));
+        header.notes.emplace_back(fmt::format(
+            "the header does not say where the pixels begin; they are taken to follow what stands before "
+            "them, at offset {}",
+            header.dataPos));
     }
     const std::uint64_t end = std::min<std::uint64_t>(header.dataPos, file.size());
     const std::uint64_t room = end > header.palettePos ? end - header.palettePos : 0;
@@ -78,8 +82,8 @@ void placePalette(ByteView file, Header& header) {
 Result<void> checkCompression(const Header& header) {
     const unsigned bits = header.bitsPerPixel;
     const auto needs = [&](const std::string& which) {
-        return malformed(compressionName(header.compression, header.headerSize) + " needs " + which +
-                         " bits a pixel, the file has " + std::to_string(bits));
+        return malformed(fmt::format("{} needs {} bits a pixel, the file has {}",
+                                     compressionName(header.compression, header.headerSize), which, bits));
     };
     const std::string name = compressionName(header.compression, header.headerSize);
     if (headerKind(header.headerSize) == HeaderKind::Os22 && header.compression > 2)
@@ -88,8 +92,8 @@ Result<void> checkCompression(const Header& header) {
     switch (static_cast<Compression>(header.compression)) {
     case Compression::None:
         if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 24 && bits != 32)
-            return unsupported("1, 2, 4, 8, 16, 24 or 32 bits a pixel are read, the file has " +
-                               std::to_string(bits));
+            return unsupported(
+                fmt::format("1, 2, 4, 8, 16, 24 or 32 bits a pixel are read, the file has {}", bits));
         return {};
     case Compression::Rle8:
         return bits == 8 ? Result<void>() : needs("8");
@@ -100,9 +104,10 @@ Result<void> checkCompression(const Header& header) {
         return bits == 16 || bits == 32 ? Result<void>() : needs("16 or 32");
     case Compression::Jpeg:
     case Compression::Png:
-        return unsupported("the file wraps a whole " + name +
-                           " file, which is meant for printers; take that out of it, it begins at offset " +
-                           std::to_string(header.dataPos));
+        return unsupported(fmt::format(
+            "the file wraps a whole {} file, which is meant for printers; take that out of it, it begins at "
+            "offset {}",
+            name, header.dataPos));
     default:
         return unsupported("uncompressed, RLE and bit-field pixels are read, this file's compression is " +
                            name);
@@ -110,34 +115,33 @@ Result<void> checkCompression(const Header& header) {
 }
 
 Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
-    const std::string extents =
-        std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels";
+    const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
         return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
-        return tooLarge("at most " + std::to_string(limits.maxExtent) + " x " +
-                        std::to_string(limits.maxExtent) + " pixels are read, the file has " + extents);
+        return tooLarge(
+            fmt::format("at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     const auto pixels = static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
     if (pixels > limits.maxPixels)
-        return tooLarge("at most " + countOf(limits.maxPixels, "pixel") + " are read, the file has " +
-                        extents);
+        return tooLarge(
+            fmt::format("at most {} are read, the file has {}", countOf(limits.maxPixels, "pixel"), extents));
     return {};
 }
 
 Result<void> checkPlaces(const Header& header, ByteView file) {
     if (header.dataPos < header.palettePos)
-        return malformed("pixel data begins at offset " + std::to_string(header.dataPos) +
-                         ", within the headers, which end at " + std::to_string(header.palettePos));
+        return malformed(fmt::format("pixel data begins at offset {}, within the headers, which end at {}",
+                                     header.dataPos, header.palettePos));
     if (header.dataPos > file.size())
-        return malformed("pixel data begins at offset " + std::to_string(header.dataPos) + ", the file has " +
-                         countOf(file.size(), "byte"));
+        return malformed(fmt::format("pixel data begins at offset {}, the file has {}", header.dataPos,
+                                     countOf(file.size(), "byte")));
     if (!header.runLengthCoded() && header.pixelBytes() > file.size() - header.dataPos)
-        return malformed("pixel data needs " + countOf(header.pixelBytes(), "byte") + " from offset " +
-                         std::to_string(header.dataPos) + ", the file has " + std::to_string(file.size()));
+        return malformed(fmt::format("pixel data needs {} from offset {}, the file has {}",
+                                     countOf(header.pixelBytes(), "byte"), header.dataPos, file.size()));
     if (header.bitsPerPixel <= 8 && header.paletteEntries == 0)
         return malformed(
-            countOf(header.bitsPerPixel, "bit") + " a pixel need a palette, there is none between offset " +
-            std::to_string(header.palettePos) + " and the pixels at " + std::to_string(header.dataPos));
+            fmt::format("{} a pixel need a palette, there is none between offset {} and the pixels at {}",
+                        countOf(header.bitsPerPixel, "bit"), header.palettePos, header.dataPos));
     return {};
 }
 
@@ -153,10 +157,6 @@ tl::unexpected<Error> unsupported(const std::string& message) {
 
 tl::unexpected<Error> tooLarge(const std::string& message) {
     return fail(ErrorCode::TooLarge, "BMP: " + message);
-}
-
-std::string countOf(std::uint64_t count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 HeaderKind headerKind(std::uint32_t headerSize) {
@@ -222,7 +222,7 @@ std::string compressionName(std::uint32_t compression, std::uint32_t headerSize)
     case Compression::CmykRle4:
         return "CMYK with RLE4";
     }
-    return "number " + std::to_string(compression);
+    return fmt::format("number {}", compression);
 }
 
 Header parseHeader(ByteView file) {
@@ -264,15 +264,15 @@ Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {
         return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
     constexpr std::size_t shortest = fileHeaderSize + 12;
     const auto headersNeed = [&](std::uint64_t size) {
-        return malformed("the headers need " + std::to_string(size) + " bytes, the file has " +
-                         std::to_string(file.size()));
+        return malformed(fmt::format("the headers need {} bytes, the file has {}", size, file.size()));
     };
     if (file.size() < shortest)
         return headersNeed(shortest);
     Header header = parseHeader(file);
     if (headerKind(header.headerSize) == HeaderKind::Unknown)
-        return unsupported("headers of 12, 16 to 64, 108 and 124 bytes are read, the file has one of " +
-                           std::to_string(header.headerSize));
+        return unsupported(
+            fmt::format("headers of 12, 16 to 64, 108 and 124 bytes are read, the file has one of {}",
+                        header.headerSize));
     if (file.size() < header.palettePos)
         return headersNeed(header.palettePos);
     if (const Result<void> checked = checkCompression(header); !checked)

@@ -87,7 +87,5 @@ struct Header {
 [[nodiscard]] tl::unexpected<Error> malformed(const std::string& message);
 [[nodiscard]] tl::unexpected<Error> unsupported(const std::string& message);
 [[nodiscard]] tl::unexpected<Error> tooLarge(const std::string& message);
-/// "1 byte", "2 bytes"
-[[nodiscard]] std::string countOf(std::uint64_t count, const std::string& thing);
 
 } // namespace texplorer::bmp

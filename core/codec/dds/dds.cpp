@@ -3,6 +3,8 @@
 #include "core/codec/dds/dds_layout.h"
 #include "core/codec/dds/dds_pixels.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -20,8 +22,8 @@ Result<void> checkBytes(const Layout& layout, int levels, const DecodeLimits& li
                  layout.format.decodedBytes(level.width, level.height, level.depth);
     }
     if (bytes > limits.maxBytes)
-        return fail(ErrorCode::TooLarge, "DDS: at most " + std::to_string(limits.maxBytes) +
-                                             " bytes are decoded, the file has " + std::to_string(bytes));
+        return fail(ErrorCode::TooLarge, fmt::format("DDS: at most {} bytes are decoded, the file has {}",
+                                                     limits.maxBytes, bytes));
     return {};
 }
 
@@ -102,8 +104,8 @@ Result<TextureImage> decodeDds(ByteView file, const DecodeLimits& limits) {
             texture.notes.push_back(std::move(finding.sentence));
         return texture;
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "DDS: there is no memory for what the file's " +
-                                             std::to_string(file.size()) + " bytes hold");
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("DDS: there is no memory for what the file's {} bytes hold", file.size()));
     }
 }
 

@@ -2,6 +2,8 @@
 #include "core/codec/dds/dds.h"
 #include "core/codec/dds/dds_layout.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -22,8 +24,7 @@ public:
         Field field{offset, size, std::move(name), std::move(value), std::move(meaning), {}, depth};
         if (offset + size > file_.size()) {
             field.value.clear();
-            blame(field, "it ends at offset " + std::to_string(offset + size) + ", the file at " +
-                             std::to_string(file_.size()));
+            blame(field, fmt::format("it ends at offset {}, the file at {}", offset + size, file_.size()));
         }
         for (const Finding& finding : findings_)
             if (finding.offset == offset)
@@ -36,8 +37,8 @@ public:
         anatomy.fields.push_back({offset, size, std::move(name), {}, std::move(meaning), {}, 0});
         if (offset + size > file_.size())
             anatomy.fields.back().wrong =
-                "it needs " + std::to_string(size) + " bytes, the file has " +
-                std::to_string(file_.size() - std::min<std::uint64_t>(file_.size(), offset)) + " of them";
+                fmt::format("it needs {} bytes, the file has {} of them", size,
+                            file_.size() - std::min<std::uint64_t>(file_.size(), offset));
     }
 
     Field& number(std::size_t offset, std::string name, std::uint32_t value, std::string meaning) {
@@ -50,7 +51,7 @@ public:
         for (const NameRow& row : rows)
             if ((value & row.value) != 0)
                 meaning.append(meaning.empty() ? "" : "; ").append(row.meaning);
-        return add(1, offset, 4, std::move(name), hex(value) + ": " + spellBits(value, rows),
+        return add(1, offset, 4, std::move(name), fmt::format("{}: {}", hex(value), spellBits(value, rows)),
                    std::move(meaning));
     }
 
@@ -59,7 +60,7 @@ public:
         const auto row = std::ranges::find(rows, value, &NameRow::value);
         const bool known = row != rows.end();
         return add(1, offset, 4, std::move(name),
-                   std::to_string(value) + (known ? ": " + std::string(row->name) : ""),
+                   fmt::format("{}{}", value, known ? ": " + std::string(row->name) : ""),
                    known ? std::string(row->meaning) : "no known value");
     }
 
@@ -103,7 +104,7 @@ std::string describeFormat(const DxgiRow* format) {
         return "known, but not read";
     if (const BlockFormat* block = std::get_if<BlockFormat>(&format->pixels))
         return std::string(findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(*block))->help);
-    return "uncompressed, " + std::to_string(std::get<MaskedPixels>(format->pixels).bits) + " bits a pixel";
+    return fmt::format("uncompressed, {} bits a pixel", std::get<MaskedPixels>(format->pixels).bits);
 }
 
 std::string describeMask(std::string_view channel, std::uint32_t mask) {
@@ -112,8 +113,7 @@ std::string describeMask(std::string_view channel, std::uint32_t mask) {
     const int low = std::countr_zero(mask);
     const int high = 31 - std::countl_zero(mask);
     std::string text(channel);
-    text += low == high ? " in bit " + std::to_string(low)
-                        : " in bits " + std::to_string(low) + " to " + std::to_string(high);
+    text += low == high ? fmt::format(" in bit {}", low) : fmt::format(" in bits {} to {}", low, high);
     const bool holes = std::popcount(mask) != high - low + 1;
     return text + (holes ? ", with holes" : "");
 }
@@ -138,8 +138,8 @@ void addPixelFormat(Dissection& to, const Header& header) {
     const bool luminance = (header.formatFlags & formatLuminance) != 0;
     for (std::size_t i = 0; i < 4; ++i) {
         const std::string_view channel = luminance && i == 0 ? "luminance" : channels[i];
-        to.add(1, at::masks + 4 * i, 4, "ddspf.dw" + std::string(letters[i]) + "BitMask",
-               hex(header.masks[i]), describeMask(channel, header.masks[i]));
+        to.add(1, at::masks + 4 * i, 4, fmt::format("ddspf.dw{}BitMask", letters[i]), hex(header.masks[i]),
+               describeMask(channel, header.masks[i]));
     }
 }
 
@@ -175,41 +175,41 @@ void addExtendedHeader(Dissection& to, const Header& header) {
                "what Direct3D 10 and later add: any DXGI format");
     const DxgiRow* format = findDxgi(header.dxgiFormat);
     to.add(1, at::dxgiFormat, 4, "dxgiFormat",
-           std::to_string(header.dxgiFormat) + (format ? ": " + std::string(format->name) : ""),
+           fmt::format("{}{}", header.dxgiFormat, format ? ": " + std::string(format->name) : ""),
            describeFormat(format));
     to.choice(at::dimension, "resourceDimension", header.dimension, dimensionRows);
     to.bits(at::miscFlag, "miscFlag", header.miscFlag, miscRows);
     to.number(at::arraySize, "arraySize", header.arraySize, "textures in an array; a cube map counts as one");
     Field& alpha = to.choice(at::miscFlags2, "miscFlags2", header.miscFlags2 & alphaModeMask, alphaModeRows);
     if ((header.miscFlags2 & ~alphaModeMask) != 0)
-        Dissection::blame(alpha, "bits " + hex(header.miscFlags2 & ~alphaModeMask) + " have no meaning");
+        Dissection::blame(alpha,
+                          fmt::format("bits {} have no meaning", hex(header.miscFlags2 & ~alphaModeMask)));
 }
 
 std::string describeLevel(const Layout& layout, const Level& level) {
     const auto blocks = [](int extent) { return std::to_string((extent + 3) / 4); };
-    const std::string slices = level.depth > 1 ? " x " + std::to_string(level.depth) : "";
+    const std::string slices = level.depth > 1 ? fmt::format(" x {}", level.depth) : "";
     if (std::holds_alternative<BlockFormat>(layout.format.pixels))
-        return blocks(level.width) + " x " + blocks(level.height) + slices + " blocks of " +
-               std::to_string(bytesPerBlock(std::get<BlockFormat>(layout.format.pixels))) + " bytes";
-    return "rows of " +
-           std::to_string(level.size / static_cast<std::uint64_t>(level.height) /
-                          static_cast<std::uint64_t>(level.depth)) +
-           " bytes, top row first";
+        return fmt::format("{} x {}{} blocks of {} bytes", blocks(level.width), blocks(level.height), slices,
+                           bytesPerBlock(std::get<BlockFormat>(layout.format.pixels)));
+    return fmt::format("rows of {} bytes, top row first", level.size /
+                                                              static_cast<std::uint64_t>(level.height) /
+                                                              static_cast<std::uint64_t>(level.depth));
 }
 
 void addLevels(Dissection& to, const Layout& layout) {
-    to.section(
-        layout.begin, layout.end() - layout.begin, "pixel data",
-        std::string(layout.format.name) + ", " +
-            (layout.faces > 1 ? "face by face, each with all its levels" : "level by level, largest first"));
+    to.section(layout.begin, layout.end() - layout.begin, "pixel data",
+               fmt::format("{}, {}", layout.format.name,
+                           layout.faces > 1 ? "face by face, each with all its levels"
+                                            : "level by level, largest first"));
     for (int face = 0; face < layout.faces; ++face)
         for (int i = 0; i < layout.levels; ++i) {
             const Level level = layout.at(face, i);
-            const std::string where = layout.faces > 1 ? "face " + std::string(faceName(face)) + ", " : "";
-            Field& field = to.add(1, level.offset, level.size, where + "level " + std::to_string(i), "",
+            const std::string where = layout.faces > 1 ? fmt::format("face {}, ", faceName(face)) : "";
+            Field& field = to.add(1, level.offset, level.size, fmt::format("{}level {}", where, i), "",
                                   describeLevel(layout, level));
-            field.value = std::to_string(level.width) + " x " + std::to_string(level.height) +
-                          (layout.depth > 1 ? " x " + std::to_string(level.depth) : "");
+            field.value = fmt::format("{} x {}{}", level.width, level.height,
+                                      layout.depth > 1 ? fmt::format(" x {}", level.depth) : "");
         }
 }
 
@@ -225,8 +225,8 @@ Anatomy dissectDds(ByteView file) {
     else if (const Result<int> levels = wholeLevels(*layout, file.size(), findings); !levels)
         damage = levels.error().message;
     else if (file.size() < layout->end())
-        damage = "DDS: the last level ends at offset " + std::to_string(layout->end()) + ", the file at " +
-                 std::to_string(file.size());
+        damage =
+            fmt::format("DDS: the last level ends at offset {}, the file at {}", layout->end(), file.size());
 
     Dissection dissection(file, std::move(findings));
     addHeader(dissection, file, header);
@@ -237,7 +237,7 @@ Anatomy dissectDds(ByteView file) {
         const std::uint64_t elementsEnd = std::min<std::uint64_t>(layout->arrayEnd(), file.size());
         if (elementsEnd > layout->end())
             dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
-                           std::to_string(layout->elements - 1) + " of the array", "not read");
+                           fmt::format("{} of the array", layout->elements - 1), "not read");
         if (file.size() > elementsEnd)
             dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
                            "belong to nothing");

@@ -4,6 +4,8 @@
 #include "core/image/mipmaps.h"
 #include "core/s3tc/flip.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -27,8 +29,7 @@ tl::unexpected<Error> refuse(const std::string& message) {
 }
 
 std::string extentsOf(const Surface& surface) {
-    return std::to_string(widthOf(surface)) + " x " + std::to_string(heightOf(surface)) + " x " +
-           std::to_string(depthOf(surface));
+    return fmt::format("{} x {} x {}", widthOf(surface), heightOf(surface), depthOf(surface));
 }
 
 bool sameFormat(const Surface& a, const Surface& b) {
@@ -42,12 +43,11 @@ bool sameFormat(const Surface& a, const Surface& b) {
 /// The format says nothing about any surface but the first, so that all the others must follow from it.
 Result<void> check(const TextureImage& texture) {
     if (texture.faces != 1 && texture.faces != 6)
-        return refuse("a texture has 1 or 6 faces, this one has " + std::to_string(texture.faces));
+        return refuse(fmt::format("a texture has 1 or 6 faces, this one has {}", texture.faces));
     if (texture.levels < 1 || texture.surfaces.size() != static_cast<std::size_t>(texture.faces) *
                                                              static_cast<std::size_t>(texture.levels))
-        return refuse(std::to_string(texture.faces) + " faces with " + std::to_string(texture.levels) +
-                      " levels are expected, there are " + std::to_string(texture.surfaces.size()) +
-                      " surfaces");
+        return refuse(fmt::format("{} faces with {} levels are expected, there are {} surfaces",
+                                  texture.faces, texture.levels, texture.surfaces.size()));
     const Surface& base = texture.surfaces.front();
     const int width = widthOf(base);
     const int height = heightOf(base);
@@ -57,23 +57,21 @@ Result<void> check(const TextureImage& texture) {
     if (texture.faces == 6 && (width != height || depth != 1))
         return refuse("the faces of a cube map are square, these are " + extentsOf(base));
     if (texture.levels > mipLevelCount(width, height, depth))
-        return refuse("a mip chain of " + extentsOf(base) + " texels has at most " +
-                      std::to_string(mipLevelCount(width, height, depth)) + " levels, this one has " +
-                      std::to_string(texture.levels));
+        return refuse(fmt::format("a mip chain of {} texels has at most {} levels, this one has {}",
+                                  extentsOf(base), mipLevelCount(width, height, depth), texture.levels));
     for (int face = 0; face < texture.faces; ++face)
         for (int level = 0; level < texture.levels; ++level) {
             const Surface& surface = texture.surface(face, level);
             const auto expected = [&](int extent) { return std::max(1, extent >> level); };
             if (widthOf(surface) != expected(width) || heightOf(surface) != expected(height) ||
                 depthOf(surface) != expected(depth))
-                return refuse("level " + std::to_string(level) + " of " + extentsOf(surface) +
-                              " texels is no mip level of " + extentsOf(base));
+                return refuse(fmt::format("level {} of {} texels is no mip level of {}", level,
+                                          extentsOf(surface), extentsOf(base)));
             if (!sameFormat(surface, base))
-                return refuse("level " + std::to_string(level) + " has another format than level 0");
+                return refuse(fmt::format("level {} has another format than level 0", level));
             if (bytesHeld(surface) != byteCount(surface))
-                return refuse("level " + std::to_string(level) + " needs " +
-                              std::to_string(byteCount(surface)) + " bytes, it has " +
-                              std::to_string(bytesHeld(surface)));
+                return refuse(fmt::format("level {} needs {} bytes, it has {}", level, byteCount(surface),
+                                          bytesHeld(surface)));
         }
     return {};
 }
@@ -241,11 +239,12 @@ Result<void> turn(Surface& surface, int level) {
     }
     if (flipVertically(std::get<BlockImage>(surface)))
         return {};
-    return fail(ErrorCode::Unsupported,
-                "DDS: the top row comes first in a file; level " + std::to_string(level) + " has " +
-                    std::to_string(heightOf(surface)) +
-                    " rows, bottom row first, and blocks are turned without loss where there are " +
-                    std::string(losslessExtents));
+    return fail(
+        ErrorCode::Unsupported,
+        fmt::format(
+            "DDS: the top row comes first in a file; level {} has {} rows, bottom row first, and blocks are "
+            "turned without loss where there are {}",
+            level, heightOf(surface), losslessExtents));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "core/codec/dds/dds_format.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::dds {
@@ -120,8 +122,10 @@ AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
     case alphaCustom:
         return AlphaMeaning::Unknown;
     default:
-        findings.push_back({at::miscFlags2, "miscFlags2 has alpha mode " + std::to_string(mode) +
-                                                ", which doesn't exist; what alpha means is unknown"});
+        findings.push_back(
+            {at::miscFlags2,
+             fmt::format("miscFlags2 has alpha mode {}, which doesn't exist; what alpha means is unknown",
+                         mode)});
         return AlphaMeaning::Unknown;
     }
 }
@@ -129,8 +133,9 @@ AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
 Result<Format> fromDxgi(const Header& header, Findings& findings) {
     const DxgiRow* row = findDxgi(header.dxgiFormat);
     if (row == nullptr)
-        return unsupported("DXGI format " + std::to_string(header.dxgiFormat) +
-                           " is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are");
+        return unsupported(fmt::format(
+            "DXGI format {} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
+            header.dxgiFormat));
     if (!row->isRead())
         return unsupported(std::string(row->name) +
                            " is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are");
@@ -146,8 +151,9 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
 
 Result<Format> fromFourCC(const Header& header, Findings& findings) {
     if ((header.formatFlags & formatFourCC) == 0)
-        findings.push_back({at::formatFlags, "DDPF_FOURCC is not set although dwFourCC is " +
-                                                 spellFourCC(header.fourCC) + "; it is followed"});
+        findings.push_back(
+            {at::formatFlags, fmt::format("DDPF_FOURCC is not set although dwFourCC is {}; it is followed",
+                                          spellFourCC(header.fourCC))});
     if (header.extended())
         return fromDxgi(header, findings);
     const auto row = std::ranges::find(fourCCTable, header.fourCC, &FourCCRow::code);
@@ -155,7 +161,7 @@ Result<Format> fromFourCC(const Header& header, Findings& findings) {
         std::string known;
         for (const FourCCRow& each : fourCCTable)
             known.append(each.name).append(", ");
-        return unsupported("dwFourCC is " + spellFourCC(header.fourCC) + "; " + known + "DX10 are read");
+        return unsupported(fmt::format("dwFourCC is {}; {}DX10 are read", spellFourCC(header.fourCC), known));
     }
     if (row->alpha == AlphaMeaning::Premultiplied)
         findings.push_back({at::fourCC, std::string(row->name) + ": the colours are multiplied by alpha"});
@@ -168,15 +174,15 @@ constexpr std::array<std::string_view, 4> maskNames{"dwRBitMask", "dwGBitMask", 
 Result<Format> fromMasks(const Header& header, Findings& findings) {
     const std::uint32_t flags = header.formatFlags;
     if (header.bitCount != 8 && header.bitCount != 16 && header.bitCount != 24 && header.bitCount != 32)
-        return unsupported("8, 16, 24 or 32 bits a pixel are read, dwRGBBitCount is " +
-                           std::to_string(header.bitCount));
+        return unsupported(
+            fmt::format("8, 16, 24 or 32 bits a pixel are read, dwRGBBitCount is {}", header.bitCount));
     const std::uint32_t all = 0xFFFFFFFFU >> (32 - header.bitCount);
     MaskedPixels pixels{static_cast<int>(header.bitCount), header.masks, PixelFormat::Rgba8};
     for (std::size_t i = 0; i < 4; ++i) {
         if ((pixels.masks[i] & ~all) != 0)
-            findings.push_back({at::masks + 4 * i, std::string(maskNames[i]) + " is " + hex(pixels.masks[i]) +
-                                                       ", beyond the " + std::to_string(header.bitCount) +
-                                                       " bits of a pixel; those bits are ignored"});
+            findings.push_back({at::masks + 4 * i,
+                                fmt::format("{} is {}, beyond the {} bits of a pixel; those bits are ignored",
+                                            maskNames[i], hex(pixels.masks[i]), header.bitCount)});
         pixels.masks[i] &= all;
     }
 
@@ -188,8 +194,10 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
     }
     const bool alphaAlone = (flags & formatAlpha) != 0 && (flags & (formatRgb | formatLuminance)) == 0;
     if (!alpha && !alphaAlone && pixels.masks[3] != 0) {
-        findings.push_back({at::formatFlags, "DDPF_ALPHAPIXELS is not set although dwABitMask is " +
-                                                 hex(pixels.masks[3]) + "; read without alpha"});
+        findings.push_back(
+            {at::formatFlags,
+             fmt::format("DDPF_ALPHAPIXELS is not set although dwABitMask is {}; read without alpha",
+                         hex(pixels.masks[3]))});
         pixels.masks[3] = 0;
     }
 
@@ -255,15 +263,17 @@ const DxgiRow* findDxgi(std::uint32_t number) {
 
 Result<Format> formatOf(const Header& header, Findings& findings) {
     if (header.formatSize != formatSize)
-        findings.push_back({at::formatSize, "ddspf.dwSize is " + std::to_string(header.formatSize) +
-                                                " where 32 is expected; it is ignored"});
+        findings.push_back(
+            {at::formatSize,
+             fmt::format("ddspf.dwSize is {} where 32 is expected; it is ignored", header.formatSize)});
     if (header.hasFourCC())
         return fromFourCC(header, findings);
     constexpr std::uint32_t unreadKinds =
         formatPalette4 | formatPalette8 | formatYuv | formatBumpLuminance | formatBump;
     if ((header.formatFlags & unreadKinds) != 0)
-        return unsupported("pixels with " + spellBits(header.formatFlags & unreadKinds, formatFlagRows) +
-                           " are not read; RGB, luminance, alpha and compressed ones are");
+        return unsupported(
+            fmt::format("pixels with {} are not read; RGB, luminance, alpha and compressed ones are",
+                        spellBits(header.formatFlags & unreadKinds, formatFlagRows)));
     if ((header.formatFlags & formatFourCC) != 0)
         findings.push_back(
             {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are followed instead"});

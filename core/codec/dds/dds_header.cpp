@@ -2,6 +2,8 @@
 
 #include "core/base/byte_reader.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -81,11 +83,7 @@ Bytes writeHeader(const Header& header) {
 }
 
 std::string hex(std::uint32_t value) {
-    constexpr char digits[] = "0123456789ABCDEF";
-    std::string text = "0x";
-    for (int shift = 28; shift >= 0; shift -= 4)
-        text += digits[value >> shift & 15];
-    return text;
+    return fmt::format("0x{:08X}", value);
 }
 
 std::string spellBits(std::uint32_t bits, std::span<const NameRow> rows) {

@@ -1,6 +1,9 @@
 #include "core/codec/dds/dds_layout.h"
 
+#include "core/base/count.h"
 #include "core/image/mipmaps.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
@@ -13,14 +16,6 @@ tl::unexpected<Error> malformed(const std::string& message) {
     return fail(ErrorCode::Malformed, "DDS: " + message);
 }
 
-std::string spell(std::uint64_t number) {
-    return std::to_string(number);
-}
-
-std::string count(std::uint64_t number, std::string_view what) {
-    return spell(number).append(" ").append(what).append(number == 1 ? "" : "s");
-}
-
 Result<void> checkHeaders(ByteView file, const Header& header) {
     if (file.empty())
         return malformed("the file is empty");
@@ -28,11 +23,12 @@ Result<void> checkHeaders(ByteView file, const Header& header) {
     if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic))
         return malformed("the file does not begin with \"DDS \"");
     if (file.size() < legacyEnd)
-        return malformed("the headers need 128 bytes, the file has " + spell(file.size()));
+        return malformed(fmt::format("the headers need 128 bytes, the file has {}", file.size()));
     if (header.size != headerSize)
-        return malformed("a header has 124 bytes, dwSize says " + spell(header.size));
+        return malformed(fmt::format("a header has 124 bytes, dwSize says {}", header.size));
     if (file.size() < header.end())
-        return malformed("the headers need 148 bytes with the DX10 one, the file has " + spell(file.size()));
+        return malformed(
+            fmt::format("the headers need 148 bytes with the DX10 one, the file has {}", file.size()));
     return {};
 }
 
@@ -41,9 +37,9 @@ void readElements(const Header& header, Layout& layout, Findings& findings) {
     if (header.arraySize == 0)
         findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
     if (header.arraySize > 1)
-        findings.push_back({at::arraySize, "it is an array of " + spell(header.arraySize) +
-                                               (layout.faces > 1 ? " cube maps" : " textures") +
-                                               "; the first is read"});
+        findings.push_back(
+            {at::arraySize, fmt::format("it is an array of {}{}; the first is read", header.arraySize,
+                                        layout.faces > 1 ? " cube maps" : " textures")});
 }
 
 /// What kind of texture it is, in the order in which Direct3D's loaders ask: volume before cube map.
@@ -66,20 +62,27 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
         if (header.dimension == dimension3D)
             volume();
         if (header.dimension == dimension1D && header.height != 1) {
-            findings.push_back({at::height, "dwHeight of a line is " + spell(header.height) +
-                                                " where 1 is expected; it is read as 1"});
+            findings.push_back(
+                {at::height, fmt::format("dwHeight of a line is {} where 1 is expected; it is read as 1",
+                                         header.height)});
             layout.height = 1;
         }
         return {};
     }
     if (header.extended())
-        findings.push_back({at::dimension, "resourceDimension is " + spell(header.dimension) +
-                                               ", which is no texture; dwCaps2 is followed instead"});
+        findings.push_back(
+            {at::dimension,
+             fmt::format("resourceDimension is {}, which is no texture; dwCaps2 is followed instead",
+                         header.dimension)});
 
     if (volumeCap || (depthFlag && header.depth > 1)) {
         if (!volumeCap)
-            findings.push_back({at::caps2, "DDSCAPS2_VOLUME is not set although DDSD_DEPTH is, with " +
-                                               spell(header.depth) + " slices; it is read as a volume"});
+            findings.push_back(
+                {at::caps2,
+                 fmt::format(
+                     "DDSCAPS2_VOLUME is not set although DDSD_DEPTH is, with {} slices; it is read as a "
+                     "volume",
+                     header.depth)});
         if ((header.caps2 & caps2CubeMap) != 0)
             findings.push_back(
                 {at::caps2, "DDSCAPS2_CUBEMAP and DDSCAPS2_VOLUME are both set; it is read as a volume"});
@@ -87,8 +90,9 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
         return {};
     }
     if (header.depth > 1)
-        findings.push_back({at::depth, "dwDepth is " + spell(header.depth) +
-                                           " although nothing says that it is a volume; it is ignored"});
+        findings.push_back(
+            {at::depth, fmt::format("dwDepth is {} although nothing says that it is a volume; it is ignored",
+                                    header.depth)});
     const std::uint32_t faces = header.caps2 & caps2AllFaces;
     if ((header.caps2 & caps2CubeMap) == 0) {
         if (faces != 0)
@@ -99,25 +103,26 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     if (faces == 0)
         findings.push_back({at::caps2, "DDSCAPS2_CUBEMAP is set, but no face; it is read as all six"});
     else if (faces != caps2AllFaces)
-        return fail(ErrorCode::Unsupported, "DDS: cube maps with all six faces are read, this one has " +
-                                                spell(static_cast<unsigned>(std::popcount(faces))) + ": " +
-                                                spellBits(faces, caps2Rows));
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("DDS: cube maps with all six faces are read, this one has {}: {}",
+                                std::popcount(faces), spellBits(faces, caps2Rows)));
     layout.faces = 6;
     return {};
 }
 
 Result<void> checkExtents(const Layout& layout, const Header& header, const DecodeLimits& limits) {
-    std::string extents = spell(header.width) + " x " + spell(header.height);
+    std::string extents = fmt::format("{} x {}", header.width, header.height);
     if (layout.depth != 1)
-        extents += " x " + spell(header.depth);
+        extents += fmt::format(" x {}", header.depth);
     if (header.width == 0 || layout.height == 0)
         return malformed("a picture has at least 1 x 1 texels, this one says " + extents);
     const auto largest = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
     // Read as unsigned: what became negative is too large as well.
     const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > largest; };
     if (tooLarge(layout.width) || tooLarge(layout.height) || tooLarge(layout.depth))
-        return fail(ErrorCode::TooLarge, "DDS: at most " + spell(largest) +
-                                             " texels along each axis are read, the file has " + extents);
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("DDS: at most {} texels along each axis are read, the file has {}", largest,
+                                extents));
     if (layout.faces == 6 && layout.width != layout.height)
         return malformed("the faces of a cube map are square, these are " + extents);
 
@@ -127,7 +132,7 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
         static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
     if (slice > maxPixels / static_cast<std::uint64_t>(layout.depth))
         return fail(ErrorCode::TooLarge,
-                    "DDS: at most " + spell(maxPixels) + " texels are read, the file has " + extents);
+                    fmt::format("DDS: at most {} texels are read, the file has {}", maxPixels, extents));
     return {};
 }
 
@@ -140,12 +145,13 @@ void readLevels(const Header& header, Layout& layout, Findings& findings) {
         findings.push_back(
             {at::mipMapCount, "dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level is read"});
     else if (said > full)
-        findings.push_back({at::mipMapCount, "dwMipMapCount is " + spell(said) +
-                                                 ", but the chain ends after " + count(full, "level") +
-                                                 "; no more are read"});
+        findings.push_back({at::mipMapCount,
+                            fmt::format("dwMipMapCount is {}, but the chain ends after {}; no more are read",
+                                        said, countOf(full, "level"))});
     else if (said > 1 && !flagged)
-        findings.push_back({at::flags, "DDSD_MIPMAPCOUNT is not set although dwMipMapCount is " +
-                                           spell(said) + "; it is followed"});
+        findings.push_back(
+            {at::flags,
+             fmt::format("DDSD_MIPMAPCOUNT is not set although dwMipMapCount is {}; it is followed", said)});
 }
 
 /// Nothing that these say is needed. Files without both are common and are left in peace.
@@ -158,20 +164,20 @@ void checkPitch(const Header& header, const Layout& layout, Findings& findings) 
     // Of a volume, some writers give the size of a slice.
     const std::uint64_t slice = level / static_cast<std::uint64_t>(layout.depth);
     if (linear && said != level && said != slice)
-        findings.push_back({at::pitchOrLinearSize, "dwPitchOrLinearSize is " + spell(said) +
-                                                       " where level 0 has " + count(level, "byte") +
-                                                       "; it is ignored"});
+        findings.push_back({at::pitchOrLinearSize,
+                            fmt::format("dwPitchOrLinearSize is {} where level 0 has {}; it is ignored", said,
+                                        countOf(level, "byte"))});
     else if (!linear && pitch && said != row)
-        findings.push_back({at::pitchOrLinearSize, "dwPitchOrLinearSize is " + spell(said) +
-                                                       " where a row has " + count(row, "byte") +
-                                                       "; it is ignored"});
+        findings.push_back(
+            {at::pitchOrLinearSize, fmt::format("dwPitchOrLinearSize is {} where a row has {}; it is ignored",
+                                                said, countOf(row, "byte"))});
 }
 
 void checkFlags(const Header& header, Findings& findings) {
     constexpr std::uint32_t required = flagCaps | flagHeight | flagWidth | flagPixelFormat;
     if ((header.flags & required) != required)
-        findings.push_back({at::flags, "dwFlags lacks " + spellBits(required & ~header.flags, flagRows) +
-                                           "; the fields are followed all the same"});
+        findings.push_back({at::flags, fmt::format("dwFlags lacks {}; the fields are followed all the same",
+                                                   spellBits(required & ~header.flags, flagRows))});
 }
 
 } // namespace
@@ -232,9 +238,9 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
         for (Layout fewer = layout; --fewer.levels > 0;)
             if (fewer.arrayEnd() == file.size()) {
                 findings.push_back(
-                    {at::mipMapCount, "dwMipMapCount is " + spell(header.mipMapCount) +
-                                          ", but the file holds exactly six faces of " +
-                                          count(static_cast<unsigned>(fewer.levels), "level")});
+                    {at::mipMapCount,
+                     fmt::format("dwMipMapCount is {}, but the file holds exactly six faces of {}",
+                                 header.mipMapCount, countOf(static_cast<unsigned>(fewer.levels), "level"))});
                 return fewer;
             }
     return layout;
@@ -243,11 +249,11 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
 Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings) {
     if (fileSize >= layout.end()) {
         if (fileSize < layout.arrayEnd())
-            findings.push_back({at::arraySize, "its " + spell(layout.elements) + " elements need " +
-                                                   count(layout.arrayEnd(), "byte") + ", the file has " +
-                                                   spell(fileSize)});
+            findings.push_back(
+                {at::arraySize, fmt::format("its {} elements need {}, the file has {}", layout.elements,
+                                            countOf(layout.arrayEnd(), "byte"), fileSize)});
         if (fileSize > layout.arrayEnd())
-            findings.push_back({layout.arrayEnd(), count(fileSize - layout.arrayEnd(), "byte") +
+            findings.push_back({layout.arrayEnd(), countOf(fileSize - layout.arrayEnd(), "byte") +
                                                        " after the last level: ignored"});
         return layout.levels;
     }
@@ -259,17 +265,17 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
         if (!isWhole(face, 0)) {
             const Level base = layout.at(face, 0);
             const std::string where = layout.faces > 1 ? " of face " + std::string(faceName(face)) : "";
-            return malformed("level 0" + where + " needs " + count(base.size, "byte") + " from offset " +
-                             spell(base.offset) + ", the file has " + spell(fileSize));
+            return malformed(fmt::format("level 0{} needs {} from offset {}, the file has {}", where,
+                                         countOf(base.size, "byte"), base.offset, fileSize));
         }
     int levels = 1;
     while (isWhole(layout.faces - 1, levels))
         ++levels;
     findings.push_back(
         {at::mipMapCount,
-         "dwMipMapCount is " + spell(static_cast<unsigned>(layout.levels)) + ", which needs " +
-             count(layout.end(), "byte") + "; the file has " + spell(fileSize) + " and only level" +
-             (levels == 1 ? " 0 is" : "s 0 to " + std::to_string(levels - 1) + " are") + " whole"});
+         fmt::format("dwMipMapCount is {}, which needs {}; the file has {} and only level{} whole",
+                     layout.levels, countOf(layout.end(), "byte"), fileSize,
+                     levels == 1 ? " 0 is" : fmt::format("s 0 to {} are", levels - 1))});
     return levels;
 }
 

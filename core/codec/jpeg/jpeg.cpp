@@ -3,6 +3,8 @@
 #include "core/codec/jpeg/jpeg_markers.h"
 #include "core/codec/jpeg/jpeg_reader.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -45,8 +47,7 @@ Survey survey(ByteView file) {
 std::string samplingOf(const JpegFrame& frame) {
     std::string text;
     for (const JpegComponent& each : frame.components)
-        text.append(text.empty() ? "" : ", ")
-            .append(std::to_string(each.horizontal) + " x " + std::to_string(each.vertical));
+        text.append(text.empty() ? "" : ", ").append(fmt::format("{} x {}", each.horizontal, each.vertical));
     return text;
 }
 
@@ -55,18 +56,17 @@ Error inJpeg(const Error& error) {
 }
 
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
-    const std::string extents =
-        std::to_string(frame.width) + " x " + std::to_string(frame.height) + " pixels";
+    const std::string extents = fmt::format("{} x {} pixels", frame.width, frame.height);
     if (frame.width < 1 || frame.height < 1)
         return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
     if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
-        return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxExtent) + " x " +
-                                             std::to_string(limits.maxExtent) +
-                                             " pixels are read, the file has " + extents);
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("JPEG: at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent,
+                                extents));
     const std::uint64_t pixels = std::uint64_t{frame.width} * frame.height;
     if (pixels > limits.maxPixels)
-        return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxPixels) +
-                                             " pixels are read, the file has " + std::to_string(pixels));
+        return fail(ErrorCode::TooLarge, fmt::format("JPEG: at most {} pixels are read, the file has {}",
+                                                     limits.maxPixels, pixels));
     if (const std::size_t count = frame.components.size(); count != 1 && count != 3 && count != 4)
         return fail(inJpeg(unreadableComponents(count)));
     const auto divides = [&](std::uint8_t JpegComponent::*factor) {
@@ -82,9 +82,8 @@ Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimit
                                             "components have " +
                                                 samplingOf(frame));
     if (!frame.arithmetic() && frame.blocks() / 8 > file.size())
-        return malformed(extents + " need " + std::to_string(frame.blocks()) +
-                         " coded blocks of at least 1 bit each, the file has " + std::to_string(file.size()) +
-                         " bytes");
+        return malformed(fmt::format("{} need {} coded blocks of at least 1 bit each, the file has {} bytes",
+                                     extents, frame.blocks(), file.size()));
     return {};
 }
 
@@ -111,23 +110,21 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     // The second opinion counts: only extents that were checked may be allocated.
     if (header->width != static_cast<int>(found.frame->width) ||
         header->height != static_cast<int>(found.frame->height))
-        return malformed("its first frame says " + std::to_string(found.frame->width) + " x " +
-                         std::to_string(found.frame->height) + " pixels, another " +
-                         std::to_string(header->width) + " x " + std::to_string(header->height));
+        return malformed(fmt::format("its first frame says {} x {} pixels, another {} x {}",
+                                     found.frame->width, found.frame->height, header->width, header->height));
     const std::uint64_t needed = std::uint64_t{found.frame->width} * found.frame->height *
                                  static_cast<std::uint64_t>(bytesPerPixel(header->format));
     if (needed > limits.maxBytes)
-        return fail(ErrorCode::TooLarge, "JPEG: at most " + std::to_string(limits.maxBytes) +
-                                             " bytes of pixels are read, the file has " +
-                                             std::to_string(needed));
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("JPEG: at most {} bytes of pixels are read, the file has {}", limits.maxBytes,
+                                needed));
     Image image{header->inks ? PixelFormat::Rgb8 : header->format, header->width, header->height, 1, {}};
     if (limits.pixels) {
         image = Image::uninitialised(header->format, header->width, header->height);
         if (const Result<void> read = reader.readPixels(image); !read)
-            return fail(
-                inJpeg({read.error().code,
-                        read.error().message + " (the file has " + std::to_string(file.size()) + " bytes)",
-                        {}}));
+            return fail(inJpeg({read.error().code,
+                                fmt::format("{} (the file has {} bytes)", read.error().message, file.size()),
+                                {}}));
         if (header->inks)
             image = rgbOfCmyk(std::move(image), found.adobe);
     }
@@ -135,11 +132,12 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     TextureImage texture = textureOf(std::move(image), "JPEG");
     texture.notes = reader.notes();
     if (found.orientation > 1)
-        texture.notes.push_back("Exif says that the camera was turned (orientation " +
-                                std::to_string(found.orientation) + "); the picture stands as it is stored");
+        texture.notes.push_back(fmt::format(
+            "Exif says that the camera was turned (orientation {}); the picture stands as it is stored",
+            found.orientation));
     if (found.end != 0 && found.end < file.size())
-        texture.notes.push_back(std::to_string(file.size() - found.end) +
-                                " bytes behind the end (EOI) left out");
+        texture.notes.push_back(
+            fmt::format("{} bytes behind the end (EOI) left out", file.size() - found.end));
     return texture;
 }
 
@@ -153,8 +151,8 @@ Result<TextureImage> decodeJpeg(ByteView file, const DecodeLimits& limits) {
             return malformed("the file does not begin with a start marker (FF D8)");
         const Survey found = survey(file);
         if (!found.frame)
-            return malformed("there is no frame header (SOF) in the " + std::to_string(file.size()) +
-                             " bytes of the file");
+            return malformed(
+                fmt::format("there is no frame header (SOF) in the {} bytes of the file", file.size()));
         if (const Result<void> checked = checkFrame(*found.frame, file, limits); !checked)
             return fail(checked.error());
         return decode(file, found, limits);

@@ -1,6 +1,8 @@
 #include "core/codec/jpeg/jpeg.h"
 #include "core/codec/jpeg/jpeg_markers.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -53,9 +55,9 @@ void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
         const JpegComponent& each = frame.components[i];
         const bool good =
             each.horizontal >= 1 && each.horizontal <= 4 && each.vertical >= 1 && each.vertical <= 4;
-        add(6 + 3 * i, 3, "component " + std::to_string(each.id),
-            std::to_string(each.horizontal) + " x " + std::to_string(each.vertical),
-            "sampling; quantization table " + std::to_string(each.quantization),
+        add(6 + 3 * i, 3, fmt::format("component {}", each.id),
+            fmt::format("{} x {}", each.horizontal, each.vertical),
+            fmt::format("sampling; quantization table {}", each.quantization),
             good ? "" : "expected factors from 1 to 4");
     }
 }
@@ -67,7 +69,7 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
                       {},
                       meaningOf(segment),
                       segment.strayBytes == 0 ? std::string()
-                                              : std::to_string(segment.strayBytes) + " stray bytes before it",
+                                              : fmt::format("{} stray bytes before it", segment.strayBytes),
                       0});
     if (segment.hasLength())
         fields.push_back({segment.offset + 2,
@@ -83,7 +85,7 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
         fields.push_back({segment.offset + 4,
                           segment.length,
                           "Exif",
-                          "orientation " + std::to_string(orientation),
+                          fmt::format("orientation {}", orientation),
                           "1 is upright",
                           {},
                           1});
@@ -105,21 +107,20 @@ Anatomy dissectJpeg(ByteView file) {
     bool ended = false;
     for (std::size_t index = 0; const std::optional<JpegSegment> segment = segments.next(); ++index) {
         if (index == mostSegments) {
-            anatomy.damage =
-                "the first " + std::to_string(mostSegments) + " segments are shown, there are more";
+            anatomy.damage = fmt::format("the first {} segments are shown, there are more", mostSegments);
             return anatomy;
         }
         describeSegment(*segment, anatomy.fields);
         if (!segment->complete()) {
-            anatomy.damage = jpegMarkerName(segment->marker) + " at offset " +
-                             std::to_string(segment->offset) + " needs " + std::to_string(segment->size()) +
-                             " bytes, the file has " + std::to_string(file.size());
+            anatomy.damage =
+                fmt::format("{} at offset {} needs {} bytes, the file has {}",
+                            jpegMarkerName(segment->marker), segment->offset, segment->size(), file.size());
             return anatomy;
         }
         ended = segment->marker == jpegEoi;
     }
     if (!ended)
-        anatomy.damage = "the file ends at offset " + std::to_string(file.size()) + " without an EOI";
+        anatomy.damage = fmt::format("the file ends at offset {} without an EOI", file.size());
     else if (segments.offset() < file.size())
         anatomy.fields.push_back({segments.offset(),
                                   file.size() - segments.offset(),

@@ -1,5 +1,7 @@
 #include "core/codec/jpeg/jpeg_markers.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -147,7 +149,7 @@ int exifOrientation(ByteView payload) {
 
 std::string jpegMarkerName(std::uint8_t marker) {
     const auto numbered = [&](const char* name, unsigned first) {
-        return name + std::to_string(marker - first);
+        return fmt::format("{}{}", name, marker - first);
     };
     switch (marker) {
     case jpegSoi:
@@ -177,7 +179,7 @@ std::string jpegMarkerName(std::uint8_t marker) {
         return numbered("SOF", jpegSof0);
     if (isRestart(marker))
         return numbered("RST", jpegRst0);
-    return "marker " + std::to_string(marker);
+    return fmt::format("marker {}", marker);
 }
 
 } // namespace texplorer

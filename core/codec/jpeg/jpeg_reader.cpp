@@ -1,5 +1,7 @@
 #include "core/codec/jpeg/jpeg_reader.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <jerror.h>
@@ -19,8 +21,8 @@ JpegReader& readerOf(j_common_ptr jpeg) {
 
 Error unreadableComponents(std::size_t count) {
     return {ErrorCode::Unsupported,
-            "pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has " +
-                std::to_string(count),
+            fmt::format("pictures of 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one has {}",
+                        count),
             {}};
 }
 
@@ -76,7 +78,7 @@ void JpegReader::onProgress(j_common_ptr jpeg) {
     if (reader.jpeg_.input_scan_number <= mostScans)
         return;
     try {
-        reader.error_ = "at most " + std::to_string(mostScans) + " scans are read, the file has more";
+        reader.error_ = fmt::format("at most {} scans are read, the file has more", mostScans);
     } catch (const std::bad_alloc&) {
         reader.outOfMemory_ = true;
     }

@@ -2,6 +2,8 @@
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
 
+#include <fmt/core.h>
+
 #include <libdeflate.h>
 #include <string>
 #include <string_view>
@@ -36,14 +38,6 @@ std::string meaningOf(const PngChunk& chunk) {
         if (each.type == chunk.type)
             return std::string(each.meaning);
     return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown, and can't be skipped";
-}
-
-std::string hex(std::uint32_t value) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text = "0x";
-    for (int shift = 28; shift >= 0; shift -= 4)
-        text += digits[value >> shift & 15];
-    return text;
 }
 
 std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
@@ -94,8 +88,9 @@ void describeChunk(const PngChunk& chunk, ByteView file, std::string wrong, std:
         return;
     const std::uint32_t found =
         libdeflate_crc32(0, file.data() + chunk.offset + 4, 4 + std::size_t{chunk.length});
-    fields.push_back({chunk.offset + 8 + chunk.length, 4, "CRC", hex(*chunk.crc), "of type and data",
-                      found == *chunk.crc ? std::string() : "the bytes give " + hex(found), 1});
+    fields.push_back(
+        {chunk.offset + 8 + chunk.length, 4, "CRC", fmt::format("{:#010x}", *chunk.crc), "of type and data",
+         found == *chunk.crc ? std::string() : fmt::format("the bytes give {:#010x}", found), 1});
 }
 
 } // namespace
@@ -114,14 +109,13 @@ Anatomy dissectPng(ByteView file) {
     bool pixelsSeen = false;
     for (std::size_t index = 0; const std::optional<PngChunk> chunk = chunks.next(); ++index) {
         if (index == mostChunks) {
-            anatomy.damage = "the first " + std::to_string(mostChunks) + " chunks are shown, there are more";
+            anatomy.damage = fmt::format("the first {} chunks are shown, there are more", mostChunks);
             return anatomy;
         }
         describeChunk(*chunk, file, wrongOrder(*chunk, index, before, pixelsSeen), anatomy.fields);
         if (!chunk->complete()) {
-            anatomy.damage = "the chunk " + printable(chunk->type) + " at offset " +
-                             std::to_string(chunk->offset) + " needs " + std::to_string(chunk->size()) +
-                             " bytes, the file has " + std::to_string(file.size());
+            anatomy.damage = fmt::format("the chunk {} at offset {} needs {} bytes, the file has {}",
+                                         printable(chunk->type), chunk->offset, chunk->size(), file.size());
             return anatomy;
         }
         pixelsSeen = pixelsSeen || chunk->type == "IDAT";
@@ -131,7 +125,7 @@ Anatomy dissectPng(ByteView file) {
     }
     const std::size_t end = chunks.offset();
     if (before != "IEND")
-        anatomy.damage = "the file ends at offset " + std::to_string(file.size()) + " without an IEND";
+        anatomy.damage = fmt::format("the file ends at offset {} without an IEND", file.size());
     else if (end < file.size())
         anatomy.fields.push_back(
             {end, file.size() - end, "Trailing data", {}, "behind the end", "no reader looks here", 0});

@@ -1,5 +1,8 @@
+#include "core/base/count.h"
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -13,10 +16,6 @@
 namespace texplorer {
 
 namespace {
-
-std::string byteCountText(std::uint64_t count) {
-    return std::to_string(count) + (count == 1 ? " byte" : " bytes");
-}
 
 tl::unexpected<Error> malformed(const std::string& message) {
     return fail(ErrorCode::Malformed, "PNG: " + message);
@@ -48,19 +47,18 @@ Survey survey(ByteView file) {
 }
 
 Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
-    const std::string extents =
-        std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels";
+    const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
         return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
     const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
     if (header.width > maxExtent || header.height > maxExtent)
-        return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(maxExtent) + " x " +
-                                             std::to_string(maxExtent) + " pixels are read, the file has " +
-                                             extents);
+        return fail(
+            ErrorCode::TooLarge,
+            fmt::format("PNG: at most {0} x {0} pixels are read, the file has {1}", maxExtent, extents));
     const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
     if (pixels > limits.maxPixels)
-        return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(limits.maxPixels) +
-                                             " pixels are read, the file has " + std::to_string(pixels));
+        return fail(ErrorCode::TooLarge, fmt::format("PNG: at most {} pixels are read, the file has {}",
+                                                     limits.maxPixels, pixels));
     return {};
 }
 
@@ -72,8 +70,9 @@ Result<void> checkColors(const PngHeader& header) {
     if (header.colorType < depths.size() && (depths[header.colorType] & depth) != 0 &&
         (depth & (depth - 1)) == 0)
         return {};
-    return malformed("colour type " + std::to_string(header.colorType) + " with " + std::to_string(depth) +
-                     " bits a sample is none of the format's 15 combinations");
+    return malformed(
+        fmt::format("colour type {} with {} bits a sample is none of the format's 15 combinations",
+                    header.colorType, depth));
 }
 
 Result<void> checkSurvey(const Survey& found, ByteView file, const DecodeLimits& limits) {
@@ -82,16 +81,15 @@ Result<void> checkSurvey(const Survey& found, ByteView file, const DecodeLimits&
     if (Result<void> checked = checkColors(found.header); !checked)
         return checked;
     if (found.compressed == 0)
-        return malformed("there is no pixel data (IDAT) in the " + std::to_string(file.size()) +
-                         " bytes of the file");
+        return malformed(
+            fmt::format("there is no pixel data (IDAT) in the {} bytes of the file", file.size()));
     // Deflate's longest match is 258 bytes and takes at least two bits.
     constexpr std::uint64_t bestRatio = 1032;
     const std::uint64_t needed = found.header.filteredBytes();
     if (needed / bestRatio > found.compressed)
-        return malformed(std::to_string(found.header.width) + " x " + std::to_string(found.header.height) +
-                         " pixels need " + std::to_string(needed) + " bytes, the file's " +
-                         std::to_string(found.compressed) + " bytes of pixel data can hold at most " +
-                         std::to_string(found.compressed * bestRatio));
+        return malformed(fmt::format(
+            "{} x {} pixels need {} bytes, the file's {} bytes of pixel data can hold at most {}",
+            found.header.width, found.header.height, needed, found.compressed, found.compressed * bestRatio));
     return {};
 }
 
@@ -122,8 +120,7 @@ Decoder& decoderOf(png_voidp pointer) {
 void keepError(Decoder& decoder, png_const_charp message) noexcept {
     try {
         if (decoder.error.empty())
-            decoder.error =
-                std::string(message) + " (read up to offset " + std::to_string(decoder.position) + ")";
+            decoder.error = fmt::format("{} (read up to offset {})", message, decoder.position);
     } catch (const std::bad_alloc&) {
         decoder.error.clear();
     }
@@ -131,9 +128,9 @@ void keepError(Decoder& decoder, png_const_charp message) noexcept {
 
 void keepEnd(Decoder& decoder, std::size_t wanted) noexcept {
     try {
-        decoder.error = "the file ends early: " + std::to_string(wanted) +
-                        " more bytes were expected at offset " + std::to_string(decoder.position) +
-                        ", the file has " + std::to_string(decoder.file.size());
+        decoder.error =
+            fmt::format("the file ends early: {} more bytes were expected at offset {}, the file has {}",
+                        wanted, decoder.position, decoder.file.size());
     } catch (const std::bad_alloc&) {
         decoder.error.clear();
     }
@@ -220,13 +217,13 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     const std::uint64_t needed = std::uint64_t{found.header.width} * found.header.height *
                                  static_cast<std::uint64_t>(bytesPerPixel(format));
     if (needed > limits.maxBytes)
-        return fail(ErrorCode::TooLarge, "PNG: at most " + std::to_string(limits.maxBytes) +
-                                             " bytes of pixels are read, the file has " +
-                                             std::to_string(needed));
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("PNG: at most {} bytes of pixels are read, the file has {}", limits.maxBytes,
+                                needed));
     Image image{format, static_cast<int>(found.header.width), static_cast<int>(found.header.height), 1, {}};
     if (png_get_rowbytes(decoder.png, decoder.info) != image.rowBytes())
-        return malformed("libpng's rows have " + std::to_string(png_get_rowbytes(decoder.png, decoder.info)) +
-                         " bytes, expected " + std::to_string(image.rowBytes()));
+        return malformed(fmt::format("libpng's rows have {} bytes, expected {}",
+                                     png_get_rowbytes(decoder.png, decoder.info), image.rowBytes()));
     if (limits.pixels) {
         image.pixels.resize(image.byteCount());
         if (!decoder.readPixels(image.at(0, image.height - 1).data(), image.rowBytes(), found.header.height))
@@ -239,7 +236,7 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     if (found.animated)
         texture.notes.emplace_back("the file is an animation; its first picture is read");
     if (found.end != 0 && found.end < file.size())
-        texture.notes.push_back(byteCountText(file.size() - found.end) + " behind the end (IEND) left out");
+        texture.notes.push_back(countOf(file.size() - found.end, "byte") + " behind the end (IEND) left out");
     return texture;
 }
 
@@ -252,8 +249,8 @@ Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits) {
         if (!hasPngSignature(file))
             return malformed("the file does not begin with PNG's signature of 8 bytes");
         if (file.size() < pngHeaderEnd)
-            return malformed("the header needs " + std::to_string(pngHeaderEnd) + " bytes, the file has " +
-                             std::to_string(file.size()));
+            return malformed(
+                fmt::format("the header needs {} bytes, the file has {}", pngHeaderEnd, file.size()));
         if (!beginsWithPngHeader(file))
             return malformed("the first chunk is not an IHDR of 13 bytes");
         const Survey found = survey(file);

@@ -2,6 +2,8 @@
 #include "core/codec/png/png_chunks.h"
 #include "core/s3tc/surface_pixels.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -160,8 +162,9 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level) {
     const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), rows.size());
     constexpr std::size_t longest = std::numeric_limits<std::int32_t>::max();
     if (bound > longest)
-        return fail(ErrorCode::TooLarge, "PNG: a chunk holds at most " + std::to_string(longest) +
-                                             " bytes, this picture may need " + std::to_string(bound));
+        return fail(
+            ErrorCode::TooLarge,
+            fmt::format("PNG: a chunk holds at most {} bytes, this picture may need {}", longest, bound));
     Bytes file;
     file.resize(headBytes + chunkFrame + bound + chunkFrame);
     std::byte* at = file.data();
@@ -194,18 +197,18 @@ Result<Bytes> encode(const Image& image, bool small) {
 
 Result<Bytes> encodePng(const Image& image, const WriteOptions& options) {
     if (image.width < 1 || image.height < 1 || image.empty())
-        return fail(ErrorCode::OutOfRange, "PNG: a picture has at least 1 x 1 pixels, this one has " +
-                                               std::to_string(image.width) + " x " +
-                                               std::to_string(image.height));
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("PNG: a picture has at least 1 x 1 pixels, this one has {} x {}", image.width,
+                                image.height));
     const std::size_t slice = image.rowBytes() * static_cast<std::size_t>(image.height);
     if (image.pixels.size() < slice)
-        return fail(ErrorCode::Malformed, "PNG: the picture needs " + std::to_string(slice) +
-                                              " bytes, it has " + std::to_string(image.pixels.size()));
+        return fail(ErrorCode::Malformed,
+                    fmt::format("PNG: the picture needs {} bytes, it has {}", slice, image.pixels.size()));
     try {
         return encode(image, options.small);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
-                    "PNG: there is no memory for " + std::to_string(slice) + " bytes of pixels");
+                    fmt::format("PNG: there is no memory for {} bytes of pixels", slice));
     }
 }
 

@@ -1,8 +1,11 @@
 #include "core/codec/tga/tga.h"
 
 #include "core/base/byte_reader.h"
+#include "core/base/count.h"
 #include "core/codec/tga/tga_format.h"
 #include "core/codec/tga/tga_pixels.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +32,7 @@ Result<void> checkHeader(const Header& header, std::vector<std::string>& notes) 
         const std::optional<Complaint> complaint = row.complaint(header);
         if (!complaint)
             continue;
-        const std::string text = std::string(row.name) + ": " + complaint->text;
+        const std::string text = fmt::format("{}: {}", row.name, complaint->text);
         if (complaint->severity == Severity::Malformed)
             return malformed(text);
         if (complaint->severity == Severity::Unsupported)
@@ -40,31 +43,32 @@ Result<void> checkHeader(const Header& header, std::vector<std::string>& notes) 
 }
 
 Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, const DecodeLimits& limits) {
-    const std::string extents =
-        std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels";
+    const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
-        return tooLarge("at most " + std::to_string(limits.maxExtent) + " x " +
-                        std::to_string(limits.maxExtent) + " pixels are read, the file has " + extents);
+        return tooLarge(
+            fmt::format("at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     if (header.pixelCount() > limits.maxPixels)
-        return tooLarge("at most " + std::to_string(limits.maxPixels) + " pixels are read, the file has " +
-                        extents);
+        return tooLarge(
+            fmt::format("at most {} pixels are read, the file has {}", limits.maxPixels, extents));
     if (header.pixelCount() * decodedPixelBytes > limits.maxBytes)
-        return tooLarge("at most " + countOf(limits.maxBytes) + " of pixels are decoded, the file has " +
-                        std::to_string(header.pixelCount() * decodedPixelBytes));
+        return tooLarge(fmt::format("at most {} of pixels are decoded, the file has {}",
+                                    countOf(limits.maxBytes, "byte"),
+                                    header.pixelCount() * decodedPixelBytes));
     return {};
 }
 
 std::string shortage(const Header& header, std::uint64_t needed, std::size_t found) {
-    return "pixel data needs " + (header.runLengthCoded() ? "at least " + countOf(needed) : countOf(needed)) +
-           " from offset " + std::to_string(header.pixelOffset()) + ", the file has " +
-           std::to_string(found) + " there";
+    return fmt::format("pixel data needs {} from offset {}, the file has {} there",
+                       header.runLengthCoded() ? "at least " + countOf(needed, "byte")
+                                               : countOf(needed, "byte"),
+                       header.pixelOffset(), found);
 }
 
 // No file is long enough for more pixels than this before anything is allocated for them.
 Result<void> checkData(const Header& header, ByteView file, ByteView data) {
     if (header.pixelOffset() > file.size())
-        return malformed("the image ID and the colour map end at offset " +
-                         std::to_string(header.pixelOffset()) + ", the file has " + countOf(file.size()));
+        return malformed(fmt::format("the image ID and the colour map end at offset {}, the file has {}",
+                                     header.pixelOffset(), countOf(file.size(), "byte")));
     const std::uint64_t needed = leastDataBytes(header);
     if (data.size() < needed)
         return malformed(shortage(header, needed, data.size()));
@@ -122,7 +126,7 @@ bool isTga(ByteView file) {
 
 Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
     if (file.size() < Header::headerBytes)
-        return malformed("the header needs 18 bytes, the file has " + std::to_string(file.size()));
+        return malformed(fmt::format("the header needs 18 bytes, the file has {}", file.size()));
     const Header header = readHeader(file);
     const std::optional<Footer> footer = readFooter(file);
     const ByteView data = pixelData(file, header, footer);
@@ -148,15 +152,15 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
         PixelReader reader(header, format, file.subspan(header.mapOffset(), header.mapBytes()), data);
         Image image = Image::uninitialised(format, header.width, header.height);
         if (!fillRows(reader, header, image))
-            return malformed("the packets end after " + countOf(data.size()) + " from offset " +
-                             std::to_string(header.pixelOffset()) + ", before the picture's " +
-                             std::to_string(header.pixelCount()) + " pixels");
+            return malformed(
+                fmt::format("the packets end after {} from offset {}, before the picture's {} pixels",
+                            countOf(data.size(), "byte"), header.pixelOffset(), header.pixelCount()));
         reader.describeStrays(texture.notes);
         texture.alpha = applyAlpha(alpha, image, texture.notes);
         texture.surfaces.emplace_back(std::move(image));
         return texture;
     } catch (const std::bad_alloc&) {
-        return tooLarge("there is no memory for " + std::to_string(header.pixelCount()) + " pixels");
+        return tooLarge(fmt::format("there is no memory for {} pixels", header.pixelCount()));
     }
 }
 

@@ -1,6 +1,9 @@
 #include "core/base/byte_reader.h"
+#include "core/base/count.h"
 #include "core/codec/tga/tga.h"
 #include "core/codec/tga/tga_format.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +34,7 @@ Field field(std::string name, std::uint64_t offset, std::uint64_t size, std::str
 std::string beyond(std::uint64_t offset, std::uint64_t size, std::size_t fileSize) {
     if (offset <= fileSize && size <= fileSize - offset)
         return {};
-    return "ends at offset " + std::to_string(offset + size) + ", the file has " + countOf(fileSize);
+    return fmt::format("ends at offset {}, the file has {}", offset + size, countOf(fileSize, "byte"));
 }
 
 // Text up to its first NUL; what can't be printed as a dot.
@@ -68,10 +71,9 @@ std::string describeEntry(ByteView entry, int bits) {
         for (std::size_t i = 0; i < entry.size(); ++i)
             bgra[i] = std::to_integer<unsigned>(entry[i]);
     }
-    std::string shown = "red " + std::to_string(bgra[2]) + ", green " + std::to_string(bgra[1]) + ", blue " +
-                        std::to_string(bgra[0]);
+    std::string shown = fmt::format("red {}, green {}, blue {}", bgra[2], bgra[1], bgra[0]);
     if (bits == 16 || bits == 32)
-        shown += ", alpha " + std::to_string(bgra[3]);
+        shown += fmt::format(", alpha {}", bgra[3]);
     return shown + (entry.size() == 2 ? " of 31" : "");
 }
 
@@ -80,15 +82,14 @@ Fields describeColorMap(ByteView file, const Header& header) {
         return {};
     const std::size_t size = header.entryBytes();
     Fields fields{section("Color Map Data", header.mapOffset(), header.mapBytes(),
-                          std::to_string(header.mapLength) + " entries of " +
-                              std::to_string(header.entryBits) + " bits",
+                          fmt::format("{} entries of {} bits", header.mapLength, header.entryBits),
                           header.mapped() ? "the colours" : "not used by this picture",
                           beyond(header.mapOffset(), header.mapBytes(), file.size()))};
     for (std::size_t i = 0; i < std::min<std::size_t>(header.mapLength, mostEntries); ++i) {
         const std::size_t offset = header.mapOffset() + i * size;
         if (size > 4 || !beyond(offset, size, file.size()).empty())
             break;
-        fields.push_back(field("Entry " + std::to_string(header.firstEntry + i), offset, size,
+        fields.push_back(field(fmt::format("Entry {}", header.firstEntry + i), offset, size,
                                describeEntry(file.subspan(offset, size), header.entryBits)));
     }
     return fields;
@@ -114,14 +115,14 @@ Packets walkPackets(ByteView data, const Header& header) {
         const bool crosses = column + pixels > header.width;
         const bool cut = size > data.size() - packets.bytes;
         if (packets.count < mostPackets || cut)
-            packets.first.push_back(field(
-                "Packet " + std::to_string(packets.count), header.pixelOffset() + packets.bytes, size,
-                std::to_string(pixels) + (head >= 128 ? " times the same pixel" : " raw pixels"),
-                "from column " + std::to_string(column) + " of row " +
-                    std::to_string(packets.pixels / header.width),
-                cut ? "needs " + countOf(size) + ", " + countOf(data.size() - packets.bytes) + " are left"
-                : crosses ? "runs beyond the end of its row, which version 2 forbids"
-                          : ""));
+            packets.first.push_back(
+                field(fmt::format("Packet {}", packets.count), header.pixelOffset() + packets.bytes, size,
+                      fmt::format("{}{}", pixels, head >= 128 ? " times the same pixel" : " raw pixels"),
+                      fmt::format("from column {} of row {}", column, packets.pixels / header.width),
+                      cut       ? fmt::format("needs {}, {} are left", countOf(size, "byte"),
+                                              countOf(data.size() - packets.bytes, "byte"))
+                      : crosses ? "runs beyond the end of its row, which version 2 forbids"
+                                : ""));
         packets.cut = cut;
         if (cut)
             break;
@@ -138,16 +139,16 @@ Fields describePackets(ByteView data, const Header& header, std::string& damage)
     const std::uint64_t needed = header.pixelCount();
     std::string wrong;
     if (packets.pixels < needed) {
-        const std::string got = std::to_string(packets.pixels) + " of " + std::to_string(needed) + " pixels";
+        const std::string got = fmt::format("{} of {} pixels", packets.pixels, needed);
         wrong = "ends after " + got;
-        damage = "the packets end at offset " + std::to_string(header.pixelOffset() + packets.bytes) +
-                 ", after " + got;
+        damage =
+            fmt::format("the packets end at offset {}, after {}", header.pixelOffset() + packets.bytes, got);
     } else if (packets.crossing > 0) {
-        wrong = std::to_string(packets.crossing) + " packets run beyond the end of a row";
+        wrong = fmt::format("{} packets run beyond the end of a row", packets.crossing);
     }
     Fields fields{section("Image Data", header.pixelOffset(), packets.bytes,
-                          std::to_string(packets.count) + " packets",
-                          std::to_string(needed) + " pixels, run-length coded", wrong)};
+                          fmt::format("{} packets", packets.count),
+                          fmt::format("{} pixels, run-length coded", needed), wrong)};
     std::ranges::move(packets.first, std::back_inserter(fields));
     return fields;
 }
@@ -156,13 +157,13 @@ Fields describePixels(ByteView data, const Header& header, std::string& damage) 
     const std::uint64_t size = header.pixelCount() * header.pixelBytes();
     std::string wrong;
     if (data.size() < size) {
-        wrong = "needs " + countOf(size) + ", there are " + std::to_string(data.size());
-        damage = "pixel data needs " + countOf(size) + " from offset " +
-                 std::to_string(header.pixelOffset()) + ", there are " + std::to_string(data.size());
+        wrong = fmt::format("needs {}, there are {}", countOf(size, "byte"), data.size());
+        damage = fmt::format("pixel data needs {} from offset {}, there are {}", countOf(size, "byte"),
+                             header.pixelOffset(), data.size());
     }
-    return {section("Image Data", header.pixelOffset(), size, std::to_string(header.pixelCount()) + " pixels",
-                    "rows from the " + std::string(header.topFirst() ? "top" : "bottom") +
-                        ", each from the " + (header.rightToLeft() ? "right" : "left"),
+    return {section("Image Data", header.pixelOffset(), size, fmt::format("{} pixels", header.pixelCount()),
+                    fmt::format("rows from the {}, each from the {}", header.topFirst() ? "top" : "bottom",
+                                header.rightToLeft() ? "right" : "left"),
                     wrong)};
 }
 
@@ -174,46 +175,42 @@ Fields describeImageData(ByteView data, const Header& header, std::string& damag
 }
 
 std::string pair(ByteReader& reader, std::string_view separator) {
-    const std::string first = std::to_string(reader.u16());
-    return first + std::string(separator) + std::to_string(reader.u16());
+    const unsigned first = reader.u16();
+    return fmt::format("{}{}{}", first, separator, reader.u16());
 }
 
 std::string ratio(ByteReader& reader) {
     const int above = reader.u16();
     const int below = reader.u16();
-    return below == 0 ? "not given" : std::to_string(above) + " / " + std::to_string(below);
+    return below == 0 ? "not given" : fmt::format("{} / {}", above, below);
 }
 
 // "2026-11-21 12:05:00"; the file has month, day, year, hour, minute, second.
 std::string dateTime(ByteReader& reader) {
-    std::array<std::string, 6> numbers;
-    for (std::string& number : numbers) {
-        number = std::to_string(reader.u16());
-        if (number.size() < 2)
-            number.insert(0, "0");
-    }
-    return numbers[2] + "-" + numbers[0] + "-" + numbers[1] + " " + numbers[3] + ":" + numbers[4] + ":" +
-           numbers[5];
+    std::array<unsigned, 6> numbers{};
+    for (unsigned& number : numbers)
+        number = reader.u16();
+    return fmt::format("{:02}-{:02}-{:02} {:02}:{:02}:{:02}", numbers[2], numbers[0], numbers[1], numbers[3],
+                       numbers[4], numbers[5]);
 }
 
 std::string elapsed(ByteReader& reader) {
-    const std::string hours = std::to_string(reader.u16());
-    return hours + " h, " + pair(reader, " min, ") + " s";
+    const unsigned hours = reader.u16();
+    return fmt::format("{} h, {} s", hours, pair(reader, " min, "));
 }
 
 std::string version(ByteReader& reader) {
     const unsigned number = reader.u16();
     const char letter = static_cast<char>(reader.u8());
-    std::string shown =
-        std::to_string(number / 100) + "." + std::to_string(number / 10 % 10) + std::to_string(number % 10);
+    std::string shown = fmt::format("{}.{:02}", number / 100, number % 100);
     return letter > ' ' && letter < 127 ? shown + letter : shown;
 }
 
 std::string keyColor(ByteReader& reader) {
-    std::array<std::string, 4> bgra;
-    for (std::string& component : bgra)
-        component = std::to_string(reader.u8());
-    return "red " + bgra[2] + ", green " + bgra[1] + ", blue " + bgra[0] + ", alpha " + bgra[3];
+    std::array<unsigned, 4> bgra{};
+    for (unsigned& component : bgra)
+        component = reader.u8();
+    return fmt::format("red {}, green {}, blue {}, alpha {}", bgra[2], bgra[1], bgra[0], bgra[3]);
 }
 
 std::string number16(ByteReader& reader) {
@@ -257,7 +254,7 @@ Fields describeExtension(ByteView file, const Footer& footer) {
         fields.back().wrong = "expected 495";
     add("Author Name", chars(41));
     for (const int line : {1, 2, 3, 4})
-        add("Author Comments, line " + std::to_string(line), chars(81));
+        add(fmt::format("Author Comments, line {}", line), chars(81));
     add("Date/Time Stamp", dateTime, "when it was saved");
     add("Job Name/ID", chars(41));
     add("Job Time", elapsed, "worked on it");
@@ -286,7 +283,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
         return {};
     ByteReader reader(file.subspan(begin));
     const std::size_t tags = reader.u16();
-    Fields fields{section("Developer Directory", begin, 2 + 10 * tags, std::to_string(tags) + " tags", {},
+    Fields fields{section("Developer Directory", begin, 2 + 10 * tags, fmt::format("{} tags", tags), {},
                           beyond(begin, 2 + 10 * tags, file.size()))};
     for (std::size_t i = 0; i < std::min(tags, mostTags); ++i) {
         const std::size_t offset = begin + reader.position();
@@ -296,7 +293,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
         if (reader.truncated())
             break;
         fields.push_back(field("Tag " + tag, offset, 10,
-                               countOf(size) + " at offset " + std::to_string(where),
+                               fmt::format("{} at offset {}", countOf(size, "byte"), where),
                                "for the program that knows it", beyond(where, size, file.size())));
     }
     return fields;
@@ -304,8 +301,8 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
 
 std::string wrongOffset(std::size_t offset, std::size_t fileSize) {
     if (offset != 0 && (offset < Header::headerBytes || offset >= fileSize - Footer::bytes))
-        return "expected 0 or an offset between header and footer (18 to " +
-               std::to_string(fileSize - Footer::bytes) + ")";
+        return fmt::format("expected 0 or an offset between header and footer (18 to {})",
+                           fileSize - Footer::bytes);
     return {};
 }
 
@@ -335,7 +332,7 @@ Anatomy dissectTga(ByteView file) {
     };
     add(describeHeader(file, header));
     if (file.size() < Header::headerBytes) {
-        anatomy.damage = "the header needs 18 bytes, the file has " + std::to_string(file.size());
+        anatomy.damage = fmt::format("the header needs 18 bytes, the file has {}", file.size());
     } else {
         if (header.idLength > 0)
             add({section(
@@ -345,8 +342,8 @@ Anatomy dissectTga(ByteView file) {
                 {}, beyond(Header::headerBytes, header.idLength, file.size()))});
         add(describeColorMap(file, header));
         if (header.pixelOffset() > file.size())
-            anatomy.damage = "the image ID and the colour map end at offset " +
-                             std::to_string(header.pixelOffset()) + ", the file has " + countOf(file.size());
+            anatomy.damage = fmt::format("the image ID and the colour map end at offset {}, the file has {}",
+                                         header.pixelOffset(), countOf(file.size(), "byte"));
         else
             add(describeImageData(pixelData(file, header, footer), header, anatomy.damage));
     }

@@ -1,8 +1,11 @@
+#include "core/base/count.h"
 #include "core/codec/common/swizzle.h"
 #include "core/codec/tga/tga.h"
 #include "core/codec/tga/tga_format.h"
 #include "core/image/convert.h"
 #include "core/s3tc/surface_pixels.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>
@@ -171,18 +174,19 @@ Result<Bytes> encodeTga(const TextureImage& texture, const WriteOptions& options
     if (widthOf(surface) < 1 || heightOf(surface) < 1 || widthOf(surface) > longest ||
         heightOf(surface) > longest)
         return fail(ErrorCode::OutOfRange,
-                    "TGA: a picture has 1 to 65535 pixels along each axis, this one has " +
-                        std::to_string(widthOf(surface)) + " x " + std::to_string(heightOf(surface)));
+                    fmt::format("TGA: a picture has 1 to 65535 pixels along each axis, this one has {} x {}",
+                                widthOf(surface), heightOf(surface)));
     try {
         std::optional<Image> converted; // most pictures are written from where they are
         const Image* image = std::get_if<Image>(&surface);
         if (!image)
             image = &converted.emplace(toImage(surface));
         if (image->pixels.size() < image->rowBytes() * static_cast<std::size_t>(image->height))
-            return fail(ErrorCode::Malformed,
-                        "TGA: the picture needs " +
-                            countOf(image->rowBytes() * static_cast<std::size_t>(image->height)) +
-                            ", it has " + std::to_string(image->pixels.size()));
+            return fail(
+                ErrorCode::Malformed,
+                fmt::format("TGA: the picture needs {}, it has {}",
+                            countOf(image->rowBytes() * static_cast<std::size_t>(image->height), "byte"),
+                            image->pixels.size()));
         if (texture.alpha == AlphaMeaning::None && hasAlpha(image->format))
             image = &converted.emplace(withoutMeaninglessAlpha(*image));
         return write(*image, texture.alpha, texture.topFirst, options.runLengthCoded);

@@ -2,6 +2,8 @@
 
 #include "core/base/byte_reader.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -12,7 +14,7 @@ namespace {
 using Check = std::optional<Complaint>;
 
 Check malformed(const std::string& expected, int found) {
-    return Complaint{Severity::Malformed, "expected " + expected + ", found " + std::to_string(found)};
+    return Complaint{Severity::Malformed, fmt::format("expected {}, found {}", expected, found)};
 }
 
 Check fine(const Header&) {
@@ -59,8 +61,9 @@ Check checkMapType(const Header& header) {
 Check checkType(const Header& header) {
     const int type = header.imageType;
     if (type == 32 || type == 33)
-        return Complaint{Severity::Unsupported, "types 1, 2, 3, 9, 10 and 11 are read, the file has " +
-                                                    std::to_string(type) + ": " + describeType(header)};
+        return Complaint{Severity::Unsupported,
+                         fmt::format("types 1, 2, 3, 9, 10 and 11 are read, the file has {}: {}", type,
+                                     describeType(header))};
     if (type == 0 || describeType(header) == "unknown")
         return malformed("type 1, 2, 3, 9, 10 or 11", type);
     return {};
@@ -68,7 +71,7 @@ Check checkType(const Header& header) {
 
 Check checkUnusedMapField(const Header& header, int value) {
     if (header.colorMapType == 0 && value != 0)
-        return Complaint{Severity::Odd, "expected 0 without a colour map, found " + std::to_string(value)};
+        return Complaint{Severity::Odd, fmt::format("expected 0 without a colour map, found {}", value)};
     return {};
 }
 
@@ -103,29 +106,28 @@ Check checkDepth(const Header& header) {
 
 Check checkDescriptor(const Header& header) {
     if (header.interleave() != 0)
-        return Complaint{Severity::Unsupported, "rows one after the other are read, these are interleaved (" +
-                                                    std::to_string(header.interleave()) +
-                                                    " in bits 6 and 7)"};
+        return Complaint{
+            Severity::Unsupported,
+            fmt::format("rows one after the other are read, these are interleaved ({} in bits 6 and 7)",
+                        header.interleave())};
     const int bits = header.attributeBits();
     if (bits != 0 && bits != header.alphaBits())
         return Complaint{
             Severity::Odd,
-            "expected " +
-                (header.alphaBits() == 0 ? std::string("0") : "0 or " + std::to_string(header.alphaBits())) +
-                " attribute bits, found " + std::to_string(bits)};
+            fmt::format("expected {} attribute bits, found {}",
+                        header.alphaBits() == 0 ? "0" : fmt::format("0 or {}", header.alphaBits()), bits)};
     return {};
 }
 
 std::string describeDescriptor(const Header& header) {
-    std::string text = std::to_string(header.attributeBits()) + " attribute bits, first pixel at the ";
+    std::string text = fmt::format("{} attribute bits, first pixel at the ", header.attributeBits());
     text += header.topFirst() ? "top " : "bottom ";
     text += header.rightToLeft() ? "right" : "left";
     return header.interleave() == 0 ? text : text + ", interleaved rows";
 }
 
 std::string bitsOf(int value) {
-    constexpr char digits[] = "0123456789abcdef";
-    return std::string("0x") + digits[value >> 4] + digits[value & 15];
+    return fmt::format("{:#04x}", value);
 }
 
 template<auto Member>
@@ -225,10 +227,6 @@ ByteView pixelData(ByteView file, const Header& header, const std::optional<Foot
     const std::size_t end = footer ? file.size() - Footer::bytes : file.size();
     return header.pixelOffset() < end ? file.subspan(header.pixelOffset(), end - header.pixelOffset())
                                       : ByteView{};
-}
-
-std::string countOf(std::uint64_t bytes) {
-    return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
 }
 
 } // namespace texplorer::tga

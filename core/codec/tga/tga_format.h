@@ -104,7 +104,4 @@ inline constexpr std::size_t attributesTypeOffset = 494; ///< within the extensi
 /// What may be pixel data: from the header's pixelOffset to the footer or the end.
 [[nodiscard]] ByteView pixelData(ByteView file, const Header& header, const std::optional<Footer>& footer);
 
-/// "1 byte", "2 bytes"
-[[nodiscard]] std::string countOf(std::uint64_t bytes);
-
 } // namespace texplorer::tga

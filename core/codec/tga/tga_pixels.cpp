@@ -1,6 +1,9 @@
 #include "core/codec/tga/tga_pixels.h"
 
+#include "core/base/count.h"
 #include "core/codec/common/swizzle.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -181,9 +184,8 @@ AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std
             if (header.attributeBits() == 0)
                 return {AlphaRule::Ignore, {}};
             return {AlphaRule::Unknown,
-                    "the extension area says that there is no alpha, the descriptor says " +
-                        std::to_string(header.attributeBits()) +
-                        (header.attributeBits() == 1 ? " bit" : " bits")};
+                    fmt::format("the extension area says that there is no alpha, the descriptor says {}",
+                                countOf(header.attributeBits(), "bit"))};
         case 1:
             return {AlphaRule::Ignore, {}};
         case 2:
@@ -193,8 +195,8 @@ AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std
         case 4:
             return {AlphaRule::Premultiplied, {}};
         default:
-            notes.push_back("the extension area's attributes type is " + std::to_string(type) +
-                            ", 0 to 4 are known: ignored");
+            notes.push_back(
+                fmt::format("the extension area's attributes type is {}, 0 to 4 are known: ignored", type));
         }
     }
     if (header.attributeBits() != 0)
@@ -342,9 +344,9 @@ bool PixelReader::readPackets(std::byte* to, std::size_t count) {
 
 void PixelReader::describeStrays(std::vector<std::string>& notes) const {
     if (map_.strays > 0)
-        notes.push_back(std::to_string(map_.strays) + (map_.strays == 1 ? " pixel names" : " pixels name") +
-                        " no entry of the colour map (" + std::to_string(map_.firstEntry) + " to " +
-                        std::to_string(map_.firstEntry + map_.entries.size() - 1) + "): black");
+        notes.push_back(fmt::format("{} {} no entry of the colour map ({} to {}): black",
+                                    countOf(map_.strays, "pixel"), map_.strays == 1 ? "names" : "name",
+                                    map_.firstEntry, map_.firstEntry + map_.entries.size() - 1));
 }
 
 } // namespace texplorer::tga

@@ -1,0 +1,19 @@
+#include "core/base/count.h"
+
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace texplorer {
+namespace {
+
+TEST(Count, OneAloneHasNoS) {
+    EXPECT_EQ(countOf(0, "byte"), "0 bytes");
+    EXPECT_EQ(countOf(1, "byte"), "1 byte");
+    EXPECT_EQ(countOf(2U, "level"), "2 levels");
+    EXPECT_EQ(countOf(std::uint8_t{65}, "bit"), "65 bits");
+    EXPECT_EQ(countOf(std::numeric_limits<std::uint64_t>::max(), "texel"), "18446744073709551615 texels");
+}
+
+} // namespace
+} // namespace texplorer
