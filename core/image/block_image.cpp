@@ -1,5 +1,7 @@
 #include "core/image/block_image.h"
 
+#include <fmt/core.h>
+
 #include <string>
 
 namespace texplorer {
@@ -10,11 +12,10 @@ Result<void> checkBlocks(const BlockImage& image) {
         positive ? image.blockRowBytes() * image.blockRows() * static_cast<std::size_t>(image.depth) : 0;
     if (positive && image.blocks.size() == needed)
         return {};
-    return fail(ErrorCode::Malformed, "a compressed picture of " + std::to_string(image.width) + " x " +
-                                          std::to_string(image.height) + " x " + std::to_string(image.depth) +
-                                          " texels needs " + std::to_string(needed) +
-                                          " bytes of blocks, there are " +
-                                          std::to_string(image.blocks.size()));
+    return fail(
+        ErrorCode::Malformed,
+        fmt::format("a compressed picture of {} x {} x {} texels needs {} bytes of blocks, there are {}",
+                    image.width, image.height, image.depth, needed, image.blocks.size()));
 }
 
 } // namespace texplorer

@@ -1,5 +1,7 @@
 #include "core/image/compare.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -11,9 +13,8 @@ namespace texplorer {
 namespace {
 
 std::string describe(const Image& image) {
-    return std::to_string(image.width) + " x " + std::to_string(image.height) +
-           (image.depth == 1 ? "" : " x " + std::to_string(image.depth)) + " pixels (" +
-           std::string(rowOf(image.format).name) + ")";
+    return fmt::format("{} x {}{} pixels ({})", image.width, image.height,
+                       image.depth == 1 ? "" : fmt::format(" x {}", image.depth), rowOf(image.format).name);
 }
 
 Result<void> checkComparable(const Image& a, const Image& b) {
@@ -21,8 +22,8 @@ Result<void> checkComparable(const Image& a, const Image& b) {
     if (rgba && a.width == b.width && a.height == b.height && a.depth == 1 && b.depth == 1)
         return {};
     return fail(rgba ? ErrorCode::OutOfRange : ErrorCode::Unsupported,
-                "expected two pictures of the same size (" + std::string(rowOf(PixelFormat::Rgba8).name) +
-                    "), found " + describe(a) + " and " + describe(b));
+                fmt::format("expected two pictures of the same size ({}), found {} and {}",
+                            rowOf(PixelFormat::Rgba8).name, describe(a), describe(b)));
 }
 
 /// The differences of one pixel's components: the worst, and their sum.

@@ -1,5 +1,7 @@
 #include "core/mesh/shapes.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +55,7 @@ Mesh makeSphere(int slices, int stacks) {
     for (int stack = 0; stack < stacks; ++stack) {
         const auto lower = static_cast<std::uint32_t>(stack) * length;
         const std::uint32_t upper = lower + length;
-        Face band{"Stack " + std::to_string(stack + 1), {}};
+        Face band{fmt::format("Stack {}", stack + 1), {}};
         for (std::uint32_t slice = 0; slice < length; ++slice)
             band.vertices.push_back(lower + slice);
         for (std::uint32_t slice = length; slice-- > 0;)

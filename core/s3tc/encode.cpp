@@ -3,6 +3,8 @@
 #include "core/base/parallel.h"
 #include "core/s3tc/block_encoders.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -53,24 +55,22 @@ void gather(const Image& image, int left, int top, Texels& texels) {
 }
 
 Result<void> check(const Image& image, BlockFormat format) {
-    const std::string extents = std::to_string(image.width) + " x " + std::to_string(image.height) + " x " +
-                                std::to_string(image.depth);
+    const std::string extents = fmt::format("{} x {} x {}", image.width, image.height, image.depth);
     if (image.width <= 0 || image.height <= 0 || image.depth <= 0)
         return fail(ErrorCode::OutOfRange,
                     "a picture to compress needs at least 1 x 1 x 1 pixels, this one has " + extents);
     const std::size_t needed =
         image.rowBytes() * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.depth);
     if (image.pixels.size() != needed)
-        return fail(ErrorCode::Malformed, "a picture of " + extents + " pixels needs " +
-                                              std::to_string(needed) + " bytes, there are " +
-                                              std::to_string(image.pixels.size()));
+        return fail(ErrorCode::Malformed, fmt::format("a picture of {} pixels needs {} bytes, there are {}",
+                                                      extents, needed, image.pixels.size()));
     if (image.depth > 1)
-        return fail(ErrorCode::Unsupported, "volumes are not compressed: expected a depth of 1, found " +
-                                                std::to_string(image.depth));
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("volumes are not compressed: expected a depth of 1, found {}", image.depth));
     if (!blockEncoder(format, EncodeQuality::Fast))
-        return fail(ErrorCode::Unsupported, "pictures are not compressed to " +
-                                                std::string(rowOf(format).name) +
-                                                ": their values are not signed");
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("pictures are not compressed to {}: their values are not signed",
+                                rowOf(format).name));
     return {};
 }
 
@@ -103,8 +103,8 @@ Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQu
     const auto worthwhile = static_cast<unsigned>(compressed.blocks.size() / bytesPerThread + 1);
     parallelFor(rows, std::min(threads == 0 ? processorThreads() : threads, worthwhile), encodeRow);
     if (done < rows)
-        return fail(ErrorCode::Cancelled, "compressing was stopped after " + std::to_string(done) + " of " +
-                                              std::to_string(rows) + " rows of blocks");
+        return fail(ErrorCode::Cancelled,
+                    fmt::format("compressing was stopped after {} of {} rows of blocks", done, rows));
     if (progress)
         progress(1);
     return compressed;

@@ -2,6 +2,8 @@
 
 #include "core/s3tc/block_flip.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer {
@@ -11,8 +13,8 @@ Result<void> checkExtent(const char* name, int extent) {
     if (flipsWithoutLoss(extent))
         return {};
     return fail(ErrorCode::Unsupported,
-                std::string("a compressed picture of ") + name + " " + std::to_string(extent) +
-                    " can't be flipped without loss: expected " + std::string(losslessExtents));
+                fmt::format("a compressed picture of {} {} can't be flipped without loss: expected {}", name,
+                            extent, losslessExtents));
 }
 
 /// How many texels of a block are turned around along an axis of this extent.

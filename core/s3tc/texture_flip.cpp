@@ -2,6 +2,8 @@
 
 #include "core/image/mirror.h"
 
+#include <fmt/core.h>
+
 #include <new>
 #include <optional>
 #include <string>
@@ -13,9 +15,8 @@ namespace {
 
 Result<void> turn(Image& image, FlipAxis axis) {
     if (image.pixels.size() != image.byteCount())
-        return fail(ErrorCode::Malformed, "expected " + std::to_string(image.byteCount()) +
-                                              " bytes of pixels, found " +
-                                              std::to_string(image.pixels.size()));
+        return fail(ErrorCode::Malformed, fmt::format("expected {} bytes of pixels, found {}",
+                                                      image.byteCount(), image.pixels.size()));
     if (axis != FlipAxis::Horizontal)
         flipVertically(image);
     if (axis != FlipAxis::Vertical)
@@ -68,7 +69,7 @@ Result<void> flip(TextureImage& texture, const FlipOptions& options) try {
             else
                 static_cast<void>(turn(texture.surfaces[i], options.axis));
         }
-        return fail(turned.error().code, "level " + std::to_string(level) + ": " + turned.error().message);
+        return fail(turned.error().code, fmt::format("level {}: {}", level, turned.error().message));
     }
     return {};
 } catch (const std::bad_alloc&) { // before anything was turned

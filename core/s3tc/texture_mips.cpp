@@ -4,6 +4,8 @@
 #include "core/s3tc/encode.h"
 #include "core/s3tc/surface_pixels.h"
 
+#include <fmt/core.h>
+
 #include <iterator>
 #include <new>
 #include <string>
@@ -15,8 +17,9 @@ namespace {
 Result<std::vector<Surface>> chainOf(const Surface& base, const MipOptions& options, EncodeQuality quality) {
     const bool compressed = std::holds_alternative<BlockImage>(base);
     if (compressed && depthOf(base) > 1)
-        return fail(ErrorCode::Unsupported, "volumes are not compressed: expected a depth of 1, found " +
-                                                std::to_string(depthOf(base)));
+        return fail(
+            ErrorCode::Unsupported,
+            fmt::format("volumes are not compressed: expected a depth of 1, found {}", depthOf(base)));
     MipChain chain = buildMipChain(toImage(base), options);
     std::vector<Surface> levels;
     if (!compressed) {
@@ -40,16 +43,15 @@ Result<std::vector<Surface>> chainOf(const Surface& base, const MipOptions& opti
 Result<void> buildMips(TextureImage& texture, const MipOptions& options, EncodeQuality quality) try {
     const auto held = static_cast<std::size_t>(texture.faces) * static_cast<std::size_t>(texture.levels);
     if (held == 0 || texture.surfaces.size() != held)
-        return fail(ErrorCode::Malformed, "expected " + std::to_string(texture.faces) + " faces of " +
-                                              std::to_string(texture.levels) + " levels, found " +
-                                              std::to_string(texture.surfaces.size()) + " surfaces");
+        return fail(ErrorCode::Malformed,
+                    fmt::format("expected {} faces of {} levels, found {} surfaces", texture.faces,
+                                texture.levels, texture.surfaces.size()));
     std::vector<Surface> surfaces;
     for (int face = 0; face < texture.faces; ++face) {
         const Surface& base = texture.surface(face, 0);
         if (bytesHeld(base) == 0 || bytesHeld(base) != byteCount(base))
-            return fail(ErrorCode::Malformed,
-                        "face " + std::to_string(face) + ": expected " + std::to_string(byteCount(base)) +
-                            " bytes of pixels, found " + std::to_string(bytesHeld(base)));
+            return fail(ErrorCode::Malformed, fmt::format("face {}: expected {} bytes of pixels, found {}",
+                                                          face, byteCount(base), bytesHeld(base)));
         Result<std::vector<Surface>> levels = chainOf(base, options, quality);
         if (!levels)
             return fail(levels.error());

@@ -8,6 +8,8 @@
 #include "core/s3tc/encode.h"
 
 #define XXH_INLINE_ALL // the header is all of it: no library to link
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -198,9 +200,8 @@ Result<void> BlockCache::keep(const fs::path& file, std::vector<BlockImage> leve
     if (!bytes)
         return fail(bytes.error());
     if (bytes->size() > maxBytes_)
-        return fail(ErrorCode::TooLarge, "its " + std::to_string(bytes->size()) +
-                                             " bytes exceed the cache's bound of " +
-                                             std::to_string(maxBytes_));
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("its {} bytes exceed the cache's bound of {}", bytes->size(), maxBytes_));
     const std::string name = file.filename().string();
     std::ranges::copy(checksumOf(name, *bytes), bytes->begin() + checksumAt);
     const Result<PrivateDirectory> directory = PrivateDirectory::make(directory_);

@@ -2,20 +2,23 @@
 
 #include "core/codec/registry.h"
 
+#include <fmt/core.h>
+
 namespace texplorer {
 
 std::string sceneImageBytesText() {
     constexpr std::size_t gibibyte = std::size_t{1} << 30;
     static_assert(sceneImageBytes % gibibyte == 0);
-    return std::to_string(sceneImageBytes / gibibyte) + " GiB";
+    return fmt::format("{} GiB", sceneImageBytes / gibibyte);
 }
 
 Error beyondBudget(std::size_t needed, std::size_t left) {
-    return {ErrorCode::TooLarge,
-            "the image needs " + std::to_string(needed) + " bytes, and of the " +
-                std::to_string(sceneImageBytes) + " that a scene's images may take together, " +
-                std::to_string(left) + " are left",
-            {}};
+    return {
+        ErrorCode::TooLarge,
+        fmt::format(
+            "the image needs {} bytes, and of the {} that a scene's images may take together, {} are left",
+            needed, sceneImageBytes, left),
+        {}};
 }
 
 Result<TextureImage> decodeWithin(ByteView file, std::size_t left, Decoding decoding) {

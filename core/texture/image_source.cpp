@@ -4,6 +4,8 @@
 #include "core/base/file_io.h"
 #include "core/image/patterns/pattern.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -64,7 +66,7 @@ std::vector<std::optional<Error>> ImageSource::loadAll(const Scene& scene, std::
         const Texture& texture = scene.textures[i];
         if (texture.source != SourceKind::File || files_.contains(texture.file))
             continue;
-        const std::string where = "textures[" + std::to_string(i) + "].file";
+        const std::string where = fmt::format("textures[{}].file", i);
         if (texture.file.empty()) {
             errors[i] = Error{ErrorCode::NotFound, "the texture wants an image file, but names none", where};
             continue;

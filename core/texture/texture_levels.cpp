@@ -10,6 +10,8 @@
 #include "core/texture/level_plan.h"
 #include "core/texture/target_image.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,12 +23,8 @@ namespace texplorer {
 
 namespace {
 
-std::string number(int value) {
-    return std::to_string(value);
-}
-
 std::string extentsOf(const Surface& surface) {
-    return number(widthOf(surface)) + " x " + number(heightOf(surface));
+    return fmt::format("{} x {}", widthOf(surface), heightOf(surface));
 }
 
 std::array<std::uint8_t, 3> stencil(const Texture& texture) {
@@ -134,13 +132,15 @@ bool Preparation::keepsBlocks() {
         return false;
     }
     if (generates()) {
-        note("the mip levels are made of pixels, so the compressed image was decompressed; mipmaps=" +
-             std::string(rowOf(MipPolicy::FromFile).name) + " keeps the file's blocks");
+        note(fmt::format(
+            "the mip levels are made of pixels, so the compressed image was decompressed; mipmaps={} keeps "
+            "the file's blocks",
+            rowOf(MipPolicy::FromFile).name));
         return false;
     }
     if (texture_.npot == NpotPolicy::PowerOfTwo && texture_.mipmaps == MipPolicy::None &&
         !arePowersOfTwo(widthOf(base()), heightOf(base()), depthOf(base()))) {
-        note("scaling " + extentsOf(base()) + " to powers of two needs pixels: decompressed");
+        note(fmt::format("scaling {} to powers of two needs pixels: decompressed", extentsOf(base())));
         return false;
     }
     if (texture_.transparency != Transparency::File) {
@@ -155,9 +155,10 @@ bool Preparation::keepsBlocks() {
         const Surface& surface = image_.surface(0, level);
         if (flipsWithoutLoss(heightOf(surface)))
             continue;
-        note("level " + number(level) + " has " + extentsOf(surface) +
-             " texels: its blocks can't be turned around without loss, for which a height must be " +
-             std::string(losslessExtents) + "; the texture was decompressed and its pixels flipped");
+        note(fmt::format(
+            "level {} has {} texels: its blocks can't be turned around without loss, for which a height must "
+            "be {}; the texture was decompressed and its pixels flipped",
+            level, extentsOf(surface), losslessExtents));
         return false;
     }
     return true;
@@ -317,7 +318,7 @@ void Preparation::leaveOneOut() {
 
 Result<TextureLevels> Preparation::run() {
     if (image_.faces > 1 && !isCube())
-        note("the file is a cube map of " + number(image_.faces) + " faces; its first, +x, is drawn");
+        note(fmt::format("the file is a cube map of {} faces; its first, +x, is drawn", image_.faces));
     if (fileOrder() && !isCube() && texture_.flip != FlipMode::None && image_.fileTopFirst)
         out_.lateFlip = texture_.flip == FlipMode::Coordinates ? LateFlip::Coordinates : LateFlip::Matrix;
     if (texture_.mipmaps == MipPolicy::FromFile)
@@ -393,8 +394,9 @@ Result<TextureLevels> run(const Texture& texture, const TextureImage& image, Tar
     try {
         return Preparation(texture, image, target, work, std::move(lender)).run();
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for the levels of an image of " +
-                                             extentsOf(image.surfaces.front()) + " texels");
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("there is no memory for the levels of an image of {} texels",
+                                extentsOf(image.surfaces.front())));
     }
 }
 

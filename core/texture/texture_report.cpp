@@ -4,10 +4,11 @@
 #include "core/s3tc/decode.h"
 #include "core/texture/texture_levels.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace texplorer {
 
@@ -79,9 +80,7 @@ std::string psnrText(const std::optional<double>& psnr) {
         return {};
     if (std::isinf(*psnr))
         return "  exact";
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "  %.1f dB", *psnr);
-    return text.data();
+    return fmt::format("  {:.1f} dB", *psnr);
 }
 
 } // namespace
@@ -137,21 +136,18 @@ TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& 
 
 std::string describe(const TextureReport& report) {
     std::string text;
-    std::array<char, 160> line{};
     for (const LevelReport& level : report.levels) {
-        std::string extents = std::to_string(level.width) + " x " + std::to_string(level.height);
+        std::string extents = fmt::format("{} x {}", level.width, level.height);
         if (level.depth > 1)
-            extents += " x " + std::to_string(level.depth);
+            extents += fmt::format(" x {}", level.depth);
         if (level.faces > 1)
-            extents += ", " + std::to_string(level.faces) + " faces";
-        std::snprintf(line.data(), line.size(), "level %2d  %-16s %10zu bytes", level.number, extents.c_str(),
-                      level.bytes);
-        text.append(line.data()).append(psnrText(level.psnr)).append("\n");
+            extents += fmt::format(", {} faces", level.faces);
+        text += fmt::format("level {:2}  {:16} {:10} bytes{}\n", level.number, extents, level.bytes,
+                            psnrText(level.psnr));
     }
-    std::snprintf(line.data(), line.size(),
-                  "sum %33zu bytes, %.3f times the base; %.1f %% of RGBA8, %.1f %% of RGB8", report.bytes,
-                  report.ratioToBase, 100 * report.shareOfRgba8, 100 * report.shareOfRgb8);
-    return text.append(line.data()).append("\n");
+    return fmt::format("{}sum {:33} bytes, {:.3f} times the base; {:.1f} % of RGBA8, {:.1f} % of RGB8\n",
+                       text, report.bytes, report.ratioToBase, 100 * report.shareOfRgba8,
+                       100 * report.shareOfRgb8);
 }
 
 } // namespace texplorer
