@@ -3,6 +3,8 @@
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -38,7 +40,7 @@ template<class Vector>
 std::string numbersOf(const Vector& vector, bool negates, bool pointer) {
     const Vector given = negates ? Vector(0) - vector : vector; // not -vector: 0 has no sign
     const std::string numbers = formatNumbers({&given.x, static_cast<std::size_t>(Vector::length())}, ", ");
-    return pointer ? "{" + numbers + "}" : numbers;
+    return pointer ? fmt::format("{{{}}}", numbers) : numbers;
 }
 
 std::string argumentOf(const ParamRow& row, const Value& value, bool negates) {

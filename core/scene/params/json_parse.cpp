@@ -8,6 +8,7 @@
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -104,7 +105,7 @@ private:
         return false;
     }
     bool refuse(const std::string& found) {
-        return stop(ErrorCode::OutOfRange, "expected " + expected() + ", found " + found);
+        return stop(ErrorCode::OutOfRange, fmt::format("expected {}, found {}", expected(), found));
     }
 
     Scene& scene_;
@@ -124,7 +125,7 @@ std::string Reader::pointer() const {
     std::string text;
     for (const Frame& frame : frames_) {
         if (frame.kind != Frame::Kind::Object)
-            text += "/" + std::to_string(frame.count);
+            text += fmt::format("/{}", frame.count);
         else if (!frame.key.empty())
             text += "/" + pointerPart(frame.key);
     }
@@ -138,7 +139,7 @@ std::string Reader::expected() const {
     switch (frame.kind) {
     case Frame::Kind::Object:
         if (frame.versionNext)
-            return "a version number from 1 to " + std::to_string(sceneFormatVersion);
+            return fmt::format("a version number from 1 to {}", sceneFormatVersion);
         if (frame.schemaNext)
             return "a text";
         if (frame.row)
@@ -163,9 +164,9 @@ bool Reader::store(const ParamRow& row, const Value& value) {
 
 bool Reader::version(std::optional<std::int64_t> number, const std::string& text) {
     if (number && *number > sceneFormatVersion)
-        return stop(ErrorCode::Unsupported, "the file has version " + text +
-                                                ", this Texplorer reads versions up to " +
-                                                std::to_string(sceneFormatVersion));
+        return stop(ErrorCode::Unsupported,
+                    fmt::format("the file has version {}, this Texplorer reads versions up to {}", text,
+                                sceneFormatVersion));
     return number && *number >= 1 ? true : refuse(text);
 }
 
@@ -174,8 +175,8 @@ bool Reader::number(float value, std::optional<std::int64_t> whole, const std::s
         Frame& frame = frames_.back();
         const std::size_t limit = frame.row->kind == Kind::Vec3 ? 3 : 4;
         if (frame.count == limit)
-            return stop(ErrorCode::OutOfRange, "expected " + describeAccepted(*frame.row) +
-                                                   ", found more than " + std::to_string(limit));
+            return stop(ErrorCode::OutOfRange,
+                        fmt::format("expected {}, found more than {}", describeAccepted(*frame.row), limit));
         frame.numbers[static_cast<glm::vec4::length_type>(frame.count++)] = value;
         return true;
     }
@@ -215,7 +216,7 @@ bool Reader::start_object(std::size_t) {
         index = frame.count;
         if (index == child->maxCount)
             return stop(ErrorCode::TooLarge,
-                        "expected at most " + std::to_string(child->maxCount) + " elements, found more");
+                        fmt::format("expected at most {} elements, found more", child->maxCount));
         if (child->minCount != child->maxCount)
             child->resize(frame.owner, index + 1);
     } else if (frame.kind != Frame::Kind::Object || !child || child->indexed) {
@@ -248,7 +249,8 @@ bool Reader::key(std::string& key) {
         return stop(ErrorCode::OutOfRange, "unknown key; " + suggestName(key, names));
     }
     if ((frame.seen >> bit & 1U) != 0)
-        return stop(ErrorCode::Malformed, "expected each key once, found " + inQuotes(key) + " twice");
+        return stop(ErrorCode::Malformed,
+                    fmt::format("expected each key once, found {} twice", inQuotes(key)));
     frame.seen |= std::uint64_t{1} << bit;
     return true;
 }
@@ -261,7 +263,7 @@ bool Reader::start_array(std::size_t) {
         static const std::size_t limit = maxVertexCount();
         if (frame.count == limit)
             return stop(ErrorCode::TooLarge,
-                        "expected at most " + std::to_string(limit) + " coordinates, found more");
+                        fmt::format("expected at most {} coordinates, found more", limit));
         frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = frame.row});
         return true;
     }
@@ -297,9 +299,9 @@ bool Reader::end_array() {
         break;
     case Frame::Kind::List:
         if (ended.child->minCount != ended.child->maxCount && ended.count < ended.child->minCount)
-            return stop(ErrorCode::OutOfRange, "expected " + std::to_string(ended.child->minCount) + " to " +
-                                                   std::to_string(ended.child->maxCount) +
-                                                   " elements, found " + std::to_string(ended.count));
+            return stop(ErrorCode::OutOfRange,
+                        fmt::format("expected {} to {} elements, found {}", ended.child->minCount,
+                                    ended.child->maxCount, ended.count));
         break;
     case Frame::Kind::TexCoords:
         return store(*ended.row, ended.coords);
@@ -346,13 +348,13 @@ Result<void> checkTogether(const Scene& scene) {
             const Model& model = scene.models[m];
             if (auto fits = checkTexCoordCount(model, std::get<TexCoords>(row.read(&model))); !fits)
                 return fail(fits.error().code, fits.error().message,
-                            "/models/" + std::to_string(m) + "/" + std::string(row.key));
+                            fmt::format("/models/{}/{}", m, row.key));
         }
     for (std::size_t p = 0; p < scene.passes.size(); ++p)
         for (std::size_t u = 0; u < scene.passes[p].units.size(); ++u)
             if (auto found = checkUnitTexture(scene, scene.passes[p].units[u]); !found)
                 return fail(found.error().code, found.error().message,
-                            "/passes/" + std::to_string(p) + "/units/" + std::to_string(u) + "/texture");
+                            fmt::format("/passes/{}/units/{}/texture", p, u));
     return {};
 }
 
@@ -360,8 +362,8 @@ Result<void> checkTogether(const Scene& scene) {
 
 Result<Scene> parseScene(std::string_view json) {
     if (json.size() > maxSceneBytes)
-        return fail(ErrorCode::TooLarge, "expected a scene of at most " + std::to_string(maxSceneBytes) +
-                                             " bytes, found " + std::to_string(json.size()));
+        return fail(ErrorCode::TooLarge, fmt::format("expected a scene of at most {} bytes, found {}",
+                                                     maxSceneBytes, json.size()));
     if (json.empty())
         return fail(ErrorCode::Malformed, "expected an object, found an empty file");
 

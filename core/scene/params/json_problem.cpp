@@ -1,5 +1,7 @@
 #include "core/scene/params/json_problem.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -59,9 +61,10 @@ std::string readableProblem(std::string_view said) {
     if (semicolon != std::string_view::npos && problem.substr(semicolon).ends_with(theEnd))
         return "expected the end of the file, found " + foundText(token);
     if (token != theEnd)
-        return expected + ", found " + foundText(token);
-    return "the file ends" +
-           (place->inside.empty() ? "" : " in the middle of " + std::string(place->inside)) + "; " + expected;
+        return fmt::format("{}, found {}", expected, foundText(token));
+    return fmt::format("the file ends{}; {}",
+                       place->inside.empty() ? "" : " in the middle of " + std::string(place->inside),
+                       expected);
 }
 
 } // namespace texplorer

@@ -5,6 +5,8 @@
 
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -35,7 +37,7 @@ template<auto First, auto... Rest>
 /// elementOf<&Scene::textures>(3) is "textures[3]".
 template<auto Member>
 [[nodiscard]] std::string elementOf(std::size_t index) {
-    return keyOf<Member>() + "[" + std::to_string(index) + "]";
+    return fmt::format("{}[{}]", keyOf<Member>(), index);
 }
 
 } // namespace texplorer

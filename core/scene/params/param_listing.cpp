@@ -3,6 +3,7 @@
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace texplorer {
@@ -128,9 +129,9 @@ std::string listParams() {
     const auto list = [&](const std::string& path, const ChildRow& child) {
         out += path + "   ";
         if (child.minCount == child.maxCount)
-            out += "always " + std::to_string(child.maxCount) + " of them";
+            out += fmt::format("always {} of them", child.maxCount);
         else
-            out += std::to_string(child.minCount) + " to " + std::to_string(child.maxCount) + " of them";
+            out += fmt::format("{} to {} of them", child.minCount, child.maxCount);
         out += ", counted from 0\n\n";
     };
     const auto param = [&](const std::string& path, const ParamRow& row, const Value& initial) {
@@ -147,12 +148,12 @@ std::string listParams() {
                 out += wrapped(choice.help, longest + 8, longest + 2 - choice.name.size());
             }
         } else {
-            out += "    Accepts " + describeAccepted(row) + ".\n";
+            out += fmt::format("    Accepts {}.\n", describeAccepted(row));
         }
         if (row.kind == Kind::TexCoordList)
-            out += "    One vertex is " + path + "[].\n";
+            out += fmt::format("    One vertex is {}[].\n", path);
         if (const std::string call = callFor(row, Unit().target); !call.empty())
-            out += "    " + call + "\n";
+            out += fmt::format("    {}\n", call);
         out += "\n";
     };
     walkAll({param, list});

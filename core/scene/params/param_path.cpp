@@ -4,6 +4,8 @@
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <optional>
 
@@ -93,15 +95,15 @@ private:
         if (!place_.vertex)
             return refuse("expected the number of a vertex in the brackets, found " + inQuotes(*part.index));
         if (*place_.vertex >= count)
-            return refuse("the " + std::string(rowOf(model.shape).name) + " has " + std::to_string(count) +
-                          " vertices, expected 0 to " + std::to_string(count - 1));
+            return refuse(fmt::format("the {} has {} vertices, expected 0 to {}", rowOf(model.shape).name,
+                                      count, count - 1));
         return {};
     }
 
     Result<void> enter(const ChildRow& child, const Part& part) {
         if (child.indexed != part.index.has_value())
             return refuse(child.indexed
-                              ? "an index is needed, as in " + std::string(child.key) + "[0]; " + has(child)
+                              ? fmt::format("an index is needed, as in {}[0]; {}", child.key, has(child))
                               : "it is not a list, expected no index");
         std::size_t index = 0;
         if (part.index) {
@@ -121,7 +123,7 @@ private:
 
     /// "the scene has 1"
     std::string has(const ChildRow& child) const {
-        return "the " + lowerFirst(place_.table->name) + " has " + std::to_string(child.size(place_.owner));
+        return fmt::format("the {} has {}", lowerFirst(place_.table->name), child.size(place_.owner));
     }
 
     tl::unexpected<Error> refuse(std::string message) const {
@@ -163,7 +165,7 @@ void visitStruct(const StructTable& table, void* owner, const std::string& prefi
         for (std::size_t i = 0; i < child.size(owner); ++i) {
             std::string path = prefix + std::string(child.key);
             if (child.indexed)
-                path += "[" + std::to_string(i) + "]";
+                path += fmt::format("[{}]", i);
             visitStruct(*child.table, child.at(owner, i), path + ".", visit);
         }
 }

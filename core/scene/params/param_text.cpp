@@ -3,6 +3,8 @@
 #include "core/base/printable.h"
 #include "core/base/utf8.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -81,7 +83,7 @@ std::string_view nearestName(std::string_view text, const std::vector<std::strin
 
 std::string suggestName(std::string_view text, const std::vector<std::string_view>& names) {
     if (const std::string_view near = nearestName(text, names); !near.empty())
-        return "did you mean " + inQuotes(near) + "?";
+        return fmt::format("did you mean {}?", inQuotes(near));
     std::string all;
     for (const std::string_view name : names)
         all.append(all.empty() ? "" : ", ").append(name);

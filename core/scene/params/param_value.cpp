@@ -4,6 +4,8 @@
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -12,14 +14,14 @@ namespace texplorer {
 namespace {
 
 std::string withUnit(const Range& range) {
-    std::string text = "from " + formatNumber(range.min) + " to " + formatNumber(range.max);
+    std::string text = fmt::format("from {} to {}", formatNumber(range.min), formatNumber(range.max));
     if (!range.unit.empty())
         text.append(" ").append(range.unit);
     return text;
 }
 
 Result<void> refuse(const ParamRow& row, const std::string& found) {
-    return fail(ErrorCode::OutOfRange, "expected " + describeAccepted(row) + ", found " + found);
+    return fail(ErrorCode::OutOfRange, fmt::format("expected {}, found {}", describeAccepted(row), found));
 }
 
 std::size_t alternativeOf(Kind kind) {
@@ -59,7 +61,7 @@ Result<void> checkComponents(const ParamRow& row, const Vector& vector) {
 
 Result<void> checkText(const ParamRow& row, const std::string& text) {
     if (text.size() > maxTextBytes)
-        return refuse(row, std::to_string(text.size()) + " bytes");
+        return refuse(row, fmt::format("{} bytes", text.size()));
     if (text.find('\0') != std::string::npos)
         return refuse(row, "a zero byte in it");
     if (!isUtf8(text))
@@ -71,7 +73,7 @@ Result<void> checkTexCoords(const ParamRow& row, const TexCoords& list) {
     for (std::size_t i = 0; i < list.size(); ++i)
         for (int c = 0; c < 4; ++c)
             if (!std::isfinite(list[i][c]))
-                return refuse(row, formatNumber(list[i][c]) + " at vertex " + std::to_string(i));
+                return refuse(row, fmt::format("{} at vertex {}", formatNumber(list[i][c]), i));
     return {};
 }
 
@@ -203,7 +205,7 @@ std::string describeAccepted(const ParamRow& row) {
     case Kind::Enum:
         return "one of " + listNames(row.choices);
     case Kind::Text:
-        return "UTF-8 text of at most " + std::to_string(maxTextBytes) + " bytes";
+        return fmt::format("UTF-8 text of at most {} bytes", maxTextBytes);
     case Kind::TexCoordList:
         return "2 to 4 finite numbers for each vertex";
     }
@@ -231,7 +233,7 @@ Result<void> checkValue(const ParamRow& row, const Value& value) {
         return checkComponents(row, std::get<glm::vec4>(value));
     case Kind::Enum:
         if (!findRow(row.choices, std::get<EnumValue>(value).number))
-            return refuse(row, "the number " + std::to_string(std::get<EnumValue>(value).number));
+            return refuse(row, fmt::format("the number {}", std::get<EnumValue>(value).number));
         return {};
     case Kind::Text:
         return checkText(row, std::get<std::string>(value));
@@ -280,7 +282,7 @@ Result<Value> parseValue(const ParamRow& row, std::string_view text) {
             for (const EnumRow& choice : row.choices)
                 names.push_back(choice.name);
             if (const auto near = nearestName(text, names); !near.empty())
-                found += "; did you mean " + inQuotes(near) + "?";
+                found += fmt::format("; did you mean {}?", inQuotes(near));
         }
         return fail(refuse(row, found).error());
     }

@@ -1,5 +1,9 @@
 #include "core/scene/params/scene_check.h"
 
+#include "core/base/count.h"
+
+#include <fmt/core.h>
+
 namespace texplorer {
 
 Result<void> checkTexCoordCount(const Model& model, const TexCoords& list) {
@@ -7,17 +11,18 @@ Result<void> checkTexCoordCount(const Model& model, const TexCoords& list) {
     if (list.empty() || list.size() == count)
         return {};
     return fail(ErrorCode::OutOfRange,
-                "expected " + std::to_string(count) + " coordinates, one for each vertex of the " +
-                    std::string(rowOf(model.shape).name) + ", or none; found " + std::to_string(list.size()));
+                fmt::format("expected {} coordinates, one for each vertex of the {}, or none; found {}",
+                            count, rowOf(model.shape).name, list.size()));
 }
 
 Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {
     const std::size_t count = scene.textures.size();
     if (!unit.enabled || static_cast<std::size_t>(unit.texture) < count)
         return {};
-    return fail(ErrorCode::OutOfRange, "an enabled unit needs a texture that exists: it asks for number " +
-                                           std::to_string(unit.texture) + ", the scene has " +
-                                           std::to_string(count) + (count == 1 ? " texture" : " textures"));
+    return fail(
+        ErrorCode::OutOfRange,
+        fmt::format("an enabled unit needs a texture that exists: it asks for number {}, the scene has {}",
+                    unit.texture, countOf(count, "texture")));
 }
 
 } // namespace texplorer
