@@ -1,6 +1,7 @@
 #include "core/conform/report.h"
 #include "core/conform/report_words.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace texplorer::conform {
@@ -50,8 +51,8 @@ Json asJson(const PairReport& pair, const Outcome& outcome) {
 } // namespace
 
 std::string worstName(const PairReport& pair, const Outcome& outcome) {
-    return std::string(outcome.feature->name) + "-" + std::string(rowOf(pair.pair.subject).name) + "-" +
-           std::string(rowOf(pair.pair.against).name);
+    return fmt::format("{}-{}-{}", outcome.feature->name, rowOf(pair.pair.subject).name,
+                       rowOf(pair.pair.against).name);
 }
 
 std::string asJson(const Report& report) {

@@ -1,3 +1,4 @@
+#include "core/base/count.h"
 #include "core/base/printable.h"
 #include "core/codec/png/png.h"
 #include "core/conform/made_files.h"
@@ -5,6 +6,8 @@
 #include "core/conform/report_words.h"
 #include "core/image/convert.h"
 #include "core/scene/params/json.h"
+
+#include <fmt/core.h>
 
 #include <array>
 
@@ -69,8 +72,9 @@ std::string base64(ByteView bytes) {
 }
 
 std::string figure(ByteView png, std::string_view caption) {
-    return "<figure><img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\"><figcaption>" +
-           escaped(caption) + "</figcaption></figure>\n";
+    return fmt::format(
+        "<figure><img alt=\"\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
+        base64(png), escaped(caption));
 }
 
 std::string legend(const HeatScale& scale) {
@@ -78,9 +82,8 @@ std::string legend(const HeatScale& scale) {
     for (const int value : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
         const auto color = heatColor(static_cast<float>(value), scale);
         const bool dark = color[0] + color[1] < 260;
-        text += "<span style=\"background:rgb(" + std::to_string(color[0]) + "," + std::to_string(color[1]) +
-                "," + std::to_string(color[2]) + ");color:" + (dark ? "#fff" : "#000") + "\">" +
-                std::to_string(value) + "</span>";
+        text += fmt::format("<span style=\"background:rgb({},{},{});color:{}\">{}</span>", color[0], color[1],
+                            color[2], dark ? "#fff" : "#000", value);
     }
     return text + "</div>\n";
 }
@@ -110,24 +113,25 @@ std::string article(const PairReport& pair, const Outcome& outcome, const Pictur
     const std::string name = worstName(pair, outcome);
     const Judgement& judgement = outcome.worst->judgement;
     const auto [x, y] = placeOfWorst(judgement);
-    const std::string at = std::to_string(x) + "," + std::to_string(y);
-    const std::string size = std::to_string(extent);
-    std::string text = "<article id=\"" + name + "\"><h3>" + std::string(outcome.feature->name) +
-                       "</h3>\n<p>" + escaped(outcome.feature->sweeps) + " (OpenGL 2.1, " +
-                       escaped(outcome.feature->section) + ")</p>\n<p>Its worst scene, <a href=\"" + name +
-                       ".json\">" + name + ".json</a>: " + std::to_string(judgement.difference.over) +
-                       " pixels over " + std::to_string(outcome.rule->bound);
+    const std::string at = fmt::format("{},{}", x, y);
+    std::string text =
+        fmt::format("<article id=\"{0}\"><h3>{1}</h3>\n"
+                    "<p>{2} (OpenGL 2.1, {3})</p>\n"
+                    "<p>Its worst scene, <a href=\"{0}.json\">{0}.json</a>: {4} pixels over {5}",
+                    name, outcome.feature->name, escaped(outcome.feature->sweeps),
+                    escaped(outcome.feature->section), judgement.difference.over, outcome.rule->bound);
     if (outcome.rule->tolerance != Tolerance::None)
-        text += ", " + std::to_string(judgement.unexplained) + " of them unexplained";
+        text += fmt::format(", {} of them unexplained", judgement.unexplained);
     if (judgement.difference.max > 0)
-        text += "; the worst by " + std::to_string(judgement.difference.max) + " at " + at +
-                ", counted from the upper left: <code>texshot probe " + name + ".json --size " + size + "x" +
-                size + " --at " + at + "</code>";
-    text += ".</p>\n<div class=\"pictures\">" + figure(pictures.subject, rowOf(pair.pair.subject).label) +
-            figure(pictures.against, rowOf(pair.pair.against).label) +
-            figure(pictures.difference, "Difference") + "</div>\n" + legend({outcome.rule->bound, 255});
-    return text + "<p>Rule <b>" + std::string(outcome.rule->name) + "</b>, " + allowed(*outcome.rule) + ": " +
-           escaped(outcome.rule->reason) + "</p></article>\n";
+        text += fmt::format("; the worst by {0} at {1}, counted from the upper left: "
+                            "<code>texshot probe {2}.json --size {3}x{3} --at {1}</code>",
+                            judgement.difference.max, at, name, extent);
+    text += fmt::format(".</p>\n<div class=\"pictures\">{}{}{}</div>\n{}",
+                        figure(pictures.subject, rowOf(pair.pair.subject).label),
+                        figure(pictures.against, rowOf(pair.pair.against).label),
+                        figure(pictures.difference, "Difference"), legend({outcome.rule->bound, 255}));
+    return fmt::format("{}<p>Rule <b>{}</b>, {}: {}</p></article>\n", text, outcome.rule->name,
+                       allowed(*outcome.rule), escaped(outcome.rule->reason));
 }
 
 std::string rowOfTable(const PairReport& pair, const Outcome& outcome) {
@@ -135,15 +139,16 @@ std::string rowOfTable(const PairReport& pair, const Outcome& outcome) {
     const std::string feature(outcome.feature->name);
     const std::string verdict(conform::verdict(outcome));
     std::string text = "<tr><td>";
-    text += outcome.worst ? "<a href=\"#" + worstName(pair, outcome) + "\">" + feature + "</a>" : feature;
+    text +=
+        outcome.worst ? fmt::format("<a href=\"#{}\">{}</a>", worstName(pair, outcome), feature) : feature;
     for (const std::string& cell :
          {std::to_string(all.scenes), std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
           escaped(percent(all.shareOver())),
           outcome.rule->tolerance == Tolerance::None ? "–" : escaped(percent(all.shareUnexplained())),
-          std::to_string(all.max), fixed(all.mean(), 3)})
+          std::to_string(all.max), fmt::format("{:.3f}", all.mean())})
         text += "<td>" + cell;
-    return text + "<td class=\"" + verdict + "\">" + verdict + "<td>" + escaped(allowed(*outcome.rule)) +
-           "</tr>\n";
+    return fmt::format("{0}<td class=\"{1}\">{1}<td>{2}</tr>\n", text, verdict,
+                       escaped(allowed(*outcome.rule)));
 }
 
 std::string table(const PairReport& pair) {
@@ -155,25 +160,23 @@ std::string table(const PairReport& pair) {
         text += rowOfTable(pair, outcome);
         const std::string feature(outcome.feature->name);
         for (const auto& [skip, count] : outcome.skipped)
-            notes += "<p>" + feature + ": " + std::to_string(count) +
-                     (count == 1 ? " scene skipped (" : " scenes skipped (") + std::string(skip->name) +
-                     "): " + escaped(skip->reason) + ".</p>\n";
+            notes += fmt::format("<p>{}: {} skipped ({}): {}.</p>\n", feature, countOf(count, "scene"),
+                                 skip->name, escaped(skip->reason));
         if (!outcome.problem.empty())
-            notes += "<p class=\"differ\">" + feature + ": " + escaped(outcome.problem) + "</p>\n";
+            notes += fmt::format("<p class=\"differ\">{}: {}</p>\n", feature, escaped(outcome.problem));
     }
-    return text + "</table>\n" + notes;
+    return fmt::format("{}</table>\n{}", text, notes);
 }
 
 std::string introduction(const Report& report) {
     const Origin& origin = report.origin;
-    std::string text = "<h1>Do the renderers agree?</h1>\n<p>" + whatWasDrawn(report) + "," +
-                       escaped(onWhat(report.driver)) + ": <b class=\"" +
-                       (report.agrees() ? "agree" : "differ") + "\">" + summary(report) + "</b>.</p>\n<p>";
+    std::string text = fmt::format(
+        "<h1>Do the renderers agree?</h1>\n<p>{},{}: <b class=\"{}\">{}</b>.</p>\n<p>", whatWasDrawn(report),
+        escaped(onWhat(report.driver)), report.agrees() ? "agree" : "differ", summary(report));
     if (!origin.program.empty())
-        text += "Made by " + escaped(origin.program) +
-                (origin.made.empty() ? "" : " on " + escaped(origin.made)) + " in " +
-                fixed(report.seconds, 1) + " s; again: <code>" + escaped(origin.command) +
-                "</code>.</p>\n<p>";
+        text += fmt::format("Made by {}{} in {:.1f} s; again: <code>{}</code>.</p>\n<p>",
+                            escaped(origin.program), origin.made.empty() ? "" : " on " + escaped(origin.made),
+                            report.seconds, escaped(origin.command));
     return text +
            "A pixel is over the bound when a component differs by more than its rule allows, and unexplained "
            "when what the rule grants a driver's arithmetic does not explain it either. Differences are in "
@@ -191,8 +194,8 @@ Result<std::vector<ReportFile>> asFolder(const Report& report) {
     std::vector<ReportFile> files;
     std::string page = std::string(head) + introduction(report);
     for (const PairReport& pair : report.pairs) {
-        page += "<h2>" + std::string(rowOf(pair.pair.subject).label) + " against " +
-                std::string(rowOf(pair.pair.against).label) + "</h2>\n" + table(pair);
+        page += fmt::format("<h2>{} against {}</h2>\n{}", rowOf(pair.pair.subject).label,
+                            rowOf(pair.pair.against).label, table(pair));
         for (const Outcome& outcome : pair.outcomes) {
             if (!outcome.worst)
                 continue;
@@ -202,9 +205,9 @@ Result<std::vector<ReportFile>> asFolder(const Report& report) {
             page += article(pair, outcome, *pictures);
             const std::string name = worstName(pair, outcome);
             files.push_back({name + ".json", bytesOf(writeScene(outcome.worst->scene))});
-            files.push_back({name + "-" + std::string(rowOf(pair.pair.subject).name) + ".png",
+            files.push_back({fmt::format("{}-{}.png", name, rowOf(pair.pair.subject).name),
                              std::move(pictures->subject)});
-            files.push_back({name + "-" + std::string(rowOf(pair.pair.against).name) + ".png",
+            files.push_back({fmt::format("{}-{}.png", name, rowOf(pair.pair.against).name),
                              std::move(pictures->against)});
             files.push_back({name + "-difference.png", std::move(pictures->difference)});
         }

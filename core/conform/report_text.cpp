@@ -1,5 +1,8 @@
+#include "core/base/count.h"
 #include "core/conform/report.h"
 #include "core/conform/report_words.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -52,16 +55,16 @@ std::string pairText(const PairReport& pair) {
         for (const auto& [skip, count] : outcome.skipped)
             skipped[skip] += count;
     }
-    std::string text = std::string(rowOf(pair.pair.subject).name) + " against " +
-                       std::string(rowOf(pair.pair.against).name) + "\n" + aligned(lines);
+    std::string text = fmt::format("{} against {}\n{}", rowOf(pair.pair.subject).name,
+                                   rowOf(pair.pair.against).name, aligned(lines));
     for (const Skip& skip : skips()) {
         if (const auto found = skipped.find(&skip); found != skipped.end())
-            text += "skipped: " + std::string(skip.name) + ", " + std::to_string(found->second) +
-                    (found->second == 1 ? " scene: " : " scenes: ") + std::string(skip.reason) + "\n";
+            text +=
+                fmt::format("skipped: {}, {}: {}\n", skip.name, countOf(found->second, "scene"), skip.reason);
     }
     for (const Outcome& outcome : pair.outcomes) {
         if (!outcome.problem.empty())
-            text += "differs: " + std::string(outcome.feature->name) + ": " + outcome.problem + "\n";
+            text += fmt::format("differs: {}: {}\n", outcome.feature->name, outcome.problem);
     }
     return text;
 }
@@ -72,10 +75,10 @@ std::string asText(const Report& report) {
     std::string text;
     for (const PairReport& pair : report.pairs)
         text += pairText(pair) + "\n";
-    text += whatWasDrawn(report) + ", in " + fixed(report.seconds, 1) + " s" + onWhat(report.driver) + ": " +
-            summary(report) + "\n";
+    text += fmt::format("{}, in {:.1f} s{}: {}\n", whatWasDrawn(report), report.seconds,
+                        onWhat(report.driver), summary(report));
     if (!report.origin.command.empty())
-        text += report.origin.program + ", to draw them again: " + report.origin.command + "\n";
+        text += fmt::format("{}, to draw them again: {}\n", report.origin.program, report.origin.command);
     return text;
 }
 
@@ -92,9 +95,7 @@ std::string summary(const Report& report) {
             all += skippedOf(outcome) + outcome.all.scenes;
         }
     }
-    return skipped == 0 ? "all agree"
-                        : "all agree, " + std::to_string(skipped) + " of " + std::to_string(all) +
-                              " comparisons skipped";
+    return skipped == 0 ? "all agree" : fmt::format("all agree, {} of {} comparisons skipped", skipped, all);
 }
 
 std::string listing() {
@@ -111,10 +112,10 @@ std::string listing() {
     }
     std::string text = aligned(lines) + "\nRules: what of all pixels may differ, and why\n";
     for (const Rule* rule : used)
-        text += std::string(rule->name) + ": " + allowed(*rule) + ". " + std::string(rule->reason) + "\n";
+        text += fmt::format("{}: {}. {}\n", rule->name, allowed(*rule), rule->reason);
     text += "\nNot compared\n";
     for (const Skip& skip : skips())
-        text += std::string(skip.name) + ": " + std::string(skip.reason) + "\n";
+        text += fmt::format("{}: {}\n", skip.name, skip.reason);
     return text;
 }
 

@@ -1,30 +1,24 @@
 #include "core/conform/report_words.h"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace texplorer::conform {
 
-std::string fixed(double value, int decimals) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    return text.data();
-}
-
 std::string percent(double share) {
-    return share == 0 ? "0" : share < 0.00005 ? "<0.01 %" : fixed(share * 100, 2) + " %";
+    return share == 0 ? "0" : share < 0.00005 ? "<0.01 %" : fmt::format("{:.2f} %", share * 100);
 }
 
 std::string allowed(const Rule& rule) {
     const auto part = [](double share) {
-        std::string number = fixed((1 - share) * 100, 2);
+        std::string number = fmt::format("{:.2f}", (1 - share) * 100);
         number.erase(number.find_last_not_of('0') + 1);
         if (number.back() == '.')
             number.pop_back();
         return share == 1 ? "0" : number + " %";
     };
-    std::string text = part(rule.share) + " over " + std::to_string(rule.bound);
+    std::string text = fmt::format("{} over {}", part(rule.share), rule.bound);
     if (rule.tolerance != Tolerance::None)
-        text += ", " + part(rule.explained) + " unexplained";
+        text += fmt::format(", {} unexplained", part(rule.explained));
     return text;
 }
 
@@ -44,16 +38,15 @@ std::array<int, 2> placeOfWorst(const Judgement& judgement) {
 }
 
 std::string whatWasDrawn(const Report& report) {
-    const std::string size = std::to_string(extent);
-    return std::to_string(report.scenes) + " scenes of " + size + " x " + size + " pixels, seed " +
-           std::to_string(report.selection.seed);
+    return fmt::format("{0} scenes of {1} x {1} pixels, seed {2}", report.scenes, extent,
+                       report.selection.seed);
 }
 
 std::string onWhat(const Driver& driver) {
     if (driver.name.empty())
         return {};
-    return " on " + driver.name + (driver.version.empty() ? "" : ", " + driver.version) +
-           (driver.settings.empty() ? "" : ", with " + driver.settings);
+    return fmt::format(" on {}{}{}", driver.name, driver.version.empty() ? "" : ", " + driver.version,
+                       driver.settings.empty() ? "" : ", with " + driver.settings);
 }
 
 } // namespace texplorer::conform

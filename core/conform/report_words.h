@@ -9,9 +9,6 @@
 
 namespace texplorer::conform {
 
-/// A number with so many decimals.
-[[nodiscard]] std::string fixed(double value, int decimals);
-
 /// "0", "<0.01 %", "0.56 %"
 [[nodiscard]] std::string percent(double share);
 

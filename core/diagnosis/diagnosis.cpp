@@ -4,6 +4,8 @@
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer {
@@ -33,7 +35,7 @@ bool Case::works(const Unit& unit) const {
 }
 
 std::string unitPath(std::size_t pass, std::size_t unit) {
-    return elementOf<&Scene::passes>(pass) + "." + elementOf<&Pass::units>(unit) + ".";
+    return fmt::format("{}.{}.", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(unit));
 }
 
 TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,

@@ -1,7 +1,10 @@
 // GL_COMBINE: OpenGL 2.1, section 3.8.13.
 
+#include "core/base/count.h"
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/gl/combine_arguments.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -20,10 +23,10 @@ void undefinedCrossbar(const Case& about, Report& report) {
             const Unit& other = about.scene.passes[pass].units[*asked];
             if (about.works(other))
                 continue;
-            const std::string source = path + keyOf<&Unit::combine>() + "." + std::string(each.sourceKey);
+            const std::string source = fmt::format("{}{}.{}", path, keyOf<&Unit::combine>(), each.sourceKey);
             report.add(source,
-                       nameOf(each.source) + " is undefined: unit " + std::to_string(*asked) +
-                           (other.enabled ? " has no texture that is complete" : " is off"),
+                       fmt::format("{} is undefined: unit {}{}", nameOf(each.source), *asked,
+                                   other.enabled ? " has no texture that is complete" : " is off"),
                        Fix{"Take this unit's texture", {{source, nameOf(CombineSource::Texture)}}});
         }
     });
@@ -34,7 +37,7 @@ void unreadArguments(const Case& about, Report& report) {
         if (unit.envMode != EnvMode::Combine)
             return;
         const Combine& combine = unit.combine;
-        const std::string own = path + keyOf<&Unit::combine>() + ".";
+        const std::string own = fmt::format("{}{}.", path, keyOf<&Unit::combine>());
         const bool dot = combine.rgb == CombineRgb::Dot3Rgba;
         const std::string overruled = nameOf(combine.rgb) + " gives alpha, too";
         if (dot) // its scale stays: ARB_texture_env_dot3 multiplies alpha by it
@@ -44,10 +47,9 @@ void unreadArguments(const Case& about, Report& report) {
                 continue;
             const int count = each.ofAlpha ? argumentCount(combine.alpha) : argumentCount(combine.rgb);
             const std::string function = each.ofAlpha ? nameOf(combine.alpha) : nameOf(combine.rgb);
-            const std::string reason = each.ofAlpha && dot
-                                           ? overruled
-                                           : function + " reads " + std::to_string(count) +
-                                                 (count == 1 ? " argument" : " arguments") + " only";
+            const std::string reason =
+                each.ofAlpha && dot ? overruled
+                                    : fmt::format("{} reads {} only", function, countOf(count, "argument"));
             report.add(own + std::string(each.sourceKey), reason);
             report.add(own + std::string(each.operandKey), reason);
         }
@@ -58,7 +60,7 @@ void otherMode(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (unit.envMode != EnvMode::Combine)
             report.add(path + keyOf<&Unit::combine>(),
-                       "the mode is " + nameOf(unit.envMode) + ", not " + nameOf(EnvMode::Combine));
+                       fmt::format("the mode is {}, not {}", nameOf(unit.envMode), nameOf(EnvMode::Combine)));
     });
 }
 

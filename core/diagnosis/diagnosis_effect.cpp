@@ -5,6 +5,8 @@
 #include "core/image/power_of_two.h"
 #include "core/reference/sampling/lod.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::diagnosis {
@@ -66,8 +68,8 @@ std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
                        (showsBorder(texture, texture.wrapT) && noWrapT(texture, facts).empty()) ||
                        (showsBorder(texture, texture.wrapR) && facts.hasTarget(Target::Texture3D));
     return shown ? ""
-                 : "no wrap mode shows the border; " + nameOf(Wrap::ClampToBorder) + " does, and " +
-                       nameOf(Wrap::Clamp) + " under a linear filter";
+                 : fmt::format("no wrap mode shows the border; {} does, and {} under a linear filter",
+                               nameOf(Wrap::ClampToBorder), nameOf(Wrap::Clamp));
 }
 
 /// Where the border is cut off the image, the image is another one.
@@ -107,7 +109,8 @@ void noEffect(const Case& about, Report& report) {
         for (const Setting& setting : settings) {
             std::string reason = setting.reason(about.scene.textures[i], about.textures[i]);
             if (!reason.empty())
-                report.add(elementOf<&Scene::textures>(i) + "." + setting.key(), std::move(reason));
+                report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), setting.key()),
+                           std::move(reason));
         }
     }
 }
@@ -116,7 +119,7 @@ void noEffect(const Case& about, Report& report) {
 void ownBorder(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         if (about.scene.textures[i].border != 0 && about.driver.textureBorders)
-            report.add(elementOf<&Scene::textures>(i) + "." + keyOf<&Texture::borderColor>(),
+            report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::borderColor>()),
                        "the texture has a border of its own texels");
     }
 }

@@ -2,6 +2,8 @@
 
 #include "core/diagnosis/color_flow.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::diagnosis {
@@ -40,7 +42,7 @@ void noColor(const Case& about, Report& report) {
 void noLighting(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         if (!primaryInFragments(about, about.scene.passes[p]).rgb && !addsHighlight(about.scene))
-            report.add(elementOf<&Scene::passes>(p) + "." + keyOf<&Pass::lighting>(), blocked);
+            report.add(fmt::format("{}.{}", elementOf<&Scene::passes>(p), keyOf<&Pass::lighting>()), blocked);
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/diagnosis/diagnosis_rules.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -100,7 +102,7 @@ void noFragmentTest(const Case& about, Report& report) {
 
 /// "models[0].texCoords1"
 std::string texCoordsPath(std::size_t model, std::size_t unit) {
-    return elementOf<&Scene::models>(model) + "." + std::string(findKey(memberId<&Model::texCoords>, unit));
+    return fmt::format("{}.{}", elementOf<&Scene::models>(model), findKey(memberId<&Model::texCoords>, unit));
 }
 
 /// Coordinates that reach the texture: those of units that are on.
@@ -125,12 +127,12 @@ void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
                 continue;
             const std::string vertex = std::to_string(first - list.begin());
             const auto others = std::count_if(first + 1, list.end(), isBad);
-            std::string sentence = wantsInfinite
-                                       ? "a coordinate of vertex " + vertex + " is infinite or no number"
-                                       : "q of vertex " + vertex + " is 0, and s, t and r are divided by it";
+            std::string sentence =
+                wantsInfinite ? fmt::format("a coordinate of vertex {} is infinite or no number", vertex)
+                              : fmt::format("q of vertex {} is 0, and s, t and r are divided by it", vertex);
             if (others > 0)
-                sentence += "; so it is with " + std::to_string(others) + " more";
-            report.add(texCoordsPath(m, u) + "[" + vertex + "]", std::move(sentence));
+                sentence += fmt::format("; so it is with {} more", others);
+            report.add(fmt::format("{}[{}]", texCoordsPath(m, u), vertex), std::move(sentence));
         }
     }
 }
@@ -148,7 +150,7 @@ void hiddenModel(const Case& about, Report& report) {
         const std::string path = elementOf<&Scene::models>(m);
         if (!about.scene.models[m].visible)
             report.add(path, "the model is hidden",
-                       Fix{"Show it", {{path + "." + keyOf<&Model::visible>(), "true"}}});
+                       Fix{"Show it", {{fmt::format("{}.{}", path, keyOf<&Model::visible>()), "true"}}});
     }
 }
 
@@ -164,7 +166,7 @@ void unreadCoordinates(const Case& about, Report& report) {
         });
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
             report.add(texCoordsPath(m, u),
-                       "unit " + std::to_string(u) + (off ? " is off" : " generates all of its coordinates"));
+                       fmt::format("unit {}{}", u, off ? " is off" : " generates all of its coordinates"));
     }
 }
 
@@ -174,7 +176,8 @@ void otherShape(const Case& about, Report& report) {
         if (shape == Shape::Sphere)
             continue;
         for (const Key key : {keyOf<&Model::slices>, keyOf<&Model::stacks>})
-            report.add(elementOf<&Scene::models>(m) + "." + key(), "a " + nameOf(shape) + " has none");
+            report.add(fmt::format("{}.{}", elementOf<&Scene::models>(m), key()),
+                       fmt::format("a {} has none", nameOf(shape)));
     }
 }
 

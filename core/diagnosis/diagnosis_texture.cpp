@@ -5,6 +5,8 @@
 #include "core/reference/sampling/lod.h"
 #include "core/scene/params/param_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -48,7 +50,7 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
         cures.push_back({{std::move(label), {{path + key, std::move(value)}}}, std::move(cured)});
     };
     const auto begin = [&](int level) {
-        add("Begin at level " + std::to_string(level), keyOf<&Texture::baseLevel>(), std::to_string(level),
+        add(fmt::format("Begin at level {}", level), keyOf<&Texture::baseLevel>(), std::to_string(level),
             [&](Texture& cured) { cured.baseLevel = level; });
     };
     if (texture.baseLevel <= lastLevel && texture.baseLevel > texture.maxLevel)
@@ -59,7 +61,7 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
         add("Generate mipmaps", keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
             [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
     for (int level = lastLevel; level >= texture.baseLevel; --level)
-        add("End at level " + std::to_string(level), keyOf<&Texture::maxLevel>(), std::to_string(level),
+        add(fmt::format("End at level {}", level), keyOf<&Texture::maxLevel>(), std::to_string(level),
             [&](Texture& cured) { cured.maxLevel = level; });
     if (reference::wantsMipmaps(texture.minFilter)) {
         const MinFilter filter =
@@ -131,11 +133,14 @@ void lodRange(const Case& about, Report& report) {
             return;
         const std::string low = formatNumber(texture.minLod);
         const std::string high = formatNumber(texture.maxLod);
-        report.add(path + keyOf<&Texture::minLod>(),
-                   "the least level of detail, " + low + ", exceeds the greatest, " + high +
-                       ": OpenGL leaves undefined what is drawn",
-                   Fix{"Exchange them",
-                       {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
+        report.add(
+            path + keyOf<&Texture::minLod>(),
+            fmt::format(
+                "the least level of detail, {}, exceeds the greatest, {}: OpenGL leaves undefined what is "
+                "drawn",
+                low, high),
+            Fix{"Exchange them",
+                {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
     });
 }
 
@@ -146,9 +151,10 @@ void anisotropyLimit(const Case& about, Report& report) {
             return;
         const std::string most = formatNumber(limit);
         report.add(path + keyOf<&Texture::maxAnisotropy>(),
-                   limit <= 1 ? std::string("the driver has no anisotropic filtering")
-                              : "an anisotropy of " + formatNumber(texture.maxAnisotropy) +
-                                    " exceeds the driver's " + most + ", which is used instead",
+                   limit <= 1
+                       ? std::string("the driver has no anisotropic filtering")
+                       : fmt::format("an anisotropy of {} exceeds the driver's {}, which is used instead",
+                                     formatNumber(texture.maxAnisotropy), most),
                    Fix{"Set anisotropy to " + most, {{path + keyOf<&Texture::maxAnisotropy>(), most}}});
     });
 }
@@ -165,8 +171,8 @@ void heldBack(const Case& about, Report& report) {
 }
 
 std::string extentsOf(const PlannedLevel& level) {
-    std::string text = std::to_string(level.width) + " x " + std::to_string(level.height);
-    return level.depth > 1 ? text + " x " + std::to_string(level.depth) : text;
+    std::string text = fmt::format("{} x {}", level.width, level.height);
+    return level.depth > 1 ? fmt::format("{} x {}", text, level.depth) : text;
 }
 
 void nonPowerOfTwo(const Case& about, Report& report) {
@@ -198,9 +204,9 @@ void sizeLimit(const Case& about, Report& report) {
             const PlannedLevel& base = each.plan.levels.front();
             if (std::max({base.width, base.height, base.depth}) <= limit)
                 continue;
-            report.add(path + imageKey(texture)(), extentsOf(base) + " texels exceed the driver's " +
-                                                       std::to_string(limit) + " for " + nameOf(each.target) +
-                                                       ": drawn without it");
+            report.add(path + imageKey(texture)(),
+                       fmt::format("{} texels exceed the driver's {} for {}: drawn without it",
+                                   extentsOf(base), limit, nameOf(each.target)));
         }
     });
 }
@@ -210,8 +216,9 @@ void lacksFormat(const Case& about, Report& report) {
         const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
         if (!blocks || (isS3tc(*blocks) ? about.driver.s3tc : about.driver.rgtc))
             return;
-        report.add(path + keyOf<&Texture::compression>(),
-                   "the driver has no " + nameOf(*blocks) + ": the texture is uploaded decompressed");
+        report.add(
+            path + keyOf<&Texture::compression>(),
+            fmt::format("the driver has no {}: the texture is uploaded decompressed", nameOf(*blocks)));
     });
 }
 

@@ -6,6 +6,8 @@
 #include "core/reference/sampling/lod.h"
 #include "core/scene/params/param_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::diagnosis {
@@ -26,8 +28,7 @@ void missingTexture(const Case& about, Report& report) {
         if (!unit.enabled || about.textureOf(unit))
             return;
         report.add(path + keyOf<&Unit::texture>(),
-                   "there is no texture " + std::to_string(unit.texture) + ", the scene has " +
-                       std::to_string(count),
+                   fmt::format("there is no texture {}, the scene has {}", unit.texture, count),
                    count > 0 ? Fix{"Bind texture 0", {{path + keyOf<&Unit::texture>(), "0"}}}
                              : Fix{"Switch the unit off", {{path + keyOf<&Unit::enabled>(), "false"}}});
     });
@@ -39,8 +40,7 @@ void unitLimit(const Case& about, Report& report) {
         for (std::size_t u = limit; u < maxUnits; ++u) {
             if (about.scene.passes[p].units[u].enabled)
                 report.add(unitPath(p, u) + keyOf<&Unit::enabled>(),
-                           "the driver has " + std::to_string(limit) +
-                               " texture units: drawn without this one");
+                           fmt::format("the driver has {} texture units: drawn without this one", limit));
         }
     }
 }
@@ -53,14 +53,14 @@ void undefinedDecal(const Case& about, Report& report) {
         if (!unit.enabled || unit.envMode != EnvMode::Decal || !facts || facts->format == BaseFormat::Rgb ||
             facts->format == BaseFormat::Rgba)
             return;
-        report.add(path + keyOf<&Unit::envMode>(),
-                   nameOf(unit.envMode) + " of a " + nameOf(facts->format) +
-                       " texture is undefined: it needs " + nameOf(BaseFormat::Rgb) + " or " +
-                       nameOf(BaseFormat::Rgba),
-                   Fix{"Make it " + nameOf(BaseFormat::Rgba),
-                       {{elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + "." +
-                             keyOf<&Texture::internalFormat>(),
-                         nameOf(BaseFormat::Rgba)}}});
+        report.add(
+            path + keyOf<&Unit::envMode>(),
+            fmt::format("{} of a {} texture is undefined: it needs {} or {}", nameOf(unit.envMode),
+                        nameOf(facts->format), nameOf(BaseFormat::Rgb), nameOf(BaseFormat::Rgba)),
+            Fix{"Make it " + nameOf(BaseFormat::Rgba),
+                {{fmt::format("{}.{}", elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)),
+                              keyOf<&Texture::internalFormat>()),
+                  nameOf(BaseFormat::Rgba)}}});
     });
 }
 
@@ -72,7 +72,7 @@ void collapsingMatrix(const Case& about, Report& report) {
         for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
             const MatrixStep& step = unit.matrix[i];
             const std::string amount =
-                path + elementOf<&Unit::matrix>(i) + "." + keyOf<&MatrixStep::amount>();
+                fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(i), keyOf<&MatrixStep::amount>());
             if (step.op == MatrixOp::Rotate && step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
                 report.add(amount, "an axis of length 0: OpenGL leaves undefined where this rotates",
                            Fix{"Rotate about r", {{amount, "0,0,1"}}});
@@ -88,10 +88,12 @@ void collapsingMatrix(const Case& about, Report& report) {
                 mended += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
             }
             if (!collapsed.empty())
-                report.add(amount,
-                           "a scale of 0 gives all vertices the same " + collapsed +
-                               ": the image shrinks to a line or a texel",
-                           Fix{"Scale by 1", {{amount, mended}}});
+                report.add(
+                    amount,
+                    fmt::format(
+                        "a scale of 0 gives all vertices the same {}: the image shrinks to a line or a texel",
+                        collapsed),
+                    Fix{"Scale by 1", {{amount, mended}}});
         }
     });
 }
@@ -114,15 +116,16 @@ void flatDirection(const Case& about, Report& report) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const std::string own = unitPath(p, u) + generated[axis].key();
                 fix.assignments.push_back(
-                    {own + "." + keyOf<&TexGen::mode>(), nameOf(TexGenMode::ReflectionMap)});
-                fix.assignments.push_back({own + "." + keyOf<&TexGen::enabled>(), "true"});
+                    {fmt::format("{}.{}", own, keyOf<&TexGen::mode>()), nameOf(TexGenMode::ReflectionMap)});
+                fix.assignments.push_back({fmt::format("{}.{}", own, keyOf<&TexGen::enabled>()), "true"});
             }
-            report.add(unitPath(p, u) + keyOf<&Unit::target>(),
-                       "a cube map takes s, t and r as a direction, and r is 0 at every vertex: only a line "
-                       "around the sides of the cube is seen; " +
-                           nameOf(TexGenMode::ReflectionMap) + " or " + nameOf(TexGenMode::NormalMap) +
-                           " generates all three",
-                       std::move(fix));
+            report.add(
+                unitPath(p, u) + keyOf<&Unit::target>(),
+                fmt::format(
+                    "a cube map takes s, t and r as a direction, and r is 0 at every vertex: only a line "
+                    "around the sides of the cube is seen; {} or {} generates all three",
+                    nameOf(TexGenMode::ReflectionMap), nameOf(TexGenMode::NormalMap)),
+                std::move(fix));
         }
     }
 }
@@ -141,13 +144,14 @@ void cubeSeams(const Case& about, Report& report) {
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         const bool ofS = leaves(texture.wrapS);
         const std::string edge = nameOf(Wrap::ClampToEdge);
-        report.add(path + (ofS ? keyOf<&Texture::wrapS>() : keyOf<&Texture::wrapT>()),
-                   nameOf(ofS ? texture.wrapS : texture.wrapT) +
-                       " reaches beyond the edge of each face of a cube map, which then shows as a "
-                       "seam; some drivers take " +
-                       edge + " whatever is asked for",
-                   Fix{"Clamp to the edges",
-                       {{path + keyOf<&Texture::wrapS>(), edge}, {path + keyOf<&Texture::wrapT>(), edge}}});
+        report.add(
+            path + (ofS ? keyOf<&Texture::wrapS>() : keyOf<&Texture::wrapT>()),
+            fmt::format(
+                "{} reaches beyond the edge of each face of a cube map, which then shows as a seam; some "
+                "drivers take {} whatever is asked for",
+                nameOf(ofS ? texture.wrapS : texture.wrapT), edge),
+            Fix{"Clamp to the edges",
+                {{path + keyOf<&Texture::wrapS>(), edge}, {path + keyOf<&Texture::wrapT>(), edge}}});
     }
 }
 
@@ -193,8 +197,9 @@ void noEnvColor(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!readsConstant(about, unit))
             report.add(path + keyOf<&Unit::envColor>(),
-                       "the environment colour is used only by " + nameOf(EnvMode::Blend) + " and by " +
-                           nameOf(EnvMode::Combine) + "'s " + nameOf(CombineSource::Constant));
+                       fmt::format("the environment colour is used only by {} and by {}'s {}",
+                                   nameOf(EnvMode::Blend), nameOf(EnvMode::Combine),
+                                   nameOf(CombineSource::Constant)));
     });
 }
 
@@ -213,7 +218,7 @@ void noGeneration(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         for (const Generated& each : generated) {
             const TexGen& state = unit.*each.state;
-            const std::string own = path + each.key() + ".";
+            const std::string own = fmt::format("{}{}.", path, each.key());
             const std::string reason = state.enabled ? nameOf(state.mode) + " does not read this plane"
                                                      : "the vertex's own coordinate is taken";
             if (!state.enabled)
@@ -228,7 +233,7 @@ void noGeneration(const Case& about, Report& report) {
         for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
-                report.add(path + each.key() + "." + keyOf<&TexGen::enabled>(),
+                report.add(fmt::format("{}{}.{}", path, each.key(), keyOf<&TexGen::enabled>()),
                            nameOf(unit.target) + " does not look at this coordinate");
         }
     });
@@ -265,8 +270,7 @@ void overruledUnit(const Case& about, Report& report) {
         const auto later = about.works(unit) ? overrulerOf(about, pass, index) : std::nullopt;
         if (!later)
             return;
-        const std::string reason =
-            "unit " + std::to_string(*later) + " lets nothing of the units before it through";
+        const std::string reason = fmt::format("unit {} lets nothing of the units before it through", *later);
         if (!isAsked(about, pass, index))
             return report.add(path.substr(0, path.size() - 1), reason);
         for (const Key key : {keyOf<&Unit::envMode>, keyOf<&Unit::envColor>, keyOf<&Unit::combine>})
@@ -296,8 +300,8 @@ void otherOperation(const Case& about, Report& report) {
             if (unit.matrix[i].op == MatrixOp::Rotate)
                 continue;
             for (const Key key : {keyOf<&MatrixStep::angle>, keyOf<&MatrixStep::angleRate>})
-                report.add(path + elementOf<&Unit::matrix>(i) + "." + key(),
-                           "only " + nameOf(MatrixOp::Rotate) + " has an angle");
+                report.add(fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(i), key()),
+                           fmt::format("only {} has an angle", nameOf(MatrixOp::Rotate)));
         }
     });
 }
