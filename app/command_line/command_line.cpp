@@ -2,6 +2,8 @@
 
 #include "app/command_line/help_format.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cstdlib>
 #include <sstream>
@@ -13,7 +15,7 @@ std::shared_ptr<CLI::App> makeApp(const std::string& program, const std::string&
                                   const std::string& help) {
     auto app = std::make_shared<CLI::App>(help, program);
     app->formatter(std::make_shared<HelpFormatter>());
-    app->set_version_flag("--version", program + " " + version);
+    app->set_version_flag("--version", fmt::format("{} {}", program, version));
     return app;
 }
 
@@ -23,9 +25,11 @@ std::string sentenceFor(const CLI::App& app, const std::string& called, const CL
     if (const std::vector<std::string> extra = app.remaining(true);
         error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty()) {
         const std::string& first = extra.front();
-        return (first.starts_with("-") ? "there is no option " + first
-                                       : "expected no further argument, found \"" + first + "\"") +
-               "; see " + called + " --help";
+        return fmt::format("{}; see {} --help",
+                           first.starts_with("-")
+                               ? "there is no option " + first
+                               : fmt::format("expected no further argument, found \"{}\"", first),
+                           called);
     }
     // "--size: 1 required TEXT missing"
     if (const std::size_t colon = said.find(": 1 required ");
@@ -93,17 +97,18 @@ const Option& Command::flag(const std::string& names, bool& value, const std::st
 const Option& Command::numberOption(const std::string& names, const std::function<void(long long)>& store,
                                     const std::string& start, long long low, long long high,
                                     const std::string& help, const OptionRules& rules) {
-    const std::string range = std::to_string(low) + " to " + std::to_string(high);
+    const std::string range = fmt::format("{} to {}", low, high);
     const auto parse = [store, names, low, high, range](const std::string& text) {
         long long number = 0;
         const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (error != std::errc() || stop != text.data() + text.size() || number < low || number > high)
-            throw CLI::ValidationError(names,
-                                       "expected a whole number from " + range + ", found \"" + text + "\"");
+            throw CLI::ValidationError(
+                names, fmt::format("expected a whole number from {}, found \"{}\"", range, text));
         store(number);
     };
-    CLI::Option* option = app_->add_option_function<std::string>(names, parse, help + " From " + range + ".")
-                              ->type_name("NUMBER");
+    CLI::Option* option =
+        app_->add_option_function<std::string>(names, parse, fmt::format("{} From {}.", help, range))
+            ->type_name("NUMBER");
     keep(*option, rules);
     if (rules.showsDefault)
         option->default_str(start);
@@ -153,8 +158,9 @@ std::string CommandLine::missingCommand(int argc, const char* const* argv) const
             return {};
         names.append(names.empty() ? "" : ", ").append(command->name());
     }
-    return (argc > 1 ? "there is no command \"" + std::string(argv[1]) + "\"" : "a command is missing") +
-           "; expected one of " + names;
+    return fmt::format("{}; expected one of {}",
+                       argc > 1 ? fmt::format("there is no command \"{}\"", argv[1]) : "a command is missing",
+                       names);
 }
 
 Result<std::optional<std::string>> CommandLine::parse(int argc, const char* const* argv) {

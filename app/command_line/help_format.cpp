@@ -1,5 +1,7 @@
 #include "app/command_line/help_format.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <sstream>
 #include <string_view>
@@ -58,8 +60,8 @@ std::string rangeIn(std::string_view described) {
     const std::size_t end = described.find(']');
     if (begin == std::string_view::npos || middle == std::string_view::npos || end == std::string_view::npos)
         return {};
-    return std::string(described.substr(begin + 1, middle - begin - 1)) + " to " +
-           std::string(described.substr(middle + 3, end - middle - 3));
+    return fmt::format("{} to {}", described.substr(begin + 1, middle - begin - 1),
+                       described.substr(middle + 3, end - middle - 3));
 }
 
 } // namespace
@@ -72,13 +74,13 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool positiona
     if (option->get_type_size() != 0 && !positional)
         name += " " + type.substr(0, colon);
     if (const std::string range = rangeIn(std::string_view(type).substr(colon)); !range.empty())
-        words += " From " + range + ".";
+        words += fmt::format(" From {}.", range);
     if (!option->get_default_str().empty())
-        words += " Default: " + option->get_default_str() + ".";
+        words += fmt::format(" Default: {}.", option->get_default_str());
     if (option->get_required() && !positional)
         words += " Required.";
     if (!option->get_envname().empty())
-        words += " The environment variable " + option->get_envname() + " does the same.";
+        words += fmt::format(" The environment variable {} does the same.", option->get_envname());
     return entry(name, words);
 }
 

@@ -4,6 +4,7 @@
 #include "core/scene/initial_like.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -64,7 +65,8 @@ std::vector<Note> notesOf(const OpenedScene& opened) {
         const Texture& texture = opened.scene.textures[i];
         const auto image = texture.source == SourceKind::File ? opened.images.find(texture) : nullptr;
         for (const std::string& sentence : image ? image->notes : std::vector<std::string>())
-            notes.push_back({"textures[" + std::to_string(i) + "].file", texture.file + ": " + sentence});
+            notes.push_back(
+                {fmt::format("textures[{}].file", i), fmt::format("{}: {}", texture.file, sentence)});
     }
     return notes;
 }
@@ -72,17 +74,17 @@ std::vector<Note> notesOf(const OpenedScene& opened) {
 std::string asText(const std::vector<Finding>& findings, const std::vector<Note>& notes) {
     std::string text;
     for (const Finding& each : findings) {
-        text += std::string(rowOf(each.severity).name) + ": " + each.path + ": " +
-                (each.severity >= Severity::Hint ? "no effect: " : "") + printable(each.sentence) + "\n";
+        text += fmt::format("{}: {}: {}{}\n", rowOf(each.severity).name, each.path,
+                            each.severity >= Severity::Hint ? "no effect: " : "", printable(each.sentence));
         for (const Fix& fix : each.fixes) {
-            text += "    " + fix.label + ":";
+            text += fmt::format("    {}:", fix.label);
             for (const Assignment& set : fix.assignments)
-                text += " --set " + set.path + "=" + printable(set.value);
+                text += fmt::format(" --set {}={}", set.path, printable(set.value));
             text += "\n";
         }
     }
     for (const Note& each : notes)
-        text += "note: " + each.path + ": " + printable(each.sentence) + "\n";
+        text += fmt::format("note: {}: {}\n", each.path, printable(each.sentence));
     return text;
 }
 

@@ -3,6 +3,8 @@
 #include "core/base/result.h"
 #include "core/gl/enum_row.h"
 
+#include <fmt/core.h>
+
 #include <string>
 #include <string_view>
 
@@ -11,8 +13,7 @@ namespace texplorer::screenshot {
 /// The names that an option accepts, and what was found instead.
 [[nodiscard]] inline tl::unexpected<Error> refuseChoice(const std::string& names, std::string_view found,
                                                         const char* option) {
-    return fail(ErrorCode::OutOfRange, "expected one of " + names + ", found \"" + std::string(found) + "\"",
-                option);
+    return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", names, found), option);
 }
 
 /// One of the rows, by its name; `option` is named in the error.
@@ -29,7 +30,7 @@ template<Enumerated E>
 [[nodiscard]] std::string explainChoices() {
     std::string text;
     for (const EnumRow& row : EnumTable<E>::rows)
-        text += " " + std::string(row.name) + ": " + std::string(row.help);
+        text += fmt::format(" {}: {}", row.name, row.help);
     return text;
 }
 

@@ -11,6 +11,8 @@
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/texture_levels.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -41,7 +43,7 @@ constexpr std::array formats{
 /// What --mips accepts: every filter, and none.
 constexpr std::string_view noMips = "none";
 std::string mipNames() {
-    return std::string(noMips) + ", " + listNames(mipFilterRows);
+    return fmt::format("{}, {}", noMips, listNames(mipFilterRows));
 }
 
 /// The options as what they name.
@@ -77,16 +79,17 @@ Result<std::vector<Image>> picturesOf(TextureImage texture, const Options& optio
     };
     const Surface& base = texture.surface(0, 0);
     if (depthOf(base) != 1)
-        return refused("expected a picture or a cube map, found a volume of " +
-                       std::to_string(depthOf(base)) + " slices");
+        return refused(
+            fmt::format("expected a picture or a cube map, found a volume of {} slices", depthOf(base)));
     std::vector<Image> pictures;
     if (texture.faces == 1 && !options.cube) {
         pictures.push_back(uprightImage(std::move(texture)));
         return pictures;
     }
     if (texture.faces == 1 && cubeLayout(widthOf(base), heightOf(base)) == CubeLayout::Same)
-        return refused("expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found " +
-                       std::to_string(widthOf(base)) + " x " + std::to_string(heightOf(base)));
+        return refused(fmt::format(
+            "expected the faces of a cube map in a picture of 6:1, 1:6, 4:3 or 3:4, found {} x {}",
+            widthOf(base), heightOf(base)));
     if (texture.faces == 1) { // cubeFace takes and gives them with the top row first
         Image picture = uprightImage(std::move(texture));
         flipVertically(picture);
@@ -182,7 +185,8 @@ void addCompress(CommandLine& line) {
                    {.value = "QUALITY"});
     command.option(
         "--mips", options->mips,
-        "The filter that makes the mip levels, box unless another is named, or none: " + mipNames() + ".",
+        fmt::format("The filter that makes the mip levels, box unless another is named, or none: {}.",
+                    mipNames()),
         {.value = "FILTER"});
     command.flag("--gamma", options->gamma,
                  "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");

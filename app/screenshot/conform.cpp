@@ -8,6 +8,8 @@
 #include "core/conform/report.h"
 #include "core/scene/params/param_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -55,7 +57,7 @@ std::string askMesaForPrecision() {
     ::setenv(variable, "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling", 0);
     // A picture is one tile: threads would only wait for each other. The other processors draw the reference.
     ::setenv("LP_NUM_THREADS", "0", 0);
-    return std::string(variable) + "=" + std::getenv(variable);
+    return fmt::format("{}={}", variable, std::getenv(variable));
 }
 
 /// As a shell reads it back.
@@ -74,14 +76,14 @@ std::string quoted(const std::string& word) {
 std::string commandOf(const Options& options, const conform::Selection& selection,
                       const std::string& settings) {
     const std::size_t equals = settings.find('=') + 1;
-    std::string command = settings.substr(0, equals) + quoted(settings.substr(equals)) +
-                          " texshot conform --seed " + std::to_string(selection.seed) + " --scenes " +
-                          std::to_string(selection.scenes);
+    std::string command =
+        fmt::format("{}{} texshot conform --seed {} --scenes {}", settings.substr(0, equals),
+                    quoted(settings.substr(equals)), selection.seed, selection.scenes);
     for (const conform::Feature* feature : selection.features)
         command += " --feature " + std::string(feature->name);
     const auto add = [&command](const char* option, const std::string& value) {
         if (!value.empty())
-            command += std::string(" ") + option + " " + quoted(value);
+            command += fmt::format(" {} {}", option, quoted(value));
     };
     add("--renderer", options.renderer);
     add("--against", options.against);
@@ -115,13 +117,13 @@ Result<std::vector<conform::Pair>> pairsOf(const Options& options) {
     if (*subject == *against && (options.renderer.empty() || options.against.empty())) {
         const bool named = !options.against.empty();
         return fail(ErrorCode::OutOfRange,
-                    "expected another renderer than " + std::string(rowOf(*subject).name) + ", which " +
-                        (named ? "--renderer" : "--against") + " is unless it is given",
+                    fmt::format("expected another renderer than {}, which {} is unless it is given",
+                                rowOf(*subject).name, named ? "--renderer" : "--against"),
                     named ? "--against" : "--renderer");
     }
     if (*subject == *against)
-        return fail(ErrorCode::OutOfRange, "expected two different renderers, found \"" +
-                                               std::string(rowOf(*subject).name) + "\" twice");
+        return fail(ErrorCode::OutOfRange, fmt::format("expected two different renderers, found \"{}\" twice",
+                                                       rowOf(*subject).name));
     return std::vector{conform::Pair{*subject, *against}};
 }
 
@@ -135,7 +137,7 @@ Result<conform::Selection> selectionOf(const Options& options) {
             std::string known;
             for (const conform::Feature& each : conform::features())
                 known.append(known.empty() ? "" : ", ").append(each.name);
-            return fail(ErrorCode::OutOfRange, "expected one of " + known + "; found \"" + name + "\"",
+            return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}; found \"{}\"", known, name),
                         "--feature");
         }
         if (std::ranges::find(selection.features, feature) != selection.features.end())
@@ -223,17 +225,20 @@ void addConform(CommandLine& line) {
         line.command("conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
     auto options = std::make_shared<Options>();
     const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
-    command.option("--renderer", options->renderer,
-                   "The renderer to compare, " + renderers +
-                       ". Without it and --against: shader against fixed, and reference against fixed.",
-                   {.value = "RENDERER"});
-    command.option("--against", options->against, "The renderer to compare it with, " + renderers + ".",
-                   {.value = "RENDERER"});
+    command.option(
+        "--renderer", options->renderer,
+        fmt::format(
+            "The renderer to compare, {}. Without it and --against: shader against fixed, and reference "
+            "against fixed.",
+            renderers),
+        {.value = "RENDERER"});
+    command.option("--against", options->against,
+                   fmt::format("The renderer to compare it with, {}.", renderers), {.value = "RENDERER"});
     command.option("--feature", options->features, "Only these features; --list names them.",
                    {.value = "FEATURE"});
-    command.number("--scenes", options->scenes, 1, 100000,
-                   "How many, shared out among the features. Without it: " +
-                       std::to_string(conform::defaultScenes) + ".");
+    command.number(
+        "--scenes", options->scenes, 1, 100000,
+        fmt::format("How many, shared out among the features. Without it: {}.", conform::defaultScenes));
     command.number("--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
                    "Other scenes; the same number gives the same ones.", {.showsDefault = true});
     command.option("-o,--out", options->folder,

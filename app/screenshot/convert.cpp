@@ -3,6 +3,8 @@
 #include "app/screenshot/output.h"
 #include "app/screenshot/texture_input.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::screenshot {
 
 namespace {
@@ -20,8 +22,8 @@ ExitCode convert(const Options& options) {
     for (const auto& [option, given, format] : {std::tuple{"--rle", options.write.runLengthCoded, "TGA"},
                                                 std::tuple{"--small", options.write.small, "PNG"}})
         if (given && output->format->name != format)
-            return refuseUnused(option, "it is for " + std::string(format) + " files, OUT is " +
-                                            std::string(output->format->name));
+            return refuseUnused(option,
+                                fmt::format("it is for {} files, OUT is {}", format, output->format->name));
     const Result<TextureImage> file = readTexture(options.in);
     if (!file)
         return complain(file.error());
@@ -39,9 +41,10 @@ void addConvert(CommandLine& line) {
     command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
     command.option(
         "OUT", options->out,
-        "The file to write, its format by its extension: " + writtenExtensions(" or ") +
-            "; - for standard output, as PNG. Formats of one picture take the base level, decompressed; "
-            "DDS takes all.",
+        fmt::format(
+            "The file to write, its format by its extension: {}; - for standard output, as PNG. Formats of "
+            "one picture take the base level, decompressed; DDS takes all.",
+            writtenExtensions(" or ")),
         {.required = true});
     command.flag("--rle", options->write.runLengthCoded, "TGA: run-length coded.");
     command.flag("--small", options->write.small, "PNG: smaller rather than faster.");

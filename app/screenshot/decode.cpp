@@ -4,6 +4,8 @@
 #include "core/image/mipmaps.h"
 #include "core/s3tc/surface_pixels.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::screenshot {
 namespace {
 
@@ -19,9 +21,8 @@ struct Options {
 tl::unexpected<Error> outOfRange(const Options& options, std::string_view what, int asked, int count,
                                  std::string_view owner) {
     return fail(ErrorCode::OutOfRange,
-                "there is no " + std::string(what) + " " + std::to_string(asked) + ": " + std::string(owner) +
-                    " has " + std::string(what) +
-                    (count == 1 ? " 0 alone" : "s 0 to " + std::to_string(count - 1)),
+                fmt::format("there is no {} {}: {} has {}{}", what, asked, owner, what,
+                            count == 1 ? " 0 alone" : fmt::format("s 0 to {}", count - 1)),
                 options.in);
 }
 
@@ -87,10 +88,11 @@ void addDecode(CommandLine& line) {
     Command& command = line.command("decode", "Turn an image file, or a part of it, into a picture.");
     auto options = std::make_shared<Options>();
     command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
-    command.option("OUT", options->out,
-                   "The picture to write, its format by its extension: " + writtenExtensions(" or ") +
-                       "; - for standard output, as PNG.",
-                   {.required = true});
+    command.option(
+        "OUT", options->out,
+        fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG.",
+                    writtenExtensions(" or ")),
+        {.required = true});
     command.number(
         "--level", options->level, 0, 30,
         "Which mip level, 0 the base. A file that holds only the base gets its levels from a box filter.");

@@ -5,6 +5,8 @@
 #include "app/screenshot/texture_input.h"
 #include "core/s3tc/texture_flip.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::screenshot {
 namespace {
 
@@ -68,16 +70,20 @@ void addFlip(CommandLine& line) {
                 "decompressing them.");
     auto options = std::make_shared<Options>();
     command.option("IN", options->in, "The texture: any format that Texplorer reads.", {.required = true});
-    command.option("OUT", options->out,
-                   "The file to write, its format by its extension: " + writtenExtensions(" or ") +
-                       "; - for standard output, in the format of IN.",
-                   {.required = true});
+    command.option(
+        "OUT", options->out,
+        fmt::format(
+            "The file to write, its format by its extension: {}; - for standard output, in the format of IN.",
+            writtenExtensions(" or ")),
+        {.required = true});
     const Option& horizontal = command.flag("--horizontal", options->horizontal, "Left to right instead.");
     command.flag("--half-turn", options->halfTurn, "By 180 degrees instead.", {.excludes = &horizontal});
-    command.flag("--lossy", options->lossy,
-                 "Decompress and compress again the levels that can't be turned around without loss: "
-                 "those whose extent is not " +
-                     std::string(losslessExtents) + ".");
+    command.flag(
+        "--lossy", options->lossy,
+        fmt::format(
+            "Decompress and compress again the levels that can't be turned around without loss: those whose "
+            "extent is not {}.",
+            losslessExtents));
     command.onCall([options] { return run(*options); });
 }
 

@@ -18,6 +18,7 @@
 #include "core/texture/levels_worker.h"
 
 #include <GL/glew.h>
+#include <fmt/core.h>
 
 #include <map>
 
@@ -87,8 +88,8 @@ Result<Shot> drawWindow(const ShotRequest& request) {
         const auto [x, y] = *request.probed;
         if (x >= picture.width || y >= picture.height)
             return fail(ErrorCode::OutOfRange,
-                        "the picture in this window has " + view::asText({picture.width, picture.height}) +
-                            " pixels, and none at " + std::to_string(x) + "," + std::to_string(y),
+                        fmt::format("the picture in this window has {} pixels, and none at {},{}",
+                                    view::asText({picture.width, picture.height}), x, y),
                         "--probe");
         session.window.explaining.pixel = {x, picture.height - 1 - y};
     }

@@ -5,6 +5,7 @@
 #include "core/image/mipmaps.h"
 #include "core/texture/texture_levels.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace texplorer::screenshot {
@@ -13,14 +14,9 @@ namespace {
 constexpr std::size_t shownBytes = 16; // of a field's raw bytes
 
 std::string hex(ByteView bytes) {
-    constexpr char digits[] = "0123456789abcdef";
     std::string text;
-    for (const std::byte byte : bytes.first(std::min(bytes.size(), shownBytes))) {
-        const auto value = std::to_integer<unsigned>(byte);
-        text += text.empty() ? "" : " ";
-        text += digits[value >> 4];
-        text += digits[value & 15];
-    }
+    for (const std::byte byte : bytes.first(std::min(bytes.size(), shownBytes)))
+        text += fmt::format("{}{:02x}", text.empty() ? "" : " ", std::to_integer<unsigned>(byte));
     return bytes.size() > shownBytes ? text + " …" : text;
 }
 
@@ -36,8 +32,8 @@ std::string_view nameOf(AlphaMeaning alpha) {
 }
 
 std::string extentOf(const Surface& surface) {
-    std::string text = std::to_string(widthOf(surface)) + " x " + std::to_string(heightOf(surface));
-    return depthOf(surface) == 1 ? text : text + " x " + std::to_string(depthOf(surface));
+    std::string text = fmt::format("{} x {}", widthOf(surface), heightOf(surface));
+    return depthOf(surface) == 1 ? text : fmt::format("{} x {}", text, depthOf(surface));
 }
 
 /// How many characters a terminal needs: UTF-8's continuation bytes take no place.
@@ -60,17 +56,11 @@ TextureReport costOf(const TextureImage& texture) {
     return reportOn(levels);
 }
 
-std::string rounded(double value, int digits) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-    return text.data();
-}
-
 std::string factsAsText(const std::string& path, const TextureImage& texture, std::size_t fileBytes) {
     const Surface& base = texture.surface(0, 0);
     std::string text;
     const auto line = [&](std::string name, const std::string& value) {
-        text += padded(std::move(name), 14) + printable(value) + "\n";
+        text += fmt::format("{}{}\n", padded(std::move(name), 14), printable(value));
     };
     std::size_t surfaceBytes = 0;
     for (const Surface& surface : texture.surfaces)
@@ -83,19 +73,18 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
     line("first row", texture.fileTopFirst ? "at the top" : "at the bottom");
     if (texture.faces > 1)
         line("faces", std::to_string(texture.faces));
-    line("levels", std::to_string(texture.levels) + " of " +
-                       std::to_string(mipLevelCount(widthOf(base), heightOf(base), depthOf(base))));
+    line("levels", fmt::format("{} of {}", texture.levels,
+                               mipLevelCount(widthOf(base), heightOf(base), depthOf(base))));
     for (int level = 0; texture.levels > 1 && level < texture.levels; ++level)
-        line("  level " + std::to_string(level), extentOf(texture.surface(0, level)) + ", " +
-                                                     std::to_string(byteCount(texture.surface(0, level))) +
-                                                     " bytes");
+        line(fmt::format("  level {}", level),
+             fmt::format("{}, {} bytes", extentOf(texture.surface(0, level)),
+                         byteCount(texture.surface(0, level))));
     line("file bytes", std::to_string(fileBytes));
     const TextureReport cost = costOf(texture);
-    line("pixel bytes",
-         std::to_string(surfaceBytes) +
-             (texture.levels > 1 ? ", all levels " + rounded(cost.ratioToBase, 3) + " times the base" : "") +
-             "; " + rounded(100 * cost.shareOfRgba8, 1) + " % of RGBA8, " +
-             rounded(100 * cost.shareOfRgb8, 1) + " % of RGB8");
+    const std::string all =
+        texture.levels > 1 ? fmt::format(", all levels {:.3f} times the base", cost.ratioToBase) : "";
+    line("pixel bytes", fmt::format("{}{}; {:.1f} % of RGBA8, {:.1f} % of RGB8", surfaceBytes, all,
+                                    100 * cost.shareOfRgba8, 100 * cost.shareOfRgb8));
     for (const std::string& note : texture.notes)
         line("note", note);
     return text;
@@ -111,8 +100,8 @@ std::string anatomyAsText(const Anatomy& anatomy) {
         nameWidth = std::max(nameWidth, columnsOf(field.name) + static_cast<std::size_t>(2 * field.depth));
         valueWidth = std::max(valueWidth, std::min<std::size_t>(28, columnsOf(field.value)));
     }
-    std::string text = "\n" + padded("offset", 10) + padded("bytes", 10) + padded("name", nameWidth + 2) +
-                       padded("value", valueWidth + 2) + "meaning\n";
+    std::string text = fmt::format("\n{}{}{}{}meaning\n", padded("offset", 10), padded("bytes", 10),
+                                   padded("name", nameWidth + 2), padded("value", valueWidth + 2));
     for (const Field& field : fields) {
         text +=
             padded(std::to_string(field.offset), 10) + padded(std::to_string(field.size), 10) +
@@ -120,9 +109,9 @@ std::string anatomyAsText(const Anatomy& anatomy) {
             padded(field.value, valueWidth + 2) + field.meaning;
         while (text.ends_with(' '))
             text.pop_back();
-        text += field.wrong.empty() ? "\n" : "\n" + std::string(20, ' ') + "! " + field.wrong + "\n";
+        text += field.wrong.empty() ? "\n" : fmt::format("\n{}! {}\n", std::string(20, ' '), field.wrong);
     }
-    return anatomy.damage.empty() ? text : text + "! " + printable(anatomy.damage) + "\n";
+    return anatomy.damage.empty() ? text : fmt::format("{}! {}\n", text, printable(anatomy.damage));
 }
 
 nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t fileBytes) {

@@ -6,6 +6,8 @@
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
+#include <fmt/core.h>
+
 #include <cstdio>
 #include <new>
 
@@ -26,12 +28,14 @@ int main(int argc, char** argv) {
     watchInterrupts();
     CommandLine line("texshot", TEXPLORER_VERSION,
                      "Texplorer without a display: draw scenes, look into texture files.");
-    line.footer(
-        "The images of a scene may take " + sceneImageBytesText() +
-        " together once they are decoded; a file that several textures name counts once.\n"
+    line.footer(fmt::format(
+        "The images of a scene may take {} together once they are decoded; a file that several textures name "
+        "counts once.\n"
         "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call, "
-        "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\nA file appears as a whole or not at all.\n"
-        "\"texshot COMMAND --help\" explains each command.");
+        "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\n"
+        "A file appears as a whole or not at all.\n"
+        "\"texshot COMMAND --help\" explains each command.",
+        sceneImageBytesText()));
     for (const auto add : {addShot, addProbe, addCheck, addConform, addParams, addDecode, addInfo, addConvert,
                            addFlip, addCompress})
         add(line);

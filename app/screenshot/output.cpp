@@ -4,6 +4,8 @@
 #include "app/screenshot/interrupts.h"
 #include "core/base/printable.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -29,9 +31,9 @@ Result<const CodecRow*> formatOf(const std::string& path, std::string_view strea
         format = &*std::ranges::find(codecRows(), streamFormat, &CodecRow::name);
     if (format != nullptr && format->encode && (only.empty() || format->name == only))
         return format;
-    return fail(ErrorCode::Unsupported, "expected a name that ends in " +
-                                            std::string(only.empty() ? "one of " : "") +
-                                            writtenExtensions(", ", only) + ", found \"" + path + "\"");
+    return fail(ErrorCode::Unsupported,
+                fmt::format("expected a name that ends in {}{}, found \"{}\"", only.empty() ? "one of " : "",
+                            writtenExtensions(", ", only), path));
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "app/screenshot/choice_argument.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cmath>
 
@@ -11,7 +13,7 @@ namespace {
 constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
 
 std::string asArgument(view::Size size) {
-    return std::to_string(size.width) + "x" + std::to_string(size.height);
+    return fmt::format("{}x{}", size.width, size.height);
 }
 
 } // namespace
@@ -40,8 +42,8 @@ Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest) 
             return size;
     }
     return fail(ErrorCode::OutOfRange,
-                "expected WIDTHxHEIGHT from " + asArgument(smallest) + " to " +
-                    asArgument({maxExtent, maxExtent}) + ", found \"" + std::string(text) + "\"",
+                fmt::format("expected WIDTHxHEIGHT from {} to {}, found \"{}\"", asArgument(smallest),
+                            asArgument({maxExtent, maxExtent}), text),
                 "--size");
 }
 
@@ -51,8 +53,8 @@ Result<double> parseTime(std::string_view text) {
     const auto [stop, error] = std::from_chars(text.data(), end, seconds);
     if (error == std::errc() && stop == end && std::isfinite(seconds))
         return seconds;
-    return fail(ErrorCode::OutOfRange,
-                "expected a finite number of seconds, found \"" + std::string(text) + "\"", "--time");
+    return fail(ErrorCode::OutOfRange, fmt::format("expected a finite number of seconds, found \"{}\"", text),
+                "--time");
 }
 
 Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {

@@ -7,6 +7,8 @@
 #include "app/screenshot/probe_report.h"
 #include "app/screenshot/scene_argument.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <span>
 
@@ -27,12 +29,12 @@ struct Options {
 Result<reference::PixelPlace> parsePlace(std::string_view text, view::Size size) {
     std::array<int, 2> place{};
     if (!parseNumbers(text, place))
-        return fail(ErrorCode::OutOfRange, "expected X,Y, found \"" + std::string(text) + "\"", "--at");
+        return fail(ErrorCode::OutOfRange, fmt::format("expected X,Y, found \"{}\"", text), "--at");
     const auto& [x, y] = place;
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)
         return fail(ErrorCode::OutOfRange,
-                    "expected a pixel from 0,0 to " + std::to_string(size.width - 1) + "," +
-                        std::to_string(size.height - 1) + ", found " + std::string(text),
+                    fmt::format("expected a pixel from 0,0 to {},{}, found {}", size.width - 1,
+                                size.height - 1, text),
                     "--at");
     return reference::PixelPlace{x, size.height - 1 - y};
 }
@@ -41,7 +43,7 @@ Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
     std::array<int, 5> numbers{};
     const bool volume = parseNumbers(text, numbers);
     if (!volume && (numbers = {}, !parseNumbers(text, std::span(numbers).first(4))))
-        return fail(ErrorCode::OutOfRange, "expected UNIT,LEVEL,I,J, found \"" + std::string(text) + "\"",
+        return fail(ErrorCode::OutOfRange, fmt::format("expected UNIT,LEVEL,I,J, found \"{}\"", text),
                     "--texel");
     return reference::TexelQuestion{
         pass, numbers[0], {numbers[1], {numbers[2], numbers[3], volume ? numbers[4] : 0}}};

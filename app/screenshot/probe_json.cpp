@@ -3,6 +3,7 @@
 #include "core/reference/explain/sampling_steps.h"
 #include "core/scene/params/param_text.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace texplorer::screenshot {
@@ -233,8 +234,7 @@ Result<void> writeJson(const Contributions& found, const TexelQuestion& question
             if (!(weights[x] > 0))
                 continue;
             text += isFirst ? "\n    [" : ",\n    [";
-            text += std::to_string(x) + ", " + std::to_string(found.height - 1 - y) + ", " +
-                    formatNumber(weights[x]) + "]";
+            text += fmt::format("{}, {}, {}]", x, found.height - 1 - y, formatNumber(weights[x]));
             isFirst = false;
         }
         if (text.empty())

@@ -1,6 +1,8 @@
 #include "app/screenshot/probe_report.h"
 #include "core/reference/explain/explanation_steps.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,9 +60,9 @@ std::string tableOf(const std::vector<StepRow>& rows) {
 
 /// `whole`: with all its numbers, not just with what came of it.
 std::string textOf(const Step& step, bool whole) {
-    const std::string title = (step.unit < 0 ? "" : "unit " + std::to_string(step.unit) + ", ") + step.title;
-    return "  " + title + (step.summary.empty() ? "" : ": " + step.summary) + "\n" +
-           (whole ? tableOf(step.rows) : "");
+    const std::string title = (step.unit < 0 ? "" : fmt::format("unit {}, ", step.unit)) + step.title;
+    return fmt::format("  {}{}\n{}", title, step.summary.empty() ? "" : ": " + step.summary,
+                       whole ? tableOf(step.rows) : "");
 }
 
 std::string differenceText(const PixelBytes& ours, const PixelBytes& theirs) {
@@ -69,32 +71,29 @@ std::string differenceText(const PixelBytes& ours, const PixelBytes& theirs) {
     for (std::size_t i = 0; i < ours.size(); ++i) {
         const int by = int{theirs[i]} - int{ours[i]};
         if (by != 0)
-            text += (text.empty() ? "" : ", ") + std::string(names.at(i)) + (by > 0 ? " +" : " ") +
-                    std::to_string(by);
+            text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", names.at(i), by > 0 ? " +" : " ", by);
     }
     return text.empty() ? "the same" : text;
 }
 
 std::string placeText(const reference::TexelQuestion& question) {
     const auto& [level, index] = question.texel;
-    return "passes[" + std::to_string(question.pass) + "].units[" + std::to_string(question.unit) +
-           "], level " + std::to_string(level) + ", texel " + std::to_string(index.x) + ", " +
-           std::to_string(index.y) + (index.z != 0 ? ", " + std::to_string(index.z) : "");
+    return fmt::format("passes[{}].units[{}], level {}, texel {}, {}{}", question.pass, question.unit, level,
+                       index.x, index.y, index.z != 0 ? fmt::format(", {}", index.z) : "");
 }
 
 } // namespace
 
 std::string asText(const reference::Explanation& explanation, const std::vector<ReadBack>& readBacks) {
     const auto& [x, y] = explanation.pixel;
-    std::string text = "pixel " + std::to_string(x) + ", " + std::to_string(explanation.height - 1 - y) +
-                       " of " + std::to_string(explanation.width) + " x " +
-                       std::to_string(explanation.height) + ", from the top left (in OpenGL's window " +
-                       std::to_string(x) + ", " + std::to_string(y) + ")\n";
-    text += "  reference  " + bytesText(explanation.bytes) + "\n";
+    std::string text =
+        fmt::format("pixel {}, {} of {} x {}, from the top left (in OpenGL's window {}, {})\n", x,
+                    explanation.height - 1 - y, explanation.width, explanation.height, x, y);
+    text += fmt::format("  reference  {}\n", bytesText(explanation.bytes));
     for (const ReadBack& each : readBacks) {
-        text += "  " + padded(std::string(rowOf(each.renderer).name), 9) + "  ";
-        text += each.bytes ? padded(bytesText(*each.bytes), 15) + "  " +
-                                 differenceText(explanation.bytes, *each.bytes)
+        text += fmt::format("  {}  ", padded(std::string(rowOf(each.renderer).name), 9));
+        text += each.bytes ? fmt::format("{}  {}", padded(bytesText(*each.bytes), 15),
+                                         differenceText(explanation.bytes, *each.bytes))
                            : describe(each.bytes.error());
         text += "\n";
     }
@@ -102,8 +101,8 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
     if (fragments.empty())
         text += "\nNo triangle covers it: it shows the background.\n";
     for (std::size_t i = 0; i < fragments.size(); ++i) {
-        text += "\nfragment " + std::to_string(i + 1) + " of " + std::to_string(fragments.size()) + ": " +
-                fragments[i].title + ": " + fragments[i].outcome + "\n";
+        text += fmt::format("\nfragment {} of {}: {}: {}\n", i + 1, fragments.size(), fragments[i].title,
+                            fragments[i].outcome);
         for (const Step& step : fragments[i].steps)
             text += textOf(step, fragments[i].drawn);
     }
@@ -142,15 +141,15 @@ std::string asText(const reference::Contributions& found, const reference::Texel
     std::string text = placeText(question) + "\n";
     if (count == 0)
         return text + "No pixel that one sees reads it.\n";
-    text += std::to_string(count) + (count == 1 ? " pixel reads" : " pixels read") + " it, x from " +
-            std::to_string(least.x) + " to " + std::to_string(most.x) + ", y from " +
-            std::to_string(least.y) + " to " + std::to_string(most.y) + " (from the top left), " +
-            reference::numberText(static_cast<float>(sum)) + " pixels' worth of colour in all\n";
+    text += fmt::format(
+        "{}{} it, x from {} to {}, y from {} to {} (from the top left), {} pixels' worth of colour in all\n",
+        count, count == 1 ? " pixel reads" : " pixels read", least.x, most.x, least.y, most.y,
+        reference::numberText(static_cast<float>(sum)));
     for (const Pixel& pixel : heaviest)
-        text += "  " + padded(std::to_string(pixel.x) + ", " + std::to_string(pixel.y), 12) +
-                reference::amountText(pixel.weight) + "\n";
+        text += fmt::format("  {}{}\n", padded(fmt::format("{}, {}", pixel.x, pixel.y), 12),
+                            reference::amountText(pixel.weight));
     if (count > mostListed)
-        text += "  and " + std::to_string(count - mostListed) + " of lesser weight; --json lists all\n";
+        text += fmt::format("  and {} of lesser weight; --json lists all\n", count - mostListed);
     return text;
 }
 

@@ -4,6 +4,8 @@
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::screenshot {
 namespace {
 
@@ -17,7 +19,7 @@ Result<void> assign(Scene& scene, const std::string& assignment) {
 std::string checkAssignment(const std::string& text) {
     return text.find('=') != std::string::npos
                ? std::string()
-               : "expected PATH=VALUE, joined by = without a space, found \"" + text + "\"";
+               : fmt::format("expected PATH=VALUE, joined by = without a space, found \"{}\"", text);
 }
 
 } // namespace

@@ -12,6 +12,8 @@
 #include "core/image/convert.h"
 #include "core/reference/draw.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -52,8 +54,8 @@ Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view na
         if (row.name == name)
             return row;
     }
-    return fail(ErrorCode::OutOfRange,
-                "expected one of " + namesOf(rows) + ", found \"" + std::string(name) + "\"", option);
+    return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", namesOf(rows), name),
+                option);
 }
 
 Result<ui::Tab> parseTab(std::string_view name) {
@@ -76,7 +78,7 @@ Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
     std::array<int, 2> place{};
     if (parseNumbers(text, place) && place[0] >= 0 && place[1] >= 0)
         return reference::PixelPlace{place[0], place[1]};
-    return fail(ErrorCode::OutOfRange, "expected X,Y, found \"" + std::string(text) + "\"", "--probe");
+    return fail(ErrorCode::OutOfRange, fmt::format("expected X,Y, found \"{}\"", text), "--probe");
 }
 
 /// "fixed,reference"
@@ -91,8 +93,7 @@ Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
             return fail(renderer.error());
         if (std::ranges::find(renderers, *renderer) != renderers.end())
             return fail(ErrorCode::OutOfRange,
-                        "expected each renderer once, found \"" + std::string(text.substr(0, end)) +
-                            "\" twice",
+                        fmt::format("expected each renderer once, found \"{}\" twice", text.substr(0, end)),
                         option);
         renderers.push_back(*renderer);
         text.remove_prefix(std::min(end + 1, text.size()));
@@ -209,19 +210,20 @@ void addShot(CommandLine& line) {
     addPictureArgument(command, options->picture);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     command.option("--tab", options->tab,
-                   "With --ui: the tab at the lower right, one of " + namesOf(ui::tabRows) + ".",
+                   fmt::format("With --ui: the tab at the lower right, one of {}.", namesOf(ui::tabRows)),
                    {.value = "TAB", .needs = &window});
-    command.option("--section", options->section,
-                   "With --ui: the part of the parameters that is opened, at their top, one of " +
-                       namesOf(ui::sectionRows) + ".",
-                   {.value = "SECTION", .needs = &window});
+    command.option(
+        "--section", options->section,
+        fmt::format("With --ui: the part of the parameters that is opened, at their top, one of {}.",
+                    namesOf(ui::sectionRows)),
+        {.value = "SECTION", .needs = &window});
     command.option(
         "--probe", options->probe,
         "With --ui: the pixel of the picture that is explained, counted from the picture's top left.",
         {.value = "X,Y", .needs = &window});
     options->rendererOption = &command.option("--renderer", options->renderer,
-                                              "The renderer that draws the scene, one of " +
-                                                  listNames(EnumTable<RendererKind>::rows) + ".",
+                                              fmt::format("The renderer that draws the scene, one of {}.",
+                                                          listNames(EnumTable<RendererKind>::rows)),
                                               {.value = "RENDERER", .showsDefault = true});
     command.option("--compare", options->compared,
                    "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
@@ -232,10 +234,11 @@ void addShot(CommandLine& line) {
                         "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
                         "of shaders/. Without it: those that the program was built with.",
                         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
-    command.option("-o,--out", options->out,
-                   "The picture to write, its format by its extension: " + writtenExtensions(" or ") +
-                       "; - for standard output, as PNG.",
-                   {.value = "FILE", .required = true});
+    command.option(
+        "-o,--out", options->out,
+        fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG.",
+                    writtenExtensions(" or ")),
+        {.value = "FILE", .required = true});
     command.onCall([options] { return shoot(*options); });
 }
 
