@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
 
 namespace texplorer::view {
@@ -13,7 +15,7 @@ struct Size {
 
 /// "640 x 480"
 [[nodiscard]] inline std::string asText(Size size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
+    return fmt::format("{} x {}", size.width, size.height);
 }
 
 } // namespace texplorer::view

@@ -4,6 +4,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::ui {
@@ -14,7 +16,8 @@ namespace {
 std::string asText(const std::vector<Command>& commands) {
     std::string text;
     for (const Command& command : commands)
-        text += command.kind == Command::Kind::Heading ? "/* " + command.text + " */\n" : command.text + "\n";
+        text += command.kind == Command::Kind::Heading ? fmt::format("/* {} */\n", command.text)
+                                                       : command.text + "\n";
     return text;
 }
 

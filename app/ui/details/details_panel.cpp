@@ -5,6 +5,8 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 
@@ -54,7 +56,7 @@ void drawDetailsPanel(Session& session, DetailsState& state, const Pictures& pic
         const bool brief = !haveRoom();
         for (const TabRow& row : tabRows) {
             pushTabStyle();
-            const std::string label = std::string(brief ? row.brief : row.label) + "###" + row.label;
+            const std::string label = fmt::format("{}###{}", brief ? row.brief : row.label, row.label);
             const bool open = ImGui::BeginTabItem(label.c_str(), nullptr,
                                                   wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
             ImGui::PopStyleVar(2);

@@ -5,6 +5,8 @@
 #include "app/ui/widgets/theme.h"
 #include "core/reference/explain/explanation_steps.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -141,7 +143,7 @@ void drawRows(const std::vector<StepRow>& rows) {
 
 void drawStep(const Step& step, bool first, bool severalUnits) {
     const std::string title =
-        step.unit < 0 || !severalUnits ? step.title : step.title + ", unit " + std::to_string(step.unit);
+        step.unit < 0 || !severalUnits ? step.title : fmt::format("{}, unit {}", step.title, step.unit);
     ImGui::PushID(static_cast<int>(step.kind) * 8 + step.unit);
     // The texels are what one wants to see first.
     ImGui::SetNextItemOpen(first && step.kind == reference::StepKind::Texels, ImGuiCond_FirstUseEver);
@@ -178,7 +180,7 @@ void drawFragment(const reference::FragmentSteps& fragment, const reference::Fra
     if (fitted(title, room) != title)
         helpTip(title);
     ImGui::PopStyleColor();
-    noteItem("explain:fragment " + std::to_string(index));
+    noteItem(fmt::format("explain:fragment {}", index));
     for (const Step& step : fragment.steps) {
         if (open)
             drawStep(step, seen, explained.units.size() + explained.idle.size() > 1);
@@ -196,17 +198,19 @@ reference::StepCell differenceFrom(const PixelBytes& expected, const PixelBytes&
         most = std::max(most, std::abs(int{expected[i]} - int{found[i]}));
     if (most == 0)
         return {"the same", Ink::Dim};
-    return {"off by " + std::to_string(most), Ink::Bad};
+    return {fmt::format("off by {}", most), Ink::Bad};
 }
 
 void drawHead(Session& session, const Pictures& pictures, const reference::Explanation& explanation) {
     const auto& [x, y] = explanation.pixel;
-    text("Pixel " + std::to_string(x) + "," + std::to_string(explanation.height - 1 - y) +
-             " from the upper left", // as texshot probe --at counts
+    text(fmt::format("Pixel {},{} from the upper left", x,
+                     explanation.height - 1 - y), // as texshot probe --at counts
          color::probed);
     noteItem("explain:pixel");
-    helpTip("In OpenGL's window coordinates, which begin at the lower left, " + std::to_string(x) + "," +
-            std::to_string(y) + ". Hold E over the picture, or click there, for another pixel.");
+    helpTip(fmt::format(
+        "In OpenGL's window coordinates, which begin at the lower left, {},{}. Hold E over the picture, or "
+        "click there, for another pixel.",
+        x, y));
     const float width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton("Clear")) {
@@ -244,8 +248,7 @@ void drawTexelLine(Session& session) {
     if (!asked.texel)
         return;
     const auto& [level, index] = asked.texel->texel;
-    std::string words = "Texel " + std::to_string(index.x) + ", " + std::to_string(index.y) + " of level " +
-                        std::to_string(level) + ": ";
+    std::string words = fmt::format("Texel {}, {} of level {}: ", index.x, index.y, level);
     const bool answered =
         asked.answer && asked.answer->contributions && asked.answer->request.texel == asked.texel;
     if (!answered) {
@@ -256,7 +259,7 @@ void drawTexelLine(Session& session) {
         const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
         words += count == 0   ? "no visible pixel reads it"
                  : count == 1 ? "one pixel reads it"
-                              : std::to_string(count) + " pixels read it";
+                              : fmt::format("{} pixels read it", count);
     }
     const bool cleared = ImGui::SmallButton("✕##texel");
     noteItem("explain:clear texel");

@@ -5,20 +5,16 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
 #include "core/base/printable.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace texplorer::ui {
 namespace {
-
-std::string hexNumber(std::size_t number, int digits) {
-    std::array<char, 24> text{};
-    std::snprintf(text.data(), text.size(), "%0*zX", digits, number);
-    return text.data();
-}
 
 int offsetDigits(std::size_t fileBytes) {
     return fileBytes > 0xFFFFFF ? 8 : fileBytes > 0xFFFF ? 6 : 4;
@@ -32,8 +28,7 @@ void fieldTip(const Field& field) {
         text += "\n" + field.meaning;
     if (!field.wrong.empty())
         text += "\n" + field.wrong;
-    text += "\n" + std::to_string(field.size) + (field.size == 1 ? " byte" : " bytes") + " from offset " +
-            std::to_string(field.offset);
+    text += fmt::format("\n{} from offset {}", countOf(field.size, "byte"), field.offset);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
     ImGui::TextUnformatted(printable(text, LineBreaks::Keep).c_str());
@@ -62,7 +57,7 @@ void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<
     ImGui::PopID();
     ImGui::SameLine(0, 0);
     ImGui::PushFont(codeFont());
-    ImGui::TextDisabled("%s", hexNumber(field.offset, digits).c_str());
+    ImGui::TextDisabled("%s", fmt::format("{:0{}X}", field.offset, digits).c_str());
     ImGui::PopFont();
     const bool fine = field.wrong.empty();
     ImGui::TableNextColumn();
@@ -146,7 +141,7 @@ void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
     ImGui::Dummy({line.textAt(line.perLine), height});
-    noteItem("hex:" + std::to_string(first));
+    noteItem(fmt::format("hex:{}", first));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemHovered()) {
         const auto column = line.columnAt(ImGui::GetIO().MousePos.x - corner.x);
@@ -159,7 +154,7 @@ void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::
             }
         }
     }
-    draw.AddText(corner, color::dim, hexNumber(first, line.digits).c_str());
+    draw.AddText(corner, color::dim, fmt::format("{:0{}X}", first, line.digits).c_str());
     constexpr ImU32 lit = IM_COL32(118, 150, 190, 130);
     for (std::size_t i = 0; i < count; ++i) {
         const int value = std::to_integer<int>(file.bytes[first + i]);
@@ -174,7 +169,7 @@ void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::
                                {hex.x + line.letter * (goesOn ? 3.0F : 2.0F) + 1, hex.y + height}, lit);
             draw.AddRectFilled(text, {text.x + line.letter, text.y + height}, lit);
         }
-        draw.AddText(hex, ink, hexNumber(static_cast<std::size_t>(value), 2).c_str());
+        draw.AddText(hex, ink, fmt::format("{:02X}", value).c_str());
         const bool printable = value >= 0x20 && value < 0x7F;
         const std::array<char, 2> letter{printable ? static_cast<char>(value) : '.', '\0'};
         draw.AddText(text, printable ? ink : color::dim, letter.data());
@@ -230,8 +225,8 @@ void heading(Session& session) {
     std::string text = printable(view.shown.filename().string());
     if (view.content) {
         const std::string_view format = view.content->anatomy.format;
-        text += " · " + (format.empty() ? std::string("unknown format") : std::string(format)) + " · " +
-                std::to_string(view.content->fileBytes) + " bytes";
+        text += fmt::format(" · {} · {} bytes", format.empty() ? "unknown format" : format,
+                            view.content->fileBytes);
     }
     ImGui::TextUnformatted(text.c_str());
     noteItem("file:name");

@@ -4,6 +4,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -68,7 +70,7 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
     }
     const char* copy = "Copy";
     const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
-    const std::string pass = "pass " + std::to_string(session.window.selection.pass);
+    const std::string pass = fmt::format("pass {}", session.window.selection.pass);
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(pass.c_str()).x + 2 * width) {
         ImGui::TextDisabled("%s", pass.c_str());
         ImGui::SameLine();
@@ -89,7 +91,7 @@ void drawLog(GlslTabState& state, const PassShader& shader) {
     int number = 0;
     for (const ShaderMessage& message : shader.log) {
         ImGui::TextUnformatted(message.sentence.c_str());
-        noteItem("message:" + std::to_string(number++));
+        noteItem(fmt::format("message:{}", number++));
         if (message.line > 0 && ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (ImGui::IsItemClicked())
@@ -187,9 +189,9 @@ void drawSource(GlslTabState& state, const PassShader& shader) {
             drawPart(glslTokens(line, uniforms), row.part, left);
             ImGui::EndGroup();
             if (row.begins(line))
-                noteItem("glsl:" + std::to_string(row.line + 1));
+                noteItem(fmt::format("glsl:{}", row.line + 1));
             if (row.line < source.lines.size())
-                helpTip(source.lines[row.line].file + ":" + std::to_string(source.lines[row.line].line));
+                helpTip(fmt::format("{}:{}", source.lines[row.line].file, source.lines[row.line].line));
         }
     }
     ImGui::PopStyleVar();

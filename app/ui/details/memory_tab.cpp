@@ -4,11 +4,12 @@
 
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace texplorer::ui {
 namespace {
@@ -21,24 +22,18 @@ std::string grouped(std::size_t number) {
     return text;
 }
 
-std::string decimal(double number, int digits) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", digits, number);
-    return text.data();
-}
-
 std::string extentsOf(const LevelReport& level, Target target) {
-    std::string text = level.faces > 1 ? std::to_string(level.faces) + " × " : std::string();
+    std::string text = level.faces > 1 ? fmt::format("{} × ", level.faces) : std::string();
     text += std::to_string(level.width);
     if (target != Target::Texture1D)
-        text += " × " + std::to_string(level.height);
+        text += fmt::format(" × {}", level.height);
     if (target == Target::Texture3D)
-        text += " × " + std::to_string(level.depth);
+        text += fmt::format(" × {}", level.depth);
     return text;
 }
 
 std::string psnrText(double psnr) {
-    return std::isinf(psnr) ? "exact" : decimal(psnr, 1) + " dB";
+    return std::isinf(psnr) ? "exact" : fmt::format("{:.1f} dB", psnr);
 }
 
 LevelsRequest requestOf(Session& session, const Texture& texture) {
@@ -48,7 +43,7 @@ LevelsRequest requestOf(Session& session, const Texture& texture) {
 /// Sentences about the bound texture: the renderer's, and those about levels that nobody has drawn yet.
 std::vector<std::string> sentencesOf(Session& session, const Pictures& pictures,
                                      const LevelsSummary* summary) {
-    const std::string where = "textures[" + std::to_string(selectedUnit(session).texture) + "]: ";
+    const std::string where = fmt::format("textures[{}]: ", selectedUnit(session).texture);
     std::vector<std::string> sentences;
     const auto add = [&](std::string sentence) {
         if (std::ranges::find(sentences, sentence) == sentences.end())
@@ -73,7 +68,7 @@ void drawSentences(const std::vector<std::string>& sentences) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
         ImGui::TextWrapped("%s.", sentence.c_str());
         ImGui::PopStyleColor();
-        noteItem("memory:note " + std::to_string(i));
+        noteItem(fmt::format("memory:note {}", i));
     }
 }
 
@@ -86,11 +81,10 @@ std::string formatName(const Texture& texture, const LevelsSummary& summary) {
 /// The sum, and what it is beside the base level and beside a texture that isn't compressed.
 void drawSum(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
-    const std::size_t count = report.levels.size();
-    ImGui::TextUnformatted((grouped(report.bytes) + " bytes").c_str());
+    ImGui::TextUnformatted(fmt::format("{} bytes", grouped(report.bytes)).c_str());
     noteItem("memory:sum");
     ImGui::SameLine(0, 0);
-    ImGui::TextDisabled(" in %zu %s, %s", count, count == 1 ? "level" : "levels",
+    ImGui::TextDisabled(" in %s, %s", countOf(report.levels.size(), "level").c_str(),
                         formatName(texture, summary).c_str());
     float used = 0; // of the line; what doesn't fit begins the next one
     const auto fact = [&](const std::string& number, const char* words, const char* name, const char* help) {
@@ -109,12 +103,12 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
         noteItem(name);
         helpTip(help);
     };
-    fact(decimal(report.ratioToBase, 3), " × base", "memory:ratio",
+    fact(fmt::format("{:.3f}", report.ratioToBase), " × base", "memory:ratio",
          "Each level of a picture has a quarter of the texels of the one before: the sum of a full chain "
          "tends to 4/3 of its base level.");
-    fact(decimal(100 * report.shareOfRgba8, 1) + " %", " of RGBA8", "memory:rgba8",
+    fact(fmt::format("{:.1f} %", 100 * report.shareOfRgba8), " of RGBA8", "memory:rgba8",
          "Of what the same levels would take with four bytes a texel");
-    fact(decimal(100 * report.shareOfRgb8, 1) + " %", " of RGB8", "memory:rgb8",
+    fact(fmt::format("{:.1f} %", 100 * report.shareOfRgb8), " of RGB8", "memory:rgb8",
          "Of what the same levels would take with three bytes a texel");
 }
 
@@ -147,7 +141,7 @@ void missingRow(int number) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     rightAligned(std::to_string(number), color::problem);
-    noteItem("memory:level " + std::to_string(number));
+    noteItem(fmt::format("memory:level {}", number));
     ImGui::TableNextColumn();
     rightAligned("missing", color::problem);
     helpTip(
@@ -185,7 +179,7 @@ void drawLevels(const LevelsSummary& summary, Target target) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         rightAligned(std::to_string(level.number), color::dim);
-        noteItem("memory:level " + std::to_string(level.number));
+        noteItem(fmt::format("memory:level {}", level.number));
         ImGui::TableNextColumn();
         rightAligned(extentsOf(level, target));
         ImGui::TableNextColumn();

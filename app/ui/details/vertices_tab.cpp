@@ -7,6 +7,7 @@
 #include "app/ui/widgets/theme.h"
 #include "core/scene/tex_coords.h"
 
+#include <fmt/core.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace texplorer::ui {
 namespace {
 
 std::string coordsPath(const Session& session) {
-    return "models[" + std::to_string(session.window.selection.model) + "].texCoords" +
-           std::to_string(session.window.selection.unit);
+    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
+                       session.window.selection.unit);
 }
 
 void editAll(Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
@@ -89,7 +90,7 @@ void vertexRow(Session& session, const TexCoords& coords, std::size_t vertex, in
         changed |= dragNumber("##coord", value[i], coordRange, i);
         if (ImGui::IsItemActivated())
             session.window.selection.vertex = vertex;
-        noteItem(coordsPath(session) + "[" + name + "][" + std::to_string(i) + "]");
+        noteItem(fmt::format("{}[{}][{}]", coordsPath(session), name, i));
         sealAfterItem(session);
         ImGui::PopID();
     }
@@ -145,7 +146,7 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     editButtons(session);
     const Finding* idle = idleReasonOf(session.document.findings, coordsPath(session));
     if (idle) {
-        dimText("No effect now: " + idle->sentence + ".");
+        dimText(fmt::format("No effect now: {}.", idle->sentence));
         noteItem("coordinates#inert");
     }
 

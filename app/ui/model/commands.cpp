@@ -6,6 +6,8 @@
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -63,16 +65,17 @@ std::vector<std::string> idleParts(const Scene& scene) {
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = scene.passes[p].units[u];
-            const std::string path = elementOf<&Scene::passes>(p) + "." + elementOf<&Pass::units>(u);
+            const std::string path =
+                fmt::format("{}.{}", elementOf<&Scene::passes>(p), elementOf<&Pass::units>(u));
             if (!unit.enabled) {
                 parts.push_back(path);
                 continue;
             }
             if (unit.envMode != EnvMode::Combine)
-                parts.push_back(path + "." + keyOf<&Unit::combine>() + ".");
+                parts.push_back(fmt::format("{}.{}.", path, keyOf<&Unit::combine>()));
             for (const auto& [state, key] : generatedCoordinates) {
                 if (!(unit.*state).enabled)
-                    parts.push_back(path + "." + key() + ".");
+                    parts.push_back(fmt::format("{}.{}.", path, key()));
             }
         }
     }
@@ -110,8 +113,9 @@ std::string withSiblings(const Scene& scene, const std::string& call, const std:
         }
         const std::string word = call.substr(i, end - i);
         const bool isKey = std::islower(static_cast<unsigned char>(word.front())) && !word.starts_with("gl");
-        const Result<std::string> value = isKey ? getParam(scene, owner.empty() ? word : owner + "." + word)
-                                                : fail(ErrorCode::NotFound, "");
+        const Result<std::string> value =
+            isKey ? getParam(scene, owner.empty() ? word : fmt::format("{}.{}", owner, word))
+                  : fail(ErrorCode::NotFound, "");
         result += value ? *value : word;
         i = end;
     }
@@ -145,7 +149,7 @@ constexpr std::array<Key, 7> cameraOrder{keyOf<&View::background>,  keyOf<&View:
 std::vector<Command> cameraOf(const View& view, std::vector<Command> calls) {
     std::vector<Command> camera{std::move(calls.front())}; // the heading
     for (const Key key : cameraOrder) {
-        const std::string path = camera.front().text + "." + key();
+        const std::string path = fmt::format("{}.{}", camera.front().text, key());
         const auto own = std::ranges::find(calls, path, &Command::path);
         if (own == calls.end())
             continue;

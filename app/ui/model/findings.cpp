@@ -2,6 +2,8 @@
 
 #include "app/ui/model/scene_files.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -75,7 +77,7 @@ void reveal(Session& session, const std::string& path) {
 std::string assignmentsOf(const Fix& fix) {
     std::string lines;
     for (const Assignment& each : fix.assignments)
-        lines += (lines.empty() ? "" : "\n") + each.path + " = " + each.value;
+        lines += fmt::format("{}{} = {}", lines.empty() ? "" : "\n", each.path, each.value);
     return lines;
 }
 

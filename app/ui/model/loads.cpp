@@ -4,6 +4,8 @@
 #include "app/ui/model/session.h"
 #include "core/base/file_fingerprint.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 
@@ -88,7 +90,7 @@ void finishImport(Session& session, const Load& load) {
 void finishAdd(Session& session, Load& load) {
     addImages(session.document.scene, session.document.images, load);
     sealEdit(session);
-    recordEdit(session, "Open " + std::to_string(load.added.size()) + " images");
+    recordEdit(session, fmt::format("Open {} images", load.added.size()));
     sealEdit(session);
 }
 
@@ -104,7 +106,7 @@ void finishSetFile(Session& session, const Load& load) {
         return; // it was removed meanwhile
     session.document.scene.textures[index].file = load.file;
     sealEdit(session);
-    recordEdit(session, "File", "textures[" + std::to_string(index) + "].file");
+    recordEdit(session, "File", fmt::format("textures[{}].file", index));
     sealEdit(session);
 }
 

@@ -5,6 +5,8 @@
 #include "core/codec/registry.h"
 #include "core/scene/params/json.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::ui {
@@ -229,7 +231,7 @@ Load sorted(const Session& session, const std::vector<fs::path>& files) {
         } else if (load.kind == Load::Kind::Scene) {
             load.refused.push_back(
                 {ErrorCode::OutOfRange,
-                 "one scene is shown at a time, and " + load.path.filename().string() + " is opened",
+                 fmt::format("one scene is shown at a time, and {} is opened", load.path.filename().string()),
                  file.string()});
         } else if (Result<Scene> scene = readScene(file)) {
             load.kind = Load::Kind::Scene;
@@ -267,7 +269,7 @@ void addImages(Scene& scene, const ImageSource& images, Load& load) {
         }
         if (scene.textures.size() >= maxTextures) {
             load.refused.push_back({ErrorCode::TooLarge,
-                                    "a scene has at most " + std::to_string(maxTextures) + " textures",
+                                    fmt::format("a scene has at most {} textures", maxTextures),
                                     (images.directory() / name).string()});
             continue;
         }

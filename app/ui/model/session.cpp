@@ -4,6 +4,8 @@
 #include "app/ui/model/loads.h"
 #include "core/scene/animation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -130,8 +132,7 @@ Unit& selectedUnit(Session& session) {
 }
 
 std::string selectedUnitPath(const Session& session) {
-    return "passes[" + std::to_string(session.window.selection.pass) + "].units[" +
-           std::to_string(session.window.selection.unit) + "]";
+    return fmt::format("passes[{}].units[{}]", session.window.selection.pass, session.window.selection.unit);
 }
 
 const Texture* boundTexture(const Session& session) {

@@ -3,6 +3,8 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::ui {
 
 void followEdits(Session& session) {
@@ -14,7 +16,7 @@ void followEdits(Session& session) {
     else
         autosave.forget();
     if (const std::optional<Error> problem = autosave.takeProblem())
-        say(session, "Unsaved work can't be kept: " + describe(*problem) + ".");
+        say(session, fmt::format("Unsaved work can't be kept: {}.", describe(*problem)));
 }
 
 } // namespace texplorer::ui

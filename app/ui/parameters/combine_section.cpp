@@ -8,6 +8,8 @@
 #include "core/gl/combine_equation.h"
 #include "core/scene/params/keys.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -46,17 +48,17 @@ std::string labelOf(const Combine& combine, const std::string& key, bool isFirst
 
 /// "colour of this texture", "(1 - alpha of previous unit)"
 std::string argumentInWords(const Combine& combine, const Half& half, int number, bool isFirstUnit) {
-    const std::string tail = std::to_string(number) + std::string(half.suffix);
-    const std::string words = labelOf(combine, "operand" + tail, isFirstUnit) + " of " +
-                              labelOf(combine, "source" + tail, isFirstUnit);
-    return words.starts_with("1 - ") ? "(" + words + ")" : words;
+    const std::string tail = fmt::format("{}{}", number, half.suffix);
+    const std::string words = fmt::format("{} of {}", labelOf(combine, "operand" + tail, isFirstUnit),
+                                          labelOf(combine, "source" + tail, isFirstUnit));
+    return words.starts_with("1 - ") ? fmt::format("({})", words) : words;
 }
 
 /// The equation with what its arguments stand for.
 std::string inWords(const Combine& combine, const Half& half, std::string_view equation, bool isFirstUnit) {
     std::string words(equation);
     for (int number = 0; number < 3; ++number) {
-        const std::string name = "Arg" + std::to_string(number);
+        const std::string name = fmt::format("Arg{}", number);
         const std::string meaning = argumentInWords(combine, half, number, isFirstUnit);
         for (std::size_t at = words.find(name); at != std::string::npos;
              at = words.find(name, at + meaning.size()))
@@ -76,7 +78,7 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
     const std::string meaning = inWords(combine, half, symbols, session.window.selection.unit == 0);
     const int factor = static_cast<int>(isAlpha ? combine.alphaScale : combine.rgbScale);
     if (factor != 1)
-        symbols = std::to_string(factor) + " × (" + symbols + ")";
+        symbols = fmt::format("{} × ({})", factor, symbols);
     ImGui::TextUnformatted(("= " + symbols).c_str());
     noteItem("combine:equation" + std::string(half.suffix));
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
@@ -122,7 +124,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
         operand = std::max(operand, widestChoice(rowNamed("operand0" + std::string(each.suffix))));
     const float choices = full - argument - gap;
     for (int number = 0; number < 3; ++number) {
-        const std::string tail = std::to_string(number) + std::string(half.suffix);
+        const std::string tail = fmt::format("{}{}", number, half.suffix);
         const ParamRow& source = rowNamed("source" + tail);
         const bool inert = idleReasonOf(session.document.findings, owner.pathOf(source)) != nullptr;
         ImGui::AlignTextToFramePadding();

@@ -8,6 +8,8 @@
 #include "app/ui/widgets/theme.h"
 #include "core/scene/params/keys.h"
 
+#include <fmt/core.h>
+
 #include <array>
 
 namespace texplorer::ui {
@@ -34,7 +36,7 @@ void coordinatesSection(Session& session) {
         const Coordinate& coordinate = coordinates[i];
         const TexGen& state = unit.*coordinate.state;
         const Owner owner{&(unit.*coordinate.state), &(initial.*coordinate.state),
-                          selectedUnitPath(session) + "." + coordinate.key()};
+                          fmt::format("{}.{}", selectedUnitPath(session), coordinate.key())};
         const StructTable& table = texGenTable(i);
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, componentColor(static_cast<int>(i)));

@@ -18,7 +18,7 @@ namespace texplorer::ui {
 namespace {
 
 std::string indexed(std::string_view list, int index) {
-    return std::string(list) + "[" + std::to_string(index) + "]";
+    return fmt::format("{}[{}]", list, index);
 }
 
 /// The section in which a parameter is edited.
@@ -89,10 +89,10 @@ void unitChoice(Session& session) {
         const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
         if (chosen)
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-        const std::string name = std::to_string(i) + "##unit";
+        const std::string name = fmt::format("{}##unit", i);
         if (ImGui::Button(name.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
             session.window.selection.unit = i;
-        noteItem("unit:" + std::to_string(i));
+        noteItem(fmt::format("unit:{}", i));
         if (chosen)
             ImGui::PopStyleColor();
         if (on) {
@@ -103,7 +103,7 @@ void unitChoice(Session& session) {
         }
         const std::string sharers = sharersText(session, i);
         helpTip(std::string(on ? "This unit is on." : "This unit is off.") +
-                (sharers.empty() ? "" : "\nIt shares its texture with " + sharers + "."));
+                (sharers.empty() ? "" : fmt::format("\nIt shares its texture with {}.", sharers)));
     }
 }
 
@@ -146,7 +146,8 @@ void matrixSection(Session& session) {
             "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const std::string path = selectedUnitPath(session) + "." + indexed("matrix", static_cast<int>(i));
+        const std::string path =
+            fmt::format("{}.{}", selectedUnitPath(session), indexed("matrix", static_cast<int>(i)));
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
         const float button = ImGui::GetFrameHeight();
@@ -216,7 +217,7 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
     const std::size_t steps = unit.matrix.size();
     if (steps == 0)
         return {};
-    return {{std::to_string(steps) + (steps == 1 ? " step" : " steps"), color::changed}};
+    return {{countOf(steps, "step"), color::changed}};
 }
 
 void modelSection(Session& session) {

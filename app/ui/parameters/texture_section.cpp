@@ -9,6 +9,8 @@
 #include "core/base/printable.h"
 #include "core/scene/params/keys.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::ui {
 namespace {
 
@@ -17,7 +19,7 @@ std::string textureName(const Session& session, int index) {
     const std::string what = texture.source == SourceKind::Pattern
                                  ? std::string(rowOf(texture.pattern).label)
                                  : printable(std::filesystem::path(texture.file).filename().string());
-    return std::to_string(index) + "  " + what;
+    return fmt::format("{}  {}", index, what);
 }
 
 void addTexture(Session& session) {
@@ -64,13 +66,13 @@ void textureChoice(Session& session) {
                            selectedUnitPath(session) + "." + keyOf<&Unit::texture>());
                 sealEdit(session);
             }
-            noteItem("bind:" + std::to_string(i));
+            noteItem(fmt::format("bind:{}", i));
         }
         ImGui::EndCombo();
     }
     noteItem("texture choice");
     if (row)
-        helpTip(formatCall(*row, Value(unit.texture)) + "\n" + std::string(row->help));
+        helpTip(fmt::format("{}\n{}", formatCall(*row, Value(unit.texture)), row->help));
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
@@ -121,8 +123,8 @@ std::string sharersText(const Session& session, int unit) {
             const Unit& other = scene.passes[p].units[u];
             if (!other.enabled || other.texture != texture || (p == selected && u == asked))
                 continue;
-            names += (names.empty() ? "unit " : ", unit ") + std::to_string(u) +
-                     (p == selected ? "" : " of pass " + std::to_string(p));
+            names += fmt::format("{}{}{}", names.empty() ? "unit " : ", unit ", u,
+                                 p == selected ? "" : fmt::format(" of pass {}", p));
         }
     }
     return boundTexture(session) ? names : "";
@@ -133,8 +135,8 @@ void sharingNote(Session& session, const char* id) {
     if (sharers.empty())
         return;
     const Unit& unit = selectedUnit(session);
-    const std::string words = (unit.enabled ? "Shares texture " : "Would share texture ") +
-                              std::to_string(unit.texture) + " with " + sharers;
+    const std::string words = fmt::format(
+        "{}{} with {}", unit.enabled ? "Shares texture " : "Would share texture ", unit.texture, sharers);
     ImGui::PushID(id);
     ImGui::PushTextWrapPos(0);
     dimText(words);
@@ -166,7 +168,7 @@ void textureSection(Session& session) {
         return;
     }
     static const Texture initial;
-    const Owner owner{texture, &initial, "textures[" + std::to_string(selectedUnit(session).texture) + "]",
+    const Owner owner{texture, &initial, fmt::format("textures[{}]", selectedUnit(session).texture),
                       [&](const ParamRow& row, const Value& value) {
                           return acceptsTexture(session, *texture, row, value);
                       }};

@@ -6,10 +6,11 @@
 #include "app/ui/widgets/widget_places.h"
 #include "core/reference/sampling/ellipse.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace texplorer::ui {
 namespace {
@@ -147,10 +148,10 @@ std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& pa
     const std::string face =
         unit.sample.cube ? std::string(rowOf(cubeFaceAt(patch.layer)).label) + " · " : std::string();
     const std::string level = std::to_string(patch.level);
-    const std::string part = share < 1
-                                 ? std::to_string(std::lround(share * 100)) + " %"
-                                 : std::to_string(patch.extent.x) + " × " + std::to_string(patch.extent.y);
-    for (const std::string& title : {face + "level " + level + " · " + part, face + "level " + level}) {
+    const std::string part = share < 1 ? fmt::format("{} %", std::lround(share * 100))
+                                       : fmt::format("{} × {}", patch.extent.x, patch.extent.y);
+    for (const std::string& title :
+         {fmt::format("{}level {} · {}", face, level, part), fmt::format("{}level {}", face, level)}) {
         if (ImGui::CalcTextSize(title.c_str()).x <= room)
             return title;
     }
@@ -207,9 +208,8 @@ void drawPlace(ImDrawList& draw, ImVec2 at) {
 }
 
 std::string weightText(float weight) {
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", static_cast<double>(weight));
-    return text[0] == '0' ? text.data() + 1 : text.data(); // ".25"
+    const std::string text = fmt::format("{:.2f}", weight);
+    return text.starts_with('0') ? text.substr(1) : text; // ".25"
 }
 
 void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const Inset& inset) {
@@ -265,7 +265,7 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
         draw.AddText(ImGui::GetFont(), size, at, color::probed, text.c_str());
     }
     draw.PopClipRect();
-    noteDrawn("patch:level " + std::to_string(patch.level), inset.low, end);
+    noteDrawn(fmt::format("patch:level {}", patch.level), inset.low, end);
 }
 
 void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent, ImU32 tint) {

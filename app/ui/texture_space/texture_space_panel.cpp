@@ -9,6 +9,7 @@
 #include "core/image/cube_faces.h"
 #include "core/scene/tex_coords.h"
 
+#include <fmt/core.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -86,14 +87,14 @@ void dragVertex(Session& session, TextureSpaceState& state, const Canvas& canvas
             chosen = under;
     }
     if (dragged && state.movesVertex && chosen) {
-        const std::string key = "texCoords" + std::to_string(unit);
+        const std::string key = fmt::format("texCoords{}", unit);
         glm::vec4 moved = effectiveTexCoords(model, mesh, unit)[*chosen];
         const auto within = [](float coord) { return std::clamp(coord, coordRange.min, coordRange.max); };
         moved.x = within(moved.x + io.MouseDelta.x / canvas.pixelsPerUnit);
         moved.y = within(moved.y - io.MouseDelta.y / canvas.pixelsPerUnit);
         setTexCoord(model, mesh, unit, *chosen, moved);
-        recordEdit(session, "Move vertex " + std::to_string(*chosen),
-                   "models[" + std::to_string(session.window.selection.model) + "]." + key);
+        recordEdit(session, fmt::format("Move vertex {}", *chosen),
+                   fmt::format("models[{}].{}", session.window.selection.model, key));
     }
     if (ImGui::IsItemDeactivated())
         sealEdit(session);
@@ -157,7 +158,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     draw.PopClipRect();
     for (std::size_t vertex = 0; arePlacesWanted() && vertex < coords.size(); ++vertex) {
         const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
-        noteDrawn("coord:" + std::to_string(vertex), at, at);
+        noteDrawn(fmt::format("coord:{}", vertex), at, at);
     }
 }
 
@@ -167,8 +168,8 @@ std::string extentsOf(const TextureImage& image, Target target) {
     const auto [width, height] = target == Target::CubeMap && image.faces != cubeFaceCount
                                      ? cubeFaceExtents(widthOf(first), heightOf(first))
                                      : FaceExtents{widthOf(first), heightOf(first)};
-    const std::string extents = std::to_string(width) + " × " + std::to_string(height);
-    return target == Target::CubeMap ? std::to_string(cubeFaceCount) + " faces of " + extents : extents;
+    const std::string extents = fmt::format("{} × {}", width, height);
+    return target == Target::CubeMap ? fmt::format("{} faces of {}", cubeFaceCount, extents) : extents;
 }
 
 } // namespace
@@ -184,7 +185,7 @@ void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pic
         texture ? session.document.images.find(*texture) : nullptr;
     const std::string extents =
         image ? extentsOf(*image, selectedUnit(session).target) : std::string("no texture");
-    const std::string what = "unit " + std::to_string(session.window.selection.unit) + " · " + extents;
+    const std::string what = fmt::format("unit {} · {}", session.window.selection.unit, extents);
     const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)

@@ -2,9 +2,10 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace texplorer::ui {
@@ -24,21 +25,15 @@ constexpr std::array arrangementRows{
                    "Every renderer, and the difference of the two that are chosen."},
 };
 
-std::string withDecimals(double value, int decimals) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    return text.data();
-}
-
 /// "0.05", "12.3", "100": three digits at most before the hundredths, and never nothing where there is
 /// something.
 std::string rounded(double value, int decimals) {
     const double least = std::pow(10.0, -decimals);
     if (value > 0 && value < least)
-        return "< " + withDecimals(least, decimals);
+        return fmt::format("< {:.{}f}", least, decimals);
     for (double limit = 10; value >= limit && decimals > 0; limit *= 10)
         --decimals;
-    return value > 0 ? withDecimals(value, decimals) : "0";
+    return value > 0 ? fmt::format("{:.{}f}", value, decimals) : "0";
 }
 
 /// Puts widgets in a row, and begins another one where the next has no room.
@@ -119,7 +114,7 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
 void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
-    const std::string label = "max " + std::to_string(difference.max) + unit;
+    const std::string label = fmt::format("max {}{}", difference.max, unit);
     const float sign = ringed ? em * 1.2F : 0;
     const float width = buttonWidth(label.c_str()) + sign;
     flow.place(width, gap);
@@ -127,10 +122,11 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
     if (ImGui::Button("##worst", {width, 0}))
         showPixel(session.window.view, difference.worst, picture);
     noteItem("worst");
-    helpTip("The largest difference, at the pixel " + std::to_string(difference.worst.x) + "," +
-            std::to_string(picture.height - 1 - difference.worst.y) + " (from the upper left)" +
-            (ringed ? ", which is ringed" : ", within the tolerance") +
-            ". Click: enlarge it; Ctrl + wheel leads back.");
+    helpTip(fmt::format(
+        "The largest difference, at the pixel {},{} (from the upper left){}. Click: enlarge it; Ctrl + wheel "
+        "leads back.",
+        difference.worst.x, picture.height - 1 - difference.worst.y,
+        ringed ? ", which is ringed" : ", within the tolerance"));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     draw.AddText({low.x + padding.x + sign, low.y + padding.y}, color::text, label.c_str());
@@ -147,7 +143,7 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
         noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
-    flow.text("mean " + rounded(difference.mean, 3) + unit, color::text, gap);
+    flow.text(fmt::format("mean {}{}", rounded(difference.mean, 3), unit), color::text, gap);
     noteItem("mean difference");
     helpTip("Of all components of all pixels");
     worstButton(session, flow, difference, picture, gap);

@@ -4,12 +4,12 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace texplorer::ui {
@@ -36,11 +36,8 @@ ImU32 colorOf(const Image& image, glm::ivec2 pixel) {
 /// "28 33 41 · 255": red, green, blue, and what the framebuffer has as alpha.
 std::string textOf(const Image& image, glm::ivec2 pixel) {
     const ByteView bytes = image.at(pixel.x, pixel.y);
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%d %d %d · %d", std::to_integer<int>(bytes[0]),
-                  std::to_integer<int>(bytes[1]), std::to_integer<int>(bytes[2]),
-                  std::to_integer<int>(bytes[3]));
-    return text.data();
+    const auto number = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
+    return fmt::format("{} {} {} · {}", number(0), number(1), number(2), number(3));
 }
 
 bool holds(const Image& image, glm::ivec2 pixel) {
@@ -61,7 +58,7 @@ std::string differenceText(const ViewSettings& settings, const Pictures& picture
     std::string text;
     for (std::size_t c = 0; c < 3; ++c) {
         const int difference = std::to_integer<int>(b[c]) - std::to_integer<int>(a[c]);
-        text += (c > 0 ? " " : "") + std::string(difference > 0 ? "+" : "") + std::to_string(difference);
+        text += fmt::format("{}{}{}", c > 0 ? " " : "", difference > 0 ? "+" : "", difference);
     }
     return text;
 }
@@ -135,9 +132,8 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
     for (const Lens& lens : lenses)
         widest = std::max(widest, ImGui::CalcTextSize(lens.name.c_str()).x);
     const ImVec2 size(widest, cell * across + 2.6F * em);
-    const std::string where = "Pixel " + std::to_string(pixel->x) + "," +
-                              std::to_string(picture.height - 1 - pixel->y) +
-                              " from the upper left"; // as texshot probe --at counts
+    const std::string where = fmt::format("Pixel {},{} from the upper left", pixel->x,
+                                          picture.height - 1 - pixel->y); // as texshot probe --at counts
     const Rect& window = layout.window;
     const int most = std::max(1, static_cast<int>((static_cast<float>(window.width) - pad) / (size.x + pad)));
     const int columns = std::min(most, static_cast<int>(lenses.size()));

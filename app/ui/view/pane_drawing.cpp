@@ -3,6 +3,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,14 +49,14 @@ float comboWidth(RendererKind renderer) {
 /// A list of the renderers on the picture, as wide as its text, at most `width`.
 void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) {
     RendererKind& compared = session.window.view.compared[which];
-    const std::string id = "##compared" + std::to_string(which);
+    const std::string id = fmt::format("##compared{}", which);
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
     ImGui::SetNextItemWidth(std::min(comboWidth(compared), width));
     const float arrow = comboWidth(compared) - ImGui::CalcTextSize(labelOf(compared).c_str()).x;
     const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, width - arrow).c_str());
     ImGui::PopStyleColor();
-    const std::string name = "compared:" + std::to_string(which);
+    const std::string name = fmt::format("compared:{}", which);
     noteItem(name);
     if (!open)
         return;
@@ -62,7 +64,7 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
         const auto renderer = static_cast<RendererKind>(row.value);
         if (ImGui::Selectable(labelOf(renderer).c_str(), renderer == compared))
             compared = renderer;
-        noteItem(name + "=" + std::string(row.name));
+        noteItem(fmt::format("{}={}", name, row.name));
         helpTip(row.help);
     }
     ImGui::EndCombo();

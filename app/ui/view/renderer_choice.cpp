@@ -2,6 +2,8 @@
 
 #include "app/ui/widgets/param_widgets.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::ui {
 
 namespace {
@@ -38,14 +40,14 @@ void drawRendererChoice(ViewSettings& settings, float available) {
     for (const EnumRow& row : rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !isComparing(settings) && settings.renderer == renderer;
-        const std::string help = std::string(row.help) + "\nKey " + std::to_string(++key);
+        const std::string help = fmt::format("{}\nKey {}", row.help, ++key);
         if (choice(std::string(row.label), chosen, help))
             showOne(settings, renderer);
         ImGui::SameLine(0, gap);
     }
     if (choice(compare, isComparing(settings),
-               "Two renderers across one picture, or all of them with the difference.\nKey " +
-                   std::to_string(++key)))
+               fmt::format("Two renderers across one picture, or all of them with the difference.\nKey {}",
+                           ++key)))
         showComparison(settings);
     ImGui::SameLine(0, gap);
 }

@@ -13,9 +13,10 @@
 #include "core/scene/picking.h"
 #include "core/scene/tex_coords.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace texplorer::ui {
 namespace {
@@ -156,10 +157,8 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     const TexCoords coords = effectiveTexCoords(*model, selectedMesh(session), session.window.selection.unit);
     if (vertex >= coords.size())
         return;
-    char text[96];
-    std::snprintf(text, sizeof text, "%zu   (%.2f, %.2f)", vertex, double{coords[vertex].x},
-                  double{coords[vertex].y});
-    const ImVec2 size = ImGui::CalcTextSize(text);
+    const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coords[vertex].x, coords[vertex].y);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // Beside the vertex, inside of the picture.
     ImVec2 label(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
     label.x = std::min(label.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
@@ -167,7 +166,7 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     const float pad = em * 0.3F;
     draw.AddRectFilled({label.x - pad, label.y - pad / 2},
                        {label.x + size.x + pad, label.y + size.y + pad / 2}, color::shade, pad);
-    draw.AddText(label, color::chosen, text);
+    draw.AddText(label, color::chosen, text.c_str());
 }
 
 /// Picks the vertex under the mouse, or none.
@@ -203,7 +202,7 @@ void hintLine(const Layout& layout) {
     const float available = static_cast<float>(layout.view.width) - em;
     std::string line;
     for (const char* hint : hints) {
-        const std::string longer = line.empty() ? hint : line + "  ·  " + hint;
+        const std::string longer = line.empty() ? hint : fmt::format("{}  ·  {}", line, hint);
         if (ImGui::CalcTextSize(longer.c_str()).x > available)
             break;
         line = longer;

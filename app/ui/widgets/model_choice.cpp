@@ -2,13 +2,14 @@
 
 #include "app/ui/widgets/param_widgets.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::ui {
 
 void modelChoice(Session& session, float width) {
     const std::vector<Model>& models = session.document.scene.models;
     const auto name = [&](int index) {
-        return std::to_string(index) + "  " +
-               std::string(rowOf(models[static_cast<std::size_t>(index)].shape).label);
+        return fmt::format("{}  {}", index, rowOf(models[static_cast<std::size_t>(index)].shape).label);
     };
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", name(session.window.selection.model).c_str())) {
@@ -17,7 +18,7 @@ void modelChoice(Session& session, float width) {
                 session.window.selection.model = i;
                 session.window.selection.vertex.reset();
             }
-            noteItem("model:" + std::to_string(i));
+            noteItem(fmt::format("model:{}", i));
         }
         ImGui::EndCombo();
     }

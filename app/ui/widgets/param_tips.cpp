@@ -5,6 +5,8 @@
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::ui {
 namespace {
 
@@ -69,9 +71,9 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
         dimText(std::get<std::string>(value)); // the field shows the beginning
     if (row.kind == Kind::Enum) {
         if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
-            dimText(std::string(choice->label) + ": " + std::string(choice->help));
+            dimText(fmt::format("{}: {}", choice->label, choice->help));
             if (!choice->since.empty())
-                dimText(std::string(choice->name) + ", " + originOf(*choice));
+                dimText(fmt::format("{}, {}", choice->name, originOf(*choice)));
         }
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
@@ -80,11 +82,11 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
     if (problem)
         text(sentenceOf(*problem));
     if (idle)
-        text("No effect now: " + idle->sentence + ".");
+        text(fmt::format("No effect now: {}.", idle->sentence));
     ImGui::PopStyleColor();
     if (value != initial) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        text("Initially " + formatValue(row, initial) + "; a right click resets it.");
+        text(fmt::format("Initially {}; a right click resets it.", formatValue(row, initial)));
         ImGui::PopStyleColor();
     }
     ImGui::PopTextWrapPos();

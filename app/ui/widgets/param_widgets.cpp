@@ -6,6 +6,7 @@
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/theme.h"
 
+#include <fmt/core.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -41,13 +42,13 @@ bool enumWidget(const Owner& owner, const ParamRow& row, EnumValue& value, const
         for (const EnumRow& choice : row.choices)
             names = std::max(names, textWidth(labelOf(choice)));
         for (const EnumRow& choice : row.choices) {
-            const std::string label = labelOf(choice) + "##" + std::string(choice.name);
+            const std::string label = fmt::format("{}##{}", labelOf(choice), choice.name);
             const bool isCurrent = choice.value == value.number;
             if (ImGui::Selectable(label.c_str(), isCurrent)) {
                 changed = !isCurrent;
                 value.number = choice.value;
             }
-            noteItem(path + "=" + std::string(choice.name));
+            noteItem(fmt::format("{}={}", path, choice.name));
             choiceTip(choice);
             if (isCurrent)
                 ImGui::SetItemDefaultFocus();
@@ -92,7 +93,7 @@ bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
 
 std::string numberFormat(const Range& range) {
     const int decimals = range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
-    std::string format = "%." + std::to_string(decimals) + "f";
+    std::string format = fmt::format("%.{}f", decimals);
     if (range.unit == "deg")
         return format + "°";
     if (range.unit == "deg/s")
@@ -135,7 +136,7 @@ bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const st
         ImGui::PushID(i);
         ImGui::SetNextItemWidth(width);
         changed |= dragNumber("##component", value[i], row.range, i);
-        noteItem(path + "[" + std::to_string(i) + "]");
+        noteItem(fmt::format("{}[{}]", path, i));
         sealAfterItem(session);
         ImGui::PopID();
     }
@@ -185,7 +186,7 @@ bool assign(Session& session, const Owner& owner, const ParamRow& row, const Val
     if (value == row.read(owner.values))
         return false;
     if (const Result<void> fits = checkValue(row, value); !fits) {
-        session.window.notice = {std::string(row.label) + ": " + fits.error().message, {}};
+        session.window.notice = {fmt::format("{}: {}", row.label, fits.error().message), {}};
         return false;
     }
     if (owner.accepts && !owner.accepts(row, value))

@@ -4,6 +4,7 @@
 #include "app/ui/widgets/widget_places.h"
 #include "core/scene/params/params.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <functional>
@@ -22,7 +23,7 @@ struct Owner {
     std::function<std::string(const ParamRow& row, const EnumRow& choice)> labelOf = {};
 
     [[nodiscard]] std::string pathOf(const ParamRow& row) const {
-        return path.empty() ? std::string(row.key) : path + "." + std::string(row.key);
+        return path.empty() ? std::string(row.key) : fmt::format("{}.{}", path, row.key);
     }
 };
 

@@ -4,6 +4,8 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 
+#include <fmt/core.h>
+
 #include <cfloat>
 
 namespace texplorer::ui {
@@ -29,7 +31,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
             applyFix(session, fix);
             ImGui::CloseCurrentPopup();
         }
-        noteItem(path + "#fix:" + fix.label);
+        noteItem(fmt::format("{}#fix:{}", path, fix.label));
         helpTip(assignmentsOf(fix));
     }
     ImGui::EndPopup();

@@ -10,6 +10,8 @@
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -117,7 +119,7 @@ void drawRefused(Session& session) {
     const float em = ImGui::GetFontSize();
     const std::size_t count = session.window.refused.size();
     ImGui::TextUnformatted(count == 1 ? "One file could not be opened, the others were."
-                                      : (std::to_string(count) + " files could not be opened.").c_str());
+                                      : fmt::format("{} files could not be opened.", count).c_str());
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(em * 46, display.x * 0.9F);
     const float height = std::min(display.y * 0.6F, em * 2.9F * static_cast<float>(count) + em);

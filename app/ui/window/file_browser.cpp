@@ -6,6 +6,7 @@
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
 
+#include <fmt/core.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -33,10 +34,10 @@ bool matches(const FileBrowser& browser, const FileBrowser::Entry& entry) {
 
 std::string sizeText(std::uintmax_t bytes) {
     if (bytes < 1024)
-        return std::to_string(bytes) + " B";
+        return fmt::format("{} B", bytes);
     if (bytes < 1024 * 1024)
-        return std::to_string((bytes + 512) / 1024) + " KiB";
-    return std::to_string((bytes + (1U << 19)) >> 20) + " MiB";
+        return fmt::format("{} KiB", (bytes + 512) / 1024);
+    return fmt::format("{} MiB", (bytes + (1U << 19)) >> 20);
 }
 
 fs::path typedPath(const FileBrowser& browser) {
@@ -67,7 +68,7 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
         if (!path.has_extension() && !browser.extensions.empty())
             path += browser.extensions.front();
         if (!fs::is_directory(path.parent_path(), failed)) {
-            browser.error = "There is no folder " + path.parent_path().string() + ".";
+            browser.error = fmt::format("There is no folder {}.", path.parent_path().string());
             return Browsing::Open;
         }
         if (fs::exists(path, failed) && !browser.mayOverwrite) {
@@ -76,7 +77,7 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
             return Browsing::Open;
         }
     } else if (!fs::exists(status)) {
-        browser.error = "There is no file " + path.string() + ".";
+        browser.error = fmt::format("There is no file {}.", path.string());
         return Browsing::Open;
     }
     chosen = std::move(path);
@@ -220,7 +221,7 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
     const fs::path target = fs::weakly_canonical(folder, failed);
     fs::directory_iterator iterator(failed ? folder : target, failed);
     if (failed) {
-        browser.error = "The folder " + folder.string() + " can't be read: " + failed.message() + ".";
+        browser.error = fmt::format("The folder {} can't be read: {}.", folder.string(), failed.message());
         return;
     }
     std::vector<FileBrowser::Entry> entries;
@@ -250,7 +251,7 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
     browser.entries = std::move(entries);
     browser.marked = -1;
     browser.mayOverwrite = false;
-    browser.error = cut ? "Only the first " + std::to_string(mostEntries) + " entries are listed." : "";
+    browser.error = cut ? fmt::format("Only the first {} entries are listed.", mostEntries) : "";
 }
 
 void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,

@@ -7,6 +7,8 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/playback_controls.h"
 
+#include <fmt/core.h>
+
 namespace texplorer::ui {
 namespace {
 
@@ -23,7 +25,7 @@ bool menu(const char* label) {
 }
 
 std::string withName(const char* verb, std::string_view name) {
-    return name.empty() ? verb : std::string(verb) + " " + std::string(name);
+    return name.empty() ? verb : fmt::format("{} {}", verb, name);
 }
 
 template<class Struct>

@@ -4,6 +4,8 @@
 #include "app/ui/widgets/theme.h"
 #include "core/scene/animation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,9 +65,7 @@ float widthWith(float slider) {
 }
 
 std::string speedName(float speed) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g×", static_cast<double>(speed));
-    return text;
+    return fmt::format("{:g}×", speed);
 }
 
 } // namespace

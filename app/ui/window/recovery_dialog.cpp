@@ -9,6 +9,8 @@
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <ctime>
 
@@ -73,7 +75,7 @@ void drawRestore(Session& session, const Pictures& pictures) {
     ImGui::PopTextWrapPos();
     const std::size_t more = recovery.offers().size() - 1;
     ImGui::TextDisabled("%s%s", timeText(offer.written).c_str(),
-                        more == 0 ? "" : (" · " + std::to_string(more) + " more after this").c_str());
+                        more == 0 ? "" : fmt::format(" · {} more after this", more).c_str());
     if (readable)
         drawPicture(session, pictures);
     ImGui::Dummy({0, em * 0.3F});

@@ -8,9 +8,9 @@
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace texplorer::ui {
 
@@ -26,7 +26,7 @@ void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     std::string text = progress.step == Step::Decoding ? "Decoding " : "Reading ";
     text += printable(progress.path.filename().string());
     if (progress.step == Step::Reading && progress.fileBytes > 0)
-        text += " · " + std::to_string(progress.bytesRead * 100 / progress.fileBytes) + " %";
+        text += fmt::format(" · {} %", progress.bytesRead * 100 / progress.fileBytes);
     ImGui::TextUnformatted(text.c_str());
     noteItem("loading");
     helpTip(progress.path.string());
@@ -40,7 +40,7 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
     ImGui::SameLine();
     std::string text = "Making the levels of " + printable(progress.what);
     if (progress.done > 0)
-        text += " · " + std::to_string(static_cast<int>(100 * progress.done)) + " %";
+        text += fmt::format(" · {} %", static_cast<int>(100 * progress.done));
     ImGui::TextUnformatted(text.c_str());
     noteItem("making levels");
     helpTip("What was drawn before stays until they are there.");
@@ -81,13 +81,13 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         helpTip(assignmentsOf(fix));
         ImGui::SameLine();
     }
-    const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
+    const std::string more = count > 1 ? fmt::format("1 of {}: ", count) : std::string();
     const std::string sentence = sentenceOf(finding);
     fittedText(more + sentence, color::problem);
     noteItem("finding");
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(finding.path + "\n" + sentence + "\nClick: show the setting");
+    helpTip(fmt::format("{}\n{}\nClick: show the setting", finding.path, sentence));
     if (ImGui::IsItemClicked())
         reveal(session, finding.path);
 }
@@ -100,7 +100,7 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
     // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
     std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
                                       : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
-    facts += " · " + std::to_string(first.frame.size.width) + " × " + std::to_string(first.frame.size.height);
+    facts += fmt::format(" · {} × {}", first.frame.size.width, first.frame.size.height);
     if (!showsTime)
         return facts;
     for (const ViewFrame& view : frames) {
@@ -123,9 +123,9 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
     ImGui::PopStyleVar();
     ImGui::TextDisabled("%s", factsOf(pictures.frames, capabilities, session.window.showsFrameTime).c_str());
     noteItem("status");
-    helpTip(capabilities.vendor + "\n" + capabilities.renderer + "\nOpenGL " + capabilities.version +
-            "\nTextures up to " + std::to_string(capabilities.maxTextureSize) + " texels wide, " +
-            std::to_string(capabilities.textureUnits) + " units");
+    helpTip(fmt::format("{}\n{}\nOpenGL {}\nTextures up to {} texels wide, {} units", capabilities.vendor,
+                        capabilities.renderer, capabilities.version, capabilities.maxTextureSize,
+                        capabilities.textureUnits));
     ImGui::SameLine();
     ImGui::TextDisabled("·");
     ImGui::SameLine();
@@ -145,7 +145,7 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
         drawFinding(session, Finding(session.document.findings.front()), problems);
     } else if (!pictures.problems.empty()) {
         const std::size_t count = pictures.problems.size();
-        const std::string more = count > 1 ? "1 of " + std::to_string(count) + ": " : std::string();
+        const std::string more = count > 1 ? fmt::format("1 of {}: ", count) : std::string();
         fittedText(more + pictures.problems.front(), color::problem);
         noteItem("problem");
         std::string all;
