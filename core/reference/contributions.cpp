@@ -5,6 +5,8 @@
 #include "core/reference/raster/shade.h"
 #include "core/reference/shading/fragment.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -13,16 +15,16 @@ namespace texplorer::reference {
 namespace {
 
 std::string nameOf(const TexelQuestion& question) {
-    return "passes[" + std::to_string(question.pass) + "].units[" + std::to_string(question.unit) + "]";
+    return fmt::format("passes[{}].units[{}]", question.pass, question.unit);
 }
 
 Result<const UnitState*> unitOf(const std::vector<PassState>& passes, const TexelQuestion& question) {
     if (question.pass < 0 || static_cast<std::size_t>(question.pass) >= passes.size())
-        return fail(ErrorCode::OutOfRange, "there is no pass " + std::to_string(question.pass) +
-                                               ", the scene has " + std::to_string(passes.size()));
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("there is no pass {}, the scene has {}", question.pass, passes.size()));
     if (question.unit < 0 || question.unit >= maxUnits)
-        return fail(ErrorCode::OutOfRange, "expected a unit from 0 to " + std::to_string(maxUnits - 1) +
-                                               ", found " + std::to_string(question.unit));
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected a unit from 0 to {}, found {}", maxUnits - 1, question.unit));
     const UnitState& unit =
         passes[static_cast<std::size_t>(question.pass)].units[static_cast<std::size_t>(question.unit)];
     if (!unit.texture)
@@ -36,23 +38,21 @@ Result<void> checkTexel(const SampledTexture& texture, const TexelQuestion& ques
     const auto& [number, index] = question.texel;
     const Level* level = texture.level(number);
     if (!level)
-        return fail(ErrorCode::OutOfRange, nameOf(question) + " has a texture without a level " +
-                                               std::to_string(number) + ": it has " +
-                                               std::to_string(texture.levels.size()));
+        return fail(ErrorCode::OutOfRange, fmt::format("{} has a texture without a level {}: it has {}",
+                                                       nameOf(question), number, texture.levels.size()));
     constexpr std::array names{"i", "j", "k"};
     if (const int face = index.z; texture.target == Target::CubeMap && (face < 0 || face > 5))
         return fail(ErrorCode::OutOfRange,
-                    "expected k from 0 to 5 for a face of a cube map, found " + std::to_string(face));
+                    fmt::format("expected k from 0 to 5 for a face of a cube map, found {}", face));
     for (int axis = 0; axis < (texture.target == Target::CubeMap ? 2 : 3); ++axis) {
         const bool used = axis < axesOf(texture.target);
         const int low = used ? -1 : 0;
         const int high = used ? level->size()[axis] : 0; // the border's
         if (index[axis] < low || index[axis] > high)
             return fail(ErrorCode::OutOfRange,
-                        std::string("expected ") + names.at(static_cast<std::size_t>(axis)) + " from " +
-                            std::to_string(low) + " to " + std::to_string(high) + " in level " +
-                            std::to_string(number) + ", its border included, found " +
-                            std::to_string(index[axis]));
+                        fmt::format("expected {} from {} to {} in level {}, its border included, found {}",
+                                    names.at(static_cast<std::size_t>(axis)), low, high, number,
+                                    index[axis]));
     }
     return {};
 }

@@ -8,6 +8,8 @@
 #include "core/reference/raster/scene_triangles.h"
 #include "core/reference/shading/pass_state.h"
 
+#include <fmt/core.h>
+
 #include <new>
 #include <utility>
 
@@ -63,21 +65,22 @@ struct ReferenceRenderer::State {
 namespace {
 
 std::string extents(int width, int height) {
-    return std::to_string(width) + " x " + std::to_string(height);
+    return fmt::format("{} x {}", width, height);
 }
 
 Result<void> checkSize(const DrawRequest& request) {
     const auto [width, height] = std::pair(request.width, request.height);
     if (width >= 1 && height >= 1 && width <= maxPictureExtent && height <= maxPictureExtent)
         return {};
-    return fail(ErrorCode::OutOfRange, "a picture has 1 x 1 to " +
-                                           extents(maxPictureExtent, maxPictureExtent) + " pixels, not " +
-                                           extents(width, height));
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("a picture has 1 x 1 to {} pixels, not {}",
+                            extents(maxPictureExtent, maxPictureExtent), extents(width, height)));
 }
 
 tl::unexpected<Error> noMemory(const DrawRequest& request) {
-    return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures and a picture of " +
-                                         extents(request.width, request.height) + " pixels");
+    return fail(ErrorCode::TooLarge,
+                fmt::format("there is no memory for the scene's textures and a picture of {} pixels",
+                            extents(request.width, request.height)));
 }
 
 } // namespace
@@ -103,9 +106,9 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= request.width || pixel.y >= request.height)
-        return fail(ErrorCode::OutOfRange, "a picture of " + extents(request.width, request.height) +
-                                               " has no pixel " + std::to_string(pixel.x) + ", " +
-                                               std::to_string(pixel.y));
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("a picture of {} has no pixel {}, {}", extents(request.width, request.height),
+                                pixel.x, pixel.y));
     try {
         state_->textures.keepOnly(request.scene);
         return explainPixel(request, pixel, options, state_->textures);

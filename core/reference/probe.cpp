@@ -10,6 +10,7 @@
 #include "core/scene/animation.h"
 #include "core/scene/tex_coords.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -340,15 +341,16 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
         const Unit& unit = pass.pass->units[u];
         if (!unit.enabled || pass.units[u].texture)
             continue;
-        const std::string name = "textures[" + std::to_string(unit.texture) + "]";
+        const std::string name = fmt::format("textures[{}]", unit.texture);
         std::string reason = "there is no " + name;
         if (unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size()) {
             std::vector<std::string> said;
             const StoredTexture* stored = textures.prepare(scene, static_cast<std::size_t>(unit.texture),
                                                            unit.target, images, work, said);
-            reason = stored          ? name + " is incomplete: " + checkCompleteness(stored->sampled).reason
-                     : !said.empty() ? said.front()
-                                     : name + " can't be drawn";
+            reason =
+                stored ? fmt::format("{} is incomplete: {}", name, checkCompleteness(stored->sampled).reason)
+                : !said.empty() ? said.front()
+                                : name + " can't be drawn";
         }
         idle.push_back({static_cast<int>(u), std::move(reason)});
     }

@@ -3,10 +3,10 @@
 #include "core/reference/explain/sampling_steps.h"
 #include "core/reference/shading/equation_text.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <cmath>
-#include <cstdio>
 
 namespace texplorer::reference {
 
@@ -16,11 +16,11 @@ namespace {
 constexpr float largest = 1e6F;
 
 std::string vectorText(glm::vec3 v) {
-    return "(" + columnText(v.x) + ", " + columnText(v.y) + ", " + columnText(v.z) + ")";
+    return fmt::format("({}, {}, {})", columnText(v.x), columnText(v.y), columnText(v.z));
 }
 
 std::string colorText(glm::vec4 c) {
-    return numberText(c.r) + " " + numberText(c.g) + " " + numberText(c.b) + " " + numberText(c.a);
+    return fmt::format("{} {} {} {}", numberText(c.r), numberText(c.g), numberText(c.b), numberText(c.a));
 }
 
 std::string nameOf(const EnumRow& row) {
@@ -48,7 +48,8 @@ Step triangleStep(const FragmentExplanation& fragment) {
     Step step{StepKind::Triangle, -1, "Triangle", {}};
     std::string shares;
     for (const VertexExplanation& vertex : fragment.vertices) {
-        shares += (shares.empty() ? "" : ", ") + numberText(std::round(vertex.weight * 1000) / 10) + " %";
+        shares += fmt::format("{}{} %", shares.empty() ? "" : ", ",
+                              numberText(std::round(vertex.weight * 1000) / 10));
     }
     step.summary = shares;
     step.rows = {
@@ -99,7 +100,7 @@ Step primaryStep(const FragmentExplanation& fragment) {
 
 Step environmentStep(const UnitExplanation& unit) {
     Step step{StepKind::Environment, unit.unit, "Environment", {}};
-    step.summary = nameOf(rowOf(unit.mode)) + ": " + colorText(unit.result);
+    step.summary = fmt::format("{}: {}", nameOf(rowOf(unit.mode)), colorText(unit.result));
     step.swatch = unit.result;
     const auto input = [&](const char* label, glm::vec4 color) {
         StepRow row{label, {}, color};
@@ -128,8 +129,8 @@ Step environmentStep(const UnitExplanation& unit) {
             {unit.mode == EnvMode::Combine
                  ? std::string("Undefined: an argument is the texture of a unit that samples nothing. The "
                                "incoming colour is passed on.")
-                 : nameOf(rowOf(unit.mode)) + " is undefined for " + nameOf(rowOf(unit.format)) +
-                       ": the incoming colour is passed on.",
+                 : fmt::format("{} is undefined for {}: the incoming colour is passed on.",
+                               nameOf(rowOf(unit.mode)), nameOf(rowOf(unit.format))),
              {},
              {},
              false,
@@ -143,8 +144,9 @@ Step colorSumStep(const FragmentExplanation& fragment) {
     for (int i = 0; i < 3; ++i) {
         const float sum = fragment.textured[i] + fragment.secondary[i];
         step.rows.push_back({names.at(static_cast<std::size_t>(i)),
-                             {{numberText(fragment.textured[i]) + " + " + numberText(fragment.secondary[i]) +
-                               " = " + numberText(sum) + (sum > 1 ? ", clamped to 1" : "")}}});
+                             {{fmt::format("{} + {} = {}{}", numberText(fragment.textured[i]),
+                                           numberText(fragment.secondary[i]), numberText(sum),
+                                           sum > 1 ? ", clamped to 1" : "")}}});
     }
     return step;
 }
@@ -155,8 +157,8 @@ Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, 
     Step step{kind, -1, title, "off"};
     if (!test.enabled)
         return step;
-    step.summary =
-        value + " " + nameOf(rowOf(test.function)) + " " + with + ": " + (test.passed ? "passed" : "failed");
+    step.summary = fmt::format("{} {} {}: {}", value, nameOf(rowOf(test.function)), with,
+                               test.passed ? "passed" : "failed");
     step.rows = {{"of the fragment", {{value}}},
                  {kind == StepKind::AlphaTest ? "reference value" : "in the depth buffer", {{with}}},
                  {test.passed ? "passed" : "failed: nothing is written",
@@ -168,7 +170,7 @@ Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, 
 }
 
 std::string depthText(std::uint32_t depth) {
-    return std::to_string(depth) + " (" + numberText(static_cast<float>(depth) / 16777215.0F) + ")";
+    return fmt::format("{} ({})", depth, numberText(static_cast<float>(depth) / 16777215.0F));
 }
 
 Step blendStep(const FragmentExplanation& fragment) {
@@ -187,9 +189,9 @@ Step blendStep(const FragmentExplanation& fragment) {
     for (int i = 0; i < 4; ++i)
         step.rows.push_back(
             {names.at(static_cast<std::size_t>(i)),
-             {{numberText(blend.source[i]) + " * " + numberText(blend.sourceWeight[i]) + " + " +
-               numberText(blend.destination[i]) + " * " + numberText(blend.destinationWeight[i]) + " = " +
-               numberText(blend.result[i])}}});
+             {{fmt::format("{} * {} + {} * {} = {}", numberText(blend.source[i]),
+                           numberText(blend.sourceWeight[i]), numberText(blend.destination[i]),
+                           numberText(blend.destinationWeight[i]), numberText(blend.result[i]))}}});
     return step;
 }
 
@@ -210,9 +212,7 @@ Step framebufferStep(const FragmentExplanation& fragment) {
 std::string numberText(float value) {
     if (std::abs(value) < largest || !std::isfinite(value))
         return shortNumber(value);
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(value));
-    return text.data();
+    return fmt::format("{:.3g}", value);
 }
 
 std::string amountText(float value) {
@@ -223,9 +223,7 @@ std::string amountText(float value) {
 std::string columnText(float value, int digits) {
     if (!(std::abs(value) < largest))
         return numberText(value);
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", digits, static_cast<double>(value));
-    const std::string number = text.data();
+    const std::string number = fmt::format("{:.{}f}", value, digits);
     const bool isZero = number.find_first_of("123456789") == std::string::npos;
     return isZero && number.front() == '-' ? number.substr(1) : number;
 }
@@ -233,16 +231,16 @@ std::string columnText(float value, int digits) {
 std::string bytesText(const PixelBytes& bytes) {
     std::string text;
     for (const std::uint8_t byte : bytes)
-        text += (text.empty() ? "" : " ") + std::to_string(byte);
+        text += fmt::format("{}{}", text.empty() ? "" : " ", byte);
     return text;
 }
 
 FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     FragmentSteps text;
     const std::string shape(rowOf(fragment.shape).label);
-    text.title = shape + (fragment.face.empty() || fragment.face == shape ? "" : ", " + fragment.face) +
-                 ", triangle " + std::to_string(fragment.triangle) + " (models[" +
-                 std::to_string(fragment.model) + "], pass " + std::to_string(fragment.pass) + ")";
+    text.title = fmt::format("{}{}, triangle {} (models[{}], pass {})", shape,
+                             fragment.face.empty() || fragment.face == shape ? "" : ", " + fragment.face,
+                             fragment.triangle, fragment.model, fragment.pass);
     text.drawn = fragment.outcome == FragmentOutcome::Drawn;
     text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
                    : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"

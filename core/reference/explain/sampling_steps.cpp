@@ -2,6 +2,8 @@
 
 #include "core/reference/sampling/wrap.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,12 +43,13 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     const int axes = coordinatesOf(unit.target);
     Step step{StepKind::Coordinates, unit.unit, "Texture coordinates", {}};
     for (int i = 0; i < axes; ++i)
-        step.summary += std::string(i > 0 ? ", " : "") + coordinateNames.at(static_cast<std::size_t>(i)) +
-                        " " + numberText(unit.coords[i]);
+        step.summary +=
+            fmt::format("{}{} {}", i > 0 ? ", " : "", coordinateNames.at(static_cast<std::size_t>(i)),
+                        numberText(unit.coords[i]));
     const auto stage = [&](const char* title, glm::vec4 CoordinateSteps::*member) {
         step.rows.push_back(heading(title, 4));
         for (std::size_t i = 0; i < 3; ++i)
-            step.rows.push_back(coordinates("  at vertex " + std::to_string(fragment.vertices[i].vertex),
+            step.rows.push_back(coordinates(fmt::format("  at vertex {}", fragment.vertices[i].vertex),
                                             unit.vertices[i].*member));
         step.rows.push_back(coordinates("  here", unit.pixel.*member));
     };
@@ -57,8 +60,8 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     if (unit.flipped)
         step.rows.push_back({"The image is upside down: t becomes q - t."});
     if (!generated.empty())
-        step.rows.push_back(
-            {generated + (generated.size() > 1 ? " are" : " is") + " generated at each vertex."});
+        step.rows.push_back({fmt::format("{}{} generated at each vertex.", generated,
+                                         generated.size() > 1 ? " are" : " is")});
     if (unit.flipped || !generated.empty())
         stage("generated", &CoordinateSteps::generated);
     if (unit.matrix != glm::mat4(1))
@@ -67,7 +70,7 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     if (unit.sample.cube) {
         const auto& [face, place, change] = *unit.sample.cube;
         step.rows.push_back(
-            coordinates("a direction, which hits face " + std::string(rowOf(cubeFaceAt(face)).label) + " at",
+            coordinates(fmt::format("a direction, which hits face {} at", rowOf(cubeFaceAt(face)).label),
                         glm::vec4(place, 0), 2));
     }
     if (!std::isfinite(unit.coords.s) || (axes > 1 && !std::isfinite(unit.coords.t)) ||
@@ -93,7 +96,8 @@ Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
     Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
-    step.summary = "lambda " + numberText(lod.lambda) + ": " + (lod.magnified ? "magnified" : "minified");
+    step.summary =
+        fmt::format("lambda {}: {}", numberText(lod.lambda), lod.magnified ? "magnified" : "minified");
     const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     step.rows.push_back(
         heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
@@ -105,10 +109,12 @@ Step lodStep(const UnitExplanation& unit) {
     value("texels a pixel, in x", lod.lengthX);
     value("texels a pixel, in y", lod.lengthY);
     if (lod.ellipse)
-        step.rows.push_back({"anisotropic, up to " + numberText(unit.sampler.maxAnisotropy) +
-                             ": averaged over the ellipse that the pixel covers, whatever the filters are"});
+        step.rows.push_back({fmt::format(
+            "anisotropic, up to {}: averaged over the ellipse that the pixel covers, whatever the filters "
+            "are",
+            numberText(unit.sampler.maxAnisotropy))});
     else if (lod.probes > 1)
-        value("anisotropic, up to " + numberText(unit.sampler.maxAnisotropy) + ": probes",
+        value(fmt::format("anisotropic, up to {}: probes", numberText(unit.sampler.maxAnisotropy)),
               static_cast<float>(lod.probes));
     value(lod.probes > 1 ? "rho = the longer, over the probes"
           : lod.ellipse  ? "rho"
@@ -124,9 +130,9 @@ Step lodStep(const UnitExplanation& unit) {
             {unit.sampler.lodBias != 0 && unit.lodBias != 0 ? "together clamped to" : "clamped to",
              {{numberText(lod.bias)}}});
     if (lod.lambda != lod.biased)
-        step.rows.push_back(
-            {"clamped to " + numberText(unit.sampler.minLod) + " ... " + numberText(unit.sampler.maxLod),
-             {{numberText(lod.lambda)}}});
+        step.rows.push_back({fmt::format("clamped to {} ... {}", numberText(unit.sampler.minLod),
+                                         numberText(unit.sampler.maxLod)),
+                             {{numberText(lod.lambda)}}});
     if (!lod.ellipse)
         step.rows.push_back({whyMagnified(unit)});
     if (lod.undefined)
@@ -141,7 +147,7 @@ Step lodStep(const UnitExplanation& unit) {
 }
 
 std::string texelText(int index, int size) {
-    return index >= 0 && index < size ? "texel " + std::to_string(index) : "the border";
+    return index >= 0 && index < size ? fmt::format("texel {}", index) : "the border";
 }
 
 /// Which texels of a row `u` falls on. The centre of texel i is at i + 0.5, which a linear filter goes by.
@@ -149,20 +155,21 @@ std::string texelsText(bool linear, Wrap wrap, float u, int size) {
     if (!linear)
         return "its whole part: " + texelText(nearestTexel(u, size), size);
     const auto [first, second, share] = linearTexels(wrap, u, size);
-    return "- 0.5 = " + numberText(u - 0.5F) + ": " + texelText(first, size) + " and " +
-           texelText(second, size) + ", shares " + numberText(1 - share) + " and " + numberText(share);
+    return fmt::format("- 0.5 = {}: {} and {}, shares {} and {}", numberText(u - 0.5F),
+                       texelText(first, size), texelText(second, size), numberText(1 - share),
+                       numberText(share));
 }
 
 Step wrapStep(const UnitExplanation& unit) {
     Step step{StepKind::Wrap, unit.unit, "Levels and wrapping", {}};
     for (const LevelShare& share : unit.sample.levels)
-        step.summary += (step.summary.empty() ? "level " : ", level ") + std::to_string(share.level) +
-                        (unit.sample.levels.size() > 1 ? ": " + percent(share.weight) : "");
+        step.summary += fmt::format("{}{}{}", step.summary.empty() ? "level " : ", level ", share.level,
+                                    unit.sample.levels.size() > 1 ? ": " + percent(share.weight) : "");
     for (const LevelExtent& extent : unit.extents) {
         std::string size = std::to_string(extent.size.x);
         for (int axis = 1; axis < axesOf(unit.target); ++axis)
-            size += " x " + std::to_string(extent.size[axis]);
-        step.rows.push_back({"level " + std::to_string(extent.level), {{size + " texels"}}, {}, true});
+            size += fmt::format(" x {}", extent.size[axis]);
+        step.rows.push_back({fmt::format("level {}", extent.level), {{size + " texels"}}, {}, true});
         for (int axis = 0; axis < axesOf(unit.target); ++axis) {
             const auto i = static_cast<std::size_t>(axis);
             const auto found = std::ranges::find_if(unit.sample.wrapped, [&](const WrappedCoordinate& each) {
@@ -170,12 +177,11 @@ Step wrapStep(const UnitExplanation& unit) {
             });
             if (found == unit.sample.wrapped.end())
                 continue;
-            const std::string wrapped = numberText(found->given) + " lands at texel " +
-                                        numberText(found->texels) + " of " +
-                                        std::to_string(extent.size[axis]);
-            step.rows.push_back({std::string("  ") + coordinateNames.at(i) + ", " +
-                                     std::string(rowOf(unit.sampler.wrap(axis)).name),
-                                 {{wrapped, coordinateInks.at(i)}}});
+            const std::string wrapped = fmt::format("{} lands at texel {} of {}", numberText(found->given),
+                                                    numberText(found->texels), extent.size[axis]);
+            step.rows.push_back(
+                {fmt::format("  {}, {}", coordinateNames.at(i), rowOf(unit.sampler.wrap(axis)).name),
+                 {{wrapped, coordinateInks.at(i)}}});
             if (!unit.sample.lod.ellipse) // which weighs all texels in it
                 step.rows.push_back({"",
                                      {{texelsText(isLinearHere(unit), unit.sampler.wrap(axis), found->texels,
@@ -184,8 +190,7 @@ Step wrapStep(const UnitExplanation& unit) {
         }
     }
     if (unit.sample.probes.size() > 1)
-        step.rows.push_back(
-            {"Shown is the first of " + std::to_string(unit.sample.probes.size()) + " probes."});
+        step.rows.push_back({fmt::format("Shown is the first of {} probes.", unit.sample.probes.size())});
     return step;
 }
 
@@ -193,9 +198,9 @@ std::string placeText(const Tap& tap, Target target, bool severalLevels) {
     const int axes = axesOf(target);
     std::string text =
         target == Target::CubeMap ? std::string(rowOf(cubeFaceAt(tap.index.z)).label) + " " : "";
-    text += (severalLevels ? "level " + std::to_string(tap.level) + " (" : "(") + std::to_string(tap.index.x);
+    text += fmt::format("{}{}", severalLevels ? fmt::format("level {} (", tap.level) : "(", tap.index.x);
     for (int axis = 1; axis < axes; ++axis)
-        text += ", " + std::to_string(tap.index[axis]);
+        text += fmt::format(", {}", tap.index[axis]);
     return text + ")";
 }
 
@@ -208,8 +213,8 @@ Step texelsStep(const UnitExplanation& unit) {
     Step step{StepKind::Texels, unit.unit, "Texels", {}};
     const glm::vec4 color = unit.sample.color;
     step.swatch = color;
-    step.summary = numberText(color.r) + " " + numberText(color.g) + " " + numberText(color.b) + " " +
-                   numberText(color.a);
+    step.summary = fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g), numberText(color.b),
+                               numberText(color.a));
     step.rows.push_back({"texel",
                          {{"weight", Ink::Dim},
                           {"red", Ink::Dim},
@@ -230,8 +235,7 @@ Step texelsStep(const UnitExplanation& unit) {
         step.rows.push_back(std::move(row));
     }
     if (taps.size() > mostTapsShown)
-        step.rows.push_back(
-            {"and " + std::to_string(taps.size() - mostTapsShown) + " more, of lesser weight"});
+        step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
     StepRow sum{"filtered", {{columnText(1)}}, color};
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});
@@ -250,9 +254,10 @@ std::string whyMagnified(const UnitExplanation& unit) {
     const std::string mag(rowOf(unit.sampler.magFilter).name);
     const std::string min(rowOf(unit.sampler.minFilter).name);
     const std::string c =
-        lod.switchOver > 0 ? numberText(lod.switchOver) + " (as " + mag + " meets " + min + ")" : "0";
-    return lod.magnified ? "lambda is not above " + c + ": the magnification filter decides, " + mag + "."
-                         : "lambda is above " + c + ": the minification filter decides, " + min + ".";
+        lod.switchOver > 0 ? fmt::format("{} (as {} meets {})", numberText(lod.switchOver), mag, min) : "0";
+    return lod.magnified
+               ? fmt::format("lambda is not above {}: the magnification filter decides, {}.", c, mag)
+               : fmt::format("lambda is above {}: the minification filter decides, {}.", c, min);
 }
 
 std::vector<Tap> mergedTaps(const SampleRecord& sample) {

@@ -2,20 +2,18 @@
 
 #include "core/reference/sampling/lod.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::reference {
 
 namespace {
 
-std::string number(int value) {
-    return std::to_string(value);
-}
-
 std::string extents(glm::ivec3 size, int axes) {
-    std::string text = number(size.x);
+    std::string text = std::to_string(size.x);
     for (int axis = 1; axis < axes; ++axis)
-        text += " x " + number(size[axis]);
+        text += fmt::format(" x {}", size[axis]);
     return text;
 }
 
@@ -25,21 +23,26 @@ Completeness checkFaces(const SampledTexture& texture, int number) {
     const Level* first = texture.level(number);
     if (texture.target != Target::CubeMap)
         return {};
-    const std::string incomplete = "the texture is incomplete: ";
     if (first->width != first->height)
-        return {CompletenessRule::CubeFaces, number,
-                incomplete + "the faces of a cube map must be square, and they have " +
-                    extents(first->size(), 2) + " texels"};
+        return {
+            CompletenessRule::CubeFaces, number,
+            fmt::format(
+                "the texture is incomplete: the faces of a cube map must be square, and they have {} texels",
+                extents(first->size(), 2))};
     for (int face = 1; face < facesOf(texture.target); ++face) {
         const Level* level = texture.level(number, face);
         const std::string name(rowOf(cubeFaceAt(face)).label);
         if (!level)
-            return {CompletenessRule::CubeFaces, number,
-                    incomplete + "a cube map has six faces, and " + name + " is missing"};
+            return {
+                CompletenessRule::CubeFaces, number,
+                fmt::format("the texture is incomplete: a cube map has six faces, and {} is missing", name)};
         if (level->size() != first->size() || level->border != first->border)
-            return {CompletenessRule::CubeFaces, number,
-                    incomplete + "the faces of a cube map must have one size; +x has " +
-                        extents(first->size(), 2) + " texels and " + name + " " + extents(level->size(), 2)};
+            return {
+                CompletenessRule::CubeFaces, number,
+                fmt::format(
+                    "the texture is incomplete: the faces of a cube map must have one size; +x has {} texels "
+                    "and {} {}",
+                    extents(first->size(), 2), name, extents(level->size(), 2))};
     }
     return {};
 }
@@ -53,8 +56,8 @@ Completeness checkCompleteness(const SampledTexture& texture) {
     const Level* base = texture.level(first);
     if (!base)
         return {Rule::BaseLevelMissing, first,
-                "the texture is incomplete: its base level is " + number(first) +
-                    ", and there is no such level"};
+                fmt::format("the texture is incomplete: its base level is {}, and there is no such level",
+                            first)};
     if (Completeness faces = checkFaces(texture, first); !faces.complete())
         return faces;
     if (!wantsMipmaps(texture.minFilter))
@@ -62,19 +65,23 @@ Completeness checkCompleteness(const SampledTexture& texture) {
 
     const std::string filter(rowOf(texture.minFilter).name);
     if (first > texture.maxLevel)
-        return {Rule::BaseAboveMaxLevel, first,
-                "the texture is incomplete: its base level " + number(first) + " exceeds its maximal level " +
-                    number(texture.maxLevel) + ", and " + filter + " uses the levels between them"};
+        return {
+            Rule::BaseAboveMaxLevel, first,
+            fmt::format(
+                "the texture is incomplete: its base level {} exceeds its maximal level {}, and {} uses the "
+                "levels between them",
+                first, texture.maxLevel, filter)};
     const int last = lastMipLevel(texture);
     for (int face = 0; face < facesOf(texture.target); ++face) {
         for (int at = first + 1; at <= last; ++at) {
             const Level* level = texture.level(at, face);
             if (!level)
-                return {Rule::LevelMissing, at,
-                        "the texture is incomplete: " + filter + " needs the levels " + number(first) +
-                            " to " + number(last) + ", and level " + number(at) +
-                            " is missing; generate mipmaps, or choose " +
-                            std::string(rowOf(MinFilter::Linear).name)};
+                return {
+                    Rule::LevelMissing, at,
+                    fmt::format(
+                        "the texture is incomplete: {} needs the levels {} to {}, and level {} is missing; "
+                        "generate mipmaps, or choose {}",
+                        filter, first, last, at, rowOf(MinFilter::Linear).name)};
             glm::ivec3 expected(1);
             for (int axis = 0; axis < axes; ++axis)
                 expected[axis] = std::max(1, base->size()[axis] >> (at - first));
@@ -83,12 +90,14 @@ Completeness checkCompleteness(const SampledTexture& texture) {
                 found[axis] = 1;
             if (found != expected)
                 return {Rule::LevelSize, at,
-                        "the texture is incomplete: level " + number(at) + " should have " +
-                            extents(expected, axes) + " texels and has " + extents(found, axes)};
+                        fmt::format("the texture is incomplete: level {} should have {} texels and has {}",
+                                    at, extents(expected, axes), extents(found, axes))};
             if (level->border != base->border)
-                return {Rule::LevelBorder, at,
-                        "the texture is incomplete: level " + number(at) + " has a border of " +
-                            number(level->border) + " and the base level one of " + number(base->border)};
+                return {
+                    Rule::LevelBorder, at,
+                    fmt::format(
+                        "the texture is incomplete: level {} has a border of {} and the base level one of {}",
+                        at, level->border, base->border)};
         }
     }
     return {};

@@ -3,6 +3,7 @@
 #include "core/s3tc/decode.h"
 #include "core/s3tc/encode.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -117,8 +118,9 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
         level = blockLevel(*encoded);
     }
     if (levels.driverFormat)
-        notes.push_back("what a driver compresses to is its own affair: compressed to " +
-                        std::string(rowOf(*levels.driverFormat).name) + " by Texplorer's encoder");
+        notes.push_back(fmt::format(
+            "what a driver compresses to is its own affair: compressed to {} by Texplorer's encoder",
+            rowOf(*levels.driverFormat).name));
     setParameters(sampled, texture, levels.lastLevel);
     return sampled;
 }

@@ -2,6 +2,8 @@
 
 #include "core/reference/sampling/completeness.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -26,7 +28,7 @@ TextureStore::Slot TextureStore::filled(std::shared_ptr<const TextureImage> imag
     else
         slot.notes = {describe(sampled.error()) + "; drawn without it"};
     for (std::string& note : slot.notes)
-        note = where + ": " + note;
+        note = fmt::format("{}: {}", where, note);
     slot.image = std::move(image);
     slot.settings = std::move(settings);
     return slot;
@@ -36,15 +38,15 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
                                            const ImageSource& images, const LevelWork& work,
                                            std::vector<std::string>& problems) {
     const Texture& texture = scene.textures[index];
-    const std::string where = "textures[" + std::to_string(index) + "]";
+    const std::string where = fmt::format("textures[{}]", index);
     const auto say = [&problems](const std::string& sentence) {
         if (std::ranges::find(problems, sentence) == problems.end())
             problems.push_back(sentence);
     };
     std::shared_ptr<const TextureImage> image = images.find(texture);
     if (!image || !hasPixels(*image)) {
-        say(where + ": " + (texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded") +
-            "; drawn without it");
+        say(fmt::format("{}: {}; drawn without it", where,
+                        texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded"));
         return nullptr;
     }
     Slot& slot = slots_[{index, target}];

@@ -3,6 +3,8 @@
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/equation_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -24,7 +26,7 @@ std::string symbolOf(const CombineArgument& argument, bool alpha) {
     case CombineSource::Previous:
         return symbol + "p";
     default:
-        return symbol + "s" + std::to_string(crossbarUnit(argument.source).value_or(0));
+        return fmt::format("{}s{}", symbol, crossbarUnit(argument.source).value_or(0));
     }
 }
 
@@ -33,11 +35,11 @@ std::string withOperand(const CombineArgument& argument, bool forAlpha) {
     case OperandRgb::SrcColor:
         return symbolOf(argument, forAlpha);
     case OperandRgb::OneMinusSrcColor:
-        return "(1 - " + symbolOf(argument, forAlpha) + ")";
+        return fmt::format("(1 - {})", symbolOf(argument, forAlpha));
     case OperandRgb::SrcAlpha:
         return symbolOf(argument, true);
     case OperandRgb::OneMinusSrcAlpha:
-        return "(1 - " + symbolOf(argument, true) + ")";
+        return fmt::format("(1 - {})", symbolOf(argument, true));
     }
     return symbolOf(argument, forAlpha);
 }
@@ -55,11 +57,11 @@ std::string functionText(CombineRgb function, const CombineArguments& arguments,
     replaceAll(text, "−", "-");
     replaceAll(text, "½", "0.5");
     for (std::size_t i = 0; i < arguments.size(); ++i)
-        replaceAll(text, "Arg" + std::to_string(i), withOperand(arguments[i], forAlpha));
+        replaceAll(text, fmt::format("Arg{}", i), withOperand(arguments[i], forAlpha));
     if (scale == CombineScale::One)
         return text;
-    const std::string factor = std::to_string(static_cast<int>(scale)) + " * ";
-    return text.find(' ') == std::string::npos ? factor + text : factor + "(" + text + ")";
+    const std::string factor = fmt::format("{} * ", static_cast<int>(scale));
+    return text.find(' ') == std::string::npos ? factor + text : fmt::format("{}({})", factor, text);
 }
 
 bool isDot(CombineRgb function) {
@@ -103,18 +105,19 @@ private:
 
 /// Red's, green's and blue's terms of a dot product differ, so that each is written with its own numbers.
 std::string dotNumbers(const CombineArguments& arguments, CombineScale scale, const Values& values) {
-    const std::string term =
-        "(" + withOperand(arguments[0], false) + " - 0.5) * (" + withOperand(arguments[1], false) + " - 0.5)";
+    const std::string term = fmt::format("({} - 0.5) * ({} - 0.5)", withOperand(arguments[0], false),
+                                         withOperand(arguments[1], false));
     std::string sum;
     for (int component = 0; component < 3; ++component)
         sum += (component == 0 ? "" : " + ") + values(term, component);
-    const std::string text = "4 * (" + sum + ")";
-    return scale == CombineScale::One ? text : std::to_string(static_cast<int>(scale)) + " * " + text;
+    const std::string text = fmt::format("4 * ({})", sum);
+    return scale == CombineScale::One ? text : fmt::format("{} * {}", static_cast<int>(scale), text);
 }
 
 std::string resultText(float value) {
     const float clamped = std::clamp(value, 0.0F, 1.0F);
-    return " = " + shortNumber(value) + (clamped != value ? ", clamped to " + shortNumber(clamped) : "");
+    return fmt::format(" = {}{}", shortNumber(value),
+                       clamped != value ? ", clamped to " + shortNumber(clamped) : "");
 }
 
 } // namespace

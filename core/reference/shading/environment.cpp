@@ -2,6 +2,7 @@
 
 #include "core/reference/shading/equation_text.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -56,13 +57,14 @@ const FunctionRow& rowOf(Function function) {
 /// "0.5 * 0.4 = 0.2", with the clamp where it takes effect.
 std::string numbersOf(std::string_view symbols, const EnvironmentInputs& in, int component, float result) {
     const float clamped = std::clamp(result, 0.0F, 1.0F);
-    return inNumbers(symbols, {{"Cp", in.previous[component]},
-                               {"Cs", in.source[component]},
-                               {"Cc", in.constant[component]},
-                               {"Ap", in.previous.a},
-                               {"As", in.source.a},
-                               {"Ac", in.constant.a}}) +
-           " = " + shortNumber(result) + (clamped != result ? ", clamped to " + shortNumber(clamped) : "");
+    return fmt::format("{} = {}{}",
+                       inNumbers(symbols, {{"Cp", in.previous[component]},
+                                           {"Cs", in.source[component]},
+                                           {"Cc", in.constant[component]},
+                                           {"Ap", in.previous.a},
+                                           {"As", in.source.a},
+                                           {"Ac", in.constant.a}}),
+                       shortNumber(result), clamped != result ? ", clamped to " + shortNumber(clamped) : "");
 }
 
 } // namespace

@@ -1,15 +1,13 @@
 #include "core/reference/shading/equation_text.h"
 
-#include <array>
+#include <fmt/core.h>
+
 #include <cctype>
-#include <cstdio>
 
 namespace texplorer::reference {
 
 std::string shortNumber(float value) {
-    std::array<char, 64> text{};
-    const int length = std::snprintf(text.data(), text.size(), "%.4f", static_cast<double>(value));
-    std::string number(text.data(), static_cast<std::size_t>(length));
+    std::string number = fmt::format("{:.4f}", value);
     if (number.find('.') == std::string::npos) // "inf", "nan"
         return number;
     number.erase(number.find_last_not_of('0') + 1);

@@ -2,6 +2,7 @@
 
 #include "core/scene/animation.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
@@ -43,10 +44,9 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
             if (!unit.enabled)
                 continue;
             if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
-                problems.push_back("passes[" + std::to_string(i) + "].units[" + std::to_string(u) +
-                                   "]: there is no texture " + std::to_string(unit.texture) +
-                                   ", the scene has " + std::to_string(scene.textures.size()) +
-                                   "; drawn without it");
+                problems.push_back(fmt::format(
+                    "passes[{}].units[{}]: there is no texture {}, the scene has {}; drawn without it", i, u,
+                    unit.texture, scene.textures.size()));
                 continue;
             }
             const StoredTexture* stored = store.prepare(scene, static_cast<std::size_t>(unit.texture),
