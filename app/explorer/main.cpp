@@ -8,6 +8,8 @@
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
+#include <fmt/core.h>
+
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -63,15 +65,14 @@ int main(int argc, char** argv) {
     line.option("FILE", files,
                 "Scene files (JSON) and images. Images become textures of the scene, the first one is "
                 "shown.");
-    line.footer(
+    line.footer(fmt::format(
         "Of several files those that can't be opened are listed, and the others are opened.\n"
-        "The images of a scene may take " +
-        sceneImageBytesText() +
-        " together once they are decoded.\n"
+        "The images of a scene may take {} together once they are decoded.\n"
         "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
         "offered at the next start.\n"
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
-        "usual, with the unsaved work kept.");
+        "usual, with the unsaved work kept.",
+        sceneImageBytesText()));
     std::string shaders;
     line.option(
         "--shaders", shaders,

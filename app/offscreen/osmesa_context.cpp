@@ -3,6 +3,7 @@
 #include "core/base/bytes.h"
 
 #include <GL/osmesa.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -29,8 +30,11 @@ Result<void> checkDriverName() {
     if (!name || *name == '\0' ||
         std::ranges::any_of(drivers, [&](const char* each) { return std::strcmp(each, name) == 0; }))
         return {};
-    return fail(ErrorCode::Unsupported, "GALLIUM_DRIVER names the driver \"" + std::string(name) +
-                                            "\"; without a display there are llvmpipe and softpipe");
+    return fail(
+        ErrorCode::Unsupported,
+        fmt::format(
+            "GALLIUM_DRIVER names the driver \"{}\"; without a display there are llvmpipe and softpipe",
+            name));
 }
 
 } // namespace
@@ -60,9 +64,9 @@ Result<OsmesaContext> OsmesaContext::create(view::Size size) {
     GLint limit = 0;
     OSMesaGetIntegerv(OSMESA_MAX_WIDTH, &limit);
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)
-        return fail(ErrorCode::OutOfRange, "an off-screen framebuffer has 1 x 1 to " +
-                                               asText(view::Size{limit, limit}) + " pixels, not " +
-                                               asText(size));
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("an off-screen framebuffer has 1 x 1 to {} pixels, not {}",
+                                asText(view::Size{limit, limit}), asText(size)));
 
     const int attributes[] = {
         OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
@@ -75,13 +79,14 @@ Result<OsmesaContext> OsmesaContext::create(view::Size size) {
         state->pixels.resize(std::size_t{4} * static_cast<std::size_t>(size.width) *
                              static_cast<std::size_t>(size.height));
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge,
-                    "there is no memory for an off-screen framebuffer of " + asText(size) + " pixels");
+        return fail(
+            ErrorCode::TooLarge,
+            fmt::format("there is no memory for an off-screen framebuffer of {} pixels", asText(size)));
     }
     if (!OSMesaMakeCurrent(state->context.get(), state->pixels.data(), GL_UNSIGNED_BYTE, size.width,
                            size.height))
         return fail(ErrorCode::Driver,
-                    "OSMesa refused to draw into a framebuffer of " + asText(size) + " pixels");
+                    fmt::format("OSMesa refused to draw into a framebuffer of {} pixels", asText(size)));
     return OsmesaContext(std::move(state));
 }
 

@@ -4,6 +4,8 @@
 #include "core/base/file_kind.h"
 #include "core/base/user_folder.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -104,8 +106,7 @@ Result<void> checkDriverCache(const fs::path& directory) {
     const int failed = ::posix_fallocate(opened.get(), 0, indexBytes);
     std::signal(SIGXFSZ, before);
     if (failed != 0)
-        return refuse("there are no " + std::to_string(indexBytes) + " bytes for it: " + systemText(failed),
-                      index);
+        return refuse(fmt::format("there are no {} bytes for it: {}", indexBytes, systemText(failed)), index);
     return {};
 }
 

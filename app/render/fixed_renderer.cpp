@@ -3,6 +3,7 @@
 #include "app/render/fixed_state.h"
 #include "app/render/pipeline.h"
 
+#include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <string>
@@ -42,8 +43,7 @@ public:
                 applyUnit(i, scene.passes[pass].units[at], textures[at], time);
             else if (i < textureUnits_)
                 switchUnitOff(i);
-            errors.check("passes[" + std::to_string(pass) + "].units[" + std::to_string(i) +
-                         "]: glTexEnv, glTexGen");
+            errors.check(fmt::format("passes[{}].units[{}]: glTexEnv, glTexGen", pass, i));
         }
         glMatrixMode(GL_MODELVIEW);
         return true;

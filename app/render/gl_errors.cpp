@@ -3,6 +3,7 @@
 #include "core/gl/error.h"
 
 #include <GL/glew.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -16,8 +17,8 @@ constexpr int mostFlags = 16;
 
 std::string nameOf(unsigned error) {
     if (const EnumRow* found = findRow(glErrorRows, error))
-        return std::string(found->name) + " (" + std::string(found->help) + ")";
-    return "error " + std::to_string(error);
+        return fmt::format("{} ({})", found->name, found->help);
+    return fmt::format("error {}", error);
 }
 
 } // namespace
@@ -33,7 +34,7 @@ bool GlErrors::check(std::string_view where, unsigned (*getError)()) {
         if (error == GL_NO_ERROR)
             break;
         clean = false;
-        add(std::string(where) + ": " + nameOf(error));
+        add(fmt::format("{}: {}", where, nameOf(error)));
         if (error == static_cast<unsigned>(GlError::ContextLost))
             break;
     }

@@ -1,5 +1,7 @@
 #include "app/render/live_texture.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -16,9 +18,9 @@ constexpr std::size_t bytesPerFrame = std::size_t{8} << 20;
 std::string extents(const Surface& surface, Target target) {
     std::string text = std::to_string(widthOf(surface));
     if (target != Target::Texture1D)
-        text += " x " + std::to_string(heightOf(surface));
+        text += fmt::format(" x {}", heightOf(surface));
     if (target == Target::Texture3D)
-        text += " x " + std::to_string(depthOf(surface));
+        text += fmt::format(" x {}", depthOf(surface));
     return text;
 }
 
@@ -30,9 +32,8 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
     if (!format || (isS3tc(*format) ? capabilities.s3tc : capabilities.rgtc))
         return {};
     const EnumRow& row = rowOf(*format);
-    return "the driver has no " + std::string(row.name) +
-           (row.since.starts_with("GL_") ? " (" + std::string(row.since) + ")" : "") +
-           "; uploaded decompressed";
+    return fmt::format("the driver has no {}{}; uploaded decompressed", row.name,
+                       row.since.starts_with("GL_") ? fmt::format(" ({})", row.since) : "");
 }
 
 } // namespace
@@ -68,7 +69,7 @@ void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities*
 void LiveTexture::refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence) {
     *this = LiveTexture();
     shown_ = request;
-    errors_.add(std::string(where) + ": " + sentence + "; drawn without it");
+    errors_.add(fmt::format("{}: {}; drawn without it", where, sentence));
 }
 
 void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
@@ -79,12 +80,11 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
             return refuse(request, where, describe(error));
         cancelled_ = true;
         cancelledErrors_ = {};
-        return cancelledErrors_.add(std::string(where) + ": " + error.message +
-                                    "; what was drawn before stays");
+        return cancelledErrors_.add(fmt::format("{}: {}; what was drawn before stays", where, error.message));
     }
     GlErrors errors;
     for (const std::string& note : (*levels)->notes)
-        errors.add(std::string(where) + ": " + note);
+        errors.add(fmt::format("{}: {}", where, note));
     if (capabilities) {
         const Surface& base = (*levels)->levels.front().surface;
         const int limit = request.target == Target::Texture3D ? capabilities->max3DTextureSize
@@ -92,10 +92,10 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
                                                               : capabilities->maxTextureSize;
         if (std::max({widthOf(base), heightOf(base), depthOf(base)}) - 2 * (*levels)->border > limit)
             return refuse(request, where,
-                          extents(base, request.target) + " texels exceed the driver's " +
-                              std::to_string(limit) + " for " + std::string(rowOf(request.target).name));
+                          fmt::format("{} texels exceed the driver's {} for {}",
+                                      extents(base, request.target), limit, rowOf(request.target).name));
         if (const std::string lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
-            errors.add(std::string(where) + ": " + lack);
+            errors.add(fmt::format("{}: {}", where, lack));
             TextureLevels pixels = **levels;
             decompress(pixels);
             levels = std::make_shared<const PreparedLevels>(std::move(pixels));

@@ -2,6 +2,8 @@
 
 #include "app/render/gl_errors.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <string>
 
@@ -52,12 +54,14 @@ Result<void> RenderTarget::resize(view::Size size) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
         status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     }
-    const std::string what = "a picture of " + asText(size) + " pixels with 24 bits of depth";
+    const std::string what = fmt::format("a picture of {} pixels with 24 bits of depth", asText(size));
     if (!errors.check("glTexImage2D, glRenderbufferStorage"))
-        return fail(ErrorCode::Driver, "the driver can't make " + what + ": " + errors.sentences().front());
+        return fail(ErrorCode::Driver,
+                    fmt::format("the driver can't make {}: {}", what, errors.sentences().front()));
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        return fail(ErrorCode::Driver, "the driver can't draw into " + what +
-                                           ": glCheckFramebufferStatus says " + std::to_string(status));
+        return fail(
+            ErrorCode::Driver,
+            fmt::format("the driver can't draw into {}: glCheckFramebufferStatus says {}", what, status));
     size_ = size;
     return {};
 }

@@ -9,6 +9,8 @@
 #include "app/render/texture_cache.h"
 #include "core/scene/animation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -82,8 +84,8 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     State& state = *state_;
     if (size.width < 1 || size.height < 1 || size.width > state.limit.width ||
         size.height > state.limit.height)
-        return fail(ErrorCode::OutOfRange,
-                    "a picture has 1 x 1 to " + asText(state.limit) + " pixels, not " + asText(size));
+        return fail(ErrorCode::OutOfRange, fmt::format("a picture has 1 x 1 to {} pixels, not {}",
+                                                       asText(state.limit), asText(size)));
     const auto begin = std::chrono::steady_clock::now();
     state.errors = {};
     state.levels = levels;
@@ -124,7 +126,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     meshes.beginFrame();
     const glm::mat4 view = viewMatrix(scene.view);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
-        const std::string where = "passes[" + std::to_string(i) + "]";
+        const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
         errors.check(where + ": glDepthFunc, glBlendFunc");
         const BoundTextures bound = texturesOf(scene, i, images);
@@ -159,9 +161,7 @@ BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t p
         const auto at = static_cast<std::size_t>(i);
         const Unit& unit = scene.passes[passIndex].units[at];
         if (unit.enabled)
-            bound[at] = textureOf(
-                scene, unit, i, "passes[" + std::to_string(passIndex) + "].units[" + std::to_string(i) + "]",
-                images);
+            bound[at] = textureOf(scene, unit, i, fmt::format("passes[{}].units[{}]", passIndex, i), images);
     }
     return bound;
 }
@@ -169,13 +169,13 @@ BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t p
 BoundTexture SceneRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
                                              const std::string& where, const ImageSource& images) {
     if (unitIndex >= capabilities.textureUnits) {
-        errors.add(where + ": the driver has " + std::to_string(capabilities.textureUnits) +
-                   " texture units; drawn without this one");
+        errors.add(fmt::format("{}: the driver has {} texture units; drawn without this one", where,
+                               capabilities.textureUnits));
         return {};
     }
     if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
-        errors.add(where + ": there is no texture " + std::to_string(unit.texture) + ", the scene has " +
-                   std::to_string(scene.textures.size()) + "; drawn without it");
+        errors.add(fmt::format("{}: there is no texture {}, the scene has {}; drawn without it", where,
+                               unit.texture, scene.textures.size()));
         return {};
     }
     // Preparing binds the texture: on its own unit, or it would take the place of another's.
@@ -192,7 +192,7 @@ Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, 
     const TextureObject* object = state_->textures->find(index, target);
     if (!object)
         return fail(ErrorCode::NotFound, "it has not been drawn as " + std::string(rowOf(target).name),
-                    "textures[" + std::to_string(index) + "]");
+                    fmt::format("textures[{}]", index));
     try {
         const StateGuard guard;
         static_cast<void>(GlErrors().check("before the texture was read"));
@@ -212,7 +212,8 @@ Result<Image> SceneRenderer::read() {
     try {
         image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge, "there is no memory for a picture of " + asText(size) + " pixels");
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("there is no memory for a picture of {} pixels", asText(size)));
     }
     const StateGuard guard;
     static_cast<void>(

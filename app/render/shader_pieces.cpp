@@ -1,5 +1,7 @@
 #include "app/render/shader_pieces.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -38,10 +40,10 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
     ShaderPieces pieces;
     for (const ShaderFile& file : files) {
         if (file.text.size() > maxFileBytes)
-            return fail(ErrorCode::TooLarge,
-                        "a shader's file has at most " + std::to_string(maxFileBytes) + " bytes, not " +
-                            std::to_string(file.text.size()),
-                        file.name);
+            return fail(
+                ErrorCode::TooLarge,
+                fmt::format("a shader's file has at most {} bytes, not {}", maxFileBytes, file.text.size()),
+                file.name);
         Names& names = pieces.files_[file.name];
         std::vector<std::string> keys; // of the piece that is being read
         ShaderPiece piece;
@@ -71,7 +73,8 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
             piece.lines.pop_back(); // after the last line's end
         finish();
         if (!twice.empty())
-            return fail(ErrorCode::Malformed, "the piece \"" + twice + "\" is there twice", file.name);
+            return fail(ErrorCode::Malformed, fmt::format("the piece \"{}\" is there twice", twice),
+                        file.name);
     }
     return pieces;
 }

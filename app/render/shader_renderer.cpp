@@ -6,6 +6,7 @@
 #include "app/render/shader_program.h"
 #include "core/scene/animation.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
@@ -65,10 +66,10 @@ void setUnit(const ShaderProgram& program, int index, const Unit& unit, const Sa
     program.set("texture" + number, index);
     program.set("environmentColor" + number, glm::clamp(unit.envColor, 0.0F, 1.0F));
     program.set("lodBias" + number, unitBias(unit, texture));
-    setTexGen(program, "plane" + number + "s", unit.texGenS);
-    setTexGen(program, "plane" + number + "t", unit.texGenT);
-    setTexGen(program, "plane" + number + "r", unit.texGenR);
-    setTexGen(program, "plane" + number + "q", unit.texGenQ);
+    setTexGen(program, fmt::format("plane{}s", number), unit.texGenS);
+    setTexGen(program, fmt::format("plane{}t", number), unit.texGenT);
+    setTexGen(program, fmt::format("plane{}r", number), unit.texGenR);
+    setTexGen(program, fmt::format("plane{}q", number), unit.texGenQ);
     if (hasTextureMatrix(unit, sampled)) {
         const glm::mat4 matrix = textureMatrix(unit.matrix, time);
         program.set("textureMatrix" + number,
@@ -103,7 +104,7 @@ public:
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
                                  double time, GlErrors& errors) override {
-        const std::string where = "passes[" + std::to_string(pass) + "]";
+        const std::string where = fmt::format("passes[{}]", pass);
         const SampledUnits units = sampledUnits(textures);
         program_ = programOf(scene, pass, units, where, errors);
         if (!program_)
@@ -168,7 +169,7 @@ private:
             if (log.empty())
                 log = found;
             for (const view::ShaderMessage& message : found)
-                errors.add(where + ": " + message.sentence);
+                errors.add(fmt::format("{}: {}", where, message.sentence));
         }
         if (shown && shown->log != log)
             shown = std::make_shared<const view::PassShader>(view::PassShader{shown->source, std::move(log)});

@@ -3,6 +3,8 @@
 #include "app/render/vertex_attributes.h"
 #include "core/gl/combine_arguments.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <iterator>
@@ -39,7 +41,8 @@ public:
         const ShaderPiece* piece = pieces_.find(fileName, name);
         if (!piece) {
             if (!error_)
-                error_ = Error{ErrorCode::NotFound, "the piece \"" + name + "\" is missing", fileName};
+                error_ =
+                    Error{ErrorCode::NotFound, fmt::format("the piece \"{}\" is missing", name), fileName};
             return;
         }
         int line = piece->firstLine;
@@ -79,10 +82,6 @@ std::string nameOf(E value) {
     return std::string(rowOf(value).name);
 }
 
-std::string number(std::size_t value) {
-    return std::to_string(value);
-}
-
 struct Coordinate {
     char name;
     char member; ///< GLSL's
@@ -107,13 +106,13 @@ struct Plan {
     }
     [[nodiscard]] std::string shading() const {
         const std::string name = nameOf(scene.material.shadeModel);
-        return affineColors() ? name + " " + nameOf(HintMode::Fastest) : name;
+        return affineColors() ? fmt::format("{} {}", name, nameOf(HintMode::Fastest)) : name;
     }
 
     void forEachUnit(auto each) const {
         for (std::size_t i = 0; i < units.size(); ++i) {
             if (units[i])
-                each(pass.units[i], *units[i], number(i));
+                each(pass.units[i], *units[i], std::to_string(i));
         }
     }
 };
@@ -162,7 +161,7 @@ Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& piec
     for (std::size_t i = 0; i < plan.units.size(); ++i) {
         if (plan.units[i])
             stage.add("vertex", "coordinate attribute",
-                      {{"UNIT", number(i)}, {"LOCATION", number(firstCoordAttribute + i)}});
+                      {{"UNIT", std::to_string(i)}, {"LOCATION", std::to_string(firstCoordAttribute + i)}});
     }
     stage.add("vertex", "matrices");
     if (body.mentions("eyePosition"))
@@ -175,7 +174,7 @@ Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& piec
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         for (const Coordinate& coordinate : coordinates) {
             const std::string name(1, coordinate.name);
-            if (body.mentions("plane" + index + name))
+            if (body.mentions(fmt::format("plane{}{}", index, name)))
                 stage.add("texgen", "plane", {{"UNIT", index}, {"COORD", name}});
         }
         if (hasTextureMatrix(unit, sampled))
@@ -218,7 +217,7 @@ std::string sourceOf(CombineSource source, const std::string& index, const Sampl
         break;
     }
     const std::optional<std::size_t> other = crossbarUnit(source);
-    return other && *other < units.size() && units[*other] ? "texel" + number(*other) : std::string();
+    return other && *other < units.size() && units[*other] ? fmt::format("texel{}", *other) : std::string();
 }
 
 /// The arguments, the function and the scale of the colour ("rgb") or of "alpha". False where an argument is
@@ -230,12 +229,12 @@ bool writeFunction(Writer& body, const std::string& what, const std::string& fun
         const std::string source = sourceOf(arguments[i].source, index, units);
         if (source.empty())
             return false;
-        body.add("combine", what + " " + nameOf(arguments[i].operand),
-                 {{"INDEX", number(i)}, {"SOURCE", source}});
+        body.add("combine", fmt::format("{} {}", what, nameOf(arguments[i].operand)),
+                 {{"INDEX", std::to_string(i)}, {"SOURCE", source}});
     }
-    body.add("combine", what + " " + function);
+    body.add("combine", fmt::format("{} {}", what, function));
     if (scale != CombineScale::One)
-        body.add("combine", what + " scale " + nameOf(scale));
+        body.add("combine", fmt::format("{} scale {}", what, nameOf(scale)));
     return true;
 }
 
@@ -284,7 +283,8 @@ Result<view::StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pi
         if (unit.envMode == EnvMode::Combine)
             writeCombine(body, unit.combine, index, plan.units, pieces);
         else
-            body.add("environment", nameOf(unit.envMode) + " " + nameOf(sampled.format), {{"UNIT", index}});
+            body.add("environment", fmt::format("{} {}", nameOf(unit.envMode), nameOf(sampled.format)),
+                     {{"UNIT", index}});
         if (sampled.hasNegative && unit.envMode != EnvMode::Combine)
             body.add("environment", "signed");
     });
@@ -389,9 +389,8 @@ std::vector<view::ShaderMessage> translateLog(std::string_view log, const view::
         const std::optional<Place> place = placeIn(line);
         if (place && static_cast<std::size_t>(place->line) <= source.lines.size()) {
             const view::SourceLine& from = source.lines[static_cast<std::size_t>(place->line - 1)];
-            messages.push_back(
-                {stage, place->line,
-                 from.file + ":" + std::to_string(from.line) + ": " + std::string(line.substr(place->end))});
+            messages.push_back({stage, place->line,
+                                fmt::format("{}:{}: {}", from.file, from.line, line.substr(place->end))});
         } else
             messages.push_back({stage, 0, std::string(line)});
     }

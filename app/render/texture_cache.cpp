@@ -4,6 +4,8 @@
 #include "core/reference/sampling/lod.h"
 #include "core/scene/params/param_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,12 +22,11 @@ float unitBias(const Unit& unit, const BoundTexture& texture) {
 BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target target,
                                    const ImageSource& images, LevelsSource* levels, GlErrors& errors) {
     const Texture& texture = scene.textures[index];
-    const std::string where = "textures[" + std::to_string(index) + "]";
+    const std::string where = fmt::format("textures[{}]", index);
     std::shared_ptr<const TextureImage> image = images.find(texture);
     if (!image || !hasPixels(*image)) {
-        errors.add(where + ": " +
-                   (texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded") +
-                   "; drawn without it");
+        errors.add(fmt::format("{}: {}; drawn without it", where,
+                               texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded"));
         return {};
     }
 
@@ -39,14 +40,14 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     if (slot.object().name() == 0)
         return {};
     if (texture.maxAnisotropy > capabilities_.maxAnisotropy)
-        errors.add(where + ": an anisotropy of " + formatNumber(texture.maxAnisotropy) +
-                   " exceeds the driver's " + formatNumber(capabilities_.maxAnisotropy) +
-                   "; drawn with that");
+        errors.add(fmt::format("{}: an anisotropy of {} exceeds the driver's {}; drawn with that", where,
+                               formatNumber(texture.maxAnisotropy),
+                               formatNumber(capabilities_.maxAnisotropy)));
     const AppliedTexture applied = appliedTexture(texture, slot.shape(), slot.lastLevel(), facts_);
     if (!applied.completeness.complete())
         return {};
     for (const std::string_view sentence : applied.heldBack)
-        errors.add(where + ": " + std::string(sentence));
+        errors.add(fmt::format("{}: {}", where, sentence));
     slot.object().apply(applied.texture, capabilities_.maxAnisotropy, where, errors);
     return {slot.object().name(), slot.lateFlip(), slot.shape().format, slot.hasNegative(),
             applied.texture.lodBias};

@@ -1,5 +1,6 @@
 #include "app/render/texture_object.h"
 
+#include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -127,15 +128,17 @@ Result<void> readImages(GLenum aim, int face, int mostLevels, std::vector<Textur
         const auto format = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
         const EnumRow* row = findRow(blockFormatRows, format);
         if (!row)
-            return fail(ErrorCode::Unsupported, "the driver holds level " + std::to_string(level) +
-                                                    " in a compressed format that Texplorer does not know: " +
-                                                    std::to_string(format));
+            return fail(
+                ErrorCode::Unsupported,
+                fmt::format(
+                    "the driver holds level {} in a compressed format that Texplorer does not know: {}",
+                    level, format));
         BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(format), width, height);
         const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
         if (size != image.blocks.size())
-            return fail(ErrorCode::Driver, "level " + std::to_string(level) + " should have " +
-                                               std::to_string(image.blocks.size()) +
-                                               " bytes of blocks, the driver says " + std::to_string(size));
+            return fail(ErrorCode::Driver,
+                        fmt::format("level {} should have {} bytes of blocks, the driver says {}", level,
+                                    image.blocks.size(), size));
         glGetCompressedTexImage(aim, level, image.blocks.data());
         levels.push_back({level, std::move(image), face});
     }
@@ -201,7 +204,7 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
                 ++cursor.level;
             }
         }
-        errors.check(std::string(where) + ": " + call + " level " + std::to_string(level.number));
+        errors.check(fmt::format("{}: {} level {}", where, call, level.number));
     }
     return cursor.level == levels.levels.size();
 }
