@@ -149,8 +149,11 @@ void combineSection(Session& session) {
             session.window.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
         return std::string(isNone ? "No unit before" : choice.label);
     };
-    const Owner owner{
-        &combine, &initial, selectedUnitPath(session) + "." + keyOf<&Unit::combine>(), {}, labelOfChoice};
+    const Owner owner{&combine,
+                      &initial,
+                      fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::combine>()),
+                      {},
+                      labelOfChoice};
     for (const Half& half : halves) {
         if (&half != halves.data())
             ImGui::Separator();

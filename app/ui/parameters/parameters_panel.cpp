@@ -8,7 +8,10 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
 #include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
 
 #include <array>
 #include <cfloat>

@@ -63,7 +63,7 @@ void textureChoice(Session& session) {
                 unit.texture = i;
                 sealEdit(session);
                 recordEdit(session, row ? row->label : "Texture",
-                           selectedUnitPath(session) + "." + keyOf<&Unit::texture>());
+                           fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()));
                 sealEdit(session);
             }
             noteItem(fmt::format("bind:{}", i));

@@ -103,11 +103,8 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
     facts += fmt::format(" · {} × {}", first.frame.size.width, first.frame.size.height);
     if (!showsTime)
         return facts;
-    for (const ViewFrame& view : frames) {
-        std::array<char, 32> time{};
-        std::snprintf(time.data(), time.size(), " · %.1f ms", view.frame.milliseconds);
-        facts += view.whole ? time.data() : " · drawing";
-    }
+    for (const ViewFrame& view : frames)
+        facts += view.whole ? fmt::format(" · {:.1f} ms", view.frame.milliseconds) : " · drawing";
     return facts;
 }
 
