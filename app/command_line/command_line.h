@@ -57,6 +57,7 @@ class Command {
 public:
     Command(const Command&) = delete;
     Command& operator=(const Command&) = delete;
+    ~Command() = default;
 
     [[nodiscard]] std::string name() const;
 

@@ -18,6 +18,8 @@ namespace texplorer {
 class UnsavedPlace {
 public:
     UnsavedPlace() = default;
+    UnsavedPlace(const UnsavedPlace&) = delete;
+    UnsavedPlace& operator=(const UnsavedPlace&) = delete;
     UnsavedPlace(UnsavedPlace&&) noexcept = default;
     UnsavedPlace& operator=(UnsavedPlace&& other) noexcept;
     /// Lets go of the lock. A draft that was written stays; where there is none, nothing stays.

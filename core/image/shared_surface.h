@@ -30,7 +30,9 @@ public:
     /// Moved where it was made, copied where it is lent.
     [[nodiscard]] Surface take() && {
         Surface* made = std::get_if<Surface>(&held_);
-        return made ? std::move(*made) : **this;
+        if (made) // a conditional expression would copy it: its other side is const
+            return std::move(*made);
+        return **this;
     }
 
     [[nodiscard]] bool isLent() const { return !std::holds_alternative<Surface>(held_); }

@@ -30,6 +30,8 @@ public:
     /// What is compressed at run time is looked for and kept in `work.cache`; `work.progress` and `work.stop`
     /// are for AtOnce.
     explicit LevelsWorker(When when, std::function<void()> wake = {}, LevelWork work = {});
+    LevelsWorker(const LevelsWorker&) = delete;
+    LevelsWorker& operator=(const LevelsWorker&) = delete;
     /// Waits for what is being made; asks it to stop before.
     ~LevelsWorker() override;
 

@@ -228,7 +228,8 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
             const glm::vec2 texel(patch.low + glm::ivec2(x, y));
             const ImVec2 a = inset.toWindow(texel + glm::vec2(0, 1));
             const ImVec2 b = inset.toWindow(texel + glm::vec2(1, 0));
-            draw.AddRectFilled(a, b, inkOf(patch.colors[static_cast<std::size_t>(y * patch.size.x + x)]));
+            const int index = y * patch.size.x + x;
+            draw.AddRectFilled(a, b, inkOf(patch.colors[static_cast<std::size_t>(index)]));
             if (inset.cell > 6)
                 draw.AddRect(a, b, IM_COL32(128, 128, 128, 70));
         }
@@ -394,6 +395,8 @@ void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bo
         if (const auto extent = extentOf(session, asked->level))
             drawTexel(draw, canvas, glm::ivec2(asked->index), *extent, color::chosen);
     }
+    if (!unit)
+        return;
     for (const Inset& inset : insetsOf(unit, canvas)) {
         drawInset(draw, *unit, inset);
         markCells(session, draw, *texture, inset, clicked);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace texplorer::ui {
@@ -160,8 +161,9 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
               {low.x + pad + ImGui::CalcTextSize(where.c_str()).x, low.y + em * 1.2F});
     for (std::size_t i = 0; i < lenses.size(); ++i) {
         const Lens& lens = lenses[i];
-        const auto column = static_cast<float>(static_cast<int>(i) % columns);
-        const auto row = static_cast<float>(static_cast<int>(i) / columns);
+        const std::div_t place = std::div(static_cast<int>(i), columns);
+        const auto column = static_cast<float>(place.rem);
+        const auto row = static_cast<float>(place.quot);
         const ImVec2 at(low.x + pad + column * (size.x + pad),
                         low.y + pad + em * 1.2F + row * (size.y + pad));
         drawPixels(draw, at, cell, lens.texture, *pixel, picture, pictures.setBlending);

@@ -19,10 +19,12 @@ namespace texplorer::reference {
 /// tau_ijk. Index 0 is the first texel after the border.
 [[nodiscard]] inline const glm::vec4& texelAt(const Level& level, glm::ivec3 index, int axes) {
     const auto stored = [&](int axis) {
-        return static_cast<std::size_t>(index[axis] + (axis < axes ? level.border : 0));
+        const int place = index[axis] + (axis < axes ? level.border : 0);
+        return static_cast<std::size_t>(place);
     };
     const auto extent = [&](int axis) {
-        return static_cast<std::size_t>(level.size()[axis] + (axis < axes ? 2 * level.border : 0));
+        const int texels = level.size()[axis] + (axis < axes ? 2 * level.border : 0);
+        return static_cast<std::size_t>(texels);
     };
     return level.texels[(stored(2) * extent(1) + stored(1)) * extent(0) + stored(0)];
 }

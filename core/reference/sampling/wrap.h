@@ -19,7 +19,7 @@ namespace texplorer::reference {
 
 /// Rounds down to an int; what no int can hold becomes the nearest that we let occur, NaN becomes 0.
 [[nodiscard]] inline int floorToInt(float value) {
-    constexpr float limit = 1 << 30;
+    constexpr float limit = 0x1p30F;
     return static_cast<int>(std::floor(value >= -limit ? std::min(value, limit) : value < 0 ? -limit : 0.0F));
 }
 
