@@ -20,8 +20,10 @@ namespace texplorer {
 /// textures first. Copying is cheap: images are shared and never change.
 class ImageSource {
 public:
-    /// Relative paths are resolved against `directory` (that of the scene file; empty: the current one).
-    explicit ImageSource(std::filesystem::path directory = {});
+    /// Relative paths are resolved against the current directory.
+    ImageSource() = default;
+    /// Relative paths are resolved against `directory`, that of the scene file; empty: the current one.
+    explicit ImageSource(std::filesystem::path directory);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
