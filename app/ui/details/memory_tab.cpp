@@ -16,10 +16,8 @@ namespace {
 
 /// "1,398,100"
 std::string grouped(std::size_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > 3;)
-        text.insert(at -= 3, ",");
-    return text;
+    return number < 1000 ? fmt::format("{}", number)
+                         : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
 }
 
 std::string extentsOf(const LevelReport& level, Target target) {

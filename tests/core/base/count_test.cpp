@@ -1,7 +1,8 @@
 #include "core/base/count.h"
 
-#include <cstdint>
 #include <gtest/gtest.h>
+
+#include <cstdint>
 #include <limits>
 
 namespace texplorer {
