@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -143,36 +144,53 @@ private:
     std::optional<Error> error_;
 };
 
-/// Compares what comes out of the queue, until there is no more.
-void compareAll(const SweepOptions& options, const Renderers& renderers, Queue& queue, Outcomes& outcomes) {
-    const std::unique_ptr<Explainer> reference = renderers.reference();
-    while (std::optional<DrawnCase> drawn = queue.pop()) {
-        if (options.stop.stop_requested() || outcomes.error())
-            continue;
-        const Case& item = *drawn->item;
-        for (std::size_t i = 0; i < options.pairs.size(); ++i) {
-            const Pair& pair = options.pairs[i];
-            if (const Skip* skip = skipOf(item.scene, pair, options.driver)) {
-                outcomes.skip(i, item, *skip);
+/// Compares one drawn scene after the other, on one thread.
+class Comparer {
+public:
+    Comparer(const SweepOptions& options, const Renderers& renderers, Outcomes& outcomes)
+        : options_(options)
+        , outcomes_(outcomes)
+        , reference_(renderers.reference()) {}
+
+    void compare(DrawnCase drawn) {
+        if (options_.stop.stop_requested() || outcomes_.error())
+            return;
+        const Case& item = *drawn.item;
+        for (std::size_t i = 0; i < options_.pairs.size(); ++i) {
+            const Pair& pair = options_.pairs[i];
+            if (const Skip* skip = skipOf(item.scene, pair, options_.driver)) {
+                outcomes_.skip(i, item, *skip);
                 continue;
             }
-            if (pair.has(RendererKind::Reference) && !drawn->frames.contains(RendererKind::Reference)) {
-                Result<Frame> frame = reference->draw(item.scene);
+            if (pair.has(RendererKind::Reference) && !drawn.frames.contains(RendererKind::Reference)) {
+                Result<Frame> frame = reference_->draw(item.scene);
                 if (!frame)
-                    return outcomes.fail(frame.error());
-                drawn->frames.emplace(RendererKind::Reference, std::move(*frame));
+                    return outcomes_.fail(frame.error());
+                drawn.frames.emplace(RendererKind::Reference, std::move(*frame));
             }
-            const Frame& subject = drawn->frames.at(pair.subject);
-            const Frame& against = drawn->frames.at(pair.against);
+            const Frame& subject = drawn.frames.at(pair.subject);
+            const Frame& against = drawn.frames.at(pair.against);
             const bool turned = pair.against == RendererKind::Reference;
             const Result<Judgement> judgement =
                 judge(ruleOf(*item.feature, pair), item.scene, turned ? against.image : subject.image,
-                      turned ? subject.image : against.image, *reference);
+                      turned ? subject.image : against.image, *reference_);
             if (!judgement)
-                return outcomes.fail(judgement.error());
-            outcomes.add(i, item, *judgement, subject, against);
+                return outcomes_.fail(judgement.error());
+            outcomes_.add(i, item, *judgement, subject, against);
         }
     }
+
+private:
+    const SweepOptions& options_;
+    Outcomes& outcomes_;
+    std::unique_ptr<Explainer> reference_;
+};
+
+/// Compares what comes out of the queue, until there is no more.
+void compareAll(const SweepOptions& options, const Renderers& renderers, Queue& queue, Outcomes& outcomes) {
+    Comparer comparer(options, renderers, outcomes);
+    while (std::optional<DrawnCase> drawn = queue.pop())
+        comparer.compare(std::move(*drawn));
 }
 
 /// What OpenGL makes of a scene, as far as a pair wants it.
@@ -193,9 +211,9 @@ Result<DrawnCase> drawByOpenGl(const SweepOptions& options, const Renderers& ren
     return drawn;
 }
 
-/// Draws the scenes into the queue.
+/// Draws the scenes and gives each to those who compare.
 void drawAll(const SweepOptions& options, const Renderers& renderers, const std::vector<Case>& cases,
-             Queue& queue, Outcomes& outcomes) {
+             Outcomes& outcomes, const std::function<void(DrawnCase)>& give) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (options.progress)
             options.progress(static_cast<float>(i) / static_cast<float>(cases.size()));
@@ -204,7 +222,7 @@ void drawAll(const SweepOptions& options, const Renderers& renderers, const std:
         Result<DrawnCase> drawn = drawByOpenGl(options, renderers, cases[i]);
         if (!drawn)
             return outcomes.fail(drawn.error());
-        queue.push(std::move(*drawn));
+        give(std::move(*drawn));
     }
 }
 
@@ -227,15 +245,13 @@ std::vector<int> sharesOf(const std::vector<const Feature*>& features, int scene
     return shares;
 }
 
-/// As many as are asked for and the system gives; at least one, or it throws.
+/// As many as are asked for and the system gives, which may be none.
 void startComparers(std::vector<std::jthread>& comparers, unsigned asked, const std::function<void()>& work) {
     const unsigned count = asked == 0 ? processorThreads() : asked;
     while (comparers.size() < count) {
         try {
             comparers.emplace_back(work);
         } catch (const std::system_error&) {
-            if (comparers.empty())
-                throw;
             return;
         }
     }
@@ -316,7 +332,15 @@ Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
         side([&] {
             startComparers(comparers, options.threads,
                            [&] { side([&] { compareAll(options, renderers, queue, outcomes); }); });
-            drawAll(options, renderers, cases, queue, outcomes);
+            std::optional<Comparer> alone; // where there is no thread to be had: slower, but it works
+            if (comparers.empty())
+                alone.emplace(options, renderers, outcomes);
+            drawAll(options, renderers, cases, outcomes, [&](DrawnCase drawn) {
+                if (alone)
+                    alone->compare(std::move(drawn));
+                else
+                    queue.push(std::move(drawn));
+            });
         });
     }
     if (options.stop.stop_requested())

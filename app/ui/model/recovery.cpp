@@ -10,48 +10,49 @@ namespace {
 
 constexpr int pictureWidth = 320;
 constexpr int pictureHeight = 240;
+constexpr FailureWords failure{"there is no memory for the picture", "the picture can't be drawn"};
 
 } // namespace
 
 Recovery::Recovery(const std::filesystem::path& folder, std::function<void()> wake)
-    : wake_(std::move(wake)) {
-    std::vector<UnsavedScene> drafts;
+    : drawing_(
+          {When::WhenReady, JobOrder::Queue, failure, std::move(wake)},
+          [](const Drawing::Task& task) { return draw(task); },
+          [](const Draft& draft, const Error& /*error*/) {
+              return Picture{draft.number, nullptr};
+          }) {
     for (Orphan& orphan : claimOrphans(folder)) {
         Result<UnsavedScene> draft = orphan.place.read();
-        drafts.push_back(draft.value_or(UnsavedScene{}));
         offers_.push_back({std::move(orphan.place), orphan.written, std::move(draft)});
     }
-    pictures_.resize(offers_.size());
-    if (!offers_.empty())
-        thread_ = std::jthread([this, all = std::move(drafts)](const std::stop_token& stop) mutable {
-            draw(stop, std::move(all));
-        });
+    for (std::size_t i = 0; i < offers_.size(); ++i) {
+        if (offers_[i].draft)
+            drawing_.ask({i, *offers_[i].draft});
+    }
 }
 
 Recovery::~Recovery() = default;
 
-void Recovery::draw(const std::stop_token& stop, std::vector<UnsavedScene> drafts) {
-    for (std::size_t i = 0; i < drafts.size() && !stop.stop_requested(); ++i) {
-        ImageSource images(drafts[i].folder);
-        (void)images.load(drafts[i].scene); // what can't be read is missing in the picture, too
-        reference::DrawOptions options;
-        options.levels.stop = options.stop = stop;
-        Result<Frame> drawn =
-            reference::drawReference({drafts[i].scene, images, 0, pictureWidth, pictureHeight}, options);
-        if (!drawn)
-            continue;
-        {
-            const std::scoped_lock lock(mutex_);
-            pictures_[i] = std::make_shared<const Image>(withoutAlpha(std::move(drawn->image)));
-        }
-        if (wake_)
-            wake_();
-    }
+Recovery::Picture Recovery::draw(const Drawing::Task& task) {
+    const UnsavedScene& draft = task.job().scene;
+    ImageSource images(draft.folder);
+    (void)images.load(draft.scene); // what can't be read is missing in the picture, too
+    reference::DrawOptions options;
+    options.levels.stop = options.stop = task.stop();
+    Result<Frame> drawn =
+        reference::drawReference({draft.scene, images, 0, pictureWidth, pictureHeight}, options);
+    if (!drawn)
+        return {task.job().number, nullptr};
+    return {task.job().number, std::make_shared<const Image>(withoutAlpha(std::move(drawn->image)))};
 }
 
 std::shared_ptr<const Image> Recovery::picture() const {
-    const std::scoped_lock lock(mutex_);
-    return decided_ < pictures_.size() ? pictures_[decided_] : nullptr;
+    std::shared_ptr<const Image> first;
+    drawing_.look([&](const Picture& each) {
+        if (each.number == decided_)
+            first = each.image;
+    });
+    return first;
 }
 
 void Recovery::discard() {
@@ -63,7 +64,7 @@ void Recovery::discard() {
 void Recovery::later() {
     decided_ += offers_.size();
     offers_.clear();
-    thread_.request_stop();
+    drawing_.clear();
 }
 
 UnsavedScene Recovery::restore() {

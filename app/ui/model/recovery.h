@@ -1,18 +1,18 @@
 #pragma once
 
 #include "core/autosave/unsaved_folder.h"
+#include "core/base/worker.h"
 #include "core/image/image.h"
 
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 namespace texplorer::ui {
 
 /// The unsaved work of windows that have died, offered one after the other. Their pictures are drawn by the
-/// reference, on a thread of its own: what had ended the window may have been the driver.
+/// reference, on a thread of its own where there is one to be had: what had ended the window may have been
+/// the driver.
 class Recovery {
 public:
     /// Claims every draft in the folder whose window is gone. `wake` is called when there is a picture.
@@ -40,15 +40,21 @@ public:
     [[nodiscard]] UnsavedPlace takeRestored() { return std::move(restored_); }
 
 private:
-    void draw(const std::stop_token& stop, std::vector<UnsavedScene> drafts);
+    struct Draft {
+        std::size_t number = 0; ///< of the offer, in the order of all that were found
+        UnsavedScene scene;
+    };
+    struct Picture {
+        std::size_t number = 0;
+        std::shared_ptr<const Image> image; ///< nullptr: it can't be drawn
+    };
+    using Drawing = Worker<Draft, Picture>;
+    [[nodiscard]] static Picture draw(const Drawing::Task& task);
 
     std::vector<Offer> offers_;
     UnsavedPlace restored_;
-    std::size_t decided_ = 0;
-    std::function<void()> wake_;
-    mutable std::mutex mutex_; // of the pictures
-    std::vector<std::shared_ptr<const Image>> pictures_;
-    std::jthread thread_; // the last: it ends first
+    std::size_t decided_ = 0; ///< the number of the first offer
+    Drawing drawing_;
 };
 
 } // namespace texplorer::ui

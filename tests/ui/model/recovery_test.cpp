@@ -4,6 +4,7 @@
 #include "app/ui/widgets/keys.h"
 #include "core/base/file_io.h"
 #include "core/image/texture_image.h"
+#include "tests/support/no_threads.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
@@ -46,6 +47,19 @@ protected:
     fs::path folder = parent / "unsaved";
     std::optional<UnsavedWork> unsaved;
 };
+
+TEST_F(Restoring, WithoutAThreadThePictureIsThereAtOnce) {
+    window();
+    edit(77);
+    ASSERT_TRUE(flush());
+    session.reset();
+    unsaved.reset();
+    const texplorer::test::NoThreads none;
+    const Recovery recovery(folder);
+    ASSERT_EQ(recovery.offers().size(), 1U);
+    ASSERT_TRUE(recovery.picture());
+    EXPECT_EQ(recovery.picture()->width, 320);
+}
 
 TEST_F(Restoring, NothingIsOfferedWhereNothingWasLost) {
     window();
