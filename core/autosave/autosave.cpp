@@ -7,20 +7,19 @@
 
 namespace texplorer {
 
-using Clock = std::chrono::steady_clock;
-
 /// What could not be written is tried again then, be it edited or not.
-constexpr std::chrono::seconds untilRetry{10};
+constexpr double untilRetry = 10; // seconds
 
 struct Autosave::State {
     std::filesystem::path folder;
     std::function<void()> wake;
-    std::chrono::milliseconds delay;
+    double delay = 0; // seconds
+    Clock clock;
 
     std::mutex mutex; // of what follows
     std::condition_variable_any news;
-    std::optional<UnsavedScene> told;     ///< what was told last; nothing: there is nothing to lose
-    std::optional<Clock::time_point> due; ///< when it has to be written; nothing: it is
+    std::optional<UnsavedScene> told; ///< what was told last; nothing: there is nothing to lose
+    std::optional<double> due;        ///< when it has to be written; nothing: it is
     std::optional<Error> problem;
     bool failing = false; ///< the last draft could not be written, and that was said
 
@@ -36,11 +35,13 @@ struct Autosave::State {
     Result<void> put(const UnsavedScene& draft);
 };
 
-Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std::chrono::milliseconds delay)
+Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std::chrono::milliseconds delay,
+                   Clock clock)
     : state_(std::make_unique<State>()) {
     state_->folder = std::move(folder);
     state_->wake = std::move(wake);
-    state_->delay = delay;
+    state_->delay = std::chrono::duration<double>(delay).count();
+    state_->clock = std::move(clock);
     try {
         state_->thread = std::jthread([this](const std::stop_token& stop) { state_->work(stop); });
     } catch (const std::system_error&) { // no thread to be had: the next call writes what is due
@@ -58,9 +59,10 @@ void Autosave::State::work(const std::stop_token& stop) {
                 continue;
             }
             // What is told meanwhile goes with it; only a request to forget is earlier.
-            const Clock::time_point then = *due;
-            if (news.wait_until(lock, stop, then, [&] { return !due || *due < then; }) ||
-                stop.stop_requested())
+            const double then = *due;
+            const auto left =
+                std::chrono::ceil<std::chrono::microseconds>(std::chrono::duration<double>(then - clock()));
+            if (news.wait_for(lock, stop, left, [&] { return !due || *due < then; }) || stop.stop_requested())
                 continue;
         }
         (void)write();
@@ -72,7 +74,7 @@ void Autosave::State::writeWhereNobodyElseDoes() {
         return;
     {
         const std::scoped_lock lock(mutex);
-        if (!due || Clock::now() < *due)
+        if (!due || clock() < *due)
             return;
     }
     (void)write();
@@ -111,7 +113,7 @@ bool Autosave::State::write() {
         problem = written.error();
     failing = !written;
     if (failing && !due)
-        due = Clock::now() + untilRetry;
+        due = clock() + untilRetry;
     if (problem && wake)
         wake();
     return written.has_value();
@@ -129,7 +131,7 @@ void Autosave::State::note(const std::filesystem::path& file, const std::filesys
     if (told && told->scene == scene && told->file == file && told->folder == base)
         return;
     told = UnsavedScene{file, base, scene};
-    const Clock::time_point then = Clock::now() + delay;
+    const double then = clock() + delay;
     if (!due || then < *due) {
         due = then;
         news.notify_all();
@@ -154,7 +156,7 @@ void Autosave::forget() {
         if (!state_->told)
             return;
         state_->told.reset();
-        state_->due = Clock::now();
+        state_->due = state_->clock();
         state_->news.notify_all();
     }
     state_->writeWhereNobodyElseDoes();
@@ -162,6 +164,13 @@ void Autosave::forget() {
 
 bool Autosave::flush() {
     return state_->write();
+}
+
+std::optional<double> Autosave::due() const {
+    if (state_->thread.joinable())
+        return std::nullopt;
+    const std::scoped_lock lock(state_->mutex);
+    return state_->due;
 }
 
 std::optional<Error> Autosave::takeProblem() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/autosave/unsaved_folder.h"
+#include "core/base/clock.h"
 
 #include <chrono>
 #include <functional>
@@ -19,9 +20,9 @@ public:
     static constexpr std::chrono::milliseconds usualDelay{1000};
 
     /// The draft lies in `folder`, which is made with the first draft. `wake` is called on the thread that
-    /// writes when there is a problem to take.
+    /// writes when there is a problem to take. `clock` is what the delay is measured on.
     explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {},
-                      std::chrono::milliseconds delay = usualDelay);
+                      std::chrono::milliseconds delay = usualDelay, Clock clock = steadySeconds);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
     /// Writes nothing more; what was written stays, for the next start.
@@ -35,6 +36,10 @@ public:
     void forget();
     /// Writes what waits, now. False: it can't be written.
     bool flush();
+
+    /// When `keep` or `forget` has to be called again, because no thread writes what is due. Nothing: it need
+    /// not.
+    [[nodiscard]] std::optional<double> due() const;
 
     /// Why the work can't be kept: once, until a draft has been written again.
     [[nodiscard]] std::optional<Error> takeProblem();

@@ -61,6 +61,30 @@ TEST_F(Autosaving, WritesItselfWhereThereIsNoThread) {
     EXPECT_EQ(written(), -1);
 }
 
+/// On a clock that stands still until it is told the time.
+TEST_F(Autosaving, SaysWhenItIsDueWhereThereIsNoThread) {
+    const test::NoThreads none;
+    double now = 100;
+    Autosave autosave(folder, {}, 1500ms, [&now] { return now; });
+    EXPECT_EQ(autosave.due(), std::nullopt);
+    autosave.keep({}, {}, sceneOf(7));
+    EXPECT_EQ(autosave.due(), 101.5);
+    now = 101;
+    autosave.keep({}, {}, sceneOf(8));
+    EXPECT_EQ(autosave.due(), 101.5) << "a later edit doesn't put it off";
+    EXPECT_EQ(written(), -1);
+    now = 101.5;
+    autosave.keep({}, {}, sceneOf(8));
+    EXPECT_EQ(written(), 8);
+    EXPECT_EQ(autosave.due(), std::nullopt);
+}
+
+TEST_F(Autosaving, IsNeverDueWhereAThreadWrites) {
+    Autosave autosave(folder, {}, 24h);
+    autosave.keep({}, {}, sceneOf(7));
+    EXPECT_EQ(autosave.due(), std::nullopt);
+}
+
 TEST_F(Autosaving, IsDoneWithinTwoSeconds) {
     static_assert(Autosave::usualDelay <= 1500ms, "the disk needs time, too");
 }
