@@ -1,24 +1,15 @@
 #include "app/explorer/loop.h"
 
-#include "app/explorer/input.h"
-#include "app/opengl/opengl_graphics.h"
-#include "app/stage/stage.h"
-#include "app/ui/model/asking.h"
-#include "app/ui/model/loads.h"
+#include "app/opengl/window_graphics.h"
+#include "app/stage/loop.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 
-#include <imgui.h>
-
-#include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 namespace texplorer::explorer {
 namespace {
-
-constexpr int settlingFrames = 3;    // Dear ImGui needs these after an input until everything has its place
-constexpr double caretSeconds = 0.4; // how often a blinking text cursor is drawn
-constexpr double longestStep = 0.1;  // seconds of animation in one frame, after the window was hidden or busy
 
 Autosave* keptAtExit = nullptr;
 
@@ -57,82 +48,55 @@ private:
     Signals& signals_;
 };
 
-/// Sleeps until it is time for the next frame.
-void pace(Window& window, bool moving, bool settling, double lastFrame) {
-    if (!moving && !settling) {
-        if (ImGui::GetIO().WantTextInput)
-            window.wait(caretSeconds);
-        else
-            window.wait();
-    }
-    // Where the driver doesn't wait for the monitor, or the mouse reports a thousand times a second.
-    const double due = lastFrame + window.frameSeconds() * 0.95;
+/// Sleeps until something happens or `wake` has come, but not less than the display needs for a frame: the
+/// driver may not wait for it, and the mouse may report a thousand times a second.
+void rest(Window& window, std::optional<double> wake, double last) {
+    const double now = Window::now();
+    if (!wake)
+        window.wait();
+    else if (*wake > now)
+        window.wait(*wake - now);
+    const double due = last + window.frameSeconds() * 0.95;
     do
-        window.wait(due - window.now());
-    while (window.now() < due);
+        window.wait(due - Window::now());
+    while (Window::now() < due);
 }
 
 } // namespace
 
 Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::filesystem::path>& files,
                      const std::filesystem::path& shaders) {
-    const auto graphics = opengl::OpenGlGraphics::create({shaders, Window::wake});
+    const auto graphics = opengl::createWindowGraphics({shaders, Window::wake});
     if (!graphics)
         return fail(graphics.error());
-    stage::Stage stage(**graphics, window.contentScale());
-    const Input input(window.handle());
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
     ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
     ui::Session session(services.lend(&unsaved));
+    stage::Loop loop(**graphics, session, window.surface(),
+                     {[&window] { return window.clipboard(); },
+                      [&window](const std::string& text) { window.setClipboard(text); }});
     const KeptAtExit keptAtExit(unsaved.autosave);
     const KeptOnSignal keptOnSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
 
-    int settling = settlingFrames;
-    double last = window.now();
     for (;;) {
-        const Window::Events events = window.takeEvents();
         if (signals.received() != 0) {
             (void)unsaved.autosave.flush(); // with what the last frame changed
             return {};
         }
-        if (events.any)
-            settling = settlingFrames;
-        if (!events.dropped.empty())
-            ui::requestOpen(session, events.dropped);
-        if (events.close)
-            ui::requestQuit(session);
-        if (window.isHidden() && !events.close) {
-            window.wait();
-            last = window.now();
-            continue;
+        const double now = Window::now();
+        const stage::Step done = loop.step(now, window.takeEvents());
+        if (done.drawn) {
+            window.setTitle(done.title);
+            window.setCursor(done.cursor);
+            window.swap();
         }
-
-        if (ui::receiveFiles(session))
-            settling = settlingFrames;
-        const double now = window.now();
-        ui::advance(session, std::min(now - last, longestStep));
-        last = now;
-
-        const auto feedInput = [&] {
-            if (window.feedKeys())
-                settling = settlingFrames;
-            Input::feed();
-        };
-        const ui::Requests requests =
-            stage.draw(session, {window.size(), window.framebuffer(), window.contentScale()}, feedInput);
-        window.setTitle(requests.title);
-        window.swap();
-        if (requests.quit) {
+        if (done.quit) {
             unsaved.autosave.forget(); // the user has decided
             (void)unsaved.autosave.flush();
             return {};
         }
-        if (requests.fading || requests.unfinished)
-            settling = settlingFrames;
-
-        settling = std::max(0, settling - 1);
-        pace(window, ui::isMoving(session), settling > 0, last);
+        rest(window, done.wake, now);
     }
 }
 

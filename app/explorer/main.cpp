@@ -22,6 +22,9 @@ constexpr int failure = 1;
 constexpr int wrongCall = 2;
 constexpr view::Size startSize{1280, 800}; // at a content scale of 1
 
+constexpr const char* withoutWindow =
+    "texshot draws the same window without a display: texshot shot --ui -o window.png";
+
 int complain(const std::string& sentence) {
     std::fprintf(stderr, "texplorer: %s\n", printable(sentence).c_str());
     return failure;
@@ -32,12 +35,10 @@ int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& p
     const std::string title = ui::windowTitle({defaultScene(), ImageSource{}});
     Result<explorer::Window> window = explorer::Window::open(startSize, title);
     if (!window)
-        return complain(
-            describe(window.error()) +
-            ". Without a display, texshot draws the same window: texshot shot --ui -o window.png");
+        return complain(describe(window.error()) + "; " + withoutWindow);
     const Result<void> ended = explorer::runLoop(*window, signals, paths, shaders);
     if (!ended)
-        return complain(describe(ended.error()));
+        return complain(describe(ended.error()) + "; " + withoutWindow);
     return 0;
 }
 
@@ -70,6 +71,7 @@ int main(int argc, char** argv) {
         "The images of a scene may take {} together once they are decoded.\n"
         "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
         "offered at the next start.\n"
+        "Where the driver has a core profile alone, without fixed functions, the reference draws.\n"
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
         "usual, with the unsaved work kept.",
         sceneImageBytesText()));

@@ -1,18 +1,16 @@
 #include "app/explorer/window.h"
 
 #include "app/render/driver_cache.h"
-#include "app/ui/widgets/input_queue.h"
 #include "app/ui/window/smallest_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
-#include <deque>
+#include <map>
 #include <utility>
 
 namespace texplorer::explorer {
@@ -27,38 +25,46 @@ void rememberError(int /*code*/, const char* description) {
 
 constexpr double slowestMonitor = 60; // hertz; virtual displays report less, or nothing
 
-/// What the callbacks leave for the loop.
-struct Inbox {
-    Window::Events events;
-    std::deque<ui::KeyEvent> keys;
-};
+/// What a pointer looks like, where it isn't an arrow.
+constexpr std::array cursorShapes{std::pair{ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR},
+                                  std::pair{ImGuiMouseCursor_ResizeNS, GLFW_VRESIZE_CURSOR},
+                                  std::pair{ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR},
+                                  std::pair{ImGuiMouseCursor_Hand, GLFW_HAND_CURSOR}};
 
 } // namespace
 
 struct Window::State {
     GLFWwindow* window = nullptr;
-    Inbox inbox;
+    std::vector<stage::Event> events; // what the callbacks leave for the loop
+    stage::Surface surface;           // as it was said last
+    stage::Modifiers modifiers;       // as GLFW said last: not every callback is told
     std::string title;
+    std::map<ImGuiMouseCursor, GLFWcursor*> cursors;
+    ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 
+    void happened(stage::Event event) { events.push_back(std::move(event)); }
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
     ~State() {
+        for (const auto& [shape, made] : cursors)
+            glfwDestroyCursor(made);
         if (window)
             glfwDestroyWindow(window);
         glfwTerminate();
     }
 };
 
+/// GLFW's callbacks.
+struct Window::Callbacks {
+    static State& stateOf(GLFWwindow* window) {
+        return *static_cast<State*>(glfwGetWindowUserPointer(window));
+    }
+    static void install(GLFWwindow* window);
+};
+
 namespace {
-
-Inbox& inboxOf(GLFWwindow* window) {
-    return *static_cast<Inbox*>(glfwGetWindowUserPointer(window));
-}
-
-/// The window's events, marked: something has happened.
-Window::Events& happened(GLFWwindow* window) {
-    Window::Events& events = inboxOf(window).events;
-    events.any = true;
-    return events;
-}
 
 /// GLFW names keys by their place on an American keyboard; shortcuts are meant by what is printed on them.
 int printedKey(int key, int scancode) {
@@ -70,56 +76,80 @@ int printedKey(int key, int scancode) {
     return std::toupper(static_cast<unsigned char>(name[0]));
 }
 
-void installCallbacks(GLFWwindow* window) {
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-        happened(w);
-        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
-    });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        happened(w);
-        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
-    });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) {
-        happened(w);
-        // The pointer may have been inside before anyone listened for its entering.
-        ImGui_ImplGlfw_CursorEnterCallback(w, GLFW_TRUE);
-    });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-        happened(w);
-        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
-    });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-        happened(w);
-        ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
-        using Kind = ui::KeyEvent::Kind;
-        const Kind kind = action == GLFW_RELEASE ? Kind::Release
-                          : action == GLFW_PRESS ? Kind::Press
-                                                 : Kind::Repeat;
-        happened(w);
-        inboxOf(w).keys.push_back({kind, printedKey(key, scancode), scancode});
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) {
-        happened(w);
-        inboxOf(w).keys.push_back({ui::KeyEvent::Kind::Character, static_cast<int>(codepoint)});
-    });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happened(w); });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happened(w); });
-    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { happened(w); });
-    glfwSetWindowContentScaleCallback(window,
-                                      [](GLFWwindow* w, float, float) { happened(w).scaleChanged = true; });
-    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-        glfwSetWindowShouldClose(w, GLFW_FALSE); // the panels may have to ask first
-        happened(w).close = true;
-    });
-    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        Window::Events& events = happened(w);
-        events.dropped.insert(events.dropped.end(), paths, paths + count);
-    });
+stage::Modifiers modifiersOf(int mods) {
+    const auto has = [mods](int modifier) { return (mods & modifier) != 0; };
+    return {has(GLFW_MOD_CONTROL), has(GLFW_MOD_SHIFT), has(GLFW_MOD_ALT), has(GLFW_MOD_SUPER)};
+}
+
+/// The two keys of each modifier.
+struct ModifierKeys {
+    bool stage::Modifiers::*modifier;
+    int left;
+    int right;
+};
+constexpr std::array modifierKeys{
+    ModifierKeys{&stage::Modifiers::control, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL},
+    ModifierKeys{&stage::Modifiers::shift, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT},
+    ModifierKeys{&stage::Modifiers::alt, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT},
+    ModifierKeys{&stage::Modifiers::super, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER}};
+
+/// After a key, which may be a modifier itself: some systems say what was held before it.
+stage::Modifiers modifiersAfter(GLFWwindow* window, int key, int mods) {
+    stage::Modifiers modifiers = modifiersOf(mods);
+    for (const ModifierKeys& keys : modifierKeys) {
+        if (key == keys.left || key == keys.right)
+            modifiers.*keys.modifier =
+                glfwGetKey(window, keys.left) == GLFW_PRESS || glfwGetKey(window, keys.right) == GLFW_PRESS;
+    }
+    return modifiers;
+}
+
+stage::KeyChanged::Kind kindOf(int action) {
+    using Kind = stage::KeyChanged::Kind;
+    return action == GLFW_RELEASE ? Kind::Release : action == GLFW_PRESS ? Kind::Press : Kind::Repeat;
+}
+
+stage::PointerMoved pointerAt(double x, double y) {
+    return {static_cast<float>(x), static_cast<float>(y)};
 }
 
 } // namespace
+
+void Window::Callbacks::install(GLFWwindow* window) {
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        stateOf(w).happened(stage::FocusChanged{focused == GLFW_TRUE});
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        if (entered == GLFW_FALSE) // where it enters, it moves too
+            stateOf(w).happened(stage::PointerLeft{});
+    });
+    glfwSetCursorPosCallback(window,
+                             [](GLFWwindow* w, double x, double y) { stateOf(w).happened(pointerAt(x, y)); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+        stateOf(w).modifiers = modifiersOf(mods);
+        stateOf(w).happened(stage::ButtonChanged{button, action == GLFW_PRESS, stateOf(w).modifiers});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        stateOf(w).happened(
+            stage::WheelTurned{static_cast<float>(x), static_cast<float>(y), stateOf(w).modifiers});
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        stateOf(w).modifiers = modifiersAfter(w, key, mods);
+        stateOf(w).happened(
+            stage::KeyChanged{kindOf(action), printedKey(key, scancode), stateOf(w).modifiers});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+        stateOf(w).happened(stage::TextEntered{character});
+    });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { stateOf(w).happened(stage::Refresh{}); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE); // the panels may have to ask first
+        stateOf(w).happened(stage::CloseAsked{});
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        stateOf(w).happened(stage::FilesDropped{{paths, paths + count}});
+    });
+}
 
 Result<Window> Window::open(view::Size size, const std::string& title) {
     render::setUpDriverCache();
@@ -142,16 +172,34 @@ Result<Window> Window::open(view::Size size, const std::string& title) {
         }
     }
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    state->window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
+    const auto create = [&] {
+        state->window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
+    };
+    create();
+    if (!state->window) { // drivers without what is old give nothing less
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        create();
+    }
     if (!state->window)
         return fail(ErrorCode::Driver, "no window with OpenGL can be opened (" + lastGlfwError + ")");
     glfwSetWindowSizeLimits(state->window, ui::smallestWindow.width, ui::smallestWindow.height,
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
-    glfwSetWindowUserPointer(state->window, &state->inbox);
+    glfwSetWindowUserPointer(state->window, state.get());
     glfwMakeContextCurrent(state->window);
     glfwSwapInterval(1);
-    installCallbacks(state->window);
-    return Window(std::move(state));
+    Callbacks::install(state->window);
+    if (glfwGetWindowAttrib(state->window, GLFW_HOVERED) == GLFW_TRUE) { // before anyone listened
+        double x = 0;
+        double y = 0;
+        glfwGetCursorPos(state->window, &x, &y);
+        state->happened(pointerAt(x, y));
+    }
+    Window window(std::move(state));
+    window.state_->surface = window.surface();
+    return window;
 }
 
 Window::Window(std::unique_ptr<State> state)
@@ -160,33 +208,14 @@ Window::Window(Window&&) noexcept = default;
 Window& Window::operator=(Window&&) noexcept = default;
 Window::~Window() = default;
 
-GLFWwindow* Window::handle() const {
-    return state_->window;
-}
-
-Window::Events Window::takeEvents() {
-    Events events = std::exchange(state_->inbox.events, {});
-    events.any |= woken.exchange(false);
-    return events;
-}
-
-bool Window::feedKeys() {
-    using Kind = ui::KeyEvent::Kind;
-    std::deque<ui::KeyEvent>& keys = state_->inbox.keys;
-    const ImGuiIO& io = ImGui::GetIO();
-    for (std::size_t left = ui::eventsForOneFrame(keys, io.WantTextInput && !io.KeyCtrl); left > 0; --left) {
-        const ui::KeyEvent event = keys.front();
-        keys.pop_front();
-        if (event.kind == Kind::Character)
-            ImGui_ImplGlfw_CharCallback(state_->window, static_cast<unsigned>(event.code));
-        else
-            ImGui_ImplGlfw_KeyCallback(state_->window, event.code, event.scancode,
-                                       event.kind == Kind::Release ? GLFW_RELEASE
-                                       : event.kind == Kind::Press ? GLFW_PRESS
-                                                                   : GLFW_REPEAT,
-                                       0);
+std::vector<stage::Event> Window::takeEvents() {
+    if (const stage::Surface now = surface(); now != state_->surface) {
+        state_->surface = now;
+        state_->happened(stage::SurfaceChanged{now});
     }
-    return !keys.empty();
+    if (woken.exchange(false))
+        state_->happened(stage::Refresh{});
+    return std::exchange(state_->events, {});
 }
 
 void Window::wait() {
@@ -201,32 +230,20 @@ void Window::wait(double seconds) {
 }
 
 void Window::wake() {
-    woken = true; // something is new: Dear ImGui needs some frames for that, too
+    woken = true;
     glfwPostEmptyEvent();
 }
 
-bool Window::isHidden() const {
-    const view::Size pixels = framebuffer();
-    return glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE || pixels.width < 1 ||
-           pixels.height < 1;
-}
-
-view::Size Window::size() const {
-    view::Size size;
-    glfwGetWindowSize(state_->window, &size.width, &size.height);
-    return size;
-}
-
-view::Size Window::framebuffer() const {
-    view::Size size;
-    glfwGetFramebufferSize(state_->window, &size.width, &size.height);
-    return size;
-}
-
-float Window::contentScale() const {
+stage::Surface Window::surface() const {
+    GLFWwindow* window = state_->window;
+    stage::Surface surface;
+    glfwGetWindowSize(window, &surface.size.width, &surface.size.height);
+    glfwGetFramebufferSize(window, &surface.pixels.width, &surface.pixels.height);
     float scale = 1;
-    glfwGetWindowContentScale(state_->window, &scale, nullptr);
-    return scale > 0 ? scale : 1;
+    glfwGetWindowContentScale(window, &scale, nullptr);
+    surface.scale = scale > 0 ? scale : 1;
+    surface.visible = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_FALSE;
+    return surface;
 }
 
 double Window::frameSeconds() const {
@@ -235,15 +252,35 @@ double Window::frameSeconds() const {
     return 1 / std::max(slowestMonitor, mode ? static_cast<double>(mode->refreshRate) : 0);
 }
 
-double Window::now() const {
-    return glfwGetTime();
-}
-
 void Window::setTitle(const std::string& title) {
     if (title == state_->title)
         return;
     state_->title = title;
     glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+void Window::setCursor(ImGuiMouseCursor cursor) {
+    if (cursor == state_->cursor)
+        return;
+    state_->cursor = cursor;
+    const auto* shape = std::ranges::find(cursorShapes, cursor, [](const auto& each) { return each.first; });
+    GLFWcursor* made = nullptr; // an arrow
+    if (shape != cursorShapes.end()) {
+        GLFWcursor*& kept = state_->cursors[cursor];
+        if (!kept)
+            kept = glfwCreateStandardCursor(shape->second);
+        made = kept;
+    }
+    glfwSetCursor(state_->window, made);
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(state_->window);
+    return text ? text : "";
+}
+
+void Window::setClipboard(const std::string& text) {
+    glfwSetClipboardString(state_->window, text.c_str());
 }
 
 void Window::swap() {

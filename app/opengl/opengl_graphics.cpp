@@ -11,9 +11,12 @@
 namespace texplorer::opengl {
 namespace {
 
-void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
-    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
-}
+const PanelBackend panelBackend{[] { ImGui_ImplOpenGL2_Init(); },
+                                ImGui_ImplOpenGL2_Shutdown,
+                                ImGui_ImplOpenGL2_DestroyFontsTexture,
+                                [] { ImGui_ImplOpenGL2_CreateFontsTexture(); },
+                                ImGui_ImplOpenGL2_NewFrame,
+                                ImGui_ImplOpenGL2_RenderDrawData};
 
 } // namespace
 
@@ -25,7 +28,9 @@ Result<std::unique_ptr<OpenGlGraphics>> OpenGlGraphics::create(render::ShaderOpt
 }
 
 OpenGlGraphics::OpenGlGraphics(view::Capabilities capabilities, render::ShaderOptions shaders)
-    : capabilities_(std::move(capabilities))
+    : ContextGraphics(panelBackend)
+    , capabilities_(std::move(capabilities))
+    , offered_(render::offeredRenderers(capabilities_))
     , shaders_(std::move(shaders)) {}
 
 Result<render::SceneRenderer>& OpenGlGraphics::rendererOf(RendererKind kind) {
@@ -51,42 +56,9 @@ Result<Image> OpenGlGraphics::read(RendererKind renderer) {
     return found ? found->read() : fail(found.error());
 }
 
-unsigned OpenGlGraphics::show(const std::shared_ptr<const Image>& image, Use use) {
-    return pictures_.show(image, use == Use::Enlarged ? render::PictureCache::Use::Enlarged
-                                                      : render::PictureCache::Use::Scaled);
-}
-
-unsigned OpenGlGraphics::showTexture(const Texture& texture, const ImageSource& images,
-                                     LevelsSource& levels) {
-    return preview_.show(texture, images, &levels);
-}
-
-void OpenGlGraphics::startPanels() {
-    ImGui_ImplOpenGL2_Init();
-}
-
-void OpenGlGraphics::endPanels() {
-    ImGui_ImplOpenGL2_Shutdown();
-}
-
-void OpenGlGraphics::fontsChanged() {
-    ImGui_ImplOpenGL2_DestroyFontsTexture();
-    ImGui_ImplOpenGL2_CreateFontsTexture();
-}
-
-void OpenGlGraphics::beginFrame() {
-    ImGui_ImplOpenGL2_NewFrame();
-}
-
-void OpenGlGraphics::drawPanels(ImDrawData& panels, view::Size pixels) {
-    glViewport(0, 0, pixels.width, pixels.height);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL2_RenderDrawData(&panels);
-}
-
-ImDrawCallback OpenGlGraphics::blendingSwitch() const {
-    return setBlending;
+view::PictureHandle OpenGlGraphics::showTexture(const Texture& texture, const ImageSource& images,
+                                                LevelsSource& levels) {
+    return render::handleOf(preview_.show(texture, images, &levels));
 }
 
 } // namespace texplorer::opengl

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/render/picture_cache.h"
+#include "app/opengl/context_graphics.h"
 #include "app/render/shader_renderer.h"
 #include "app/render/texture_preview.h"
-#include "app/stage/graphics.h"
 
 #include <map>
 
@@ -12,36 +11,29 @@ namespace texplorer::opengl {
 /// Paints with OpenGL: the fixed function and the shaders, pictures as textures, the panels with Dear ImGui's
 /// OpenGL2 backend, which draws on a window's context and on OSMesa alike. Belongs to the context that is
 /// current, on its thread, and must be destroyed before that. A renderer is made when it is first asked for.
-class OpenGlGraphics final : public stage::Graphics {
+class OpenGlGraphics final : public ContextGraphics {
 public:
     /// `shaders` are for the shader renderer. The error says what the driver lacks.
     [[nodiscard]] static Result<std::unique_ptr<OpenGlGraphics>> create(render::ShaderOptions shaders = {});
 
     [[nodiscard]] const view::Capabilities& capabilities() const override { return capabilities_; }
+    [[nodiscard]] const view::OfferedRenderers& renderers() const override { return offered_; }
     [[nodiscard]] Result<view::Frame> draw(RendererKind renderer, const Scene& scene,
                                            const ImageSource& images, double time, view::Size size,
                                            LevelsSource& levels) override;
     [[nodiscard]] Result<Image> read(RendererKind renderer) override;
-    [[nodiscard]] unsigned show(const std::shared_ptr<const Image>& image, Use use) override;
-    [[nodiscard]] unsigned showTexture(const Texture& texture, const ImageSource& images,
-                                       LevelsSource& levels) override;
+    [[nodiscard]] view::PictureHandle showTexture(const Texture& texture, const ImageSource& images,
+                                                  LevelsSource& levels) override;
     [[nodiscard]] bool isUploading() const override { return preview_.isUploading(); }
-    void endFrame() override { pictures_.endFrame(); }
-    void startPanels() override;
-    void endPanels() override;
-    void fontsChanged() override;
-    void beginFrame() override;
-    void drawPanels(ImDrawData& panels, view::Size pixels) override;
-    [[nodiscard]] ImDrawCallback blendingSwitch() const override;
 
 private:
     OpenGlGraphics(view::Capabilities capabilities, render::ShaderOptions shaders);
     Result<render::SceneRenderer>& rendererOf(RendererKind kind);
 
     view::Capabilities capabilities_;
+    view::OfferedRenderers offered_;
     render::ShaderOptions shaders_;
     std::map<RendererKind, Result<render::SceneRenderer>> renderers_;
-    render::PictureCache pictures_;
     render::TexturePreview preview_;
 };
 

@@ -51,13 +51,6 @@ bool keepsBorders() {
     return GlErrors().check("glTexImage2D with a border") && border == 1;
 }
 
-/// Whether there are stacks of attributes: neither in a core profile nor in a forward-compatible context.
-bool hasFixedFunctions() {
-    glPushAttrib(GL_CURRENT_BIT);
-    glPopAttrib();
-    return GlErrors().check("glPushAttrib");
-}
-
 /// glewInit() ends with a look at GLX, after it has loaded every function of OpenGL. Without GLX, that is
 /// under OSMesa and Wayland, it then returns one of two errors that say nothing about OpenGL.
 bool functionsAreLoaded(GLenum status) {
@@ -67,6 +60,21 @@ bool functionsAreLoaded(GLenum status) {
 
 } // namespace
 
+bool hasFixedFunctions() {
+    glPushAttrib(GL_CURRENT_BIT); // there are stacks of attributes
+    glPopAttrib();
+    return GlErrors().check("glPushAttrib");
+}
+
+view::Capabilities namedCapabilities() {
+    view::Capabilities capabilities;
+    capabilities.vendor = text(GL_VENDOR);
+    capabilities.renderer = text(GL_RENDERER);
+    capabilities.version = text(GL_VERSION);
+    capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+    return capabilities;
+}
+
 Result<view::Capabilities> loadCapabilities() {
     constexpr std::string_view needs = "Texplorer needs OpenGL 2.1 with framebuffer objects; ";
     if (const GLenum status = glewInit(); !functionsAreLoaded(status))
@@ -75,10 +83,7 @@ Result<view::Capabilities> loadCapabilities() {
                                 reinterpret_cast<const char*>(glewGetErrorString(status))));
     static_cast<void>(GlErrors().check("glewInit")); // it asks a core profile for things that are gone
 
-    view::Capabilities capabilities;
-    capabilities.vendor = text(GL_VENDOR);
-    capabilities.renderer = text(GL_RENDERER);
-    capabilities.version = text(GL_VERSION);
+    view::Capabilities capabilities = namedCapabilities();
     const std::string offer =
         fmt::format("{} offers version {}", capabilities.renderer, capabilities.version);
     if (!has(neededVersion))
@@ -96,7 +101,6 @@ Result<view::Capabilities> loadCapabilities() {
 
     capabilities.s3tc = has(s3tc);
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
-    capabilities.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
     capabilities.maxCubeMapSize = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);

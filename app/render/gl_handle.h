@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/view/picture_handle.h"
+
 #include <GL/glew.h>
 
 #include <utility>
@@ -54,6 +56,11 @@ struct RenderbufferKind {
     static void generate(GLuint* name) { glGenRenderbuffers(1, name); }
     static void destroy(const GLuint* name) { glDeleteRenderbuffers(1, name); }
 };
+
+/// A texture as the panels know it.
+[[nodiscard]] inline view::PictureHandle handleOf(GLuint texture) {
+    return static_cast<view::PictureHandle>(texture);
+}
 
 using TextureHandle = GlHandle<TextureKind>;
 using BufferHandle = GlHandle<BufferKind>;

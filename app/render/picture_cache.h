@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/texture_object.h"
+#include "app/render/gl_handle.h"
 #include "core/image/image.h"
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 namespace texplorer::render {
 
 /// Textures of the pictures that panels show: uploaded when a picture is first shown, gone when it no
-/// longer is. Belongs to the context that is current, on its thread, and must be destroyed before that.
+/// longer is. Any context of OpenGL will do, a core profile too. Belongs to the context that is current, on
+/// its thread, and must be destroyed before that.
 class PictureCache {
 public:
     enum class Use {
@@ -18,16 +19,16 @@ public:
         Enlarged, ///< so that one sees its pixels
     };
 
-    /// The name of a 2D texture of the image; 0 where GL refused it. Stays valid until the second `endFrame`
-    /// from here. An image is used in one way.
-    [[nodiscard]] unsigned show(const std::shared_ptr<const Image>& image, Use use = Use::Scaled);
+    /// A 2D texture of the image; none where GL refused it. Stays valid until the second `endFrame` from
+    /// here. An image is used in one way.
+    [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image, Use use = Use::Scaled);
 
     /// Forgets what was not shown since the last call.
     void endFrame();
 
 private:
     struct Slot {
-        TextureObject object;
+        TextureHandle texture;
         std::uint64_t frame = 0; ///< in which it was shown last
     };
     std::map<std::shared_ptr<const Image>, Slot> slots_; // holds the images: an address stands for one

@@ -102,7 +102,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return view::Frame{state.target.texture(),
+    return view::Frame{handleOf(state.target.texture()),
                        size,
                        elapsed.count(),
                        state.errors.sentences(),

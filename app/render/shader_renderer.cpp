@@ -210,11 +210,19 @@ private:
 
 Result<ShaderRenderer> ShaderRenderer::create(const view::Capabilities& capabilities,
                                               const ShaderOptions& options) {
-    if (!GLEW_VERSION_3_3)
-        return fail(ErrorCode::Unsupported,
-                    "the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL " +
-                        capabilities.version);
+    const view::OfferedRenderers offered = offeredRenderers(capabilities);
+    if (!offered.has(RendererKind::Shader))
+        return fail(ErrorCode::Unsupported, offered.whyNot(RendererKind::Shader));
     return ShaderRenderer(capabilities, std::make_unique<ShaderPipeline>(options));
+}
+
+view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities) {
+    view::OfferedRenderers offered;
+    if (!GLEW_VERSION_3_3)
+        offered.withhold(RendererKind::Shader,
+                         "the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL " +
+                             capabilities.version);
+    return offered;
 }
 
 Result<SceneRenderer> createRenderer(RendererKind kind, const view::Capabilities& capabilities,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/scene_renderer.h"
+#include "app/view/offered_renderers.h"
 #include "core/scene/renderer.h"
 
 #include <filesystem>
@@ -27,6 +28,9 @@ public:
 private:
     using SceneRenderer::SceneRenderer;
 };
+
+/// Which renderers this driver has.
+[[nodiscard]] view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities);
 
 /// The renderer of this kind. The options are for that with shaders. The reference is none of OpenGL's: see
 /// core/reference/draw.h.

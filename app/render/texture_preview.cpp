@@ -1,89 +1,19 @@
 #include "app/render/texture_preview.h"
 
 #include "app/render/state_guard.h"
-#include "core/image/cube_faces.h"
-#include "core/s3tc/surface_pixels.h"
-#include "core/texture/texture_levels.h"
 
-#include <algorithm>
-#include <array>
 #include <new>
 
 namespace texplorer::render {
 
-namespace {
-
-/// What matters for the base level. A flip of coordinates or of the matrix is one of pixels here: the panel
-/// shows the picture below the coordinates as the scene has them.
-Texture baseSettings(const Texture& texture) {
-    Texture settings = imageSettings(texture);
-    settings.flip = texture.flip == FlipMode::None ? FlipMode::None : FlipMode::Pixels;
-    settings.compression = Compression::None;
-    settings.compressedFormat = CompressedFormat::Dxt1;
-    settings.compressionQuality = EncodeQuality::Normal;
-    settings.mipmaps = MipPolicy::None;
-    settings.mipFilter = MipFilter::Box;
-    settings.mipGamma = false;
-    return settings;
-}
-
-/// Six faces as one picture.
-TextureImage unfolded(const TextureImage& image) {
-    std::array<Image, cubeFaceCount> faces;
-    for (int face = 0; face < cubeFaceCount; ++face) {
-        Image& made = faces[static_cast<std::size_t>(face)];
-        made = toImage(image.surface(face, 0));
-        if (!image.topFirst)
-            flipVertically(made);
-    }
-    TextureImage picture = textureOf(cubeCross(faces), image.format);
-    picture.topFirst = true;
-    return picture;
-}
-
-/// Whether it has more texels than a panel could show: of those it gets a part.
-bool isLarge(const TextureImage& image) {
-    const Image* base = std::get_if<Image>(&image.surfaces.front());
-    return base && base->depth == 1 && std::max(base->width, base->height) > TexturePreview::mostTexels;
-}
-
-/// Every nth texel of a large image, as GL_NEAREST leaves them out where it is drawn small.
-TextureImage thinned(const TextureImage& image) {
-    const auto& base = std::get<Image>(image.surfaces.front());
-    const int step =
-        (std::max(base.width, base.height) + TexturePreview::mostTexels - 1) / TexturePreview::mostTexels;
-    Image part =
-        Image::uninitialised(base.format, (base.width + step - 1) / step, (base.height + step - 1) / step);
-    for (int y = 0; y < part.height; ++y) {
-        for (int x = 0; x < part.width; ++x)
-            std::ranges::copy(base.at(x * step, y * step), part.at(x, y).begin());
-    }
-    TextureImage picture = textureOf(std::move(part), image.format);
-    picture.topFirst = image.topFirst;
-    picture.fileTopFirst = image.fileTopFirst;
-    picture.alpha = image.alpha;
-    return picture;
-}
-
-} // namespace
-
 unsigned TexturePreview::show(const Texture& texture, const ImageSource& images, LevelsSource* levels) {
-    std::shared_ptr<const TextureImage> image = images.find(texture);
-    if (!image)
+    const std::optional<LevelsRequest> request = picture_.request(texture, images);
+    if (!request)
         return 0;
-    const bool isCube = image->faces == cubeFaceCount;
-    if (!image->surfaces.empty() && (isCube || isLarge(*image))) {
-        if (from_ != image) {
-            from_ = image;
-            shown_ = std::make_shared<const TextureImage>(isCube ? unfolded(*image) : thinned(*image));
-        }
-        image = shown_;
-    }
-    const LevelsRequest request{std::move(image), baseSettings(texture), Target::Texture2D};
-    if (!live_.shows(request) || live_.isUploading()) {
+    if (!live_.shows(*request) || live_.isUploading()) {
         try {
             const StateGuard guard;
-            live_.follow(request, nullptr, levels, "preview");
+            live_.follow(*request, nullptr, levels, "preview");
             Texture plain;
             plain.magFilter = MagFilter::Nearest;
             plain.minFilter = MinFilter::Nearest;

@@ -127,6 +127,26 @@ Result<std::vector<conform::Pair>> pairsOf(const Options& options) {
     return std::vector{conform::Pair{*subject, *against}};
 }
 
+/// Those of the pairs that the driver can draw; it is said why the others can't be. The error: there are
+/// none.
+Result<std::vector<conform::Pair>> drawable(const std::vector<conform::Pair>& pairs,
+                                            const view::OfferedRenderers& offered) {
+    std::vector<conform::Pair> possible;
+    std::vector<std::string> reasons;
+    for (const conform::Pair& pair : pairs) {
+        const RendererKind missing = offered.has(pair.subject) ? pair.against : pair.subject;
+        if (offered.has(missing))
+            possible.push_back(pair);
+        else
+            reasons.push_back(offered.whyNot(missing));
+    }
+    if (possible.empty())
+        return fail(ErrorCode::Unsupported, reasons.front());
+    for (const std::string& reason : reasons)
+        complain({ErrorCode::Unsupported, reason + ": it is not compared", {}});
+    return possible;
+}
+
 Result<conform::Selection> selectionOf(const Options& options) {
     conform::Selection selection;
     selection.seed = options.seed;
@@ -190,12 +210,15 @@ ExitCode conformTo(const Options& options) {
     const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders);
     if (!studio)
         return complain(studio.error());
+    const Result<std::vector<conform::Pair>> possible = drawable(*pairs, (*studio)->renderers());
+    if (!possible)
+        return complain(possible.error());
     StudioRenderer fixed(**studio, RendererKind::Fixed);
     StudioRenderer shader(**studio, RendererKind::Shader);
     LongWork work("texshot: comparing");
     conform::SweepOptions sweep;
     sweep.selection = *selection;
-    sweep.pairs = *pairs;
+    sweep.pairs = *possible;
     sweep.driver = (*studio)->driver();
     sweep.driver.settings = settings;
     sweep.progress = [&work](float done) { work.report(done); };

@@ -8,8 +8,7 @@
 #include "app/render/driver_cache.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
-#include "app/stage/stage.h"
-#include "app/ui/model/loads.h"
+#include "app/stage/loop.h"
 #include "app/ui/model/session.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/window/layout.h"
@@ -72,7 +71,14 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     const auto graphics = opengl::OpenGlGraphics::create({request.shaders, {}});
     if (!graphics)
         return fail(graphics.error());
-    stage::Stage stage(**graphics, 1);
+
+    std::vector<RendererKind> asked = request.compared;
+    if (asked.empty())
+        asked.push_back(request.renderer);
+    for (const RendererKind each : asked) {
+        if (!(*graphics)->renderers().has(each))
+            return fail(ErrorCode::Unsupported, (*graphics)->renderers().whyNot(each));
+    }
 
     ui::ServicesAtOnce services(request.levels);
     ui::Session session(services.lend(), {request.scene, request.images, request.file});
@@ -96,15 +102,15 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     session.window.playback.time = request.time;
     session.window.showsFrameTime = false;
     session.window.wantedTab = request.tab;
+    stage::Loop loop(**graphics, session, {request.size, request.size, 1});
     for (int frame = 0; frame < settlingFrames; ++frame) {
-        (void)ui::receiveFiles(session);
         session.window.wantedSection = request.section; // where it is, is known once the panel has its size
-        stage.draw(session, {request.size, request.size, 1});
+        (void)loop.step(0, {});                         // the scene's time stands still
     }
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, request.size.width, request.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Shot{{std::move(image), stage.problems()}, view::driverFacts((*graphics)->capabilities())};
+    return Shot{{std::move(image), loop.problems()}, view::driverFacts((*graphics)->capabilities())};
 }
 
 class OsmesaStudio : public Studio {
@@ -118,6 +124,8 @@ public:
     conform::Driver driver() const override {
         return {capabilities_.renderer, capabilities_.version, {}, view::driverFacts(capabilities_)};
     }
+
+    view::OfferedRenderers renderers() const override { return render::offeredRenderers(capabilities_); }
 
     Result<Frame> draw(RendererKind kind, const Scene& scene, view::Size size) override {
         auto found = renderers_.find(kind);

@@ -5,7 +5,8 @@
 
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/sections.h"
-#include "app/view/frame.h"
+#include "app/view/offered_renderers.h"
+#include "app/view/size.h"
 #include "core/base/result.h"
 #include "core/conform/pair.h"
 #include "core/conform/renderer.h"
@@ -62,7 +63,8 @@ public:
     virtual ~Studio() = default;
 
     [[nodiscard]] virtual conform::Driver driver() const = 0;
-    /// Fixed function or the shaders, at time 0. No file is read: textures are patterns and
+    [[nodiscard]] virtual view::OfferedRenderers renderers() const = 0;
+    /// Fixed function or the shaders, if it is offered, at time 0. No file is read: textures are patterns and
     /// conform::madeFiles.
     [[nodiscard]] virtual Result<Frame> draw(RendererKind renderer, const Scene& scene, view::Size size) = 0;
 };

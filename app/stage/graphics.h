@@ -2,6 +2,7 @@
 
 #include "app/view/capabilities.h"
 #include "app/view/frame.h"
+#include "app/view/offered_renderers.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/scene/renderer.h"
@@ -16,8 +17,7 @@
 namespace texplorer::stage {
 
 /// What a host lends to its stage: who draws the scene, where pictures are kept so that panels can show them,
-/// and who draws the panels. A picture is a number that means something to it alone; 0: there is
-/// none.
+/// and who draws the panels.
 class Graphics {
 public:
     Graphics() = default;
@@ -28,9 +28,11 @@ public:
     /// Of the driver, where there is one.
     [[nodiscard]] virtual const view::Capabilities& capabilities() const = 0;
 
-    /// Draws the scene with one of its renderers; RendererKind::Reference is never asked for. The error says
-    /// why there is no such renderer, or what it refused. A texture is what it was before until `levels` has
-    /// it.
+    /// Those that `draw` has, and the reference, which needs none of this. May change between two frames.
+    [[nodiscard]] virtual const view::OfferedRenderers& renderers() const = 0;
+
+    /// Draws the scene with a renderer that is offered; RendererKind::Reference is never asked for. The error
+    /// says what it refused. A texture is what it was before until `levels` has it.
     [[nodiscard]] virtual Result<view::Frame> draw(RendererKind renderer, const Scene& scene,
                                                    const ImageSource& images, double time, view::Size size,
                                                    LevelsSource& levels) = 0;
@@ -42,11 +44,11 @@ public:
         Enlarged, ///< so that one sees its pixels
     };
     /// A picture of the image, valid until the second `endFrame` from here. An image is used in one way.
-    [[nodiscard]] virtual unsigned show(const std::shared_ptr<const Image>& image, Use use) = 0;
+    [[nodiscard]] virtual view::PictureHandle show(const std::shared_ptr<const Image>& image, Use use) = 0;
     /// A picture of a texture's base level, upright, its texels to be seen, valid until the next call. It may
     /// be that of before, or none, until `levels` has it.
-    [[nodiscard]] virtual unsigned showTexture(const Texture& texture, const ImageSource& images,
-                                               LevelsSource& levels) = 0;
+    [[nodiscard]] virtual view::PictureHandle showTexture(const Texture& texture, const ImageSource& images,
+                                                          LevelsSource& levels) = 0;
     /// Whether what `showTexture` shows goes on with the next frame.
     [[nodiscard]] virtual bool isUploading() const = 0;
     /// What was not shown since the last call is forgotten.

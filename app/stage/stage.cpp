@@ -1,7 +1,9 @@
 #include "app/stage/stage.h"
 
 #include "app/stage/view_frames.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/view/panes.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/layout.h"
 
@@ -13,6 +15,8 @@
 namespace texplorer::stage {
 namespace {
 
+constexpr float shortestFrame = 1e-4F; // seconds: Dear ImGui wants its time to go on
+
 /// Dear ImGui, as the host draws it.
 class Panels {
 public:
@@ -21,6 +25,7 @@ public:
         , scale_(scale) {
         ImGui::CreateContext();
         ui::applyTheme(scale);
+        ui::mapKeys();
         graphics_.startPanels();
     }
     ~Panels() {
@@ -68,10 +73,13 @@ const std::vector<std::string>& Stage::problems() const {
     return state_->problems;
 }
 
-ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
+ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float seconds,
                          const std::function<void()>& feedInput) {
     Graphics& graphics = state_->graphics;
     state_->panels.setScale(surface.scale);
+    if (const std::string instead = ui::offerRenderers(session.window.view, graphics.renderers());
+        !instead.empty())
+        ui::say(session, instead);
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
     const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density,
@@ -84,17 +92,19 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
     const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
     state_->frames.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));
-    const unsigned texture =
-        bound ? graphics.showTexture(*bound, session.document.images, session.services.levels) : 0;
+    const view::PictureHandle texture =
+        bound ? graphics.showTexture(*bound, session.document.images, session.services.levels)
+              : view::PictureHandle::None;
 
     graphics.beginFrame();
-    ImGui::GetIO().DisplaySize = {static_cast<float>(surface.size.width),
-                                  static_cast<float>(surface.size.height)};
-    ImGui::GetIO().DisplayFramebufferScale = {density, density};
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(surface.size.width), static_cast<float>(surface.size.height)};
+    io.DisplayFramebufferScale = {density, density};
+    io.DeltaTime = std::max(seconds, shortestFrame);
     if (feedInput)
         feedInput();
     ImGui::NewFrame();
-    const auto textureOf = [&graphics](const std::shared_ptr<const Image>& image) {
+    const auto keep = [&graphics](const std::shared_ptr<const Image>& image) {
         return graphics.show(image, Graphics::Use::Scaled);
     };
     ui::Requests requests = ui::drawWorkbench(session, state_->states,
@@ -104,7 +114,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface,
                                                .shaders = state_->frames.shaders(),
                                                .texture = texture,
                                                .setBlending = graphics.blendingSwitch(),
-                                               .textureOf = textureOf},
+                                               .keep = keep},
                                               graphics.capabilities(), layout);
     requests.unfinished = state_->frames.isUnfinished() || graphics.isUploading();
     ImGui::Render();

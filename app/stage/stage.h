@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/stage/graphics.h"
+#include "app/stage/surface.h"
 #include "app/ui/window/workbench.h"
 
 #include <functional>
@@ -10,15 +11,8 @@
 
 namespace texplorer::stage {
 
-/// Where a frame goes: the framebuffer that is bound when Stage::draw is called.
-struct Surface {
-    view::Size size;   ///< in the units of the mouse, which on some systems are larger than pixels
-    view::Size pixels; ///< of the framebuffer
-    float scale = 1;   ///< of the monitor's content: how large text should be, in pixels
-};
-
-/// Draws whole frames, the scene first and the panels around it. Both programs are a Stage and a host that
-/// lends it its graphics. Owns the Dear ImGui context; one a process, on the thread of the graphics.
+/// Draws whole frames, the scene first and the panels around it, when its Loop says so. Owns the Dear ImGui
+/// context; one a process, on the thread of the graphics.
 class Stage {
 public:
     /// `graphics` must outlive the stage. `scale` is that of the monitor's content.
@@ -29,9 +23,9 @@ public:
     Stage& operator=(Stage&&) noexcept;
     ~Stage();
 
-    /// One frame; between two frames the scale may change. `feedInput` is called right before
-    /// ImGui::NewFrame, with the display size already set: a window's backend, or synthetic events.
-    ui::Requests draw(ui::Session& session, const Surface& surface,
+    /// One frame, `seconds` after the last one; between two frames the scale may change. `feedInput` is
+    /// called right before ImGui::NewFrame, with the display size already set.
+    ui::Requests draw(ui::Session& session, const Surface& surface, float seconds,
                       const std::function<void()>& feedInput = {});
 
     /// What the renderers said of the last frame's scene.

@@ -28,7 +28,8 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     }
     const bool drawn =
         std::ranges::find(frames_, RendererKind::Shader, &ui::ViewFrame::renderer) != frames_.end();
-    if (session.window.shownTab == ui::Tab::Glsl && !drawn) { // they are made while they draw
+    const bool offered = session.window.view.offered.has(RendererKind::Shader);
+    if (session.window.shownTab == ui::Tab::Glsl && offered && !drawn) { // they are made while they draw
         const view::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
@@ -43,7 +44,7 @@ void ViewFrames::addProblems(const std::vector<std::string>& problems) {
 }
 
 ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
-    ui::ViewFrame view{kind, {0, size, 0, {}, false}, nullptr, true};
+    ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true};
     Result<view::Frame> frame = graphics_.draw(kind, session.document.scene, session.document.images,
                                                session.window.playback.time, size, session.services.levels);
     if (!frame) {
@@ -72,9 +73,9 @@ ui::ViewFrame ViewFrames::drawReference(ui::Session& session, view::Size size) {
     const reference::DrawWorker::Frame& picture = session.services.reference.frame(
         {session.document.scene, session.document.images, session.window.playback.time, size.width,
          size.height, session.window.view.anisotropy});
-    const unsigned texture = graphics_.show(picture.image, Graphics::Use::Enlarged);
+    const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
-            {texture, size, picture.milliseconds, picture.problems, false},
+            {shown, size, picture.milliseconds, picture.problems, false},
             picture.whole ? picture.image : nullptr,
             picture.whole};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/view/pass_shader.h"
+#include "app/view/picture_handle.h"
 #include "app/view/size.h"
 
 #include <cstdint>
@@ -10,10 +11,10 @@
 
 namespace texplorer::view {
 
-/// What a renderer hands to a view: the picture as a GL texture of exactly `size` pixels, bottom row first,
-/// owned by the renderer and valid until it draws again.
+/// What a renderer hands to a view: the picture, of exactly `size` pixels, bottom row first, owned by the
+/// renderer and valid until it draws again.
 struct Frame {
-    unsigned texture = 0; ///< a GL texture name; 0 where nothing could be drawn
+    PictureHandle picture = PictureHandle::None; ///< of nothing where nothing could be drawn
     Size size;
     double milliseconds = 0; ///< wall time of the draw call, without waiting for the GPU
     std::vector<std::string>

@@ -10,9 +10,13 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"((?:core|app)/[^"]+)"', re.MULTILINE)
-# Others' headers that are for one folder: CLI11 takes seconds to compile, GLFW is for what has a display.
-ALONE = {"CLI": "app/command_line", "GLFW": "app/explorer"}
+# Others' headers that are for one folder: CLI11 takes seconds to compile, GLFW is for what has a display, Dear ImGui's
+# backends for what has OpenGL.
+ALONE = {"CLI": "app/command_line", "GLFW": "app/explorer", "backends": "app/opengl"}
 OTHERS = re.compile(r"^\s*#\s*include\s+<(" + "|".join(ALONE) + r")/", re.MULTILINE)
+# The window is told the time, by its host or by a test: it asks no clock.
+TOLD_THE_TIME = ("app/ui/", "app/stage/")
+CLOCK = re.compile(r"\b(\w+_clock::now|steadySeconds|glfwGetTime|ImGui::GetTime)\(")
 PICTURE = re.compile(r"(<!-- layers -->\n```\n).*?(```\n<!-- /layers -->)", re.DOTALL)
 
 
@@ -98,6 +102,8 @@ def wrong_includes(layers, files):
                 found.append(f"{path} includes {included}, but {above} does not link {below or 'it'}")
         found += [f"{path} includes <{name}/…>, which is for {ALONE[name]}"
                   for name in OTHERS.findall(text) if above != ALONE[name]]
+        found += [f"{path} asks {name}, and is to be told the time"
+                  for name in CLOCK.findall(text) if path.startswith(TOLD_THE_TIME)]
     return found
 
 

@@ -42,6 +42,11 @@ class Includes(unittest.TestCase):
         self.assertEqual(wrong(app__ui__a="#include <CLI/CLI.hpp>\n#include <CLI11>\n"),
                          ["app/ui/a.cpp includes <CLI/…>, which is for app/command_line"])
 
+    def test_who_is_told_the_time_asks_no_clock(self):
+        asks = "auto now = std::chrono::steady_clock::now();\n"
+        self.assertEqual(wrong(app__ui__a=asks + "system_clock::to_time_t(when);\n", core__base__a=asks),
+                         ["app/ui/a.cpp asks steady_clock::now, and is to be told the time"])
+
     def test_a_file_without_a_library_is_named(self):
         self.assertEqual(wrong(core__new__a=""), ["core/new/a.cpp belongs to no library"])
 

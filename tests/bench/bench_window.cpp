@@ -22,7 +22,7 @@ void windowFrame(benchmark::State& state) {
     ui::ServicesAtOnce services;
     ui::Session session(services.lend());
     for (auto _ : state) {
-        stage.draw(session, {window, window, 1});
+        stage.draw(session, {window, window, 1}, 1.0F / 60);
         glFinish();
     }
 }

@@ -130,7 +130,7 @@ TEST_F(FixedRenderer, TheFrameIsATextureOfExactlyThatSize) {
         EXPECT_EQ(frame->size, size);
         GLint width = 0;
         GLint height = 0;
-        glBindTexture(GL_TEXTURE_2D, frame->texture);
+        glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(frame->picture));
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
         EXPECT_EQ((view::Size{width, height}), size);
@@ -144,7 +144,7 @@ TEST_F(FixedRenderer, KeepsItsTextureWhileTheSizeStays) {
     const auto first = renderer->draw(flatScene(), images, 0, {8, 8});
     const auto second = renderer->draw(defaultScene(), images, 0, {8, 8});
     ASSERT_TRUE(first && second);
-    EXPECT_EQ(first->texture, second->texture);
+    EXPECT_EQ(first->picture, second->picture);
 }
 
 TEST_F(FixedRenderer, ThePictureIsTheFramesTextureBottomRowFirst) {

@@ -102,7 +102,7 @@ TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
 TEST(TexturePreview, LeavesTexelsOutOfALargeImage) {
     const auto context = offscreen::OsmesaContext::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
-    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * TexturePreview::mostTexels + 1, 5);
+    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * PreviewPicture::mostTexels + 1, 5);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x)
             image.at(x, y)[0] = static_cast<std::byte>(x % 50 + 51 * y);

@@ -1,101 +1,23 @@
 // A frame as a host without OpenGL gets it.
 
-#include "app/stage/stage.h"
-#include "app/ui/widgets/keys.h"
+#include "tests/stage/numbers_for_pictures.h"
 
 #include <gmock/gmock.h>
-
-#include <map>
 
 namespace texplorer::stage {
 namespace {
 
 using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Keeps pictures as numbers and counts what it is asked for. It has the fixed function, and no shaders.
-class NumbersForPictures final : public Graphics {
-public:
-    NumbersForPictures() {
-        facts.renderer = "made up";
-        facts.maxTextureSize = 16384;
-        facts.textureUnits = 8;
-        facts.maxAnisotropy = 16;
-    }
-
-    const view::Capabilities& capabilities() const override { return facts; }
-    Result<view::Frame> draw(RendererKind renderer, const Scene& /*scene*/, const ImageSource& /*images*/,
-                             double /*time*/, view::Size size, LevelsSource& /*levels*/) override {
-        drawn.push_back(renderer);
-        if (renderer != RendererKind::Fixed)
-            return fail(ErrorCode::Driver, "there are no shaders here");
-        view::Frame frame;
-        frame.texture = 1000;
-        frame.size = size;
-        frame.revision = 7;
-        return frame;
-    }
-    Result<Image> read(RendererKind /*renderer*/) override {
-        ++reads;
-        return Image::uninitialised(PixelFormat::Rgba8, pixels.width, pixels.height);
-    }
-    unsigned show(const std::shared_ptr<const Image>& image, Use use) override {
-        if (!image)
-            return 0;
-        shown[image] = use;
-        return static_cast<unsigned>(shown.size());
-    }
-    unsigned showTexture(const Texture& /*texture*/, const ImageSource& /*images*/,
-                         LevelsSource& /*levels*/) override {
-        return 2000;
-    }
-    bool isUploading() const override { return uploading; }
-    void endFrame() override { ++frames; }
-    void startPanels() override {
-        unsigned char* alpha = nullptr;
-        int width = 0;
-        int height = 0;
-        ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&alpha, &width, &height);
-        started = true;
-    }
-    void endPanels() override { started = false; }
-    void fontsChanged() override {
-        ++fonts;
-        startPanels();
-    }
-    void beginFrame() override {}
-    void drawPanels(ImDrawData& panels, view::Size size) override {
-        pixels = size;
-        pictures.clear();
-        for (int i = 0; i < panels.CmdListsCount; ++i) {
-            for (const ImDrawCmd& command : panels.CmdLists[i]->CmdBuffer)
-                pictures.push_back(
-                    static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.TextureId)));
-        }
-    }
-    ImDrawCallback blendingSwitch() const override { return nullptr; }
-
-    view::Capabilities facts;
-    std::vector<RendererKind> drawn;
-    std::map<std::shared_ptr<const Image>, Use> shown;
-    std::vector<unsigned> pictures; ///< that the panels of the last frame are drawn with
-    view::Size pixels;
-    int reads = 0;
-    int frames = 0;
-    int fonts = 0;
-    bool uploading = false;
-    bool started = false;
-};
-
 class StageTest : public testing::Test {
 protected:
     ui::Requests frame(float scale = 1) {
-        ui::mapKeys();
-        ImGui::GetIO().DeltaTime = 1.0F / 60;
-        return stage.draw(session, {{1280, 800}, {1280, 800}, scale});
+        return stage.draw(session, {{1280, 800}, {1280, 800}, scale}, 1.0F / 60);
     }
     NumbersForPictures graphics;
     Stage stage{graphics, 1};
@@ -126,10 +48,47 @@ TEST_F(StageTest, TheReferenceNeedsNoRenderer) {
     EXPECT_THAT(stage.problems(), IsEmpty());
 }
 
-TEST_F(StageTest, ARendererThatThereIsNotIsSaid) {
-    showOne(session.window.view, RendererKind::Shader);
+TEST_F(StageTest, OnlyWhatTheHostHasIsAskedFor) {
+    session.window.wantedTab = ui::Tab::Glsl;
     frame();
-    EXPECT_THAT(stage.problems(), ElementsAre(HasSubstr("there are no shaders here")));
+    showOne(session.window.view, RendererKind::Shader);
+    for (int i = 0; i < 3; ++i)
+        frame();
+    EXPECT_EQ(session.window.shownTab, ui::Tab::Glsl);
+    EXPECT_EQ(session.window.view.renderer, RendererKind::Fixed);
+    EXPECT_THAT(graphics.drawn, Each(RendererKind::Fixed));
+    EXPECT_THAT(stage.problems(), IsEmpty());
+    EXPECT_EQ(session.window.notice.text, "") << "nobody had asked for it when that came out";
+}
+
+TEST_F(StageTest, WhatWasChosenAndIsNotThereGivesWayAndIsSaid) {
+    graphics.offered.withhold(RendererKind::Fixed, "the driver has a core profile");
+    frame();
+    EXPECT_EQ(session.window.view.renderer, RendererKind::Reference);
+    EXPECT_THAT(session.window.notice.text, HasSubstr("the driver has a core profile"));
+    EXPECT_THAT(graphics.drawn, IsEmpty());
+    EXPECT_THAT(stage.problems(), IsEmpty());
+}
+
+TEST_F(StageTest, AHostMayLoseWhatItHadAndHaveItAgain) {
+    graphics.offered = {};
+    showComparison(session.window.view, {RendererKind::Fixed, RendererKind::Shader});
+    frame();
+    EXPECT_THAT(graphics.drawn, ElementsAre(RendererKind::Fixed, RendererKind::Shader));
+    graphics.drawn.clear();
+    graphics.offered.withhold(RendererKind::Shader, "its context is lost");
+    frame();
+    EXPECT_THAT(graphics.drawn, ElementsAre(RendererKind::Fixed));
+    EXPECT_THAT(session.window.view.compared, ElementsAre(RendererKind::Fixed, RendererKind::Reference));
+    EXPECT_TRUE(isComparing(session.window.view));
+    graphics.offered.withhold(RendererKind::Fixed, "its context is lost");
+    frame();
+    EXPECT_FALSE(isComparing(session.window.view)) << "one picture is no comparison";
+    EXPECT_EQ(session.window.view.renderer, RendererKind::Reference);
+    graphics.offered = {};
+    frame();
+    showOne(session.window.view, RendererKind::Shader);
+    EXPECT_EQ(session.window.view.renderer, RendererKind::Shader);
 }
 
 TEST_F(StageTest, PixelsAreReadOnceForEachPicture) {

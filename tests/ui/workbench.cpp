@@ -97,7 +97,7 @@ void Workbench::frames(int count) {
         std::vector<ViewFrame> frames;
         for (const RendererKind renderer : shownRenderers(session->window.view))
             frames.push_back(
-                {renderer, {0, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
+                {renderer, {{}, {layout.picture.width, layout.picture.height}, 0, {}, false}, {}});
         build({frames});
     }
 }
@@ -111,8 +111,9 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
     drawing_->frames.draw(*session, {layout.picture.width, layout.picture.height});
     EXPECT_THAT(drawing_->frames.problems(), problems);
     const Texture* bound = boundTexture(std::as_const(*session));
-    const unsigned texture =
-        bound ? graphics.showTexture(*bound, session->document.images, session->services.levels) : 0;
+    const view::PictureHandle texture =
+        bound ? graphics.showTexture(*bound, session->document.images, session->services.levels)
+              : view::PictureHandle::None;
     graphics.beginFrame();
     build({.frames = drawing_->frames.frames(),
            .difference = drawing_->frames.difference(),
@@ -120,7 +121,7 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
            .shaders = drawing_->frames.shaders(),
            .texture = texture,
            .setBlending = graphics.blendingSwitch(),
-           .textureOf = [&graphics](const std::shared_ptr<const Image>& image) {
+           .keep = [&graphics](const std::shared_ptr<const Image>& image) {
                return graphics.show(image, stage::Graphics::Use::Scaled);
            }});
     glViewport(0, 0, width_, height_);

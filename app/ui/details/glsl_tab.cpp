@@ -1,6 +1,7 @@
 #include "app/ui/details/glsl_tab.h"
 
 #include "app/ui/details/glsl_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -207,7 +208,8 @@ void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pi
         pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
     if (!shader) {
         ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("There is no shader: the status bar says why.");
+        const std::string& reason = session.window.view.offered.whyNot(RendererKind::Shader);
+        dimText(fmt::format("There is no shader: {}.", reason.empty() ? "the status bar says why" : reason));
         ImGui::PopTextWrapPos();
         return;
     }

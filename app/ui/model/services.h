@@ -49,7 +49,9 @@ public:
         , reference_(reference::DrawWorker::When::AtOnce, {}, work)
         , probe_(reference::ProbeWorker::When::AtOnce, {}, work) {}
 
-    [[nodiscard]] Services lend() { return {files_, levels_, reference_, probe_}; }
+    [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
+        return {files_, levels_, reference_, probe_, unsaved};
+    }
 
 private:
     FilesAtOnce files_;

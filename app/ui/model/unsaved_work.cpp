@@ -19,4 +19,8 @@ void followEdits(Session& session) {
         say(session, fmt::format("Unsaved work can't be kept: {}.", describe(*problem)));
 }
 
+std::optional<double> dueAt(const Session& session) {
+    return session.services.unsaved ? session.services.unsaved->autosave.due() : std::nullopt;
+}
+
 } // namespace texplorer::ui

@@ -13,8 +13,8 @@ namespace texplorer::ui {
 /// What a renderer has drawn for the view.
 struct ViewFrame {
     RendererKind renderer = RendererKind::Fixed;
-    view::Frame frame;                  ///< its texture may be smaller than its size: a coarse picture
-    std::shared_ptr<const Image> image; ///< the pixels, where the panels want them and the picture is whole
+    view::Frame frame;                  ///< its picture may be smaller than its size: a coarse picture
+    std::shared_ptr<const Image> image; ///< the pixels, where the views want them and the picture is whole
     /// Nothing better is on its way: the picture is of the scene as it is now, and not a coarse one. Where
     /// there is no picture, there will be none, and the frame's problems say why.
     bool whole = true;
@@ -24,7 +24,7 @@ struct ViewFrame {
 struct ViewDifference {
     Difference numbers;
     HeatScale scale;
-    unsigned heatMap = 0; ///< a GL texture of the size of the pictures; 0: none could be had
+    view::PictureHandle heatMap = view::PictureHandle::None; ///< of the size of the pictures
 };
 
 } // namespace texplorer::ui

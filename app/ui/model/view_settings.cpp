@@ -1,6 +1,22 @@
 #include "app/ui/model/view_settings.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+
 namespace texplorer::ui {
+namespace {
+
+std::vector<RendererKind> offeredOf(const ViewSettings& settings) {
+    std::vector<RendererKind> all;
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        if (settings.offered.has(static_cast<RendererKind>(row.value)))
+            all.push_back(static_cast<RendererKind>(row.value));
+    }
+    return all;
+}
+
+} // namespace
 
 std::vector<RendererKind> shownRenderers(const ViewSettings& settings) {
     switch (settings.arrangement) {
@@ -11,25 +27,51 @@ std::vector<RendererKind> shownRenderers(const ViewSettings& settings) {
     case Arrangement::Grid:
         break;
     }
-    std::vector<RendererKind> all;
-    for (const EnumRow& row : EnumTable<RendererKind>::rows)
-        all.push_back(static_cast<RendererKind>(row.value));
-    return all;
+    return offeredOf(settings);
+}
+
+bool canCompare(const ViewSettings& settings) {
+    return offeredOf(settings).size() > 1;
 }
 
 void showOne(ViewSettings& settings, RendererKind renderer) {
+    if (!settings.offered.has(renderer))
+        return;
     settings.arrangement = Arrangement::One;
     settings.renderer = renderer;
 }
 
 void showComparison(ViewSettings& settings) {
-    settings.arrangement = settings.comparing;
+    if (canCompare(settings))
+        settings.arrangement = settings.comparing;
 }
 
 void showComparison(ViewSettings& settings, const std::vector<RendererKind>& renderers) {
     settings.compared = {renderers[0], renderers[1]};
     settings.comparing = renderers.size() == 2 ? Arrangement::Split : Arrangement::Grid;
     showComparison(settings);
+}
+
+std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers& offered) {
+    if (settings.offered == offered)
+        return {};
+    const std::vector<RendererKind> before = shownRenderers(settings);
+    settings.offered = offered;
+    const std::vector<RendererKind> all = offeredOf(settings);
+    if (!offered.has(settings.renderer))
+        settings.renderer = offered.best();
+    for (std::size_t i = 0; i < settings.compared.size(); ++i) {
+        const auto other =
+            std::ranges::find_if(all, [&](RendererKind kind) { return kind != settings.compared[1 - i]; });
+        if (!offered.has(settings.compared[i]))
+            settings.compared[i] = other == all.end() ? all.front() : *other;
+    }
+    if (all.size() < 2)
+        settings.arrangement = Arrangement::One;
+    const auto missing = std::ranges::find_if(before, [&](RendererKind kind) { return !offered.has(kind); });
+    if (missing == before.end())
+        return {};
+    return fmt::format("There is no {} here: {}", rowOf(*missing).label, offered.whyNot(*missing));
 }
 
 } // namespace texplorer::ui

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "app/view/offered_renderers.h"
 #include "core/reference/sampling/lod.h"
 #include "core/scene/renderer.h"
 
 #include <glm/vec2.hpp>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -38,6 +40,7 @@ struct ViewSettings {
     int tolerance = 2;      ///< differences up to here don't count, in 255ths
     bool magnifies = false; ///< the pixels under the mouse are shown enlarged
     PictureZoom zoom;
+    view::OfferedRenderers offered; ///< by the host: of the others nothing is shown
 
     static constexpr int largestTolerance = 254;
 };
@@ -54,13 +57,21 @@ struct ViewSettings {
 /// Those whose pictures are shown, in the order of their panes.
 [[nodiscard]] std::vector<RendererKind> shownRenderers(const ViewSettings& settings);
 
-/// Shows one renderer's picture.
+/// Whether there are two to compare.
+[[nodiscard]] bool canCompare(const ViewSettings& settings);
+
+/// Shows one renderer's picture. Nothing happens where it isn't offered.
 void showOne(ViewSettings& settings, RendererKind renderer);
 
-/// Compares, in the arrangement that was used last.
+/// Compares, in the arrangement that was used last. Nothing happens where there aren't two.
 void showComparison(ViewSettings& settings);
 
-/// Compares exactly these, of which there must be two or more: two with a seam, more side by side.
+/// Compares exactly these, of which there must be two or more: two with a seam, more side by side. All must
+/// be offered.
 void showComparison(ViewSettings& settings, const std::vector<RendererKind>& renderers);
+
+/// From here on the host has these. Who isn't there gives way to who is; where that changes what is shown, a
+/// sentence says it.
+[[nodiscard]] std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers& offered);
 
 } // namespace texplorer::ui

@@ -78,7 +78,7 @@ Bounds boundsOf(const TexCoords& coords) {
 }
 
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
-               unsigned id, const Bounds& used) {
+               view::PictureHandle handle, const Bounds& used) {
     const glm::vec2 seenLow = canvas.toCoord({canvas.low.x, canvas.high.y});
     const glm::vec2 seenHigh = canvas.toCoord({canvas.high.x, canvas.low.y});
     const float around = tilesAround;
@@ -90,7 +90,7 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const int bottom = tile(std::max(seenLow.y, used.low.y - around));
     const int top = tile(std::min(seenHigh.y, used.high.y + around));
     const bool many = static_cast<long long>(right - left + 1) * (top - bottom + 1) > mostTiles;
-    const auto picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id));
+    const auto picture = textureId(handle);
     const ImU32 border = ImGui::ColorConvertFloat4ToU32(
         {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
     if (hasAlpha(image))
@@ -117,7 +117,8 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     draw.AddRectFilled({high.x, low.y}, {canvas.high.x, high.y}, dark);
 }
 
-void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image, unsigned id) {
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image,
+                  view::PictureHandle picture) {
     const Surface& first = image.surfaces.front();
     const float width = static_cast<float>(widthOf(first));
     const bool isOneFace = cubeLayout(widthOf(first), heightOf(first)) == CubeLayout::Same;
@@ -126,7 +127,7 @@ void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& im
                                                     : static_cast<float>(heightOf(first)) / width;
     const ImVec2 low = canvas.toPixel(0, 0.5F + tall / 2);
     const ImVec2 high = canvas.toPixel(1, 0.5F - tall / 2);
-    draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)), low, high, {0, 1}, {1, 0});
+    draw.AddImage(textureId(picture), low, high, {0, 1}, {1, 0});
 }
 
 void drawAxes(ImDrawList& draw, const Canvas& canvas) {

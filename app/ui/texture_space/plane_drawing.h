@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/widgets/pictures.h"
 
 #include <glm/vec2.hpp>
 #include <imgui.h>
@@ -50,10 +51,11 @@ struct Bounds {
 
 /// The image, tiled as its wrap modes say, around `used`. `id` is the GL texture that shows it.
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
-               unsigned id, const Bounds& used);
+               view::PictureHandle picture, const Bounds& used);
 
 /// The picture of a cube map with its faces side by side, as wide as the image is in drawTiles.
-void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image, unsigned id);
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image,
+                  view::PictureHandle picture);
 
 /// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.
 void drawAxes(ImDrawList& draw, const Canvas& canvas);

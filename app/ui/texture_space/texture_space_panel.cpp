@@ -143,9 +143,9 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     const Texture* texture = boundTexture(std::as_const(session));
     const std::shared_ptr<const TextureImage> image =
         texture ? session.document.images.find(*texture) : nullptr;
-    if (isCube && image && pictures.texture != 0)
+    if (isCube && image && pictures.texture != view::PictureHandle::None)
         drawUnfolded(draw, canvas, *image, pictures.texture);
-    else if (image && pictures.texture != 0)
+    else if (image && pictures.texture != view::PictureHandle::None)
         drawTiles(draw, canvas, *texture, image->surfaces.front(), pictures.texture, boundsOf(coords));
     if (!isCube) {
         drawAxes(draw, canvas);

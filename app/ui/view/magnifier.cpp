@@ -23,7 +23,7 @@ constexpr int across = 2 * around + 1;
 /// One picture under the glass.
 struct Lens {
     std::string name;
-    unsigned texture = 0;
+    view::PictureHandle picture = view::PictureHandle::None;
     std::string value; ///< of the pixel in the middle
     ImU32 swatch = 0;  ///< its colour; 0: not known
 };
@@ -69,7 +69,7 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
     std::vector<Lens> lenses;
     for (const Pane& pane : panes.all()) {
         Lens lens;
-        lens.texture = textureOf(pane, pictures);
+        lens.picture = pictureOf(pane, pictures);
         if (!pane.renderer) {
             lens.name = "Difference";
             lens.value = differenceText(session.window.view, pictures, pixel);
@@ -87,13 +87,13 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
 }
 
 /// The pixels around one, each as a square of `cell`; what is beyond the picture stays dark.
-void drawPixels(ImDrawList& draw, ImVec2 low, float cell, unsigned texture, glm::ivec2 pixel,
+void drawPixels(ImDrawList& draw, ImVec2 low, float cell, view::PictureHandle handle, glm::ivec2 pixel,
                 view::Size picture, ImDrawCallback setBlending) {
     const float extent = cell * across;
     draw.AddRectFilled(low, {low.x + extent, low.y + extent}, color::ground);
     const glm::ivec2 first = glm::max(pixel - around, glm::ivec2(0));
     const glm::ivec2 end = glm::min(pixel + around + 1, glm::ivec2(picture.width, picture.height));
-    if (texture != 0 && first.x < end.x && first.y < end.y) {
+    if (handle != view::PictureHandle::None && first.x < end.x && first.y < end.y) {
         const auto place = [&](int x, int y) { // of a pixel's lower left corner
             return ImVec2(low.x + static_cast<float>(x - pixel.x + around) * cell,
                           low.y + static_cast<float>(pixel.y + around + 1 - y) * cell);
@@ -104,8 +104,7 @@ void drawPixels(ImDrawList& draw, ImVec2 low, float cell, unsigned texture, glm:
         };
         if (setBlending)
             draw.AddCallback(setBlending, nullptr);
-        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)),
-                      place(first.x, end.y), place(end.x, first.y), share(first.x, end.y),
+        draw.AddImage(textureId(handle), place(first.x, end.y), place(end.x, first.y), share(first.x, end.y),
                       share(end.x, first.y));
         if (setBlending)
             draw.AddCallback(setBlending, &draw);
@@ -166,7 +165,7 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
         const auto row = static_cast<float>(place.quot);
         const ImVec2 at(low.x + pad + column * (size.x + pad),
                         low.y + pad + em * 1.2F + row * (size.y + pad));
-        drawPixels(draw, at, cell, lens.texture, *pixel, picture, pictures.setBlending);
+        drawPixels(draw, at, cell, lens.picture, *pixel, picture, pictures.setBlending);
         const float text = at.y + cell * across + em * 0.3F;
         draw.AddText({at.x, text}, color::dim, lens.name.c_str());
         float x = at.x;

@@ -1,5 +1,6 @@
 #include "app/ui/view/pane_drawing.h"
 
+#include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -62,21 +63,24 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
         return;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        if (ImGui::Selectable(labelOf(renderer).c_str(), renderer == compared))
+        const ViewSettings& settings = session.window.view;
+        const auto flags =
+            settings.offered.has(renderer) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+        if (ImGui::Selectable(labelOf(renderer).c_str(), renderer == compared, flags))
             compared = renderer;
         noteItem(fmt::format("{}={}", name, row.name));
-        helpTip(row.help);
+        helpTip(helpOf(settings, row));
     }
     ImGui::EndCombo();
 }
 
 } // namespace
 
-unsigned textureOf(const Pane& pane, const Pictures& pictures) {
+view::PictureHandle pictureOf(const Pane& pane, const Pictures& pictures) {
     if (!pane.renderer)
-        return pictures.difference ? pictures.difference->heatMap : 0;
+        return pictures.difference ? pictures.difference->heatMap : view::PictureHandle::None;
     const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
-    return view == pictures.frames.end() ? 0 : view->frame.texture;
+    return view == pictures.frames.end() ? view::PictureHandle::None : view->frame.picture;
 }
 
 bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers) {
@@ -91,12 +95,12 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     const ImVec2 high = highOf(pane.frame);
     draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
     draw.AddRectFilled(low, high, color::ground);
-    if (const unsigned texture = textureOf(pane, pictures); texture != 0) {
+    if (const view::PictureHandle picture = pictureOf(pane, pictures); picture != view::PictureHandle::None) {
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, nullptr);
         // The picture's first row is its bottom one.
-        draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), low, high,
-                      {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y});
+        draw.AddImage(textureId(picture), low, high, {panes.partLow().x, panes.partHigh().y},
+                      {panes.partHigh().x, panes.partLow().y});
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, &draw);
     } else if (pictures.setBlending) {

@@ -10,8 +10,8 @@ namespace texplorer::ui {
 void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pictures& pictures,
               const ViewSettings& settings);
 
-/// The GL texture that a pane shows; 0: none.
-[[nodiscard]] unsigned textureOf(const Pane& pane, const Pictures& pictures);
+/// What a pane shows.
+[[nodiscard]] view::PictureHandle pictureOf(const Pane& pane, const Pictures& pictures);
 
 /// Whether the pictures of these renderers will still become better, or be there at all.
 [[nodiscard]] bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers);

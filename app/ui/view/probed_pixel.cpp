@@ -21,9 +21,9 @@ void probeWithMouse(Session& session, const Panes& panes, bool hovered, bool cli
 void drawProbedPixel(const Session& session, const Pictures& pictures, const Panes& panes, const Pane& pane) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const Explaining& asked = session.window.explaining;
-    if (asked.texel && asked.light && pictures.textureOf) {
-        if (const unsigned light = pictures.textureOf(asked.light); light != 0)
-            draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(light)),
+    if (asked.texel && asked.light) {
+        if (const view::PictureHandle light = pictures.show(asked.light); light != view::PictureHandle::None)
+            draw.AddImage(textureId(light),
                           {static_cast<float>(pane.frame.x), static_cast<float>(pane.frame.y)},
                           {static_cast<float>(pane.frame.right()), static_cast<float>(pane.frame.bottom())},
                           {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},

@@ -8,21 +8,32 @@ namespace texplorer::ui {
 
 namespace {
 
+constexpr const char* compareHelp = "Two renderers across one picture, or all of them with the difference.";
+constexpr const char* nothingToCompare = "There is one renderer here, and nothing to compare it with.";
+
 float buttonWidth(const std::string& label) {
     return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-bool choice(const std::string& label, bool chosen, std::string_view help) {
+bool choice(const std::string& label, bool chosen, bool offered, std::string_view help) {
+    ImGui::BeginDisabled(!offered);
     ImGui::PushStyleColor(ImGuiCol_Button,
                           chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
     const bool pressed = ImGui::Button(label.c_str());
     ImGui::PopStyleColor();
+    ImGui::EndDisabled();
     noteItem("renderer:" + label);
     helpTip(help);
     return pressed;
 }
 
 } // namespace
+
+std::string helpOf(const ViewSettings& settings, const EnumRow& renderer) {
+    const std::string& reason = settings.offered.whyNot(static_cast<RendererKind>(renderer.value));
+    return reason.empty() ? std::string(renderer.help)
+                          : fmt::format("{}\nNot here: {}.", renderer.help, reason);
+}
 
 void drawRendererChoice(ViewSettings& settings, float available) {
     const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
@@ -40,14 +51,13 @@ void drawRendererChoice(ViewSettings& settings, float available) {
     for (const EnumRow& row : rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !isComparing(settings) && settings.renderer == renderer;
-        const std::string help = fmt::format("{}\nKey {}", row.help, ++key);
-        if (choice(std::string(row.label), chosen, help))
+        const std::string help = fmt::format("{}\nKey {}", helpOf(settings, row), ++key);
+        if (choice(std::string(row.label), chosen, settings.offered.has(renderer), help))
             showOne(settings, renderer);
         ImGui::SameLine(0, gap);
     }
-    if (choice(compare, isComparing(settings),
-               fmt::format("Two renderers across one picture, or all of them with the difference.\nKey {}",
-                           ++key)))
+    if (choice(compare, isComparing(settings), canCompare(settings),
+               fmt::format("{}\nKey {}", canCompare(settings) ? compareHelp : nothingToCompare, ++key)))
         showComparison(settings);
     ImGui::SameLine(0, gap);
 }

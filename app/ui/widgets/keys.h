@@ -3,7 +3,7 @@
 namespace texplorer::ui {
 
 // Dear ImGui 1.86 leaves key codes to the host. Ours are GLFW's: letters are their capitals in ASCII, the
-// others below. Every host reports keys under these numbers in ImGuiIO::KeysDown.
+// others below. Every host reports keys under these numbers.
 namespace key {
 inline constexpr int space = 32;
 inline constexpr int escape = 256;
@@ -26,8 +26,7 @@ inline constexpr int firstModifier = 340; ///< Shift, Control, Alt, Super: left,
 inline constexpr int lastModifier = 347;
 } // namespace key
 
-/// Tells Dear ImGui which of the codes are its own editing keys. For hosts without the GLFW backend, which
-/// does the same.
+/// Tells Dear ImGui which of the codes are its own editing keys.
 void mapKeys();
 
 } // namespace texplorer::ui

@@ -31,7 +31,9 @@ void dimText(std::string_view words) {
 }
 
 void helpTip(std::string_view words) {
-    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+    // What is disabled most of all has to say why.
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
+        ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
@@ -57,7 +59,9 @@ void warningSign() {
 
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem) {
-    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+    // What is disabled most of all has to say why.
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
+        ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);

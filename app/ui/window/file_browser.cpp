@@ -149,16 +149,16 @@ void drawThumbnail(Files& files, const FileBrowser& browser, const FileBrowser::
     if (!image || image->empty())
         return;
     noteItem("thumbnail:" + entry.name);
-    const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
-    if (id == 0)
+    const view::PictureHandle picture = pictures.show(image);
+    if (picture == view::PictureHandle::None)
         return;
     const float scale = (extent - 2) / static_cast<float>(std::max(image->width, image->height));
     const ImVec2 size(static_cast<float>(image->width) * std::min(scale, 4.0F),
                       static_cast<float>(image->height) * std::min(scale, 4.0F));
     const ImVec2 low(corner.x + (extent * 1.5F - size.x) / 2, corner.y + (extent - size.y) / 2);
     // Row 0 is the bottom one.
-    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(id)), low,
-                                         {low.x + size.x, low.y + size.y}, {0, 1}, {1, 0});
+    ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, {low.x + size.x, low.y + size.y}, {0, 1},
+                                         {1, 0});
 }
 
 /// True where an entry was double-clicked.

@@ -108,10 +108,13 @@ void viewMenu(Session& session, const Layout& layout) {
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !isComparing(session.window.view) && session.window.view.renderer == renderer;
-        if (item("Drawn by: " + std::string(row.label), std::to_string(++key).c_str(), true, chosen))
+        if (item("Drawn by: " + std::string(row.label), std::to_string(++key).c_str(),
+                 session.window.view.offered.has(renderer), chosen))
             showOne(session.window.view, renderer);
+        helpTip(helpOf(session.window.view, row));
     }
-    if (item("Compare", std::to_string(++key).c_str(), true, isComparing(session.window.view)))
+    if (item("Compare", std::to_string(++key).c_str(), canCompare(session.window.view),
+             isComparing(session.window.view)))
         showComparison(session.window.view);
     using reference::AnisotropyMethod;
     for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {

@@ -41,10 +41,9 @@ void drawPicture(Session& session, const Pictures& pictures) {
     if (!image)
         return;
     noteItem("restore:picture");
-    const unsigned id = pictures.textureOf ? pictures.textureOf(image) : 0;
-    if (id != 0) // row 0 is the bottom one
-        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id)),
-                                             low, high, {0, 1}, {1, 0});
+    const view::PictureHandle picture = pictures.show(image);
+    if (picture != view::PictureHandle::None) // row 0 is the bottom one
+        ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, high, {0, 1}, {1, 0});
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #include "app/ui/window/shortcuts.h"
 
 #include "app/ui/model/asking.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/view/framing.h"
+#include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/keys.h"
 
 namespace texplorer::ui {
@@ -31,8 +33,12 @@ void handleShortcuts(Session& session, const Layout& layout) {
         session.window.playback.playing = !session.window.playback.playing;
     int digit = '1';
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        if (pressed(digit++))
-            showOne(session.window.view, static_cast<RendererKind>(row.value));
+        if (!pressed(digit++))
+            continue;
+        const auto renderer = static_cast<RendererKind>(row.value);
+        showOne(session.window.view, renderer);
+        if (!session.window.view.offered.has(renderer))
+            say(session, helpOf(session.window.view, row));
     }
     if (pressed(digit))
         showComparison(session.window.view);

@@ -108,6 +108,23 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
     return facts;
 }
 
+/// What the host draws with, and what it lacks.
+std::string hostText(const view::Capabilities& capabilities, const view::OfferedRenderers& offered) {
+    std::string text = "No OpenGL";
+    if (!capabilities.version.empty()) {
+        text = fmt::format("{}\n{}\nOpenGL {}\nTextures up to {} texels wide", capabilities.vendor,
+                           capabilities.renderer, capabilities.version, capabilities.maxTextureSize);
+        if (offered.has(RendererKind::Fixed))
+            text += fmt::format(", {} units", capabilities.textureUnits);
+    }
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        const std::string& reason = offered.whyNot(static_cast<RendererKind>(row.value));
+        if (!reason.empty())
+            text += fmt::format("\nNo {}: {}", row.label, reason);
+    }
+    return text;
+}
+
 } // namespace
 
 void drawStatusBar(Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
@@ -120,9 +137,7 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
     ImGui::PopStyleVar();
     ImGui::TextDisabled("%s", factsOf(pictures.frames, capabilities, session.window.showsFrameTime).c_str());
     noteItem("status");
-    helpTip(fmt::format("{}\n{}\nOpenGL {}\nTextures up to {} texels wide, {} units", capabilities.vendor,
-                        capabilities.renderer, capabilities.version, capabilities.maxTextureSize,
-                        capabilities.textureUnits));
+    helpTip(hostText(capabilities, session.window.view.offered));
     ImGui::SameLine();
     ImGui::TextDisabled("·");
     ImGui::SameLine();

@@ -161,7 +161,7 @@ TEST_F(Comparison, APictureThatIsStillToComeIsNotMissing) {
     const std::array notes{std::string("textures[0]: drawn without its border")};
     std::vector<ViewFrame> frames;
     for (const RendererKind renderer : session->window.view.compared)
-        frames.push_back({renderer, {0, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});
+        frames.push_back({renderer, {{}, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});
     const Pictures coming{.frames = frames, .problems = notes};
     EXPECT_TRUE(isDrawing(coming, session->window.view.compared));
     EXPECT_FALSE(isDrawing(coming, std::array{RendererKind::Fixed}));

@@ -1,6 +1,11 @@
+#include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>
+#include <imgui_internal.h> // which windows are in sight
+
+#include <algorithm>
+#include <tuple>
 
 namespace texplorer::ui::test {
 namespace {
@@ -50,6 +55,79 @@ TEST_F(RendererChoice, TheReferenceHasTwoWaysOfAnisotropy) {
     click("menu:Anisotropy of the reference: Ellipse");
     EXPECT_EQ(session->window.view.anisotropy, reference::AnisotropyMethod::Ellipse);
     EXPECT_FALSE(view() == probes);
+}
+
+/// A window whose host lacks some.
+class FewerRenderers : public Workbench {
+protected:
+    void lack(std::initializer_list<RendererKind> kinds) {
+        view::OfferedRenderers offered;
+        for (const RendererKind kind : kinds)
+            offered.withhold(kind, "the driver has none");
+        std::ignore = offerRenderers(session->window.view, offered);
+        frames(2);
+    }
+    /// Of the tooltip in sight.
+    [[nodiscard]] bool hasTip() const {
+        const ImVector<ImGuiWindow*>& windows = ImGui::GetCurrentContext()->Windows;
+        return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* each) {
+            return each->Active && !each->Hidden && (each->Flags & ImGuiWindowFlags_Tooltip) != 0;
+        });
+    }
+};
+
+TEST_F(FewerRenderers, WhatIsNotThereIsDimAndSaysWhy) {
+    lack({RendererKind::Fixed});
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_THAT(session->window.view.compared,
+                testing::ElementsAre(RendererKind::Shader, RendererKind::Reference));
+    click("renderer:Fixed function");
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    EXPECT_TRUE(hasTip());
+    click("menu:View");
+    click("menu:Drawn by: Fixed function");
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Shader);
+    click("menu:Drawn by: Reference");
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+    key('1');
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+    EXPECT_THAT(session->window.notice.text, testing::HasSubstr("the driver has none"));
+}
+
+TEST_F(FewerRenderers, TwoAreComparedAndTheThirdIsNoChoice) {
+    lack({RendererKind::Shader});
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Fixed);
+    click("renderer:Compare");
+    EXPECT_TRUE(isComparing(session->window.view));
+    click("compared:1");
+    click("compared:1=shader");
+    EXPECT_EQ(session->window.view.compared[1], RendererKind::Reference);
+    key(ui::key::escape);
+    click("arrangement:Side by side");
+    EXPECT_THAT(shownRenderers(session->window.view),
+                testing::ElementsAre(RendererKind::Fixed, RendererKind::Reference));
+    frames(3);
+}
+
+TEST_F(FewerRenderers, OneAloneIsNotCompared) {
+    showComparison(session->window.view);
+    lack({RendererKind::Fixed, RendererKind::Shader});
+    EXPECT_FALSE(isComparing(session->window.view));
+    click("renderer:Compare");
+    key('4');
+    EXPECT_FALSE(isComparing(session->window.view));
+    EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+}
+
+TEST_F(FewerRenderers, ASentenceSaysWhatGaveWay) {
+    ViewSettings views;
+    view::OfferedRenderers offered;
+    offered.withhold(RendererKind::Shader, "its driver is too old");
+    EXPECT_EQ(offerRenderers(views, offered), "") << "nothing that is shown";
+    offered.withhold(RendererKind::Fixed, "its driver is too new");
+    EXPECT_EQ(offerRenderers(views, offered), "There is no Fixed function here: its driver is too new");
+    EXPECT_EQ(offerRenderers(views, offered), "") << "once";
+    EXPECT_EQ(views.renderer, RendererKind::Reference);
 }
 
 TEST_F(RendererChoice, ANarrowWindowKeepsItsMenusAndItsClock) {

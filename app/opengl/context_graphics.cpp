@@ -1,0 +1,35 @@
+#include "app/opengl/context_graphics.h"
+
+#include <GL/glew.h>
+
+namespace texplorer::opengl {
+namespace {
+
+void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
+    (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
+}
+
+} // namespace
+
+view::PictureHandle ContextGraphics::show(const std::shared_ptr<const Image>& image, Use use) {
+    return pictures_.show(image, use == Use::Enlarged ? render::PictureCache::Use::Enlarged
+                                                      : render::PictureCache::Use::Scaled);
+}
+
+void ContextGraphics::fontsChanged() {
+    backend_.dropFonts();
+    backend_.makeFonts();
+}
+
+void ContextGraphics::drawPanels(ImDrawData& panels, view::Size pixels) {
+    glViewport(0, 0, pixels.width, pixels.height);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    backend_.draw(&panels);
+}
+
+ImDrawCallback ContextGraphics::blendingSwitch() const {
+    return setBlending;
+}
+
+} // namespace texplorer::opengl

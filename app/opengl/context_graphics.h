@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/render/picture_cache.h"
+#include "app/stage/graphics.h"
+
+namespace texplorer::opengl {
+
+/// One of Dear ImGui's backends for OpenGL.
+struct PanelBackend {
+    void (*start)();
+    void (*end)();
+    void (*dropFonts)();
+    void (*makeFonts)();
+    void (*beginFrame)();
+    void (*draw)(ImDrawData* panels);
+};
+
+/// What every context of OpenGL can do for a stage, whatever renderers it has: pictures as textures, and the
+/// panels with a backend that suits it. Belongs to the context that is current, on its thread, and must be
+/// destroyed before that.
+class ContextGraphics : public stage::Graphics {
+public:
+    [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image, Use use) final;
+    void endFrame() final { pictures_.endFrame(); }
+    void startPanels() final { backend_.start(); }
+    void endPanels() final { backend_.end(); }
+    void fontsChanged() final;
+    void beginFrame() final { backend_.beginFrame(); }
+    void drawPanels(ImDrawData& panels, view::Size pixels) final;
+    [[nodiscard]] ImDrawCallback blendingSwitch() const final;
+
+protected:
+    explicit ContextGraphics(const PanelBackend& backend)
+        : backend_(backend) {}
+
+private:
+    PanelBackend backend_;
+    render::PictureCache pictures_;
+};
+
+} // namespace texplorer::opengl

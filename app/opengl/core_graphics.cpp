@@ -1,0 +1,86 @@
+#include "app/opengl/core_graphics.h"
+
+#include "app/render/capabilities.h"
+#include "app/render/rgba_pixels.h"
+#include "core/s3tc/surface_pixels.h"
+
+#include <GL/glew.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <new>
+#include <utility>
+
+namespace texplorer::opengl {
+namespace {
+
+/// Core profiles begin with OpenGL 3.2 and its GLSL; what is forward-compatible before that has an older one.
+const char* shadingLanguage() {
+    GLint major = 0;
+    GLint minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    return major > 3 || (major == 3 && minor >= 2) ? "#version 150" : "#version 130";
+}
+
+const PanelBackend panelBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); },
+                                ImGui_ImplOpenGL3_Shutdown,
+                                ImGui_ImplOpenGL3_DestroyFontsTexture,
+                                [] { ImGui_ImplOpenGL3_CreateFontsTexture(); },
+                                ImGui_ImplOpenGL3_NewFrame,
+                                ImGui_ImplOpenGL3_RenderDrawData};
+
+/// The base level; nullptr where it can't be made.
+std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const PreparedLevels& levels) {
+    if (!levels)
+        return nullptr;
+    const SharedSurface& base = levels->levels.front().surface;
+    return std::make_shared<const Image>(render::asRgba8(toImage(*base), request.settings.internalFormat));
+}
+
+} // namespace
+
+CoreGraphics::CoreGraphics()
+    : ContextGraphics(panelBackend)
+    , capabilities_(render::namedCapabilities()) {
+    const std::string profile =
+        "the driver has OpenGL " + capabilities_.version + " as a core profile alone, ";
+    offered_.withhold(RendererKind::Fixed, profile + "without fixed functions");
+    offered_.withhold(RendererKind::Shader,
+                      profile + "without the texture formats that the shaders are about");
+}
+
+Error CoreGraphics::lack(RendererKind renderer) const {
+    return {ErrorCode::Unsupported, offered_.whyNot(renderer), {}};
+}
+
+Result<view::Frame> CoreGraphics::draw(RendererKind renderer, const Scene& /*scene*/,
+                                       const ImageSource& /*images*/, double /*time*/, view::Size /*size*/,
+                                       LevelsSource& /*levels*/) {
+    return fail(lack(renderer));
+}
+
+Result<Image> CoreGraphics::read(RendererKind renderer) {
+    return fail(lack(renderer));
+}
+
+view::PictureHandle CoreGraphics::showTexture(const Texture& texture, const ImageSource& images,
+                                              LevelsSource& levels) {
+    const std::optional<LevelsRequest> request = preview_.request(texture, images);
+    if (!request)
+        return view::PictureHandle::None;
+    try {
+        if (previewed_ != request) {
+            if (const std::shared_ptr<const PreparedLevels> made = levels.prepare(*request)) {
+                if (*made || made->error().code != ErrorCode::Cancelled)
+                    texture_ = pictureOf(*request, *made);
+                previewed_ = request;
+                levels.uploaded(*request, made, {});
+            }
+        }
+        return show(texture_, Use::Enlarged);
+    } catch (const std::bad_alloc&) {
+        return view::PictureHandle::None;
+    }
+}
+
+} // namespace texplorer::opengl

@@ -1,0 +1,20 @@
+#include "app/opengl/window_graphics.h"
+
+#include "app/opengl/core_graphics.h"
+#include "app/opengl/opengl_graphics.h"
+#include "app/render/capabilities.h"
+
+#include <utility>
+
+namespace texplorer::opengl {
+
+Result<std::unique_ptr<stage::Graphics>> createWindowGraphics(render::ShaderOptions shaders) {
+    Result<std::unique_ptr<OpenGlGraphics>> whole = OpenGlGraphics::create(std::move(shaders));
+    if (whole)
+        return std::move(*whole);
+    if (render::hasFixedFunctions())
+        return fail(whole.error());
+    return std::make_unique<CoreGraphics>();
+}
+
+} // namespace texplorer::opengl

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/gl/environment.h"
+#include "core/image/image.h"
+
+namespace texplorer::render {
+
+/// The texture source colours of an image (OpenGL 2.1, tables 3.15 and 3.20), as Rgba8, its rows in their
+/// order: what a context shows that has no other formats than RGBA.
+[[nodiscard]] Image asRgba8(const Image& image, BaseFormat format);
+
+} // namespace texplorer::render

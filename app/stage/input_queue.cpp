@@ -1,0 +1,210 @@
+#include "app/stage/input_queue.h"
+
+#include "app/ui/widgets/keys.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace texplorer::stage {
+namespace {
+
+namespace key = ui::key;
+
+constexpr PointerMoved nowhere{-FLT_MAX, -FLT_MAX}; // as Dear ImGui says it
+
+bool isModifier(int code) {
+    return code >= key::firstModifier && code <= key::lastModifier;
+}
+
+/// Enter, the arrows, Backspace …: keys that mean something else than a letter to a text field.
+bool isFunction(int code) {
+    return code >= key::escape && !isModifier(code);
+}
+
+/// What a frame has been given so far. Each `take` says whether there is room for one more, and then has it.
+class FrameInput {
+public:
+    explicit FrameInput(const InputState& before)
+        : pointer_(before.pointer)
+        , modifiers_(before.modifiers)
+        , typing_(before.typing) {}
+
+    bool take(const PointerMoved& to) {
+        if (pressed_ || turned_ || anyKey_ || anyText_ || focus_)
+            return false;
+        moved_ |= to.x != pointer_.x || to.y != pointer_.y;
+        return true;
+    }
+
+    bool take(const PointerLeft& /*left*/) { return take(nowhere); }
+
+    bool take(const ButtonChanged& event) {
+        const bool again = std::ranges::find(buttons_, event.button) != buttons_.end();
+        if (moved_ || turned_ || anyKey_ || anyText_ || again || !modify(event.modifiers))
+            return false;
+        buttons_.push_back(event.button);
+        pressed_ = true;
+        return true;
+    }
+
+    bool take(const WheelTurned& event) {
+        if (moved_ || pressed_ || anyKey_ || anyText_ || !modify(event.modifiers))
+            return false;
+        turned_ = true;
+        return true;
+    }
+
+    bool take(const KeyChanged& event) {
+        if (event.kind == KeyChanged::Kind::Repeat)
+            return true; // Dear ImGui repeats by itself; a frame for each, and a slow window lags behind the
+                         // hand
+        if (pressed_ || turned_ || !modify(event.modifiers))
+            return false;
+        const bool modifier = isModifier(event.code);
+        if (typing_ && !modified_ && event.code < key::escape)
+            return true;
+        const bool again = std::ranges::find(keys_, event.code) != keys_.end();
+        const bool outOfOrder =
+            (modifier && (anyKey_ || anyText_)) || (anyText_ && (isFunction(event.code) || modified_));
+        if (again || outOfOrder)
+            return false;
+        keys_.push_back(event.code);
+        anyKey_ |= !modifier;
+        functionPressed_ |= isFunction(event.code) && event.kind == KeyChanged::Kind::Press;
+        modified_ |= modifier;
+        return true;
+    }
+
+    bool take(const TextEntered& /*text*/) {
+        if (pressed_ || turned_ || functionPressed_ || focus_)
+            return false;
+        anyText_ = true;
+        return true;
+    }
+
+    bool take(const FocusChanged& /*event*/) {
+        if (moved_ || pressed_ || turned_ || anyKey_ || anyText_ || modified_)
+            return false;
+        focus_ = true; // keys are let go with it: those that follow are another frame's
+        return true;
+    }
+
+private:
+    /// A frame has one state of the modifiers: that of everything in it.
+    bool modify(const Modifiers& modifiers) {
+        if (focus_ || (modifiers != modifiers_ && (pressed_ || turned_ || anyKey_ || anyText_)))
+            return false;
+        modifiers_ = modifiers;
+        return true;
+    }
+
+    PointerMoved pointer_;
+    Modifiers modifiers_;
+    bool typing_;
+    std::vector<int> keys_;    ///< that have changed
+    std::vector<int> buttons_; ///< that have changed
+    bool moved_ = false;
+    bool pressed_ = false; ///< a button has changed
+    bool turned_ = false;
+    bool anyKey_ = false;          ///< other than a modifier
+    bool functionPressed_ = false; ///< one of those that are no letters
+    bool anyText_ = false;
+    bool modified_ = false; ///< a modifier has changed: what follows is no text
+    bool focus_ = false;
+};
+
+InputState stateOf(const ImGuiIO& io) {
+    return {{io.MousePos.x, io.MousePos.y},
+            {io.KeyCtrl, io.KeyShift, io.KeyAlt, io.KeySuper},
+            io.WantTextInput && !io.KeyCtrl};
+}
+
+void setModifiers(ImGuiIO& io, const Modifiers& modifiers) {
+    io.KeyCtrl = modifiers.control;
+    io.KeyShift = modifiers.shift;
+    io.KeyAlt = modifiers.alt;
+    io.KeySuper = modifiers.super;
+}
+
+bool isAnyButtonHeld() {
+    return std::ranges::any_of(ImGui::GetIO().MouseDown, [](bool down) { return down; });
+}
+
+void movePointer(const PointerMoved& to) {
+    ImGui::GetIO().MousePos = {to.x, to.y};
+}
+
+template<class... Each>
+struct Overloaded : Each... {
+    using Each::operator()...;
+};
+
+} // namespace
+
+std::size_t inputsForOneFrame(const std::deque<Input>& waiting, const InputState& before) {
+    FrameInput frame(before);
+    const auto end = std::ranges::find_if_not(waiting, [&frame](const Input& input) {
+        return std::visit([&frame](const auto& each) { return frame.take(each); }, input);
+    });
+    return static_cast<std::size_t>(end - waiting.begin());
+}
+
+void InputQueue::add(const Input& input) {
+    // Where the pointer was on its way is of no interest, and a hidden window may not look for long.
+    if (!waiting_.empty() && std::holds_alternative<PointerMoved>(waiting_.back()) &&
+        std::holds_alternative<PointerMoved>(input))
+        waiting_.back() = input;
+    else
+        waiting_.push_back(input);
+}
+
+void InputQueue::feed() {
+    if (outside_ && !isAnyButtonHeld()) {
+        outside_ = false;
+        movePointer(nowhere);
+    }
+    const auto count = static_cast<std::ptrdiff_t>(inputsForOneFrame(waiting_, stateOf(ImGui::GetIO())));
+    const auto end = std::next(waiting_.begin(), count);
+    std::for_each(waiting_.begin(), end, [this](const Input& input) { apply(input); });
+    waiting_.erase(waiting_.begin(), end);
+}
+
+void InputQueue::apply(const Input& input) {
+    ImGuiIO& io = ImGui::GetIO();
+    std::visit(Overloaded{[&](const PointerMoved& event) {
+                              outside_ = false;
+                              movePointer(event);
+                          },
+                          [&](const PointerLeft&) {
+                              outside_ = isAnyButtonHeld();
+                              if (!outside_)
+                                  movePointer(nowhere);
+                          },
+                          [&](const ButtonChanged& event) {
+                              if (event.button < 0 || event.button >= ImGuiMouseButton_COUNT)
+                                  return;
+                              io.MouseDown[event.button] = event.down;
+                              setModifiers(io, event.modifiers);
+                          },
+                          [&](const WheelTurned& event) {
+                              io.MouseWheelH += event.x;
+                              io.MouseWheel += event.y;
+                              setModifiers(io, event.modifiers);
+                          },
+                          [&](const KeyChanged& event) {
+                              setModifiers(io, event.modifiers);
+                              if (event.code >= 0 &&
+                                  static_cast<std::size_t>(event.code) < std::size(io.KeysDown))
+                                  io.KeysDown[event.code] = event.kind != KeyChanged::Kind::Release;
+                          },
+                          [&](const TextEntered& event) { io.AddInputCharacter(event.character); },
+                          [&](const FocusChanged& event) { io.AddFocusEvent(event.focused); }},
+               input);
+}
+
+} // namespace texplorer::stage
