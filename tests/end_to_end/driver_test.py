@@ -87,6 +87,25 @@ class Drivers(unittest.TestCase):
                         self.assertEqual(result.returncode, 1)
                         self.assertIn("needs OpenGL 2.1", said)
 
+    def test_a_renderer_that_the_driver_lacks_is_not_offered(self):
+        old = {"MESA_GL_VERSION_OVERRIDE": "2.1"}
+        for how in (["--renderer", "shader"], ["--ui", "--renderer", "shader"], ["--ui", "--compare", "fixed,shader"]):
+            with self.subTest(how=how):
+                result = self.shot(*how, **old)
+                self.assertEqual(result.returncode, 1)
+                self.assertIn("needs OpenGL 3.3", self.check(result, str(how)))
+        self.assertEqual(self.shot("--ui", "--tab", "glsl", **old).returncode, 0)
+        few = ["conform", "--feature", "wrap", "--scenes", "4"]
+        result = self.texshot(*few, **old)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(b"needs OpenGL 3.3", result.stderr)
+        self.assertIn(b"reference against fixed", result.stdout)
+        self.assertNotIn(b"shader against fixed", result.stdout)
+        result = self.texshot(*few, "--renderer", "shader", **old)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count(b"\n"), 1)
+        self.assertIn(b"needs OpenGL 3.3", result.stderr)
+
     def test_other_variables_of_mesa_do_no_harm(self):
         for name, value in (("LIBGL_ALWAYS_SOFTWARE", "1"), ("LIBGL_ALWAYS_SOFTWARE", "bogus"),
                             ("LIBGL_DRIVERS_PATH", "/nonexistent"), ("LIBGL_ALWAYS_INDIRECT", "1"),
