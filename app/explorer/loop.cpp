@@ -84,8 +84,8 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
     ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
     ui::Session session(services.lend(&unsaved));
-    const KeptAtExit keptAtExit(unsaved.autosave);
-    const KeptOnSignal keptOnSignal(signals, unsaved.autosave);
+    const KeptAtExit atExit(unsaved.autosave);
+    const KeptOnSignal onSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
 
     int settling = settlingFrames;
