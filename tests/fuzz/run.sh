@@ -11,7 +11,7 @@ build=build/fuzz
 bin=build/asan/bin
 
 # addr2line is there wherever a compiler is; llvm-symbolizer need not be.
-export ASAN_OPTIONS=allow_addr2line=1 UBSAN_OPTIONS=print_stacktrace=1:allow_addr2line=1
+export ASAN_SYMBOLIZER_PATH=/usr/bin/addr2line UBSAN_OPTIONS=print_stacktrace=1
 
 names() { find "$build/seeds" -mindepth 1 -maxdepth 1 -type d -printf '%f\n' | sort; }
 

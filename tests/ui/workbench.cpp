@@ -154,16 +154,16 @@ void Workbench::expectSoundFrame() {
     const ImDrawData* drawn = ImGui::GetDrawData();
     ASSERT_TRUE(drawn && drawn->Valid);
     const auto isFinite = [](const auto&... values) { return (std::isfinite(values) && ...); };
-    int unsound = 0;
     for (int i = 0; i < drawn->CmdListsCount; ++i) {
         const ImDrawList& list = *drawn->CmdLists[i];
+        int unsound = 0;
         for (const ImDrawVert& vertex : list.VtxBuffer)
             unsound += !isFinite(vertex.pos.x, vertex.pos.y, vertex.uv.x, vertex.uv.y);
         for (const ImDrawCmd& command : list.CmdBuffer)
             unsound +=
                 !isFinite(command.ClipRect.x, command.ClipRect.y, command.ClipRect.z, command.ClipRect.w);
+        EXPECT_EQ(unsound, 0) << "in the window " << (list._OwnerName ? list._OwnerName : "of no name");
     }
-    EXPECT_EQ(unsound, 0);
 }
 
 int pixelsOfNoPanel(const Image& picture) {
