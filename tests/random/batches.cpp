@@ -35,6 +35,11 @@ std::string oneLine(std::string_view text) {
 
 } // namespace
 
+void Journal::step(std::string_view name) {
+    alarm(limitSeconds_);
+    write("step", name, "");
+}
+
 void Journal::write(std::string_view word, std::string_view kind, std::string_view text) {
     const std::string line = std::string(word) + '\t' + oneLine(kind) + '\t' + oneLine(text) + '\n';
     for (std::size_t done = 0; done < line.size();) {
@@ -112,7 +117,7 @@ public:
 
 private:
     [[noreturn]] void work(const Batches& batches, int pipe, const std::function<Work(int)>& open) {
-        Journal journal(pipe);
+        Journal journal(pipe, batches.limitSeconds);
         const rlimit noCore{0, 0};
         setrlimit(RLIMIT_CORE, &noCore);
         if (batches.memoryLimit > 0) {

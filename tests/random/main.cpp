@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
             {.value = "DIR"});
         scenesCommand.onCall([&] { return scenes.run(random::randomScenes({scenes.seed, keep, shaders})); });
 
-        Call window{.options = {.count = 200, .command = argv[0]}};
+        Call window{.options = {.count = 300, .command = argv[0]}};
         subject(line, window, "window", "Works at the window at random, with mouse and keyboard.")
             .onCall([&] { return window.run(random::randomHands(window.seed)); });
 

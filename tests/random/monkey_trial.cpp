@@ -13,7 +13,7 @@ namespace {
 
 using namespace ui;
 
-constexpr int actions = 150;
+constexpr int actions = 60;
 constexpr std::array keys{int{'Z'}, int{'Y'},   int{'F'},  int{'M'},   int{'E'},
                           int{'1'}, int{'2'},   int{'3'},  int{'4'},   key::home,
                           key::f1,  key::space, key::down, key::enter, key::tab};
@@ -25,12 +25,15 @@ MonkeyTrial::MonkeyTrial(unsigned seed, int number, Journal& journal)
     std::seed_seq both{seed, static_cast<unsigned>(number)};
     random_.seed(both);
     step("start");
-    const test::WindowSize& size = test::windowSizes[random_() % test::windowSizes.size()];
+    // Every second scene is one that nobody would make; files are not for monkeys. Its window is small: what
+    // the window leaves to its workers, to find the pixels of a texel, is done at once here.
+    const bool strange = below(2) == 0;
+    const test::WindowSize& size =
+        test::windowSizes[strange ? 0 : static_cast<std::size_t>(random_() % test::windowSizes.size())];
     width_ = size.width;
     height_ = size.height;
-    // Every second scene is one that nobody would make; files are not for monkeys.
-    Scene scene = below(2) == 0 ? defaultScene() : randomScene(seed, number, {}).scene;
-    start(std::move(scene), width_, height_, test::windowScales[random_() % test::windowScales.size()]);
+    start(strange ? randomScene(seed, number, {}).scene : defaultScene(), width_, height_,
+          test::windowScales[random_() % test::windowScales.size()]);
     initial_ = this->scene();
 }
 

@@ -13,6 +13,7 @@ SoakReport soak(const Subject& subject, const SoakOptions& options) {
     batches.count = options.count;
     batches.size = subject.batch;
     batches.jobs = options.jobs == 0 ? processorThreads() : options.jobs;
+    batches.limitSeconds = subject.limitSeconds;
     batches.memoryLimit = subject.memoryLimit;
     const Ended ended = runBatches(batches, subject.open);
 
