@@ -47,10 +47,10 @@ struct Death {
 struct Batches {
     int first = 0;
     int count = 0;
-    int size = 50;                                    ///< numbers a child: from a multiple of it to the next
-    unsigned jobs = 1;                                ///< children at a time
-    unsigned limitSeconds = 120;                      ///< for one step, by the clock
-    unsigned long long memoryLimit = 0;               ///< of a child, bytes of address space; 0: none
+    int size = 50;                      ///< numbers a child: from a multiple of it to the next
+    unsigned jobs = 1;                  ///< children at a time
+    unsigned limitSeconds = 120;        ///< for one step, by the clock
+    unsigned long long memoryLimit = 0; ///< of a child, bytes of address space; 0: none, nor under ASan
     std::function<void(int done)> progress = nullptr; ///< how many numbers are through
 };
 

@@ -80,10 +80,10 @@ LayoutTrial::LayoutTrial(unsigned seed, int number, Journal& journal)
     start(defaultScene(), size.width, size.height, scale);
     WindowState& window = session->window;
     if (views.renderers.size() == 1)
-        showOne(window.views, views.renderers[0]);
+        showOne(window.view, views.renderers[0]);
     else
-        showComparison(window.views, views.renderers);
-    window.views.magnifies = views.magnifies;
+        showComparison(window.view, views.renderers);
+    window.view.magnifies = views.magnifies;
     window.columns = columns.columns;
     window.wantedTab = tab.tab;
     window.showRq = number % 2 == 0;
