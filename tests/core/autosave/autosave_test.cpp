@@ -95,6 +95,11 @@ TEST_F(Autosaving, MakesNothingWhereNothingWasEdited) {
     EXPECT_FALSE(fs::exists(folder));
 }
 
+TEST_F(Autosaving, EndsWithoutACrashBeforeItHasBegun) {
+    for (int i = 0; i < 200; ++i)
+        const Autosave autosave(folder, {}, 24h);
+}
+
 TEST_F(Autosaving, WhatIsSavedLeavesNoTrace) {
     {
         Autosave autosave(folder, {}, 24h);
