@@ -75,8 +75,8 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
     stage::Loop loop(**graphics, session, window.surface(),
                      {[&window] { return window.clipboard(); },
                       [&window](const std::string& text) { window.setClipboard(text); }});
-    const KeptAtExit keptAtExit(unsaved.autosave);
-    const KeptOnSignal keptOnSignal(signals, unsaved.autosave);
+    const KeptAtExit atExit(unsaved.autosave);
+    const KeptOnSignal onSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
 
     for (;;) {

@@ -43,7 +43,9 @@ Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake, std
     state_->delay = std::chrono::duration<double>(delay).count();
     state_->clock = std::move(clock);
     try {
-        state_->thread = std::jthread([this](const std::stop_token& stop) { state_->work(stop); });
+        // Not by way of `state_`: it may be empty, on its way to the end, before the thread has begun.
+        state_->thread =
+            std::jthread([state = state_.get()](const std::stop_token& stop) { state->work(stop); });
     } catch (const std::system_error&) { // no thread to be had: the next call writes what is due
     }
 }

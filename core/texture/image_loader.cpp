@@ -136,10 +136,6 @@ void ImageLoader::cancel(Ticket ticket) {
     state_->worker.discard(isIt);
 }
 
-void ImageLoader::cancelAll() {
-    state_->worker.clear();
-}
-
 std::vector<ImageLoader::Loaded> ImageLoader::take() {
     return state_->worker.take();
 }

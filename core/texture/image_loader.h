@@ -70,7 +70,6 @@ public:
 
     /// From here on nothing comes of it. A file that is being decoded keeps the thread busy until it is done.
     void cancel(Ticket ticket);
-    void cancelAll();
 
     /// What is finished, in the order in which it was asked for.
     [[nodiscard]] std::vector<Loaded> take();

@@ -3,13 +3,15 @@
 # run.sh NAME ARG…  runs one until it finds something or is stopped; ARG… goes to libFuzzer (-max_total_time=600).
 #                   With a file among them it only tries that: so one repeats what a fuzzer left in crashes/
 #
-# Below build/fuzz: the first inputs in seeds/, what long runs add to them in found/, what ended a fuzzer in crashes/.
+# The programs are those of ./dev sanitize. Below build/fuzz: the first inputs in seeds/, what long runs add to them in
+# found/, what ended a fuzzer in crashes/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 build=build/fuzz
+bin=build/asan/bin
 
 # addr2line is there wherever a compiler is; llvm-symbolizer need not be.
-export ASAN_OPTIONS=allow_addr2line=1 UBSAN_OPTIONS=print_stacktrace=1:allow_addr2line=1
+export ASAN_SYMBOLIZER_PATH=/usr/bin/addr2line UBSAN_OPTIONS=print_stacktrace=1
 
 names() { find "$build/seeds" -mindepth 1 -maxdepth 1 -type d -printf '%f\n' | sort; }
 
@@ -21,10 +23,10 @@ choose() {
     fi
     local words=-dict=$build/seeds/words.dict
     case $1 in
-        flip) fuzzer=("$build/bin/fuzz_flip") ;;
-        param | scene) fuzzer=("$build/bin/fuzz_$1" "$words") ;;
-        codecs) fuzzer=("$build/bin/fuzz_codec") ;; # every input goes to every decoder
-        *) fuzzer=("$build/bin/fuzz_codec" "--codec=$1") ;;
+        flip) fuzzer=("$bin/fuzz_flip") ;;
+        param | scene) fuzzer=("$bin/fuzz_$1" "$words") ;;
+        codecs) fuzzer=("$bin/fuzz_codec") ;; # every input goes to every decoder
+        *) fuzzer=("$bin/fuzz_codec" "--codec=$1") ;;
     esac
     mkdir -p $build/crashes
     # Files of 4 KiB reach every line; none of them may take that long, or that much memory in one piece.
@@ -51,7 +53,7 @@ if [ "${1:-}" = --short ]; then
     exit
 fi
 rm -rf $build/seeds
-$build/bin/make_corpus $build/seeds
+$bin/make_corpus $build/seeds
 if [ $# -eq 0 ]; then
     names | xargs -P "$(nproc)" -I NAME "$0" --short NAME
     exit

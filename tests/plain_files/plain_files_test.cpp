@@ -1,3 +1,5 @@
+// What the plain versions of core/base/*_linux.cpp promise where they promise less.
+
 #include "core/base/file_io.h"
 #include "core/base/file_lock.h"
 #include "core/base/private_directory.h"

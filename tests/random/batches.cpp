@@ -1,5 +1,7 @@
 #include "tests/random/batches.h"
 
+#include "tests/support/under_asan.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -34,6 +36,11 @@ std::string oneLine(std::string_view text) {
 }
 
 } // namespace
+
+void Journal::step(std::string_view name) {
+    alarm(limitSeconds_);
+    write("step", name, "");
+}
 
 void Journal::write(std::string_view word, std::string_view kind, std::string_view text) {
     const std::string line = std::string(word) + '\t' + oneLine(kind) + '\t' + oneLine(text) + '\n';
@@ -112,10 +119,10 @@ public:
 
 private:
     [[noreturn]] void work(const Batches& batches, int pipe, const std::function<Work(int)>& open) {
-        Journal journal(pipe);
+        Journal journal(pipe, batches.limitSeconds);
         const rlimit noCore{0, 0};
         setrlimit(RLIMIT_CORE, &noCore);
-        if (batches.memoryLimit > 0) {
+        if (batches.memoryLimit > 0 && !test::underAsan) { // whose own addresses are terabytes
             const rlimit memory{batches.memoryLimit, batches.memoryLimit};
             setrlimit(RLIMIT_AS, &memory);
         }

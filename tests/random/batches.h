@@ -13,11 +13,12 @@ namespace texplorer::random {
 /// What a child says while it works. Every line is written at once, so that none dies with the child.
 class Journal {
 public:
-    explicit Journal(int pipe)
-        : pipe_(pipe) {}
+    Journal(int pipe, unsigned limitSeconds)
+        : pipe_(pipe)
+        , limitSeconds_(limitSeconds) {}
 
-    /// Names what comes next: where the child was if it dies.
-    void step(std::string_view name) { write("step", name, ""); }
+    /// Names what comes next: where the child was if it dies, or has no end.
+    void step(std::string_view name);
     /// Something to be counted or told, one line each.
     void note(std::string_view kind, std::string_view text) { write("note", kind, text); }
 
@@ -26,6 +27,7 @@ private:
     void write(std::string_view word, std::string_view kind, std::string_view text);
 
     int pipe_;
+    unsigned limitSeconds_;
 };
 
 struct Note {
@@ -45,10 +47,10 @@ struct Death {
 struct Batches {
     int first = 0;
     int count = 0;
-    int size = 50;                                    ///< numbers a child: from a multiple of it to the next
-    unsigned jobs = 1;                                ///< children at a time
-    unsigned limitSeconds = 120;                      ///< for one number, by the clock
-    unsigned long long memoryLimit = 0;               ///< of a child, bytes of address space; 0: none
+    int size = 50;                      ///< numbers a child: from a multiple of it to the next
+    unsigned jobs = 1;                  ///< children at a time
+    unsigned limitSeconds = 120;        ///< for one step, by the clock
+    unsigned long long memoryLimit = 0; ///< of a child, bytes of address space; 0: none, nor under ASan
     std::function<void(int done)> progress = nullptr; ///< how many numbers are through
 };
 

@@ -1,59 +1,88 @@
-// texplorer_soak: draws, diagnoses and probes random scenes in child processes until something gives way.
+// texplorer_soak: tries something again and again in child processes until it gives way.
 
 #include "app/command_line/command_line.h"
-#include "tests/random/soak.h"
+#include "tests/random/scene_soak.h"
+#include "tests/random/window_soak.h"
 
 #include <cstdio>
 #include <limits>
 
 namespace {
 
+using namespace texplorer;
+
 constexpr int failure = 1;
 constexpr int wrongCall = 2;
 constexpr int many = std::numeric_limits<int>::max();
 
-int complain(const char* sentence) {
-    std::fprintf(stderr, "texplorer_soak: %s\n", sentence);
+int complain(const std::string& sentence) {
+    std::fprintf(stderr, "texplorer_soak: %s\n", sentence.c_str());
     return failure;
+}
+
+struct Call {
+    unsigned seed = 1;
+    random::SoakOptions options;
+
+    int run(const random::Subject& subject) const {
+        const random::SoakReport report = random::soak(subject, options);
+        std::fputs(report.text().c_str(), stdout);
+        return report.failures.empty() ? 0 : failure;
+    }
+};
+
+Command& subject(CommandLine& line, Call& call, const char* name, const char* help) {
+    Command& command = line.command(name, help);
+    command.number("--count", call.options.count, 1, many, "How many.", {.showsDefault = true});
+    command.number("--seed", call.seed, 0, std::numeric_limits<unsigned>::max(),
+                   "Others; the same number gives the same ones.", {.showsDefault = true});
+    command.number("--first", call.options.first, 0, many, "The number of the first one.",
+                   {.showsDefault = true});
+    command.number("--jobs", call.options.jobs, 0, 1024,
+                   "Processes at a time; 0: as many as the processor has.", {.showsDefault = true});
+    return command;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    using namespace texplorer;
-    random::SoakOptions options;
-    options.command = argv[0];
-    std::string keep = "soak";
-    std::string shaders;
     CommandLine line("texplorer_soak", TEXPLORER_VERSION,
-                     "Draws, diagnoses and probes random scenes in child processes.");
-    line.number("--count", options.count, 1, many, "How many scenes.", {.showsDefault = true});
-    line.number("--seed", options.seed, 0, std::numeric_limits<unsigned>::max(),
-                "Other scenes; the same number gives the same ones.", {.showsDefault = true});
-    line.number("--first", options.first, 0, many, "The number of the first one.", {.showsDefault = true});
-    line.number("--jobs", options.jobs, 0, 1024, "Processes at a time; 0: as many as the processor has.",
-                {.showsDefault = true});
-    line.option("--keep", keep, "The folder for the files that the scenes name and for the scenes that fail.",
-                {.value = "DIR", .showsDefault = true});
-    line.option("--shaders", shaders,
-                "The folder of the shader renderer's files. Without it: those that it was built with.",
-                {.value = "DIR"});
+                     "Tries something again and again in child processes until it gives way.");
     line.footer("Exit status: 0 nothing gave way, 1 something did, 2 a wrong call.");
     try {
+        Call scenes{.options = {.count = 2000, .command = argv[0]}};
+        std::string keep = "soak";
+        std::string shaders;
+        Command& scenesCommand =
+            subject(line, scenes, "scenes", "Draws, diagnoses and probes random scenes.");
+        scenesCommand.option("--keep", keep,
+                             "The folder for the files that the scenes name and for the scenes that fail.",
+                             {.value = "DIR", .showsDefault = true});
+        scenesCommand.option(
+            "--shaders", shaders,
+            "The folder of the shader renderer's files. Without it: those that it was built with.",
+            {.value = "DIR"});
+        scenesCommand.onCall([&] { return scenes.run(random::randomScenes({scenes.seed, keep, shaders})); });
+
+        Call window{.options = {.count = 300, .command = argv[0]}};
+        subject(line, window, "window", "Works at the window at random, with mouse and keyboard.")
+            .onCall([&] { return window.run(random::randomHands(window.seed)); });
+
+        Call layouts{.options = {.count = random::layoutCount(), .command = argv[0]}};
+        subject(line, layouts, "layouts",
+                "Draws the window in every size and scale, with every tab, view and width of its columns.")
+            .onCall([&] { return layouts.run(random::layouts(layouts.seed)); });
+
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);
         if (!answer) {
-            complain(describe(answer.error()).c_str());
+            complain(describe(answer.error()));
             return wrongCall;
         }
         if (*answer) {
             std::fputs((*answer)->c_str(), stdout);
             return 0;
         }
-        options.keep = keep;
-        options.shaders = shaders;
-        const random::SoakReport report = random::soak(options);
-        std::fputs(report.text().c_str(), stdout);
-        return report.failures.empty() ? 0 : 1;
+        return line.run();
     } catch (const std::exception& error) {
         return complain(error.what());
     }

@@ -10,7 +10,7 @@ cp -r "$2" "$folder/shaders"
 sed -i 's/vec4 texelUNIT = \(texture.*\);/vec4 texelUNIT = 1.0 - \1;/' "$folder/shaders/fragment.glsl"
 [ "$(grep -c 'vec4 texelUNIT = 1.0 - texture' "$folder/shaders/fragment.glsl")" -ge 4 ]
 
-if "$soak" --count 25 --keep "$folder/kept" --shaders "$folder/shaders" >"$folder/said"; then
+if "$soak" scenes --count 25 --keep "$folder/kept" --shaders "$folder/shaders" >"$folder/said"; then
     echo "shaders that are wrong were not found:"
     cat "$folder/said"
     exit 1
@@ -25,4 +25,4 @@ if $command --keep "$folder/again" >"$folder/again.txt"; then
     exit 1
 fi
 grep -q "^scene $number: differ: shader-fixed" "$folder/again.txt"
-"$soak" --first "$number" --count 1 --keep "$folder/again" >/dev/null
+"$soak" scenes --first "$number" --count 1 --keep "$folder/again" >/dev/null

@@ -1,5 +1,7 @@
 #include "tests/support/watched_heap.h"
 
+#include "tests/support/under_asan.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -7,14 +9,6 @@
 #include <cstring>
 #include <malloc.h>
 #include <new>
-
-#if defined(__SANITIZE_ADDRESS__)
-#define TEXPLORER_UNDER_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define TEXPLORER_UNDER_ASAN 1
-#endif
-#endif
 
 #ifdef TEXPLORER_UNDER_ASAN
 // <sanitizer/allocator_interface.h>, which GCC doesn't install

@@ -10,6 +10,10 @@
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl2.h>
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <cstdarg>
 
 namespace texplorer::ui::test {
 
@@ -24,6 +28,17 @@ view::Capabilities madeUpCapabilities() {
     capabilities.textureUnits = 8;
     capabilities.maxAnisotropy = 16;
     return capabilities;
+}
+
+/// Dear ImGui's complaint about a frame that opened what it didn't close.
+void complain(void* /*data*/, const char* format, ...) IM_FMTARGS(2);
+void complain(void* /*data*/, const char* format, ...) {
+    std::array<char, 200> text{};
+    std::va_list values;
+    va_start(values, format);
+    (void)std::vsnprintf(text.data(), text.size(), format, values);
+    va_end(values);
+    ADD_FAILURE() << text.data();
 }
 
 } // namespace
@@ -85,6 +100,7 @@ void Workbench::build(const Pictures& pictures) {
     ImGui::NewFrame();
     requests = drawWorkbench(*session, states, pictures,
                              drawing_ ? drawing_->graphics->capabilities() : madeUp, layout);
+    ImGui::ErrorCheckEndFrameRecover(complain);
     ImGui::Render();
     io.MouseWheel = 0;
 }
@@ -133,6 +149,33 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
     Image image = Image::uninitialised(PixelFormat::Rgba8, width_, height_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     return image;
+}
+
+void Workbench::expectSoundFrame() {
+    const ImDrawData* drawn = ImGui::GetDrawData();
+    ASSERT_TRUE(drawn && drawn->Valid);
+    const auto isFinite = [](const auto&... values) { return (std::isfinite(values) && ...); };
+    for (int i = 0; i < drawn->CmdListsCount; ++i) {
+        const ImDrawList& list = *drawn->CmdLists[i];
+        int unsound = 0;
+        for (const ImDrawVert& vertex : list.VtxBuffer)
+            unsound += !isFinite(vertex.pos.x, vertex.pos.y, vertex.uv.x, vertex.uv.y);
+        for (const ImDrawCmd& command : list.CmdBuffer)
+            unsound +=
+                !isFinite(command.ClipRect.x, command.ClipRect.y, command.ClipRect.z, command.ClipRect.w);
+        EXPECT_EQ(unsound, 0) << "in the window " << (list._OwnerName ? list._OwnerName : "of no name");
+    }
+}
+
+int pixelsOfNoPanel(const Image& picture) {
+    int pixels = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const auto pixel = picture.at(x, y);
+            pixels += pixel[0] == std::byte{255} && pixel[1] == std::byte{0} && pixel[2] == std::byte{255};
+        }
+    }
+    return pixels;
 }
 
 ImVec2 Workbench::place(std::string_view name) {

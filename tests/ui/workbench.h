@@ -57,6 +57,10 @@ protected:
     [[nodiscard]] Image
     picture(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty());
 
+    /// Fails the test where what was drawn last is nothing that can be drawn: a vertex or a clip rectangle
+    /// that isn't a finite number.
+    static void expectSoundFrame();
+
     [[nodiscard]] Scene& scene() { return session->document.scene; }
     [[nodiscard]] Texture& texture() { return session->document.scene.textures.front(); }
     [[nodiscard]] Unit& unit() { return session->document.scene.passes.front().units.front(); }
@@ -83,6 +87,9 @@ private:
     float scale_ = 1;
     std::unique_ptr<Drawing> drawing_;
 };
+
+/// Of a picture of the window: how many pixels no panel covers.
+[[nodiscard]] int pixelsOfNoPanel(const Image& picture);
 
 constexpr int ctrl = 341; // GLFW's left control and shift keys
 constexpr int shift = 340;

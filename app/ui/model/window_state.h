@@ -8,6 +8,7 @@
 #include "app/ui/model/sections.h"
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/mesh/mesh.h"
 
 #include <array>
@@ -66,6 +67,7 @@ struct WindowState {
     Tab shownTab = Tab::Vertices; ///< is in front
     std::string wantedParam;      ///< the parameters are scrolled there with the next frame; empty: not
     std::optional<Section> wantedSection; ///< is opened and scrolled to with the next frame
+    std::optional<Fix> wantedFix;         ///< is applied at the end of the frame, when nobody walks the scene
     std::string shownParam;               ///< the one that was scrolled to, framed until the next click
 
     Dialog dialog = Dialog::None;

@@ -31,8 +31,13 @@ struct Canvas {
         , plane(seen)
         , pixelsPerUnit(std::min(size.x, size.y) / seen.extent) {}
 
+    /// What lies very far away is drawn at its border: a scene's coordinates go up to the largest float, and
+    /// Dear ImGui makes lines of no place from what is infinite.
     [[nodiscard]] ImVec2 toPixel(float s, float t) const {
-        return {middle.x + (s - plane.s) * pixelsPerUnit, middle.y - (t - plane.t) * pixelsPerUnit};
+        static constexpr float farthest = 1e7F;
+        const auto within = [](float pixel) { return std::clamp(pixel, -farthest, farthest); };
+        return {within(middle.x + (s - plane.s) * pixelsPerUnit),
+                within(middle.y - (t - plane.t) * pixelsPerUnit)};
     }
     [[nodiscard]] glm::vec2 toCoord(ImVec2 pixel) const {
         return {plane.s + (pixel.x - middle.x) / pixelsPerUnit,

@@ -124,7 +124,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     TexCoords coords = current();
     std::optional<std::size_t> under;
     const bool onPatch = isOnPatch(session, canvas, io.MousePos);
-    if ((hovered || active) && !onPatch)
+    if (model && (hovered || active) && !onPatch)
         under = vertexUnder(canvas, mesh, coords, session.window.selection.vertex, io.MousePos,
                             ImGui::GetFontSize() * 0.55F);
     if (model && !onPatch)

@@ -4,10 +4,10 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/problem_sign.h"
+#include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,8 +168,7 @@ bool control(Session& session, const Owner& owner, const ParamRow& row, Value& v
     case Kind::Enum:
         return enumWidget(owner, row, std::get<EnumValue>(value), path);
     case Kind::Text:
-        return ImGui::InputText("##value", &std::get<std::string>(value),
-                                ImGuiInputTextFlags_EnterReturnsTrue);
+        return textField("##value", std::get<std::string>(value), ImGuiInputTextFlags_EnterReturnsTrue);
     case Kind::TexCoordList:
         return false; // the vertex list and the texture space edit these
     }

@@ -28,7 +28,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
     ImGui::PopTextWrapPos();
     for (const Fix& fix : problem.fixes) {
         if (ImGui::Button(fix.label.c_str())) {
-            applyFix(session, fix);
+            session.window.wantedFix = fix;
             ImGui::CloseCurrentPopup();
         }
         noteItem(fmt::format("{}#fix:{}", path, fix.label));

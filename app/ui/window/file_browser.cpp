@@ -3,11 +3,11 @@
 
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
@@ -308,8 +308,8 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
     }
     ImGui::SetNextItemWidth(-1);
     const std::string before = browser.typed;
-    const bool entered = ImGui::InputText(
-        "##name", &browser.typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered = textField("##name", browser.typed,
+                                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     noteItem("browser:name");
     if (browser.typed != before) {
         browser.mayOverwrite = false;

@@ -76,7 +76,7 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
             break;
         if (ImGui::SmallButton(fix.label.c_str()))
-            applyFix(session, fix); // the findings are made anew with the next frame
+            session.window.wantedFix = fix;
         noteItem("fix:" + fix.label);
         helpTip(assignmentsOf(fix));
         ImGui::SameLine();

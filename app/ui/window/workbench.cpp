@@ -15,6 +15,7 @@
 #include <imgui_internal.h> // how far the darkening behind a dialog has got
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -94,6 +95,8 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     if (!popup)
         handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
     drawDialogs(session, states.dialogs, pictures);
+    if (const std::optional<Fix> fix = std::exchange(session.window.wantedFix, std::nullopt))
+        applyFix(session, *fix);
     followEdits(session);
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
     const bool fading = dimmed > 0 && dimmed < 1;

@@ -164,22 +164,6 @@ TEST_F(Loading, WhatIsDoneCanBeCancelledUntilItIsTaken) {
     EXPECT_TRUE(loader.take().empty());
 }
 
-TEST_F(Loading, EverythingCanBeCancelled) {
-    gate.close();
-    (void)loader.load(bmp("a.bmp", {0, 0, 10}));
-    (void)loader.load(bmp("b.bmp", {0, 0, 20}));
-    gate.awaitArrival();
-    loader.cancelAll();
-    EXPECT_FALSE(loader.progress().has_value());
-    loader.wait();
-    gate.open();
-    const auto later = loader.load(folder / "b.bmp");
-    loader.wait();
-    const auto loaded = loader.take();
-    ASSERT_EQ(loaded.size(), 1U);
-    EXPECT_EQ(loaded[0].ticket, later);
-}
-
 TEST_F(Loading, EndsWithoutACrashWhileMuchIsWaiting) {
     const auto path = bmp("a.bmp", {0, 0, 10});
     ImageLoader other;

@@ -2,6 +2,7 @@
 
 import io
 import os
+import resource
 import struct
 import subprocess
 import sys
@@ -13,6 +14,16 @@ from pathlib import Path
 from PIL import Image, ImageChops
 
 TEXSHOT = sys.argv.pop(1)
+SANITIZED = os.environ.get("TEXPLORER_SANITIZED") == "1"  # by ./dev sanitize
+
+
+def within_memory(megabytes):
+    """What keeps a texshot within so much memory, for subprocess.run. AddressSanitizer takes far more addresses than
+    it uses; it looks at what is used, ten times a second."""
+    if SANITIZED:
+        limit = f"{os.environ.get('ASAN_OPTIONS', '')}:hard_rss_limit_mb={megabytes}"
+        return {"env": {**os.environ, "ASAN_OPTIONS": limit}}
+    return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))}
 
 
 def texshot(*arguments, **options):

@@ -82,8 +82,8 @@ TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
     EXPECT_LT(control.x, static_cast<float>(layout.parameters.right()));
     EXPECT_TRUE(has("passes[0].units[2].matrix[0].amount#problem"));
     EXPECT_EQ(session->window.shownParam, "passes[0].units[2].matrix[0].amount");
-    click("fix:Scale by 1");
-    EXPECT_EQ(third.matrix[0].amount, glm::vec3(1));
+    click("fix:Scale by 1"); // which makes another scene
+    EXPECT_EQ(scene().passes[0].units[2].matrix[0].amount, glm::vec3(1));
 }
 
 TEST_F(Findings, ABadVertexLeadsToItsModel) {

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace texplorer::ui::test {
 namespace {
@@ -116,6 +117,29 @@ INSTANTIATE_TEST_SUITE_P(All, HeavyMesh,
                                          Heavy{"Sphere64", Shape::Sphere, 64},
                                          Heavy{"Sphere256", Shape::Sphere, 256}),
                          [](const auto& test) { return test.param.name; });
+
+/// A cube map has no vertices in this plane, whichever was chosen before.
+TEST_F(TextureSpace, OfACubeMapNoVertexIsUnderTheMouse) {
+    unit().target = Target::CubeMap;
+    session->window.selection.vertex = 3;
+    const Scene before = scene();
+    frames(2);
+    drag(place("texture space"), {40, 0});
+    EXPECT_EQ(scene(), before);
+    EXPECT_EQ(session->window.selection.vertex, 3U) << "and none is chosen or given up";
+}
+
+TEST_F(TextureSpace, TheLargestCoordinatesAreDrawnSomewhere) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    scene().models[0].texCoords[0] = effectiveTexCoords(Model{}, selectedMesh(*session), 0);
+    scene().models[0].texCoords[0][0] = {largest, -largest, 0, 1};
+    session->window.selection.vertex = 0;
+    frames(2);
+    expectSoundFrame();
+    session->window.plane.extent = 0.02F;
+    frames(2);
+    expectSoundFrame();
+}
 
 TEST_F(TextureSpace, ADragEndsSomewhere) {
     session->window.plane.extent = 200;

@@ -106,11 +106,18 @@ TEST(Layout, TheViewIsNotTheSmallestPartOfASmallWindow) {
         << "as the user wants it";
 }
 
-TEST(Layout, ImpossibleSizesDoNotCrash) {
-    for (const int extent : {-5, 0, 1, 2, 7})
-        (void)layoutFor(extent, extent, 1);
-    (void)layoutFor(100, 100, 0);
-    (void)layoutFor(100, 100, 1e9F);
+TEST(Layout, OfImpossibleSizesHasNoNegativeExtents) {
+    for (const Layout& layout :
+         {layoutFor(-5, -5, 1), layoutFor(0, 0, 1), layoutFor(1, 1, 1), layoutFor(2, 2, 1),
+          layoutFor(7, 7, 1), layoutFor(100, 100, 0), layoutFor(100, 100, 1e9F)}) {
+        SCOPED_TRACE(layout.window.width);
+        for (const Named& each : panels(layout)) {
+            EXPECT_GE(each.rect.width, 0) << each.name;
+            EXPECT_GE(each.rect.height, 0) << each.name;
+        }
+        EXPECT_GE(layout.picture.width, 1);
+        EXPECT_GE(layout.picture.height, 1);
+    }
 }
 
 } // namespace

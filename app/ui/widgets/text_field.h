@@ -1,0 +1,13 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+namespace texplorer::ui {
+
+/// ImGui::InputText for a text of any length. (Dear ImGui's own, imgui_stdlib.h, is in a library that knows
+/// one standard library's strings.)
+bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags);
+
+} // namespace texplorer::ui

@@ -1,0 +1,59 @@
+#include "tests/random/scene_soak.h"
+
+#include "core/base/file_io.h"
+#include "core/scene/params/json.h"
+#include "tests/random/odd_files.h"
+#include "tests/random/random_scene.h"
+#include "tests/random/trial.h"
+
+#include <stdexcept>
+
+namespace texplorer::random {
+
+namespace {
+
+constexpr int batchSize = 25;
+
+void check(const Result<void>& written) {
+    if (!written)
+        throw std::runtime_error(describe(written.error()));
+}
+
+/// The scenes of a batch share a process, and with it what Mesa was asked for.
+Precision precisionOf(int number) {
+    return number / batchSize % 2 == 0 ? Precision::Exact : Precision::Usual;
+}
+
+} // namespace
+
+Subject randomScenes(const SceneSoak& soak) {
+    const std::vector<OddFile> files = oddFiles();
+    std::filesystem::create_directories(soak.keep);
+    for (const OddFile& file : files)
+        check(writeFileAtomically(soak.keep / file.name, file.bytes));
+    const auto sceneOf = [seed = soak.seed, names = namesOf(files)](int number) {
+        return randomScene(seed, number, names);
+    };
+    Subject subject;
+    subject.one = "scene";
+    subject.many = "random scenes";
+    subject.arguments = "scenes --seed " + std::to_string(soak.seed) +
+                        (soak.shaders.empty() ? "" : " --shaders " + soak.shaders.string());
+    subject.batch = batchSize;
+    subject.memoryLimit = 8ULL << 30;
+    subject.open = [soak, sceneOf](int first) -> Work {
+        Result<Trial> trial = Trial::open(precisionOf(first), soak.keep, soak.shaders);
+        if (!trial)
+            throw std::runtime_error(describe(trial.error()));
+        return [sceneOf, trial = std::make_shared<Trial>(std::move(*trial))](int number, Journal& journal) {
+            trial->run(sceneOf(number), journal);
+        };
+    };
+    subject.keep = [soak, sceneOf](int number) {
+        check(writeFileAtomically(soak.keep / ("scene-" + std::to_string(number) + ".json"),
+                                  viewBytes(writeScene(sceneOf(number).scene))));
+    };
+    return subject;
+}
+
+} // namespace texplorer::random

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "tests/random/soak.h"
+
+#include <filesystem>
+
+namespace texplorer::random {
+
+struct SceneSoak {
+    unsigned seed = 1;
+    std::filesystem::path keep;    ///< where the scenes that failed are kept, with the files that they name
+    std::filesystem::path shaders; ///< of the shader renderer; empty: the built-in ones
+};
+
+/// Random scenes, in batches with Mesa's shortcuts and without in turn. Each that fails is kept as JSON.
+/// Throws std::exception where the files can't be written.
+[[nodiscard]] Subject randomScenes(const SceneSoak& soak);
+
+} // namespace texplorer::random
