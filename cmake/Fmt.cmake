@@ -1,5 +1,5 @@
 # TEXPLORER_FMT: what makes texts of values. The library where it can be linked; for another standard library or another
-# processor than it was built for its headers alone, which those who use the installed package then don't need.
+# processor than it was built for, one that is made of its headers.
 include(CheckCXXSourceCompiles)
 find_package(fmt QUIET GLOBAL)
 if(fmt_FOUND)
@@ -15,8 +15,9 @@ if(TEXPLORER_FMT_LINKS)
     set(TEXPLORER_FMT_PACKAGE fmt) # as pkg-config knows it
 else()
     find_path(FMT_INCLUDE_DIR fmt/core.h REQUIRED)
-    add_library(texplorer_fmt INTERFACE)
-    target_include_directories(texplorer_fmt SYSTEM INTERFACE ${FMT_INCLUDE_DIR})
-    target_compile_definitions(texplorer_fmt INTERFACE FMT_HEADER_ONLY)
-    set(TEXPLORER_FMT $<BUILD_INTERFACE:texplorer_fmt>)
+    add_library(texplorer_fmt STATIC cmake/fmt_from_headers.cpp)
+    set_target_properties(texplorer_fmt PROPERTIES EXPORT_NAME fmt)
+    target_include_directories(texplorer_fmt SYSTEM PUBLIC $<BUILD_INTERFACE:${FMT_INCLUDE_DIR}>)
+    install(TARGETS texplorer_fmt EXPORT texplorer-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    set(TEXPLORER_FMT texplorer_fmt)
 endif()
