@@ -71,7 +71,7 @@ std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers&
     const auto missing = std::ranges::find_if(before, [&](RendererKind kind) { return !offered.has(kind); });
     if (missing == before.end())
         return {};
-    return fmt::format("There is no {} here: {}", rowOf(*missing).label, offered.whyNot(*missing));
+    return fmt::format("{} is not available: {}", rowOf(*missing).label, offered.whyNot(*missing));
 }
 
 } // namespace texplorer::ui

@@ -32,7 +32,7 @@ bool choice(const std::string& label, bool chosen, bool offered, std::string_vie
 std::string helpOf(const ViewSettings& settings, const EnumRow& renderer) {
     const std::string& reason = settings.offered.whyNot(static_cast<RendererKind>(renderer.value));
     return reason.empty() ? std::string(renderer.help)
-                          : fmt::format("{}\nNot here: {}.", renderer.help, reason);
+                          : fmt::format("{}\nNot available: {}.", renderer.help, reason);
 }
 
 void drawRendererChoice(ViewSettings& settings, float available) {

@@ -125,7 +125,7 @@ TEST_F(FewerRenderers, ASentenceSaysWhatGaveWay) {
     offered.withhold(RendererKind::Shader, "its driver is too old");
     EXPECT_EQ(offerRenderers(views, offered), "") << "nothing that is shown";
     offered.withhold(RendererKind::Fixed, "its driver is too new");
-    EXPECT_EQ(offerRenderers(views, offered), "There is no Fixed function here: its driver is too new");
+    EXPECT_EQ(offerRenderers(views, offered), "Fixed function is not available: its driver is too new");
     EXPECT_EQ(offerRenderers(views, offered), "") << "once";
     EXPECT_EQ(views.renderer, RendererKind::Reference);
 }
