@@ -22,12 +22,12 @@ const char* shadingLanguage() {
     return major > 3 || (major == 3 && minor >= 2) ? "#version 150" : "#version 130";
 }
 
-const PanelBackend panelBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); },
-                                ImGui_ImplOpenGL3_Shutdown,
-                                ImGui_ImplOpenGL3_DestroyFontsTexture,
-                                [] { ImGui_ImplOpenGL3_CreateFontsTexture(); },
-                                ImGui_ImplOpenGL3_NewFrame,
-                                ImGui_ImplOpenGL3_RenderDrawData};
+const PanelBackend coreBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); },
+                               ImGui_ImplOpenGL3_Shutdown,
+                               ImGui_ImplOpenGL3_DestroyFontsTexture,
+                               [] { ImGui_ImplOpenGL3_CreateFontsTexture(); },
+                               ImGui_ImplOpenGL3_NewFrame,
+                               ImGui_ImplOpenGL3_RenderDrawData};
 
 /// The base level; nullptr where it can't be made.
 std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const PreparedLevels& levels) {
@@ -40,7 +40,7 @@ std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const Prepa
 } // namespace
 
 CoreGraphics::CoreGraphics()
-    : ContextGraphics(panelBackend)
+    : ContextGraphics(coreBackend)
     , capabilities_(render::namedCapabilities()) {
     const std::string profile =
         "the driver has OpenGL " + capabilities_.version + " as a core profile alone, ";

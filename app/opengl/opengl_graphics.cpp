@@ -11,7 +11,7 @@
 namespace texplorer::opengl {
 namespace {
 
-const PanelBackend panelBackend{[] { ImGui_ImplOpenGL2_Init(); },
+const PanelBackend fixedBackend{[] { ImGui_ImplOpenGL2_Init(); },
                                 ImGui_ImplOpenGL2_Shutdown,
                                 ImGui_ImplOpenGL2_DestroyFontsTexture,
                                 [] { ImGui_ImplOpenGL2_CreateFontsTexture(); },
@@ -28,7 +28,7 @@ Result<std::unique_ptr<OpenGlGraphics>> OpenGlGraphics::create(render::ShaderOpt
 }
 
 OpenGlGraphics::OpenGlGraphics(view::Capabilities capabilities, render::ShaderOptions shaders)
-    : ContextGraphics(panelBackend)
+    : ContextGraphics(fixedBackend)
     , capabilities_(std::move(capabilities))
     , offered_(render::offeredRenderers(capabilities_))
     , shaders_(std::move(shaders)) {}

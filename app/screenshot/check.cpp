@@ -71,7 +71,7 @@ std::vector<Note> notesOf(const OpenedScene& opened) {
     return notes;
 }
 
-std::string asText(const std::vector<Finding>& findings, const std::vector<Note>& notes) {
+std::string findingsText(const std::vector<Finding>& findings, const std::vector<Note>& notes) {
     std::string text;
     for (const Finding& each : findings) {
         text += fmt::format("{}: {}: {}{}\n", rowOf(each.severity).name, each.path,
@@ -134,7 +134,7 @@ ExitCode check(const Options& options) {
         }
     }
     const std::vector<Note> notes = notesOf(*opened);
-    const std::string text = options.json ? asJson(findings, notes) : asText(findings, notes);
+    const std::string text = options.json ? asJson(findings, notes) : findingsText(findings, notes);
     if (const auto written = print(text); !written)
         return complain(written.error());
     const bool clean = std::ranges::none_of(

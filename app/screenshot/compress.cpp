@@ -21,7 +21,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-struct Options {
+struct CompressOptions {
     std::string in;
     std::string out;
     std::string format;
@@ -53,7 +53,7 @@ struct Choices {
     std::optional<MipFilter> mips;
 };
 
-Result<Choices> choicesOf(const Options& options) {
+Result<Choices> choicesOf(const CompressOptions& options) {
     Choices choices;
     const EnumRow* format = findRow(formats, options.format);
     if (!format)
@@ -73,7 +73,7 @@ Result<Choices> choicesOf(const Options& options) {
 }
 
 /// The pictures to compress, bottom row first: one, or the six faces of a cube map.
-Result<std::vector<Image>> picturesOf(TextureImage texture, const Options& options) {
+Result<std::vector<Image>> picturesOf(TextureImage texture, const CompressOptions& options) {
     const auto refused = [&](const std::string& message) {
         return fail(ErrorCode::Unsupported, message, options.in);
     };
@@ -106,7 +106,7 @@ Result<std::vector<Image>> picturesOf(TextureImage texture, const Options& optio
 }
 
 /// The levels to compress, in the order in which a DDS file stores rows.
-MipChain levelsOf(Image base, std::optional<MipFilter> mips, const Options& options) {
+MipChain levelsOf(Image base, std::optional<MipFilter> mips, const CompressOptions& options) {
     const MipOptions how{mips.value_or(MipFilter::Box), options.gamma,
                          options.powerOfTwo ? NpotPolicy::PowerOfTwo : NpotPolicy::Keep};
     MipChain chain = applyMipPolicy(mips ? MipPolicy::Generated : MipPolicy::None, std::move(base), how);
@@ -124,7 +124,7 @@ std::string reportOf(const TextureImage& texture, const MipChain& source) {
     return describe(reportOn(levels, source));
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const CompressOptions& options) {
     const Result<Choices> choices = choicesOf(options);
     if (!choices)
         return complain(choices.error(), wrongCall);
@@ -175,7 +175,7 @@ ExitCode run(const Options& options) {
 void addCompress(CommandLine& line) {
     Command& command =
         line.command("compress", "Compress a picture or a cube map into a DDS file of S3TC or RGTC blocks.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompressOptions>();
     command.option("IN", options->in, "The picture: any format that Texplorer reads.", {.required = true});
     command.option("OUT", options->out, "The DDS file to write; - for standard output.", {.required = true});
     command.option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.",

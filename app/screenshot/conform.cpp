@@ -20,7 +20,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-struct Options {
+struct ConformOptions {
     std::string renderer;
     std::string against;
     std::vector<std::string> features;
@@ -73,7 +73,7 @@ std::string quoted(const std::string& word) {
 }
 
 /// What makes the same report again, wherever it is typed.
-std::string commandOf(const Options& options, const conform::Selection& selection,
+std::string commandOf(const ConformOptions& options, const conform::Selection& selection,
                       const std::string& settings) {
     const std::size_t equals = settings.find('=') + 1;
     std::string command =
@@ -105,7 +105,7 @@ Result<RendererKind> rendererOf(const std::string& name, const char* option) {
     return name.empty() ? RendererKind::Fixed : parseChoice<RendererKind>(name, option);
 }
 
-Result<std::vector<conform::Pair>> pairsOf(const Options& options) {
+Result<std::vector<conform::Pair>> pairsOf(const ConformOptions& options) {
     if (options.renderer.empty() && options.against.empty())
         return std::vector(conform::defaultPairs.begin(), conform::defaultPairs.end());
     const Result<RendererKind> subject = rendererOf(options.renderer, "--renderer");
@@ -147,7 +147,7 @@ Result<std::vector<conform::Pair>> drawable(const std::vector<conform::Pair>& pa
     return possible;
 }
 
-Result<conform::Selection> selectionOf(const Options& options) {
+Result<conform::Selection> selectionOf(const ConformOptions& options) {
     conform::Selection selection;
     selection.seed = options.seed;
     int scenes = 0;
@@ -182,7 +182,7 @@ Result<void> writeFolder(const std::filesystem::path& folder, const conform::Rep
     return writeFolderAtomically(folder, contents, [&placing] { placing.emplace(); });
 }
 
-ExitCode conformTo(const Options& options) {
+ExitCode conformTo(const ConformOptions& options) {
     if (options.list) {
         for (const Option* option : options.notListing)
             if (option->isGiven())
@@ -246,7 +246,7 @@ ExitCode conformTo(const Options& options) {
 void addConform(CommandLine& line) {
     Command& command =
         line.command("conform", "Compare the renderers on thousands of small scenes: do they draw the same?");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ConformOptions>();
     const std::string renderers = "one of " + listNames(EnumTable<RendererKind>::rows);
     command.option(
         "--renderer", options->renderer,

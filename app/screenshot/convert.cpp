@@ -9,13 +9,13 @@ namespace texplorer::screenshot {
 
 namespace {
 
-struct Options {
+struct ConvertOptions {
     std::string in;
     std::string out;
     WriteOptions write;
 };
 
-ExitCode convert(const Options& options) {
+ExitCode convert(const ConvertOptions& options) {
     const auto output = openImageOutput(options.out, "PNG");
     if (!output)
         return output.error();
@@ -37,7 +37,7 @@ ExitCode convert(const Options& options) {
 void addConvert(CommandLine& line) {
     Command& command =
         line.command("convert", "Write an image in another format, chosen by the extension of OUT.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ConvertOptions>();
     command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
     command.option(
         "OUT", options->out,

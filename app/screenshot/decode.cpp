@@ -9,7 +9,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-struct Options {
+struct DecodeOptions {
     std::string in;
     std::string out;
     int level = 0;
@@ -18,7 +18,7 @@ struct Options {
     bool noFlip = false;
 };
 
-tl::unexpected<Error> outOfRange(const Options& options, std::string_view what, int asked, int count,
+tl::unexpected<Error> outOfRange(const DecodeOptions& options, std::string_view what, int asked, int count,
                                  std::string_view owner) {
     return fail(ErrorCode::OutOfRange,
                 fmt::format("there is no {} {}: {} has {}{}", what, asked, owner, what,
@@ -38,7 +38,7 @@ Image sliceOf(Image volume, int slice) {
 }
 
 /// The level that the file holds, or where it holds the base alone, the box-filtered one.
-Result<Image> levelOf(const TextureImage& texture, const Options& options) {
+Result<Image> levelOf(const TextureImage& texture, const DecodeOptions& options) {
     if (options.level < texture.levels)
         return toImage(texture.surface(options.face, options.level));
     const Surface& base = texture.surface(options.face, 0);
@@ -49,7 +49,7 @@ Result<Image> levelOf(const TextureImage& texture, const Options& options) {
     return std::move(buildMipChain(toImage(base))[static_cast<std::size_t>(options.level)]);
 }
 
-Result<TextureImage> pictureOf(const Options& options) {
+Result<TextureImage> pictureOf(const DecodeOptions& options) {
     const Result<TextureImage> decoded = readTexture(options.in);
     if (!decoded)
         return fail(decoded.error());
@@ -70,7 +70,7 @@ Result<TextureImage> pictureOf(const Options& options) {
     return textureOf(std::move(picture), texture.format);
 }
 
-ExitCode decode(const Options& options) {
+ExitCode decode(const DecodeOptions& options) {
     const auto output = openImageOutput(options.out, "PNG");
     if (!output)
         return output.error();
@@ -86,7 +86,7 @@ ExitCode decode(const Options& options) {
 
 void addDecode(CommandLine& line) {
     Command& command = line.command("decode", "Turn an image file, or a part of it, into a picture.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DecodeOptions>();
     command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
     command.option(
         "OUT", options->out,

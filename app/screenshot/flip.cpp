@@ -10,7 +10,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-struct Options {
+struct FlipOptions {
     std::string in;
     std::string out;
     bool horizontal = false;
@@ -22,7 +22,7 @@ struct Options {
     }
 };
 
-Result<void> flipFile(const Options& options, const ImageOutput& output) {
+Result<void> flipFile(const FlipOptions& options, const ImageOutput& output) {
     Result<TextureImage> texture = readTexture(options.in);
     if (!texture)
         return fail(texture.error());
@@ -50,7 +50,7 @@ std::string_view formatFor(const std::string& in) {
     return format != nullptr && format->encode ? format->name : "PNG";
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const FlipOptions& options) {
     const auto output = openImageOutput(options.out, formatFor(options.in));
     if (!output)
         return output.error();
@@ -68,7 +68,7 @@ void addFlip(CommandLine& line) {
     Command& command = line.command(
         "flip", "Turn a texture upside down, every mip level, face and slice; compressed blocks without "
                 "decompressing them.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FlipOptions>();
     command.option("IN", options->in, "The texture: any format that Texplorer reads.", {.required = true});
     command.option(
         "OUT", options->out,

@@ -1,3 +1,4 @@
+#include "app/screenshot/columns.h"
 #include "app/screenshot/command.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
@@ -34,12 +35,6 @@ std::string_view nameOf(AlphaMeaning alpha) {
 std::string extentOf(const Surface& surface) {
     std::string text = fmt::format("{} x {}", widthOf(surface), heightOf(surface));
     return depthOf(surface) == 1 ? text : fmt::format("{} x {}", text, depthOf(surface));
-}
-
-/// How many characters a terminal needs: UTF-8's continuation bytes take no place.
-std::size_t columnsOf(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 /// A text too long for its column still stands apart from what follows.
@@ -163,7 +158,7 @@ nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
 }
 
 /// A file's name may be no UTF-8.
-std::string asText(const nlohmann::ordered_json& document) {
+std::string documentText(const nlohmann::ordered_json& document) {
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -172,7 +167,7 @@ ExitCode examine(const std::string& path, bool json) {
     Result<Bytes> bytes = readFile(path);
     if (!bytes) {
         const nlohmann::ordered_json document = {{"file", path}, {"error", bytes.error().message}};
-        const Result<void> printed = json ? print(asText(document)) : Result<void>();
+        const Result<void> printed = json ? print(documentText(document)) : Result<void>();
         return complain(printed ? bytes.error() : printed.error());
     }
     const Anatomy anatomy = dissect(*bytes);
@@ -186,7 +181,7 @@ ExitCode examine(const std::string& path, bool json) {
         else
             document["error"] = texture.error().message;
         document["anatomy"] = anatomyAsJson(anatomy, *bytes);
-        text = asText(document);
+        text = documentText(document);
     } else {
         if (texture)
             text = factsAsText(path, *texture, bytes->size());

@@ -15,7 +15,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-struct Options {
+struct ProbeOptions {
     SceneArgument scene;
     PictureArgument picture;
     std::string at;
@@ -77,7 +77,7 @@ void complainAbout(const std::vector<std::string>& problems) {
         complain({ErrorCode::Driver, problem, {}});
 }
 
-ExitCode probePixel(const Options& options, ShotRequest request) {
+ExitCode probePixel(const ProbeOptions& options, ShotRequest request) {
     const Result<reference::PixelPlace> pixel = parsePlace(options.at, request.size);
     if (!pixel)
         return complain(pixel.error(), wrongCall);
@@ -94,7 +94,7 @@ ExitCode probePixel(const Options& options, ShotRequest request) {
     return printed ? success : complain(printed.error());
 }
 
-ExitCode findPixels(const Options& options, const ShotRequest& request) {
+ExitCode findPixels(const ProbeOptions& options, const ShotRequest& request) {
     const Result<reference::TexelQuestion> question = parseTexel(options.texel, options.pass);
     if (!question)
         return complain(question.error(), wrongCall);
@@ -108,7 +108,7 @@ ExitCode findPixels(const Options& options, const ShotRequest& request) {
     return printed ? success : complain(printed.error());
 }
 
-ExitCode probe(const Options& options) {
+ExitCode probe(const ProbeOptions& options) {
     if (options.at.empty() == options.texel.empty())
         return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
     if (options.passOption->isGiven() && options.texel.empty())
@@ -144,7 +144,7 @@ ExitCode probe(const Options& options) {
 
 void addProbe(CommandLine& line) {
     Command& command = line.command("probe", "Explain why a pixel has its colour, number by number.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ProbeOptions>();
     addSceneArgument(command, options->scene);
     addPictureArgument(command, options->picture);
     command.option("--at", options->at,

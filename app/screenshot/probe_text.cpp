@@ -1,3 +1,4 @@
+#include "app/screenshot/columns.h"
 #include "app/screenshot/probe_report.h"
 #include "core/reference/explain/explanation_steps.h"
 
@@ -14,18 +15,12 @@ using reference::PixelBytes;
 using reference::Step;
 using reference::StepRow;
 
-/// How many characters a terminal shows of a text in UTF-8.
-std::size_t columnsOf(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 /// Numbers stand to the right, so that their signs and points are below each other.
 bool isNumber(std::string_view text) {
     return !text.empty() && text.find_first_not_of("-0123456789.") == std::string_view::npos;
 }
 
-std::string padded(std::string text, std::size_t width) {
+std::string aligned(std::string text, std::size_t width) {
     const std::size_t columns = columnsOf(text);
     const std::string space(width - std::min(width, columns), ' ');
     return isNumber(text) ? space + text : text + space;
@@ -48,9 +43,9 @@ std::string tableOf(const std::vector<StepRow>& rows) {
         }
         label = std::clamp(label, std::size_t{16}, std::max(widestLabel, label));
         for (std::size_t i = first; i < last; ++i) {
-            std::string line = "      " + (widths.empty() ? rows[i].label : padded(rows[i].label, label));
+            std::string line = "      " + (widths.empty() ? rows[i].label : aligned(rows[i].label, label));
             for (std::size_t c = 0; c < widths.size(); ++c)
-                line += "  " + padded(rows[i].cells[c].text, widths[c]);
+                line += "  " + aligned(rows[i].cells[c].text, widths[c]);
             text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
         }
         first = last;
@@ -91,8 +86,8 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
                     explanation.height - 1 - y, explanation.width, explanation.height, x, y);
     text += fmt::format("  reference  {}\n", bytesText(explanation.bytes));
     for (const ReadBack& each : readBacks) {
-        text += fmt::format("  {}  ", padded(std::string(rowOf(each.renderer).name), 9));
-        text += each.bytes ? fmt::format("{}  {}", padded(bytesText(*each.bytes), 15),
+        text += fmt::format("  {}  ", aligned(std::string(rowOf(each.renderer).name), 9));
+        text += each.bytes ? fmt::format("{}  {}", aligned(bytesText(*each.bytes), 15),
                                          differenceText(explanation.bytes, *each.bytes))
                            : describe(each.bytes.error());
         text += "\n";
@@ -146,7 +141,7 @@ std::string asText(const reference::Contributions& found, const reference::Texel
         count, count == 1 ? " pixel reads" : " pixels read", least.x, most.x, least.y, most.y,
         reference::numberText(static_cast<float>(sum)));
     for (const Pixel& pixel : heaviest)
-        text += fmt::format("  {}{}\n", padded(fmt::format("{}, {}", pixel.x, pixel.y), 12),
+        text += fmt::format("  {}{}\n", aligned(fmt::format("{}, {}", pixel.x, pixel.y), 12),
                             reference::amountText(pixel.weight));
     if (count > mostListed)
         text += fmt::format("  and {} of lesser weight; --json lists all\n", count - mostListed);

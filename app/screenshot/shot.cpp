@@ -23,7 +23,7 @@ namespace {
 
 using reference::AnisotropyMethod;
 
-struct Options {
+struct ShotOptions {
     SceneArgument scene;
     PictureArgument picture;
     bool window = false;
@@ -112,7 +112,7 @@ Result<Shot> drawByReference(const ShotRequest& request) {
     return Shot{std::move(*drawn), {}};
 }
 
-ExitCode shoot(const Options& options) {
+ExitCode shoot(const ShotOptions& options) {
     const Result<view::Size> size =
         parsePictureSize(options.picture.size, options.window ? ui::smallestWindow : view::Size{1, 1});
     if (!size)
@@ -205,7 +205,7 @@ ExitCode shoot(const Options& options) {
 
 void addShot(CommandLine& line) {
     Command& command = line.command("shot", "Draw a scene into a picture.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ShotOptions>();
     addSceneArgument(command, options->scene);
     addPictureArgument(command, options->picture);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");

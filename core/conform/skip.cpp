@@ -31,7 +31,7 @@ bool isLinearAnywhere(const Texture& texture) {
     return texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
 }
 
-constexpr std::array rows{
+constexpr std::array skipRows{
     Skip{
         "undefined-decal",
         [](const Scene& scene, const Pair&, const Driver&) {
@@ -138,13 +138,13 @@ constexpr std::array rows{
 } // namespace
 
 std::span<const Skip> skips() {
-    return rows;
+    return skipRows;
 }
 
 const Skip* skipOf(const Scene& scene, const Pair& pair, const Driver& driver) {
     const auto found =
-        std::ranges::find_if(rows, [&](const Skip& row) { return row.applies(scene, pair, driver); });
-    return found == rows.end() ? nullptr : &*found;
+        std::ranges::find_if(skipRows, [&](const Skip& row) { return row.applies(scene, pair, driver); });
+    return found == skipRows.end() ? nullptr : &*found;
 }
 
 } // namespace texplorer::conform

@@ -86,7 +86,7 @@ constexpr std::array arguments{
     argument<&Combine::source2Alpha, &Combine::operand2Alpha>(2, true),
 };
 
-constexpr std::array rules{
+constexpr std::array combineRuleRows{
     Rule{"undefined-crossbar", Severity::Warning, undefinedCrossbar},
     Rule{"unread-argument", Severity::Hint, unreadArguments},
     Rule{"other-environment", Severity::Unused, otherMode},
@@ -106,7 +106,7 @@ std::array<Argument, 6> argumentsOf(const Combine& combine) {
 }
 
 std::span<const Rule> combineRules() {
-    return rules;
+    return combineRuleRows;
 }
 
 } // namespace texplorer::diagnosis

@@ -162,7 +162,7 @@ void unused(const Case& about, Report& report) {
     }
 }
 
-constexpr std::array rules{
+constexpr std::array effectRuleRows{
     Rule{"texture-setting", Severity::Hint, noEffect},
     Rule{"own-border", Severity::Hint, ownBorder},
     Rule{"texture-not-shown", Severity::Hint, notShown},
@@ -172,7 +172,7 @@ constexpr std::array rules{
 } // namespace
 
 std::span<const Rule> textureEffectRules() {
-    return rules;
+    return effectRuleRows;
 }
 
 } // namespace texplorer::diagnosis

@@ -84,7 +84,7 @@ void noLight(const Case& about, Report& report) {
     }
 }
 
-constexpr std::array rules{
+constexpr std::array lightRuleRows{
     Rule{"light", Severity::Hint, noLight},
     Rule{"lighting", Severity::Hint, noLighting},
     Rule{"color", Severity::Hint, noColor},
@@ -93,7 +93,7 @@ constexpr std::array rules{
 } // namespace
 
 std::span<const Rule> lightRules() {
-    return rules;
+    return lightRuleRows;
 }
 
 } // namespace texplorer::diagnosis

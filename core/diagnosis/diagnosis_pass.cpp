@@ -197,7 +197,7 @@ void nothingToCorrect(const Case& about, Report& report) {
                    "an orthographic view has no perspective to correct");
 }
 
-constexpr std::array rules{
+constexpr std::array passRuleRows{
     Rule{"infinite-coordinate", Severity::Error, infiniteCoordinates},
     Rule{"zero-q-of-vertex", Severity::Warning, zeroQ},
     Rule{"nothing-passes", Severity::Warning, nothingPasses},
@@ -214,7 +214,7 @@ constexpr std::array rules{
 } // namespace
 
 std::span<const Rule> passRules() {
-    return rules;
+    return passRuleRows;
 }
 
 } // namespace texplorer::diagnosis

@@ -234,7 +234,7 @@ void lostBorder(const Case& about, Report& report) {
     });
 }
 
-constexpr std::array rules{
+constexpr std::array textureRuleRows{
     Rule{"missing-file", Severity::Error, missingFile, true},
     Rule{"size-limit", Severity::Error, sizeLimit, true},
     Rule{"incomplete", Severity::Warning, incomplete},
@@ -249,7 +249,7 @@ constexpr std::array rules{
 } // namespace
 
 std::span<const Rule> textureRules() {
-    return rules;
+    return textureRuleRows;
 }
 
 } // namespace texplorer::diagnosis

@@ -306,7 +306,7 @@ void otherOperation(const Case& about, Report& report) {
     });
 }
 
-constexpr std::array rules{
+constexpr std::array unitRuleRows{
     Rule{"missing-texture", Severity::Error, missingTexture, true},
     Rule{"unit-limit", Severity::Warning, unitLimit, true},
     Rule{"undefined-decal", Severity::Warning, undefinedDecal},
@@ -326,7 +326,7 @@ constexpr std::array rules{
 } // namespace
 
 std::span<const Rule> unitRules() {
-    return rules;
+    return unitRuleRows;
 }
 
 } // namespace texplorer::diagnosis

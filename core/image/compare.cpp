@@ -46,14 +46,14 @@ int componentsOf(Compared compared) {
     return compared == Compared::Rgba ? 4 : 3;
 }
 
-using Color = std::array<float, 3>;
+using RampColor = std::array<float, 3>;
 
 /// In a line between these, at equal distances; within the tolerance and above it.
-constexpr std::array within{Color{12, 10, 40}, Color{38, 36, 112}};
-constexpr std::array above{Color{112, 32, 130}, Color{190, 48, 96},  Color{232, 92, 44},
-                           Color{250, 158, 24}, Color{248, 220, 96}, Color{255, 255, 226}};
+constexpr std::array within{RampColor{12, 10, 40}, RampColor{38, 36, 112}};
+constexpr std::array above{RampColor{112, 32, 130}, RampColor{190, 48, 96},  RampColor{232, 92, 44},
+                           RampColor{250, 158, 24}, RampColor{248, 220, 96}, RampColor{255, 255, 226}};
 
-std::array<std::uint8_t, 4> between(std::span<const Color> colors, float position) {
+std::array<std::uint8_t, 4> between(std::span<const RampColor> colors, float position) {
     const float place = std::clamp(position, 0.0F, 1.0F) * static_cast<float>(colors.size() - 1);
     const std::size_t first = std::min(static_cast<std::size_t>(place), colors.size() - 2);
     std::array<std::uint8_t, 4> result{0, 0, 0, 255};

@@ -8,13 +8,13 @@ namespace texplorer {
 
 namespace {
 
-using Color = std::array<double, 4>; // colours times alpha, and alpha, 0 to 255
+using Premultiplied = std::array<double, 4>; // colours times alpha, and alpha, 0 to 255
 
-Color colorOf(PixelFormat format, ByteView pixel) {
+Premultiplied colorOf(PixelFormat format, ByteView pixel) {
     const auto value = [&](std::size_t index) { return std::to_integer<int>(pixel[index]); };
     const auto times = [](int r, int g, int b, int a) {
         const double share = a / 255.0;
-        return Color{r * share, g * share, b * share, static_cast<double>(a)};
+        return Premultiplied{r * share, g * share, b * share, static_cast<double>(a)};
     };
     switch (format) {
     case PixelFormat::Alpha8:
@@ -70,12 +70,12 @@ Image thumbnailOf(const Image& image, int longest) {
         const Span rows(y, small.height, image.height);
         for (int x = 0; x < small.width; ++x) {
             const Span columns(x, small.width, image.width);
-            Color sum{};
+            Premultiplied sum{};
             double area = 0;
             for (int v = rows.first; v < rows.last; ++v) {
                 for (int u = columns.first; u < columns.last; ++u) {
                     const double weight = rows.share(v) * columns.share(u);
-                    const Color color = colorOf(image.format, image.at(u, v));
+                    const Premultiplied color = colorOf(image.format, image.at(u, v));
                     for (std::size_t i = 0; i < sum.size(); ++i)
                         sum[i] += weight * color[i];
                     area += weight;

@@ -7,7 +7,7 @@ namespace texplorer {
 
 namespace {
 
-struct Color {
+struct Rgb {
     int r;
     int g;
     int b;
@@ -62,8 +62,7 @@ Image alphaFromColor(Image source, Formula formula) {
     const std::byte* end = image.pixels.data() + image.pixels.size();
     for (std::byte* at = image.pixels.data(); at != end; at += colors + 1) {
         const int red = component(at[0]);
-        const Color color =
-            colors == 3 ? Color{red, component(at[1]), component(at[2])} : Color{red, red, red};
+        const Rgb color = colors == 3 ? Rgb{red, component(at[1]), component(at[2])} : Rgb{red, red, red};
         at[colors] = static_cast<std::byte>(std::min(formula(color), 255));
     }
     return image;
@@ -81,27 +80,27 @@ Image applyTransparency(Image image, Transparency choice, std::array<std::uint8_
         return withoutAlphaPlace(std::move(image));
     case Transparency::Alpha:
         return hasAlpha(image.format) ? std::move(image)
-                                      : alphaFromColor(std::move(image), [](Color) { return 255; });
+                                      : alphaFromColor(std::move(image), [](Rgb) { return 255; });
     case Transparency::Stencil:
-        return alphaFromColor(std::move(image), [stencil](Color c) {
+        return alphaFromColor(std::move(image), [stencil](Rgb c) {
             return c.r == stencil[0] && c.g == stencil[1] && c.b == stencil[2] ? 0 : 255;
         });
     case Transparency::Blend1:
-        return alphaFromColor(std::move(image), [](Color c) { return c.sum(); });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.sum(); });
     case Transparency::Blend2:
-        return alphaFromColor(std::move(image), [](Color c) { return c.sum() / 2; });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.sum() / 2; });
     case Transparency::Blend3:
-        return alphaFromColor(std::move(image), [](Color c) { return c.sum() / 3; });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.sum() / 3; });
     case Transparency::Blend4:
-        return alphaFromColor(std::move(image), [](Color c) { return c.squares(); });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.squares(); });
     case Transparency::Blend5:
-        return alphaFromColor(std::move(image), [](Color c) { return c.squares() / 2; });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.squares() / 2; });
     case Transparency::Blend6:
-        return alphaFromColor(std::move(image), [](Color c) { return c.squares() / 3; });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.squares() / 3; });
     case Transparency::Blend7:
-        return alphaFromColor(std::move(image), [](Color c) { return c.squares() / 4; });
+        return alphaFromColor(std::move(image), [](Rgb c) { return c.squares() / 4; });
     case Transparency::Blend8:
-        return alphaFromColor(std::move(image), [](Color c) {
+        return alphaFromColor(std::move(image), [](Rgb c) {
             return static_cast<int>(std::sqrt(static_cast<double>(c.squares())));
         });
     }

@@ -15,7 +15,7 @@ constexpr double noticed = 30; // milliseconds
 constexpr int coarsest = 8;
 constexpr double firstGuess = 2e-4; // milliseconds a pixel, before anything was drawn
 
-constexpr FailureWords failure{"there is no memory for the picture", "the picture can't be drawn"};
+constexpr FailureWords drawingFailure{"there is no memory for the picture", "the picture can't be drawn"};
 
 } // namespace
 
@@ -30,7 +30,7 @@ struct DrawWorker::State {
     State(When when, std::function<void()> wake, LevelWork how)
         : levels(std::move(how))
         , worker(
-              {when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
+              {when, JobOrder::NewestWins, drawingFailure, std::move(wake), levels.stop},
               [this](const Drawing::Task& task) { return work(task); },
               [](const Job& job, const Error& error) {
                   return Answer{job.number, {nullptr, {error.message}, 0, true}};
@@ -66,7 +66,8 @@ struct DrawWorker::State {
 /// Nothing where it was stopped.
 std::optional<DrawWorker::Frame> DrawWorker::State::draw(const DrawRequest& request, int factor,
                                                          const std::stop_token& stop) {
-    Result<std::optional<Frame>> drawn = tried(failure, [&] { return tryToDraw(request, factor, stop); });
+    Result<std::optional<Frame>> drawn =
+        tried(drawingFailure, [&] { return tryToDraw(request, factor, stop); });
     return drawn ? std::move(*drawn) : Frame{nullptr, {drawn.error().message}, 0, factor == 1};
 }
 

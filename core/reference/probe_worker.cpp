@@ -10,7 +10,7 @@ namespace texplorer::reference {
 
 namespace {
 
-constexpr FailureWords failure{"there is no memory for the answer", "there is no answer"};
+constexpr FailureWords probingFailure{"there is no memory for the answer", "there is no answer"};
 
 } // namespace
 
@@ -18,7 +18,7 @@ struct ProbeWorker::State {
     State(When when, std::function<void()> wake, LevelWork how)
         : levels(std::move(how))
         , worker(
-              {when, JobOrder::NewestWins, failure, std::move(wake), levels.stop},
+              {when, JobOrder::NewestWins, probingFailure, std::move(wake), levels.stop},
               [this](const Probing::Task& task) { return work(task); },
               // What was answered last stays.
               [](const Job&, const Error&) { return std::shared_ptr<const Answer>(); }) {}
@@ -52,10 +52,10 @@ ProbeWorker::State::work(const Probing::Task& task) {
     options.levels.stop = task.stop();
     if (made->request.pixel)
         made->explanation =
-            tried(failure, [&] { return renderer.probe(asked, *made->request.pixel, options); });
+            tried(probingFailure, [&] { return renderer.probe(asked, *made->request.pixel, options); });
     if (made->request.texel)
-        made->contributions =
-            tried(failure, [&] { return renderer.contributions(asked, *made->request.texel, options); });
+        made->contributions = tried(
+            probingFailure, [&] { return renderer.contributions(asked, *made->request.texel, options); });
     return made;
 }
 

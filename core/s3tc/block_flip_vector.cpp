@@ -17,7 +17,7 @@ namespace {
 
 using Vector = __m256i;
 
-TEXPLORER_INLINE Vector load(const std::byte* bytes) {
+TEXPLORER_INLINE Vector loadVector(const std::byte* bytes) {
     return _mm256_loadu_si256(reinterpret_cast<const Vector*>(bytes));
 }
 
@@ -63,10 +63,10 @@ TEXPLORER_INLINE void swapAll(const BlockFlip& blockFlip, std::byte* first, std:
                               std::size_t bytes) {
     const VectorFlip<partCount> flip(blockFlip);
     for (std::size_t i = 0; i < bytes; i += 64) {
-        const Vector a0 = load(first + i);
-        const Vector a1 = load(first + i + 32);
-        const Vector b0 = load(second + i);
-        const Vector b1 = load(second + i + 32);
+        const Vector a0 = loadVector(first + i);
+        const Vector a1 = loadVector(first + i + 32);
+        const Vector b0 = loadVector(second + i);
+        const Vector b1 = loadVector(second + i + 32);
         store(first + i, flip(b0));
         store(first + i + 32, flip(b1));
         store(second + i, flip(a0));

@@ -20,7 +20,7 @@ using Wanted = ImageLoader::Wanted;
 constexpr DecodeLimits thumbnailLimits{
     .maxExtent = 8192, .maxPixels = std::size_t{32} << 20, .maxBytes = std::size_t{256} << 20};
 
-constexpr FailureWords failure{"there is no memory for what it holds", "can't be loaded"};
+constexpr FailureWords loadingFailure{"there is no memory for what it holds", "can't be loaded"};
 
 Content dissectFile(Bytes bytes) {
     auto file = std::make_shared<DissectedFile>();
@@ -41,7 +41,7 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
                      const ReadObserver& observer, const std::function<void()>& decoding) {
     const std::size_t most =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
-    Result<Content> content = tried(failure, [&]() -> Result<Content> {
+    Result<Content> content = tried(loadingFailure, [&]() -> Result<Content> {
         Result<Bytes> bytes = readFile(path, most, observer);
         if (!bytes)
             return fail(bytes.error());
@@ -68,7 +68,7 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
 struct ImageLoader::State {
     explicit State(std::function<void()> wake)
         : worker(
-              {When::WhenReady, JobOrder::Queue, failure, std::move(wake)},
+              {When::WhenReady, JobOrder::Queue, loadingFailure, std::move(wake)},
               [this](const Loading::Task& task) { return load(task); },
               [](const Job& job, Error error) {
                   error.where = job.path.string();

@@ -14,8 +14,8 @@ constexpr std::size_t quickTexels = std::size_t{256} * 256;
 
 constexpr std::size_t mostEntries = 32;
 
-constexpr FailureWords failure{"there is no memory for the numbers about its levels",
-                               "its levels can't be made"};
+constexpr FailureWords levelsFailure{"there is no memory for the numbers about its levels",
+                                     "its levels can't be made"};
 
 bool isQuick(const LevelsRequest& request) {
     if (!request.image || request.image->surfaces.empty())
@@ -81,7 +81,7 @@ struct LevelsWorker::State {
         : when(chosen)
         , levelWork(std::move(how))
         , worker(
-              {when, JobOrder::Queue, failure, std::move(wake), levelWork.stop},
+              {when, JobOrder::Queue, levelsFailure, std::move(wake), levelWork.stop},
               [this](const Making::Task& task) { return work(task); },
               [](const Job& job, Error error) {
                   auto levels = std::make_shared<const PreparedLevels>(fail(std::move(error)));

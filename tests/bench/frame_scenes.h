@@ -29,7 +29,7 @@ inline constexpr int frameHeight = 480;
 
 inline constexpr std::array frameScenes{
     FrameScene{"default", defaultScene},
-    FrameScene{"floor", testing_support::floorScene},
+    FrameScene{"floor", test::floorScene},
 };
 
 inline constexpr std::array frameFilters{

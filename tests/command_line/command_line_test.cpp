@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace texplorer {
+namespace texplorer::command_line_test {
 namespace {
 
 using testing::ElementsAre;
@@ -231,4 +231,4 @@ Options:
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::command_line_test

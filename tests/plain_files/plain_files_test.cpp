@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::plain_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST_F(PlainFiles, LieInAPrivateDirectory) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::plain_files_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <unistd.h>
 
-namespace texplorer::random {
+namespace texplorer::random::batches_test {
 namespace {
 
 using testing::ElementsAre;
@@ -101,4 +101,4 @@ TEST(Batches, KeepAChildWithinItsMemory) {
 }
 
 } // namespace
-} // namespace texplorer::random
+} // namespace texplorer::random::batches_test

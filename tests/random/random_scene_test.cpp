@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-namespace texplorer::random {
+namespace texplorer::random::random_scene_test {
 namespace {
 
 const std::vector<std::string> files{"one.dds", "two.png"};
@@ -132,4 +132,4 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
 }
 
 } // namespace
-} // namespace texplorer::random
+} // namespace texplorer::random::random_scene_test

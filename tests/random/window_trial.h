@@ -16,7 +16,7 @@ struct CaughtFailures {
 
 /// A window that is tried in a child process: what its workbench asserts goes into the journal, as notes of
 /// kind "broken".
-class WindowTrial : private CaughtFailures, public ui::test::Workbench {
+class WindowTrial : private CaughtFailures, public test::Workbench {
 protected:
     explicit WindowTrial(Journal& journal)
         : journal_(journal) {}

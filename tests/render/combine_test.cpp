@@ -12,10 +12,10 @@
 #include <GL/glew.h>
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::combine_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 Scene combined() {
     Scene scene = texturedScene();
@@ -194,4 +194,4 @@ TEST_F(RenderTest, CombineBeginsWithGlsInitialValues) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::combine_test

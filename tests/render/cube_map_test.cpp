@@ -8,10 +8,10 @@
 
 #include <cstdlib>
 
-namespace texplorer {
+namespace texplorer::cube_map_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 /// Six faces of 2 x 2 texels in a row. Red tells the face; green is full in the right column, blue in the
 /// lower row.
@@ -186,4 +186,4 @@ TEST_F(CubeMaps, AreCompressedByTheDriverAndReadBackFaceByFace) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::cube_map_test

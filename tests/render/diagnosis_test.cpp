@@ -13,10 +13,10 @@
 #include <array>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::diagnosis_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr glm::vec4 red{1, 0, 0, 1};
 constexpr glm::vec4 untextured{0.2F, 0.4F, 0.6F, 0.8F};
@@ -290,4 +290,4 @@ TEST_F(PrimaryColorOnTheDriver, HasAnEffectWhereTheDiagnosisSaysSo) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::diagnosis_test

@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-namespace texplorer {
+namespace texplorer::driver_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST_F(DriverCache, RefusesAPlaceWhereNothingCanBeMade) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::driver_cache_test

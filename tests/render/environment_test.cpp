@@ -6,10 +6,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::environment_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr Texel texel{153, 51, 204, 102}; // EnvironmentCase::texel, in 255ths
 
@@ -33,4 +33,4 @@ INSTANTIATE_TEST_SUITE_P(Tables, Environment, testing::ValuesIn(environmentCases
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::environment_test

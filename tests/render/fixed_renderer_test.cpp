@@ -6,10 +6,10 @@
 #include <GL/glew.h>
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::fixed_renderer_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using testing::IsEmpty;
 
 class FixedRenderer : public RenderTest {};
@@ -168,4 +168,4 @@ TEST_F(FixedRenderer, CanBeMoved) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::fixed_renderer_test

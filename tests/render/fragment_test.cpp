@@ -5,10 +5,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::fragment_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct CompareCase {
     const char* name;
@@ -152,4 +152,4 @@ TEST_F(Passes, ASecondPassWithEqualDepthHitsExactlyTheFirst) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::fragment_test

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace texplorer::render {
+namespace texplorer::render::gl_errors_test {
 namespace {
 
 using testing::ElementsAre;
@@ -52,4 +52,4 @@ TEST(GlErrors, AnUnknownErrorIsShownAsANumber) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::gl_errors_test

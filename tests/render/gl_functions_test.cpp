@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::gl_functions_test {
 namespace {
 
 using Names = std::set<std::string>;
@@ -94,7 +94,7 @@ TEST(GlCalls, NameWhatTheHeadersOfOpenGlHave) {
         EXPECT_TRUE(said.contains(name)) << name;
 }
 
-class LoadedGlFunctions : public testing_support::RenderTest {};
+class LoadedGlFunctions : public test::RenderTest {};
 
 TEST_F(LoadedGlFunctions, AreThere) {
     for (const render::GlFunction& each : render::glFunctions())
@@ -102,4 +102,4 @@ TEST_F(LoadedGlFunctions, AreThere) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::gl_functions_test

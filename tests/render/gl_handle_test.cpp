@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::render {
+namespace texplorer::render::gl_handle_test {
 namespace {
 
-class Handles : public testing_support::RenderTest {};
+class Handles : public test::RenderTest {};
 
 template<class Handle>
 void checkLifetime(GLboolean (*exists)(GLuint), void (*bind)(GLuint)) {
@@ -55,4 +55,4 @@ TEST_F(Handles, OfRenderbuffers) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::gl_handle_test

@@ -7,10 +7,10 @@
 #include <GL/glu.h>
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::glu_mipmap_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct SizeCase {
     const char* name;
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(All, GluMipmaps,
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::glu_mipmap_test

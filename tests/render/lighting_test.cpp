@@ -10,10 +10,10 @@
 
 #include <algorithm>
 
-namespace texplorer {
+namespace texplorer::lighting_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 // Material 0.5, 0.25, 1 with alpha 0.8. Ambient: the model's 0.2 and, for red, the light's 0.2. Diffuse
 // light: 0.6. The texture is 0.4 everywhere. The viewer is infinitely far in front.
@@ -176,4 +176,4 @@ TEST_F(Shading, ALocalViewerMovesTheHighlight) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::lighting_test

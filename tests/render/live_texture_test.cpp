@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <random>
 
-namespace texplorer::render {
+namespace texplorer::render::live_texture_test {
 namespace {
 
 using testing::ElementsAre;
@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, const Part& part) {
     return out << part.name;
 }
 
-class UploadInParts : public testing_support::RenderTest, public testing::WithParamInterface<Part> {};
+class UploadInParts : public test::RenderTest, public testing::WithParamInterface<Part> {};
 
 TEST_P(UploadInParts, IsWhatAnUploadAtOnceIs) {
     const Part& part = GetParam();
@@ -93,11 +93,11 @@ public:
     std::vector<TextureLevel> made;
 };
 
-class LiveScene : public testing_support::RenderTest {
+class LiveScene : public test::RenderTest {
 protected:
     LiveScene() {
-        images.put("red", testing_support::plainImage(4, 4, {255, 0, 0, 255}));
-        images.put("green", testing_support::plainImage(4, 4, {0, 255, 0, 255}));
+        images.put("red", test::plainImage(4, 4, {255, 0, 0, 255}));
+        images.put("green", test::plainImage(4, 4, {0, 255, 0, 255}));
         Texture& texture = scene.textures.front();
         texture.source = SourceKind::File;
         texture.file = "red";
@@ -105,33 +105,33 @@ protected:
     glm::vec4 color() {
         const auto frame = renderer->draw(scene, images, 0, {8, 8}, &levels);
         problems = frame->problems;
-        return testing_support::colorAt(*renderer->read(), 4, 4);
+        return test::colorAt(*renderer->read(), 4, 4);
     }
     static constexpr glm::vec4 red{1, 0, 0, 1};
     static constexpr glm::vec4 green{0, 1, 0, 1};
 
-    Scene scene = testing_support::texturedScene();
+    Scene scene = test::texturedScene();
     HeldLevels levels;
 };
 
 TEST_F(LiveScene, TheOldPictureStaysUntilTheNextIsReady) {
-    EXPECT_TRUE(testing_support::isColor(color(), red));
+    EXPECT_TRUE(test::isColor(color(), red));
     levels.ready = false;
     scene.textures.front().file = "green";
-    EXPECT_TRUE(testing_support::isColor(color(), red));
+    EXPECT_TRUE(test::isColor(color(), red));
     EXPECT_THAT(problems, IsEmpty());
     levels.ready = true;
-    EXPECT_TRUE(testing_support::isColor(color(), green));
+    EXPECT_TRUE(test::isColor(color(), green));
 }
 
 TEST_F(LiveScene, WhatIsCancelledIsSaidAndTheOldPictureStays) {
-    EXPECT_TRUE(testing_support::isColor(color(), red));
+    EXPECT_TRUE(test::isColor(color(), red));
     levels.cancelled = true;
     scene.textures.front().file = "green";
-    EXPECT_TRUE(testing_support::isColor(color(), red));
+    EXPECT_TRUE(test::isColor(color(), red));
     EXPECT_THAT(problems, ElementsAre(HasSubstr("before stays")));
     scene.textures.front().file = "red";
-    EXPECT_TRUE(testing_support::isColor(color(), red));
+    EXPECT_TRUE(test::isColor(color(), red));
 }
 
 TEST_F(LiveScene, TellsWhatTheDriverMade) {
@@ -146,4 +146,4 @@ TEST_F(LiveScene, TellsWhatTheDriverMade) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::live_texture_test

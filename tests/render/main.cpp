@@ -11,6 +11,6 @@ int main(int argc, char** argv) {
     testing::InitGoogleMock(&argc, argv);
     const auto given = std::span(argv, static_cast<std::size_t>(argc));
     if (std::ranges::find(given, std::string_view("--renderer=shader")) != given.end())
-        texplorer::testing_support::testedRenderer() = texplorer::RendererKind::Shader;
+        texplorer::test::testedRenderer() = texplorer::RendererKind::Shader;
     return RUN_ALL_TESTS();
 }

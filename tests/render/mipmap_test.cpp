@@ -11,10 +11,10 @@
 #include <glm/common.hpp>
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::mipmap_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr int texels = 64;
 constexpr int pixels = 16;
@@ -267,4 +267,4 @@ INSTANTIATE_TEST_SUITE_P(All, MipChainOracle,
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::mipmap_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::offscreen_test {
 namespace {
 
 using testing::HasSubstr;
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(All, RefusedSize,
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::offscreen_test

@@ -6,10 +6,10 @@
 #include <GL/glew.h>
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::problems_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -173,4 +173,4 @@ INSTANTIATE_TEST_SUITE_P(All, PictureSize,
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::problems_test

@@ -14,10 +14,10 @@
 #include <algorithm>
 #include <memory>
 
-namespace texplorer {
+namespace texplorer::quads_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr int extent = 200;
 
@@ -218,4 +218,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::quads_test

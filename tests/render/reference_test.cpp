@@ -12,10 +12,10 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace texplorer {
+namespace texplorer::reference_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct Difference {
     std::size_t pixels = 0;
@@ -55,7 +55,7 @@ protected:
 
     /// Unlit, and without a depth test: nothing but texels.
     Scene floorScene() {
-        Scene scene = testing_support::floorScene();
+        Scene scene = test::floorScene();
         scene.passes[0].depthTest = false;
         scene.passes[0].units[0].envMode = EnvMode::Replace;
         return scene;
@@ -443,4 +443,4 @@ TEST_F(Reference, SaysWhatIsMissingInTheSameWords) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::reference_test

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::render {
+namespace texplorer::render::rgba_pixels_test {
 namespace {
 
 using testing::ElementsAre;
@@ -53,4 +53,4 @@ TEST(RgbaPixels, RowsStayInTheirOrder) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::rgba_pixels_test

@@ -13,10 +13,10 @@
 #include <cstring>
 #include <random>
 
-namespace texplorer::render {
+namespace texplorer::render::s3tc_test {
 namespace {
 
-class CompressedTexture : public testing_support::RenderTest, public testing::WithParamInterface<EnumRow> {
+class CompressedTexture : public test::RenderTest, public testing::WithParamInterface<EnumRow> {
 protected:
     [[nodiscard]] static BlockFormat format() { return static_cast<BlockFormat>(GetParam().value); }
     [[nodiscard]] static bool isSigned() {
@@ -144,7 +144,7 @@ struct Between {
     int driver; ///< a + ((b - a) * w >> 8), of 255, or of 127 where it is signed
 };
 
-class ValuesBetween : public testing_support::RenderTest, public testing::WithParamInterface<Between> {};
+class ValuesBetween : public test::RenderTest, public testing::WithParamInterface<Between> {};
 
 TEST_P(ValuesBetween, DifferAsTheHeaderSays) {
     const Between& row = GetParam();
@@ -181,4 +181,4 @@ INSTANTIATE_TEST_SUITE_P(Rows, CompressedTexture, testing::ValuesIn(blockFormatR
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::s3tc_test

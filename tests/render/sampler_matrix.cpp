@@ -35,12 +35,12 @@ struct Case {
 /// A surface with a gradient in each coordinate, that minifies on one side. The unit has a bias, the texture
 /// may have one, too.
 Scene drawnScene(Target target, const Texture& texture, float bias) {
-    Scene scene = testing_support::texturedScene();
+    Scene scene = test::texturedScene();
     scene.textures[0] = texture;
     Unit& unit = scene.passes[0].units[0];
     unit.target = target;
     unit.lodBias = bias;
-    scene.models[0].texCoords[0] = testing_support::quadCoords({-0.3F, -1, 0.1F, 1}, {9, 1.5F, 0.7F, 1.5F});
+    scene.models[0].texCoords[0] = test::quadCoords({-0.3F, -1, 0.1F, 1}, {9, 1.5F, 0.7F, 1.5F});
     return scene;
 }
 

@@ -17,10 +17,10 @@
 #include <random>
 #include <thread>
 
-namespace texplorer {
+namespace texplorer::shader_renderer_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -345,4 +345,4 @@ TEST_F(EditedShaders, ThatGoWhileOneLooksStay) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::shader_renderer_test

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
-namespace texplorer::render {
+namespace texplorer::render::shader_source_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -163,4 +163,4 @@ TEST(ShaderPieces, AFileThatIsMissingOrSaysThingsTwiceIsRefused) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::shader_source_test

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-namespace texplorer::render {
+namespace texplorer::render::state_guard_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct Query {
     const char* name;
@@ -389,4 +389,4 @@ TEST_F(BorrowedState, ParametersOfATextureThatTheCallerHasBoundStayChanged) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::state_guard_test

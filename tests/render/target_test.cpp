@@ -5,10 +5,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::target_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr Texel red{255, 0, 0, 255};
 constexpr Texel green{0, 255, 0, 255};
@@ -140,4 +140,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::target_test

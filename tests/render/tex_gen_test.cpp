@@ -13,10 +13,10 @@
 
 #include <cmath>
 
-namespace texplorer {
+namespace texplorer::tex_gen_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr std::array planes{glm::vec4{0.5F, 0.25F, -0.3F, 0.1F}, glm::vec4{-0.2F, 0.6F, 0.4F, 0.3F},
                             glm::vec4{0.1F, 0.2F, 0.3F, 0.4F}, glm::vec4{0.05F, -0.1F, 0.02F, 1}};
@@ -175,4 +175,4 @@ TEST_F(RenderTest, GeneratedCoordinatesBeginWithGlsInitialValues) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::tex_gen_test

@@ -8,10 +8,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::texture_compression_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -207,4 +207,4 @@ TEST_F(Compressed, ATextureThatWasNotDrawnCannotBeReadBack) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_compression_test

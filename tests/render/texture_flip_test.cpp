@@ -6,10 +6,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::texture_flip_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 /// Flat colours, a block each, so that every decoder and driver agrees on them: row 0 of blocks is the top.
 BlockImage flatBlocks(int width, int height, std::initializer_list<std::uint16_t> colors) {
@@ -116,4 +116,4 @@ TEST_F(Flip, ThatIsImpossibleWithoutLossIsSaidAndStillUpright) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_flip_test

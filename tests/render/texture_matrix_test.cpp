@@ -8,10 +8,10 @@
 
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::texture_matrix_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr int texels = 8;
 
@@ -99,4 +99,4 @@ TEST_F(RenderTest, EveryUnitHasATextureMatrixOfItsOwn) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_matrix_test

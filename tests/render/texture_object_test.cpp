@@ -7,10 +7,10 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <gmock/gmock.h>
 
-namespace texplorer::render {
+namespace texplorer::render::texture_object_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 class TextureParameters : public RenderTest, public testing::WithParamInterface<Target> {
 protected:
@@ -149,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(All, TextureFormat,
                          [](const auto& test) { return std::string(rowOf(test.param.format).name); });
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::texture_object_test

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace texplorer::render {
+namespace texplorer::render::texture_preview_test {
 namespace {
 
 using Texel = std::array<int, 4>;
@@ -139,4 +139,4 @@ TEST(TexturePreview, ShowsNothingWhereTheImageIsNotLoaded) {
 }
 
 } // namespace
-} // namespace texplorer::render
+} // namespace texplorer::render::texture_preview_test

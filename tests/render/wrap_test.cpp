@@ -7,10 +7,10 @@
 
 #include <string_view>
 
-namespace texplorer {
+namespace texplorer::wrap_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 // Every letter has a share in every component, so that a half of each can't be mistaken for anything else.
 glm::vec4 colorOf(char letter) {
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::wrap_test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace texplorer::stage {
+namespace texplorer::stage::input_queue_test {
 namespace {
 
 namespace key = ui::key;
@@ -242,4 +242,4 @@ TEST_F(InputQueueFrames, WhatIsHeldEndsWithTheFocus) {
 }
 
 } // namespace
-} // namespace texplorer::stage
+} // namespace texplorer::stage::input_queue_test

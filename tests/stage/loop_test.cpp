@@ -13,7 +13,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::stage {
+namespace texplorer::stage::loop_test {
 namespace {
 
 using testing::DoubleEq;
@@ -336,4 +336,4 @@ TEST_F(LoopsUnsavedWork, AThreadOfItsOwnNeedsNoFrame) {
 }
 
 } // namespace
-} // namespace texplorer::stage
+} // namespace texplorer::stage::loop_test

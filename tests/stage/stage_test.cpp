@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::stage {
+namespace texplorer::stage::stage_test {
 namespace {
 
 using testing::Contains;
@@ -123,4 +123,4 @@ TEST(StagesEndTest, ThePanelsEndWithTheStage) {
 }
 
 } // namespace
-} // namespace texplorer::stage
+} // namespace texplorer::stage::stage_test

@@ -14,7 +14,7 @@
 #include <optional>
 #include <ostream>
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 struct EnvironmentCase {
     static constexpr glm::vec4 fragment{0.2F, 0.4F, 0.6F, 0.8F};
@@ -75,4 +75,4 @@ inline constexpr std::array environmentCases = [] {
 
 static_assert(environmentCases.size() == 30);
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 Scene flatScene() {
     Scene scene;
@@ -56,4 +56,4 @@ Image plainImage(int width, int height, Texel texel) {
     return image;
 }
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

@@ -9,7 +9,7 @@
 #include <array>
 #include <initializer_list>
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 /// One quad, no lighting, black transparent background, GL's initial values otherwise. Its textures[0] is
 /// the file "image" with filter GL_NEAREST, and passes[0].units[0] would use it, but is not enabled.
@@ -33,4 +33,4 @@ using Texel = std::array<int, 4>; ///< red, green, blue, alpha, 0 to 255
 /// One colour.
 [[nodiscard]] Image plainImage(int width, int height, Texel texel);
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

@@ -2,7 +2,7 @@
 
 #include "core/scene/scene.h"
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 /// A floor that runs to the horizon: every footprint from magnified to strongly minified.
 [[nodiscard]] inline Scene floorScene() {
@@ -19,4 +19,4 @@ namespace texplorer::testing_support {
     return scene;
 }
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 /// The compressing of textures at run time. The first time it is held up, so that a test knows that it is
 /// under way; `shares` says how far each came.
@@ -43,4 +43,4 @@ private:
     std::latch goOn_{1};
 };
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 RendererKind& testedRenderer() {
     static RendererKind kind = RendererKind::Fixed;
@@ -86,4 +86,4 @@ testing::AssertionResult isColor(glm::vec4 found, glm::vec4 expected, float step
     return testing::AssertionSuccess();
 }
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace texplorer::testing_support {
+namespace texplorer::test {
 
 /// Which renderer a RenderTest has: fixed function, unless the program was started with --renderer=shader.
 /// Every test runs with both.
@@ -49,4 +49,4 @@ private:
 /// Equal within `steps` 255ths in every component.
 [[nodiscard]] testing::AssertionResult isColor(glm::vec4 found, glm::vec4 expected, float steps = 1);
 
-} // namespace texplorer::testing_support
+} // namespace texplorer::test

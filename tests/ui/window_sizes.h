@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace texplorer::ui::test {
+namespace texplorer::test {
 
 /// Windows from a small one to a large screen, in pixels.
 struct WindowSize {
@@ -15,4 +15,4 @@ inline constexpr std::array windowSizes{WindowSize{640, 480},  WindowSize{800, 6
 /// Content scales of their monitors.
 inline constexpr std::array windowScales{1.0F, 1.5F, 2.0F};
 
-} // namespace texplorer::ui::test
+} // namespace texplorer::test

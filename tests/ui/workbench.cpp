@@ -15,7 +15,9 @@
 #include <cmath>
 #include <cstdarg>
 
-namespace texplorer::ui::test {
+namespace texplorer::test {
+
+using namespace ui;
 
 namespace {
 
@@ -82,7 +84,7 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     frames(3);
 }
 
-void Workbench::lend(const Services& services) {
+void Workbench::lend(const ui::Services& services) {
     lent_.emplace(services);
     start(defaultScene(), width_, height_, scale_);
 }
@@ -92,7 +94,7 @@ Workbench::~Workbench() {
     ImGui::DestroyContext();
 }
 
-void Workbench::build(const Pictures& pictures) {
+void Workbench::build(const ui::Pictures& pictures) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
     io.DeltaTime = frameSeconds;
@@ -184,7 +186,7 @@ ImVec2 Workbench::place(std::string_view name) {
         ADD_FAILURE() << name << " is not in sight";
         return {-1, -1};
     }
-    const WidgetPlaces::Item& item = found->second;
+    const ui::WidgetPlaces::Item& item = found->second;
     return {(item.left + item.right) / 2, (item.top + item.bottom) / 2};
 }
 
@@ -287,4 +289,4 @@ void Workbench::type(std::string_view text) {
     frames(2);
 }
 
-} // namespace texplorer::ui::test
+} // namespace texplorer::test

@@ -14,7 +14,7 @@
 #include <optional>
 #include <string_view>
 
-namespace texplorer::ui::test {
+namespace texplorer::test {
 
 /// The whole window without a window; the tests are its hands. Widgets are found by the name under which they
 /// note where they are. Nothing is drawn until a test asks for a picture: then OSMesa does.
@@ -27,7 +27,7 @@ protected:
     void start(Scene scene, int width = 1280, int height = 800, float scale = 1);
 
     /// Begins again with other services than those that do everything at once.
-    void lend(const Services& services);
+    void lend(const ui::Services& services);
 
     /// Draws frames, with whatever the hands hold. The clock stands still unless a test lets it run.
     void frames(int count = 1);
@@ -67,21 +67,21 @@ protected:
 
     std::filesystem::path
         shaders; ///< of the shader renderer, before the first picture; empty: the built-in ones
-    WidgetPlaces places;
-    std::optional<Session> session;
-    PanelStates states;
-    Requests requests;
-    Layout layout;
+    ui::WidgetPlaces places;
+    std::optional<ui::Session> session;
+    ui::PanelStates states;
+    ui::Requests requests;
+    ui::Layout layout;
 
 private:
     struct Drawing;
 
     void setModifiers();
     void rest(); ///< so long that the next click is no second one
-    void build(const Pictures& pictures);
+    void build(const ui::Pictures& pictures);
 
-    ServicesAtOnce atOnce_;
-    std::optional<Services> lent_;
+    ui::ServicesAtOnce atOnce_;
+    std::optional<ui::Services> lent_;
     int width_ = 1280;
     int height_ = 800;
     float scale_ = 1;
@@ -94,4 +94,4 @@ private:
 constexpr int ctrl = 341; // GLFW's left control and shift keys
 constexpr int shift = 340;
 
-} // namespace texplorer::ui::test
+} // namespace texplorer::test

@@ -1,6 +1,7 @@
 #include "app/ui/details/commands_tab.h"
 
 #include "app/ui/model/commands.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -23,7 +24,7 @@ std::string asText(const std::vector<Command>& commands) {
 
 void toolRow(const std::vector<Command>& commands) {
     const char* copy = "Copy";
-    const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = buttonWidth(copy);
     const char* caption = "Calls that set an initial value are dim";
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(caption).x + width) {
         ImGui::AlignTextToFramePadding();

@@ -1,5 +1,6 @@
 #include "app/ui/details/explain_tab.h"
 
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -211,7 +212,7 @@ void drawHead(Session& session, const Pictures& pictures, const reference::Expla
         "In OpenGL's window coordinates, which begin at the lower left, {},{}. Hold E over the picture, or "
         "click there, for another pixel.",
         x, y));
-    const float width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = buttonWidth("Clear");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton("Clear")) {
         session.window.explaining.pixel.reset();

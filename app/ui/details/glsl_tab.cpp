@@ -1,6 +1,7 @@
 #include "app/ui/details/glsl_tab.h"
 
 #include "app/ui/details/glsl_text.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -70,7 +71,7 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
     }
     const char* copy = "Copy";
-    const float width = ImGui::CalcTextSize(copy).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = buttonWidth(copy);
     const std::string pass = fmt::format("pass {}", session.window.selection.pass);
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(pass.c_str()).x + 2 * width) {
         ImGui::TextDisabled("%s", pass.c_str());

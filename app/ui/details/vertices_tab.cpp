@@ -1,6 +1,7 @@
 #include "app/ui/details/vertices_tab.h"
 
 #include "app/ui/model/tex_coord_edits.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -38,7 +39,7 @@ void editButtons(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     bool first = true;
     const auto button = [&](const char* label, const char* help) {
-        const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+        const float width = buttonWidth(label);
         if (!first) {
             ImGui::SameLine(0, gap);
             if (ImGui::GetContentRegionAvail().x <

@@ -4,6 +4,7 @@
 
 #include "app/ui/model/asking.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/base/printable.h"
@@ -146,7 +147,7 @@ void sharingNote(Session& session, const char* id) {
         "What is set under Texture is then set for all of them: image, filters, wrap modes and levels "
         "belong to the texture object. Environment, matrix and generated coordinates belong to each unit.");
     const char* label = "Give it its own";
-    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = buttonWidth(label);
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();

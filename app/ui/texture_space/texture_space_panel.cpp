@@ -3,6 +3,7 @@
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/texture_space/plane_drawing.h"
 #include "app/ui/texture_space/texel_marks.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -186,7 +187,7 @@ void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pic
     const std::string extents =
         image ? extentsOf(*image, selectedUnit(session).target) : std::string("no texture");
     const std::string what = fmt::format("unit {} · {}", session.window.selection.unit, extents);
-    const float button = ImGui::CalcTextSize("Fit").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float button = buttonWidth("Fit");
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)
         ImGui::TextDisabled("%s", what.c_str());

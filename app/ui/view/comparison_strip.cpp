@@ -1,4 +1,5 @@
 #include "app/ui/view/pane_drawing.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -70,10 +71,6 @@ private:
     float x_;
     float y_;
 };
-
-float buttonWidth(const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
 
 /// The part of the pictures around a pixel.
 void showPixel(ViewSettings& settings, glm::ivec2 pixel, view::Size picture) {

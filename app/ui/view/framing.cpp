@@ -5,13 +5,10 @@
 #include <algorithm>
 
 namespace texplorer::ui {
-namespace {
 
 float aspectOf(const Layout& layout) {
-    return static_cast<float>(layout.picture.width) / static_cast<float>(layout.picture.height);
+    return static_cast<float>(layout.picture.width) / static_cast<float>(std::max(1, layout.picture.height));
 }
-
-} // namespace
 
 void resetCamera(Session& session, const Layout& layout) {
     session.document.scene.view = defaultScene().view;

@@ -5,6 +5,9 @@
 
 namespace texplorer::ui {
 
+/// Width / height of the pictures.
+[[nodiscard]] float aspectOf(const Layout& layout);
+
 // What aims the camera, each a step of undo.
 
 /// The camera as it was at the start, fitted to the view.

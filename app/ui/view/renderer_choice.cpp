@@ -1,5 +1,6 @@
 #include "app/ui/view/renderer_choice.h"
 
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>
@@ -10,10 +11,6 @@ namespace {
 
 constexpr const char* compareHelp = "Two renderers across one picture, or all of them with the difference.";
 constexpr const char* nothingToCompare = "There is one renderer here, and nothing to compare it with.";
-
-float buttonWidth(const std::string& label) {
-    return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
 
 bool choice(const std::string& label, bool chosen, bool offered, std::string_view help) {
     ImGui::BeginDisabled(!offered);
@@ -42,7 +39,7 @@ void drawRendererChoice(ViewSettings& settings, float available) {
     const char* compare = "Compare";
     float needed = before + buttonWidth(compare);
     for (const EnumRow& row : rows)
-        needed += buttonWidth(std::string(row.label)) + gap;
+        needed += buttonWidth(std::string(row.label).c_str()) + gap;
     if (needed > available)
         return; // the View menu has them all
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);

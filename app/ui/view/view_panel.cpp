@@ -7,6 +7,7 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/view/probed_pixel.h"
 #include "app/ui/view/show.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -23,17 +24,9 @@ namespace {
 
 constexpr const char* cameraEdit = "Move camera"; // never sealed: looking around is one step of undo
 
-float aspectOf(const Layout& layout) {
-    return static_cast<float>(layout.picture.width) / static_cast<float>(std::max(1, layout.picture.height));
-}
-
 constexpr const char* frameLabel = "Frame";
 constexpr const char* frameHelp = "Aims the camera so that every model is whole (F, or a double click)";
 constexpr const char* moreLabel = "…";
-
-float buttonWidth(const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
 
 /// The choices of the tool row from this one on, and Frame.
 void moreMenu(Session& session, const Layout& layout, std::size_t first) {

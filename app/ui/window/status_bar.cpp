@@ -2,6 +2,7 @@
 
 #include "app/ui/model/findings.h"
 #include "app/ui/model/loads.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -71,8 +72,7 @@ void drawNotice(Session& session) {
 void drawFinding(Session& session, const Finding& finding, std::size_t count) {
     const float forSentence = ImGui::GetFontSize() * 12;
     for (const Fix& fix : finding.fixes) {
-        const float width =
-            ImGui::CalcTextSize(fix.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + forSentence;
+        const float width = buttonWidth(fix.label.c_str()) + forSentence;
         if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
             break;
         if (ImGui::SmallButton(fix.label.c_str()))

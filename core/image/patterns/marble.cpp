@@ -8,7 +8,7 @@ namespace texplorer {
 
 namespace {
 
-constexpr int size = 32;
+constexpr int marbleSize = 32;
 
 // Distance to the nearest integer, from 0 to 0.5: sheets that repeat once a unit.
 float sheet(float phase) {
@@ -18,9 +18,9 @@ float sheet(float phase) {
 // Parallel sheets, bent by turbulence. Each phase grows by a whole number over the block, so that the block
 // tiles.
 Color colorAt(int x, int y, int z) {
-    const float u = static_cast<float>(x) / size;
-    const float v = static_cast<float>(y) / size;
-    const float w = static_cast<float>(z) / size;
+    const float u = static_cast<float>(x) / marbleSize;
+    const float v = static_cast<float>(y) / marbleSize;
+    const float w = static_cast<float>(z) / marbleSize;
     const float bend = tiledTurbulence(2 * u, 2 * v, 2 * w, 2, 11);
     const float twist = tiledTurbulence(2 * u, 2 * v, 2 * w, 2, 23);
     const float cloud = tiledTurbulence(3 * u, 3 * v, 3 * w, 3, 37);
@@ -35,10 +35,10 @@ Color colorAt(int x, int y, int z) {
 } // namespace
 
 Image drawMarble() {
-    Canvas canvas(size, size, size);
-    for (int z = 0; z < size; ++z)
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+    Canvas canvas(marbleSize, marbleSize, marbleSize);
+    for (int z = 0; z < marbleSize; ++z)
+        for (int y = 0; y < marbleSize; ++y)
+            for (int x = 0; x < marbleSize; ++x)
                 canvas.set(x, y, z, colorAt(x, y, z));
     return std::move(canvas).take();
 }

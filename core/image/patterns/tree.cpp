@@ -9,7 +9,7 @@ namespace texplorer {
 
 namespace {
 
-constexpr int size = 256;
+constexpr int treeSize = 256;
 
 struct Branch {
     float fromX, fromY, fromWidth;
@@ -40,7 +40,7 @@ void drawBranch(Canvas& canvas, const Branch& branch) {
     const float length = std::sqrt(dx * dx + dy * dy);
     const int top = static_cast<int>(std::max(branch.fromY, branch.toY)) + 8;
     for (int y = std::max(0, static_cast<int>(std::min(branch.fromY, branch.toY)) - 8); y <= top; ++y)
-        for (int x = 0; x < size; ++x) {
+        for (int x = 0; x < treeSize; ++x) {
             const float px = static_cast<float>(x) + 0.5F - branch.fromX;
             const float py = static_cast<float>(y) + 0.5F - branch.fromY;
             const float along = std::clamp((px * dx + py * dy) / (length * length), 0.0F, 1.0F);
@@ -103,9 +103,9 @@ void drawClump(Canvas& canvas, const Clump& clump, int number) {
 
 Image drawTree() {
     // What is transparent is green or brown all the same: a linear filter blends it into the outline.
-    Canvas canvas(size, size);
-    canvas.fill(0, 0, size, 72, {92, 66, 44, 0});
-    canvas.fill(0, 72, size, size - 72, {58, 104, 40, 0});
+    Canvas canvas(treeSize, treeSize);
+    canvas.fill(0, 0, treeSize, 72, {92, 66, 44, 0});
+    canvas.fill(0, 72, treeSize, treeSize - 72, {58, 104, 40, 0});
     for (const Branch& branch : branches)
         drawBranch(canvas, branch);
     int number = 0;

@@ -8,9 +8,9 @@ namespace texplorer {
 
 namespace {
 
-constexpr int size = 512;
+constexpr int templateSize = 512;
 constexpr int cells = 4;
-constexpr int cell = size / cells;
+constexpr int cell = templateSize / cells;
 constexpr int strip = 30; // what the arrows take along the lower and the left edge
 
 constexpr Color ink{38, 42, 52, 255};
@@ -28,8 +28,8 @@ Color tint(int column, int row) {
 }
 
 void drawGrid(Canvas& canvas) {
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < templateSize; ++y)
+        for (int x = 0; x < templateSize; ++x) {
             const Color base = tint(x / cell, y / cell);
             const bool fine = x % (cell / 4) == 0 || y % (cell / 4) == 0;
             const bool strong = x % cell < 2 || y % cell < 2;
@@ -67,13 +67,13 @@ void drawArrow(Plot plot, int tip) {
 } // namespace
 
 Image drawUvTemplate() {
-    Canvas canvas(size, size);
+    Canvas canvas(templateSize, templateSize);
     drawGrid(canvas);
     drawCellLabels(canvas);
-    drawArrow([&](int along, int across) { canvas.set(along, across, sColor); }, size - 40);
-    drawArrow([&](int along, int across) { canvas.set(across, along, tColor); }, size - 44);
-    drawText(canvas, size - 33, 4, 5, "s", sColor);
-    drawText(canvas, 6, size - 40, 5, "t", tColor);
+    drawArrow([&](int along, int across) { canvas.set(along, across, sColor); }, templateSize - 40);
+    drawArrow([&](int along, int across) { canvas.set(across, along, tColor); }, templateSize - 44);
+    drawText(canvas, templateSize - 33, 4, 5, "s", sColor);
+    drawText(canvas, 6, templateSize - 40, 5, "t", tColor);
     return std::move(canvas).take();
 }
 

@@ -10,18 +10,18 @@ namespace texplorer {
 namespace {
 
 /// What was being read, and what may come there.
-struct Place {
+struct Expectation {
     std::string_view context;
     std::string_view inside;
     std::string_view expected;
 };
 
 constexpr std::array places{
-    Place{"object key", "an object", "a key in quotes"},
-    Place{"object separator", "an object", "':' after the key"},
-    Place{"object", "an object", "',' or '}'"},
-    Place{"array", "an array", "',' or ']'"},
-    Place{"value", "", "a value"},
+    Expectation{"object key", "an object", "a key in quotes"},
+    Expectation{"object separator", "an object", "':' after the key"},
+    Expectation{"object", "an object", "',' or '}'"},
+    Expectation{"array", "an array", "',' or ']'"},
+    Expectation{"value", "", "a value"},
 };
 
 constexpr std::string_view before = "syntax error while parsing ";
@@ -47,7 +47,7 @@ std::string readableProblem(std::string_view said) {
         return std::string(said);
     const std::string_view context = said.substr(before.size(), dash - before.size());
     std::string_view problem = said.substr(dash + 3);
-    const auto place = std::ranges::find(places, context, &Place::context);
+    const auto place = std::ranges::find(places, context, &Expectation::context);
     if (place == places.end())
         return std::string(said);
     const std::string expected = "expected " + std::string(place->expected);

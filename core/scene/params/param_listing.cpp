@@ -10,8 +10,8 @@ namespace texplorer {
 namespace {
 
 /// Keeps the order of its members, and floats as short as they are.
-using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, float>;
+using OrderedJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
+                                         std::uint64_t, float>;
 
 struct Visitor {
     std::function<void(const std::string& path, const ParamRow& row, const Value& initial)> param;
@@ -71,15 +71,15 @@ bool hasRange(Kind kind) {
 }
 
 template<class Vector>
-Json jsonVector(const Vector& vector) {
-    Json numbers = Json::array();
+OrderedJson jsonVector(const Vector& vector) {
+    OrderedJson numbers = OrderedJson::array();
     for (int i = 0; i < Vector::length(); ++i)
         numbers.push_back(vector[i]);
     return numbers;
 }
 
 /// The value as scene files hold it.
-Json jsonValue(const ParamRow& row, const Value& value) {
+OrderedJson jsonValue(const ParamRow& row, const Value& value) {
     switch (row.kind) {
     case Kind::Bool:
         return std::get<bool>(value);
@@ -96,7 +96,7 @@ Json jsonValue(const ParamRow& row, const Value& value) {
     case Kind::Text:
         return formatValue(row, value);
     case Kind::TexCoordList:
-        return Json::array();
+        return OrderedJson::array();
     }
     return {};
 }
@@ -162,19 +162,19 @@ std::string listParams() {
 }
 
 std::string listParamsJson() {
-    Json params = Json::array();
-    Json lists = Json::array();
+    OrderedJson params = OrderedJson::array();
+    OrderedJson lists = OrderedJson::array();
     const auto list = [&](const std::string& path, const ChildRow& child) {
         lists.push_back({{"path", path}, {"minCount", child.minCount}, {"maxCount", child.maxCount}});
     };
     const auto param = [&](const std::string& path, const ParamRow& row, const Value& initial) {
-        Json entry{{"path", path},
-                   {"kind", kindName(row.kind)},
-                   {"group", row.group},
-                   {"label", row.label},
-                   {"help", row.help},
-                   {"glCall", callFor(row, Unit().target)},
-                   {"default", jsonValue(row, initial)}};
+        OrderedJson entry{{"path", path},
+                          {"kind", kindName(row.kind)},
+                          {"group", row.group},
+                          {"label", row.label},
+                          {"help", row.help},
+                          {"glCall", callFor(row, Unit().target)},
+                          {"default", jsonValue(row, initial)}};
         if (hasRange(row.kind))
             entry["range"] = {{"min", row.range.min},
                               {"max", row.range.max},
@@ -188,7 +188,7 @@ std::string listParamsJson() {
         params.push_back(std::move(entry));
     };
     walkAll({param, list});
-    const Json all{
+    const OrderedJson all{
         {"version", sceneFormatVersion}, {"parameters", std::move(params)}, {"lists", std::move(lists)}};
     return all.dump(2) + "\n";
 }

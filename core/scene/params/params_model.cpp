@@ -9,7 +9,7 @@ using build::texCoords;
 constexpr std::string_view texCoordHelp =
     "s, t, r and q of every vertex for this texture unit. An empty list takes what the mesh gives.";
 
-constexpr std::array rows{
+constexpr std::array modelRows{
     param<&Model::shape>("shape", "Shape", "Shape", "", "Which mesh is drawn."),
     param<&Model::visible>("visible", "Shape", "Visible", "", "Whether it is drawn at all."),
     param<&Model::slices>("slices", "Shape", "Slices", "gluSphere(quadric, 1, {}, stacks)",
@@ -39,12 +39,12 @@ constexpr std::array rows{
                                     "glMultiTexCoord4fv(GL_TEXTURE3, {})", texCoordHelp),
 };
 // The array of coordinates is one member and has a row for each unit.
-static_assert(rows.size() == 12 && rows.size() == build::memberCount<Model>() - 1 + maxUnits);
+static_assert(modelRows.size() == 12 && modelRows.size() == build::memberCount<Model>() - 1 + maxUnits);
 
 } // namespace
 
 const StructTable& modelTable() {
-    static const StructTable table{"Model", rows, {}};
+    static const StructTable table{"Model", modelRows, {}};
     return table;
 }
 

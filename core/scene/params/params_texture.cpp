@@ -6,7 +6,7 @@ namespace {
 using build::color;
 using build::param;
 
-constexpr std::array rows{
+constexpr std::array textureRows{
     param<&Texture::source>("source", "Image", "Source", "",
                             "Whether the image is built in or read from a file."),
     param<&Texture::pattern>("pattern", "Image", "Pattern", "",
@@ -99,13 +99,13 @@ constexpr std::array rows{
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
 // The sampler state is one member of the texture, its base, and has a row for each of its own.
-static_assert(rows.size() == 28 &&
-              rows.size() == build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
+static_assert(textureRows.size() == 28 &&
+              textureRows.size() == build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
 
 } // namespace
 
 const StructTable& textureTable() {
-    static const StructTable table{"Texture", rows, {}};
+    static const StructTable table{"Texture", textureRows, {}};
     return table;
 }
 

@@ -6,7 +6,7 @@ namespace {
 using build::color;
 using build::param;
 
-constexpr std::array rows{
+constexpr std::array viewRows{
     param<&View::azimuth>("azimuth", "Camera", "Azimuth", "glRotatef(-{}, 0, 1, 0)",
                           "How far the camera has gone around the y axis; at 0 it looks along -z.",
                           {-360, 360, 0.5F, "deg"}),
@@ -35,12 +35,12 @@ constexpr std::array rows{
         "What the frame is cleared to. Its alpha shows only where a blend factor asks for it; "
         "screenshots are opaque."),
 };
-static_assert(rows.size() == 8 && rows.size() == build::memberCount<View>());
+static_assert(viewRows.size() == 8 && viewRows.size() == build::memberCount<View>());
 
 } // namespace
 
 const StructTable& viewTable() {
-    static const StructTable table{"View", rows, {}};
+    static const StructTable table{"View", viewRows, {}};
     return table;
 }
 

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-namespace texplorer {
+namespace texplorer::autosave_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ TEST_F(Autosaving, TriesAgainWhatCouldNotBeWritten) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::autosave_test

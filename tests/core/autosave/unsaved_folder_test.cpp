@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace texplorer {
+namespace texplorer::unsaved_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST_F(UnsavedFolder, ThatCantBeMadeIsASentence) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::unsaved_folder_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer {
+namespace texplorer::unsaved_scene_test {
 namespace {
 
 using testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST(UnsavedText, CutAnywhereIsADraftOrASentence) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::unsaved_scene_test

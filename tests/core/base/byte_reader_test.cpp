@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace texplorer {
+namespace texplorer::byte_reader_test {
 namespace {
 
 constexpr std::array data{std::byte{0x01}, std::byte{0x02}, std::byte{0x03}, std::byte{0x84},
@@ -48,4 +48,4 @@ TEST(ByteReader, OfNothingIsTruncatedByTheFirstByte) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::byte_reader_test

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace texplorer {
+namespace texplorer::count_test {
 namespace {
 
 TEST(Count, OneAloneHasNoS) {
@@ -17,4 +17,4 @@ TEST(Count, OneAloneHasNoS) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::count_test

@@ -21,7 +21,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::file_io_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -464,4 +464,4 @@ TEST_F(FileIo, WithinADirectoryALinkIsReplacedAndNotFollowed) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::file_io_test

@@ -8,7 +8,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace texplorer {
+namespace texplorer::file_watch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST_F(FileWatching, LooksByItselfWhereTheFolderIsMissing) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::file_watch_test

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace texplorer {
+namespace texplorer::parallel_test {
 namespace {
 
 TEST(ParallelFor, CallsEachNumberOnce) {
@@ -28,4 +28,4 @@ TEST(ParallelFor, UsesSeveralThreads) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::parallel_test

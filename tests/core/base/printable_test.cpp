@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace texplorer {
+namespace texplorer::printable_test {
 namespace {
 
 struct Row {
@@ -63,4 +63,4 @@ TEST(PrintableJson, StaysTheSameJson) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::printable_test

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace texplorer {
+namespace texplorer::private_directory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST_F(Private, StaysWhatItWasWhenItsNameLeadsElsewhere) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::private_directory_test

@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace texplorer {
+namespace texplorer::worker_test {
 namespace {
 
 using testing::ElementsAre;
@@ -282,4 +282,4 @@ TEST(Tried, PassesOnResultsAndErrors) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::worker_test

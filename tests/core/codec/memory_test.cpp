@@ -10,7 +10,7 @@
 #include <random>
 #include <turbojpeg.h>
 
-namespace texplorer {
+namespace texplorer::memory_test {
 namespace {
 
 constexpr int extent = 1024;
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::memory_test

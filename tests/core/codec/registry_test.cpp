@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace texplorer {
+namespace texplorer::registry_test {
 namespace {
 
 ByteView view(std::string_view text) {
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::registry_test

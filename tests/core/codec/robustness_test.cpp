@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::robustness_test {
 namespace {
 
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
@@ -142,4 +142,4 @@ TEST(WatchedHeap, CountsAndFills) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::robustness_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::texture_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST(SaveTexture, KeepsWhatWasThereWhereItFails) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_file_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::conform {
+namespace texplorer::conform::judge_test {
 namespace {
 
 constexpr Rule none{"none", 2, 1, Tolerance::None, 1, 1, ""};
@@ -126,4 +126,4 @@ TEST_F(Judging, RefusesPicturesOfTwoSizes) {
 }
 
 } // namespace
-} // namespace texplorer::conform
+} // namespace texplorer::conform::judge_test

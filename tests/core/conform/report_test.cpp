@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace texplorer::conform {
+namespace texplorer::conform::report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -177,4 +177,4 @@ TEST(Report, ListsEveryFeatureRuleAndSkip) {
 }
 
 } // namespace
-} // namespace texplorer::conform
+} // namespace texplorer::conform::report_test

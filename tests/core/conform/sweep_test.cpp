@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace texplorer::conform {
+namespace texplorer::conform::sweep_test {
 namespace {
 
 /// Draws each scene as the reference does, but for what is wrong with it.
@@ -550,4 +550,4 @@ TEST(WrongRenderers, ThereIsOneForEachFeature) {
 }
 
 } // namespace
-} // namespace texplorer::conform
+} // namespace texplorer::conform::sweep_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::applied_texture_test {
 namespace {
 
 /// A texture of 2^(count - 1) texels along each axis, with that many levels.
@@ -119,4 +119,4 @@ TEST(AppliedTexture, GivesLlvmpipeOneFilterWhereLambdaChoosesNoLevel) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::applied_texture_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::diagnosis_test {
 namespace {
 
 struct Stage {
@@ -689,4 +689,4 @@ TEST(DiagnosisOfAll, AFixThatNoLongerFitsChangesNothing) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::diagnosis_test

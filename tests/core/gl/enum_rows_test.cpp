@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::enum_rows_test {
 namespace {
 
 struct Table {
@@ -83,4 +83,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::enum_rows_test

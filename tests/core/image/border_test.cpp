@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace texplorer {
+namespace texplorer::border_test {
 namespace {
 
 /// One byte a texel, bottom row first; slices one after the other.
@@ -117,4 +117,4 @@ TEST(MipPolicyWithBorder, LinesAndVolumesHaveThemToo) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::border_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace texplorer {
+namespace texplorer::compare_test {
 namespace {
 
 using testing::ElementsAre;
@@ -203,4 +203,4 @@ TEST(HeatMap, ColorsEachPixelByItsWorstComponent) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::compare_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::convert_test {
 namespace {
 
 Bytes bytes(std::initializer_list<int> values) {
@@ -25,4 +25,4 @@ TEST(WithoutAlpha, LeavesOtherFormatsAlone) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::convert_test

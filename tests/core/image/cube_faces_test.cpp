@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace texplorer {
+namespace texplorer::cube_faces_test {
 namespace {
 
 /// One byte a texel, the first row first.
@@ -95,4 +95,4 @@ TEST(CubeFaceExtents, AreThoseOfOneFace) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::cube_faces_test

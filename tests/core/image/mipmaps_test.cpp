@@ -12,7 +12,7 @@
 #include <cmath>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::mipmaps_test {
 namespace {
 
 Image image(PixelFormat format, int width, int height, int depth, const std::vector<int>& components) {
@@ -192,4 +192,4 @@ TEST(MipPolicies, ColoredLevelsAreRgbaWhateverTheBaseIs) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::mipmaps_test

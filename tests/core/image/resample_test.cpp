@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::resample_test {
 namespace {
 
 Image grey(int width, int height, const std::vector<int>& values) {
@@ -161,4 +161,4 @@ TEST(FilterShapes, DifferAsTheirHelpSays) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::resample_test

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace texplorer {
+namespace texplorer::shared_surface_test {
 namespace {
 
 Image grey() {
@@ -28,4 +28,4 @@ TEST(SharedSurface, CopiesWhatIsLent) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::shared_surface_test

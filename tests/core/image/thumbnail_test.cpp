@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::thumbnail_test {
 namespace {
 
 Image plain(PixelFormat format, int width, int height, const std::vector<int>& pixel) {
@@ -87,4 +87,4 @@ TEST(Thumbnail, OfNothingIsNothing) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::thumbnail_test

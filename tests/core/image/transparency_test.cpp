@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::transparency_test {
 namespace {
 
 Image imageOf(PixelFormat format, std::initializer_list<int> bytes) {
@@ -111,4 +111,4 @@ TEST(TransparencyChoices, EverySliceOfAVolumeIsChanged) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::transparency_test

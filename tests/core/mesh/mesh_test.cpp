@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::mesh_test {
 namespace {
 
 struct Case {
@@ -215,4 +215,4 @@ TEST(Floor, HasOneTileAUnitAndReachesIntoTheDistance) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::mesh_test

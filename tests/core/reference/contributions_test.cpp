@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::reference {
+namespace texplorer::reference::contributions_test {
 namespace {
 
 using testing::HasSubstr;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::contributions_test

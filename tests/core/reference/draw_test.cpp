@@ -8,7 +8,7 @@
 #include <array>
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::draw_test {
 namespace {
 
 using Pixel = std::array<int, 4>;
@@ -265,4 +265,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::draw_test

@@ -9,10 +9,10 @@
 #include <random>
 #include <stdexcept>
 
-namespace texplorer::reference {
+namespace texplorer::reference::draw_worker_test {
 namespace {
 
-using testing_support::PausedEncoding;
+using test::PausedEncoding;
 using When = DrawWorker::When;
 
 DrawRequest requestOf(Scene scene, int width = 160, int height = 100) {
@@ -227,4 +227,4 @@ TEST(Coarseness, IsAsFineAsIsQuick) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::draw_worker_test

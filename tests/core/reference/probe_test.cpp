@@ -10,10 +10,10 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::probe_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -418,4 +418,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::probe_test

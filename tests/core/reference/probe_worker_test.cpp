@@ -7,10 +7,10 @@
 #include <atomic>
 #include <stdexcept>
 
-namespace texplorer::reference {
+namespace texplorer::reference::probe_worker_test {
 namespace {
 
-using testing_support::PausedEncoding;
+using test::PausedEncoding;
 
 ProbeRequest requestAt(int x, int y) {
     return {{defaultScene(), ImageSource(), 0, 64, 48}, PixelPlace{x, y}};
@@ -155,4 +155,4 @@ TEST(ProbeWorker, EndsWithoutACrashWhileItWorks) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::probe_worker_test

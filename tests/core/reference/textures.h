@@ -9,12 +9,12 @@
 #include <cmath>
 #include <functional>
 
-namespace texplorer::reference::testing_support {
+namespace texplorer::test {
 
 /// A level whose texel i, j, k has the colour that `color` says.
-inline Level makeLevel(glm::ivec3 size, const std::function<glm::vec4(int, int, int)>& color, int border = 0,
-                       int axes = 2) {
-    Level level;
+inline reference::Level makeLevel(glm::ivec3 size, const std::function<glm::vec4(int, int, int)>& color,
+                                  int border = 0, int axes = 2) {
+    reference::Level level;
     level.width = size.x;
     level.height = size.y;
     level.depth = size.z;
@@ -29,8 +29,8 @@ inline Level makeLevel(glm::ivec3 size, const std::function<glm::vec4(int, int, 
 }
 
 /// A complete texture of size x size texels whose level n is n / 10 in red everywhere.
-inline SampledTexture leveledTexture(int size) {
-    SampledTexture texture;
+inline reference::SampledTexture leveledTexture(int size) {
+    reference::SampledTexture texture;
     for (int n = 0; size >= 1; ++n, size /= 2)
         texture.levels.push_back(makeLevel(
             {size, size, 1}, [n](int, int, int) { return glm::vec4(static_cast<float>(n) / 10, 0, 0, 1); }));
@@ -38,8 +38,8 @@ inline SampledTexture leveledTexture(int size) {
 }
 
 /// Derivatives of so many texels of the base level a pixel, in s along x and in t along y.
-inline Derivatives texelsPerPixel(const SampledTexture& texture, float x, float y) {
-    const Level& base = texture.levels[static_cast<std::size_t>(texture.baseLevel)];
+inline reference::Derivatives texelsPerPixel(const reference::SampledTexture& texture, float x, float y) {
+    const reference::Level& base = texture.levels[static_cast<std::size_t>(texture.baseLevel)];
     return {{x / static_cast<float>(base.width), 0, 0}, {0, y / static_cast<float>(base.height), 0}};
 }
 
@@ -54,4 +54,4 @@ inline testing::AssertionResult isNear(glm::vec4 found, glm::vec4 expected, floa
     return testing::AssertionSuccess();
 }
 
-} // namespace texplorer::reference::testing_support
+} // namespace texplorer::test

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::decode_test {
 namespace {
 
 struct Case {
@@ -236,4 +236,4 @@ TEST(RgtcAgainstSquish, DecodesToTheSameBytes) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::decode_test

@@ -16,7 +16,7 @@
 #define STB_DXT_IMPLEMENTATION
 #include <stb/stb_dxt.h>
 
-namespace texplorer {
+namespace texplorer::encode_test {
 namespace {
 
 /// Slopes, waves and a little noise in all four channels.
@@ -277,4 +277,4 @@ TEST(DecodeFlipEncodeOfASignedFormat, IsRefused) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::encode_test

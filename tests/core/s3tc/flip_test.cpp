@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::flip_test {
 namespace {
 
 BlockImage randomBlocks(BlockFormat format, int width, int height, int depth = 1) {
@@ -253,4 +253,4 @@ TEST(SwapFlipped, AgreesWithItsPlainTwin) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::flip_test

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace texplorer {
+namespace texplorer::texture_flip_test {
 namespace {
 
 using testing::StartsWith;
@@ -150,4 +150,4 @@ TEST(TextureFlip, RefusesPixelsThatAreNotThere) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_flip_test

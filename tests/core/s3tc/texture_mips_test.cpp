@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-namespace texplorer {
+namespace texplorer::texture_mips_test {
 namespace {
 
 /// One component a pixel, bottom row first.
@@ -102,4 +102,4 @@ TEST(TextureMips, LeavesTheTextureAsItWasWhereItCant) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_mips_test

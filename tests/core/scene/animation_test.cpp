@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::animation_test {
 namespace {
 
 /// Rows from top to bottom, as one writes a matrix on paper; glm stores columns.
@@ -205,4 +205,4 @@ TEST(IsAnimated, CountsWhatOneSees) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::animation_test

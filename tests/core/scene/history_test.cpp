@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::history_test {
 namespace {
 
 /// Scenes that differ in one number, which stands for the whole scene below.
@@ -106,4 +106,4 @@ TEST(History, ALimitOfZeroKeepsTheCurrentSceneAlone) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::history_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace texplorer {
+namespace texplorer::picking_test {
 namespace {
 
 /// The camera stands at (0, 0, 5), looks along -z and sees as far up as it is away: a point at height y and
@@ -161,4 +161,4 @@ TEST(PickSphere, FindsTheVertexAtTheMiddleAndNotTheOneBehindIt) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::picking_test

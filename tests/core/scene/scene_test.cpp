@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::scene_test {
 namespace {
 
 struct InitialValue {
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::scene_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::tex_coords_test {
 namespace {
 
 class TexCoordsOfAQuad : public testing::Test {
@@ -40,4 +40,4 @@ TEST_F(TexCoordsOfAQuad, AVertexThatDoesNotExistChangesNothing) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::tex_coords_test

@@ -18,7 +18,7 @@
 #include <set>
 #include <xxhash.h>
 
-namespace texplorer {
+namespace texplorer::block_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -455,4 +455,4 @@ TEST_F(Cache, IsUsedByTheWorkerThatMakesLevelsBesideTheWindow) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::block_cache_test

@@ -10,7 +10,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace texplorer {
+namespace texplorer::image_loader_test {
 namespace {
 
 using testing::HasSubstr;
@@ -224,4 +224,4 @@ TEST_F(Loading, OnTheSameThreadItIsTheSame) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::image_loader_test

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::image_source_test {
 namespace {
 
 using namespace std::string_literals;
@@ -181,4 +181,4 @@ TEST_F(Images, AnOutlineHasExtentsAndNoPixels) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::image_source_test

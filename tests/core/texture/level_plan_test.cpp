@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace texplorer {
+namespace texplorer::level_plan_test {
 namespace {
 
 TextureImage imageOf(int width, int height, int depth, int levels, bool blocks) {
@@ -83,4 +83,4 @@ TEST(LevelPlan, OfNothingIsEmpty) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::level_plan_test

@@ -7,7 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace texplorer {
+namespace texplorer::levels_worker_test {
 namespace {
 
 using testing::HasSubstr;
@@ -181,4 +181,4 @@ TEST(LevelsWorker, LargeLevelsThatNobodyTakesAreLetGo) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::levels_worker_test

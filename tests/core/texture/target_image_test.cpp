@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace texplorer {
+namespace texplorer::target_image_test {
 namespace {
 
 /// One byte a pixel, in memory order: row by row from the bottom, slice by slice.
@@ -53,4 +53,4 @@ TEST(TargetImagePixels, OfSeveralBytesStayWhole) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::target_image_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::texture_levels_test {
 namespace {
 
 using testing::ElementsAre;
@@ -543,4 +543,4 @@ TEST(Levels, WithABorderAreNeverCompressed) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::texture_levels_test

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <mutex>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::explain_tab_test {
 namespace {
+
+using namespace test;
 
 class ExplainTab : public Workbench {
 protected:
@@ -409,4 +411,4 @@ TEST_F(ExplainTab, DrawsWithoutAnyError) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::explain_tab_test

@@ -4,8 +4,10 @@
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::file_tab_test {
 namespace {
+
+using namespace test;
 
 class FileTab : public Workbench {
 protected:
@@ -102,4 +104,4 @@ TEST_F(FileTab, AFileThatHasGoneIsSaid) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::file_tab_test

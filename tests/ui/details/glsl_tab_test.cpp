@@ -5,8 +5,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::glsl_tab_test {
 namespace {
+
+using namespace test;
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -70,4 +72,4 @@ TEST_F(GlslTab, ShowsTheLineOfAMistakeAndWhatTheCompilerSays) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::glsl_tab_test

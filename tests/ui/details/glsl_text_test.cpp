@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-namespace texplorer::ui {
+namespace texplorer::ui::glsl_text_test {
 
 static std::ostream& operator<<(std::ostream& out, const GlslToken& token) {
     return out << static_cast<int>(token.kind) << " '" << token.text << "'";
@@ -71,4 +71,4 @@ TEST(GlslText, TheStretchesAreTheLine) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::glsl_text_test

@@ -5,8 +5,10 @@
 
 #include <mutex>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::memory_tab_test {
 namespace {
+
+using namespace test;
 
 class MemoryTab : public Workbench {
 protected:
@@ -116,4 +118,4 @@ TEST_F(MemoryLater, LargeLevelsAreWaitedForAndCanBeCancelled) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::memory_tab_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace texplorer::ui {
+namespace texplorer::ui::camera_test {
 namespace {
 
 /// The largest |x| or |y| of any vertex of the visible models, in a view of -1 to 1.
@@ -112,4 +112,4 @@ TEST(Show, ComesBackToBothWithoutPilingUpModels) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::camera_test

@@ -8,7 +8,7 @@
 
 #include <sstream>
 
-namespace texplorer::ui {
+namespace texplorer::ui::commands_test {
 namespace {
 
 using testing::Contains;
@@ -224,4 +224,4 @@ TEST(WrapCall, LosesNothing) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::commands_test

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TYPED_TEST(FilesTest, AFileThatIsGoneIsAnErrorWithItsPath) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::files_test

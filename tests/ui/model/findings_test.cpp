@@ -3,8 +3,10 @@
 
 #include "tests/ui/workbench.h"
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::findings_test {
 namespace {
+
+using namespace test;
 
 class Findings : public Workbench {};
 
@@ -143,4 +145,4 @@ TEST_F(Findings, AHiddenModelIsDimButForItsSwitch) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::findings_test

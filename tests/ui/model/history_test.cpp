@@ -3,8 +3,10 @@
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::history_test {
 namespace {
+
+using namespace test;
 
 class EditMenu : public Workbench {
 protected:
@@ -86,4 +88,4 @@ TEST_F(EditMenu, HelpOpensAndCloses) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::history_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::inspected_file_test {
 namespace {
 
 Field field(std::size_t offset, std::size_t size, int depth = 1) {
@@ -51,4 +51,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::inspected_file_test

@@ -13,8 +13,10 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::loads_test {
 namespace {
+
+using namespace test;
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -435,4 +437,4 @@ TEST_F(Loads, TheBrowserShowsSmallPictures) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::loads_test

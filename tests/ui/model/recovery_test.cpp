@@ -12,8 +12,10 @@
 #include <fstream>
 #include <mutex>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::recovery_test {
 namespace {
+
+using namespace test;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -234,4 +236,4 @@ TEST_F(Restoring, WithoutAFolderItIsSaidOnce) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::recovery_test

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::scene_files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -180,4 +180,4 @@ TEST_F(SceneFiles, ADroppedFileThatIsNothingIsReported) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::scene_files_test

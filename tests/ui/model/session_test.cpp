@@ -6,8 +6,10 @@
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::session_test {
 namespace {
+
+using namespace test;
 
 class OpeningAScene : public Workbench {
 protected:
@@ -119,4 +121,4 @@ TEST_F(OpeningAScene, LeavesAModelSelectedThatIsSeenInBoth) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::session_test

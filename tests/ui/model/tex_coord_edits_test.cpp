@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::tex_coord_edits_test {
 namespace {
 
 struct Case {
@@ -32,4 +32,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::tex_coord_edits_test

@@ -7,7 +7,7 @@
 
 #include <latch>
 
-namespace texplorer::ui {
+namespace texplorer::ui::thumbnails_test {
 namespace {
 
 class ThumbnailCache : public testing::Test {
@@ -76,4 +76,4 @@ TEST_F(ThumbnailCache, HoldsABoundedNumber) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::thumbnails_test

@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::parameters_panel_test {
 namespace {
+
+using namespace test;
 
 constexpr const char* sections[] = {"Texture",        "Unit and environment",
                                     "Combine",        "Generated coordinates",
@@ -429,4 +431,4 @@ TEST_F(ParametersPanel, ATinyWindowStillDraws) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::parameters_panel_test

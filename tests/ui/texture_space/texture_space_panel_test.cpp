@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <limits>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::texture_space_panel_test {
 namespace {
+
+using namespace test;
 
 class TextureSpace : public Workbench {
 protected:
@@ -279,4 +281,4 @@ TEST_F(TextureSpace, TheCommandsTabMarksWhatChangedLast) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::texture_space_panel_test

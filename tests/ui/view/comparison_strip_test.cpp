@@ -8,8 +8,10 @@
 #include <array>
 #include <cmath>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::comparison_strip_test {
 namespace {
+
+using namespace test;
 
 class Comparison : public Workbench {
 protected:
@@ -186,4 +188,4 @@ TEST_F(Comparison, AllOfTheStripIsInSightInEveryWindow) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::comparison_strip_test

@@ -5,8 +5,10 @@
 
 #include <array>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::magnifier_test {
 namespace {
+
+using namespace test;
 
 class Magnifier : public Workbench {
 protected:
@@ -104,4 +106,4 @@ TEST_F(Magnifier, StaysInTheWindow) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::magnifier_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::panes_test {
 namespace {
 
 constexpr view::Size picture{600, 400}; // twice as dense as the mouse
@@ -120,4 +120,4 @@ TEST(Panes, WithoutAPictureThereIsNoPixel) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::panes_test

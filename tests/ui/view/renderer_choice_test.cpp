@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <tuple>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::renderer_choice_test {
 namespace {
+
+using namespace test;
 
 class RendererChoice : public Workbench {
 protected:
@@ -157,4 +159,4 @@ TEST_F(RendererChoice, EachDrawsThePictureItself) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::renderer_choice_test

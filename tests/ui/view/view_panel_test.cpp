@@ -6,8 +6,10 @@
 
 #include <algorithm>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::view_panel_test {
 namespace {
+
+using namespace test;
 
 class ViewPanel : public Workbench {
 protected:
@@ -189,4 +191,4 @@ TEST_F(ViewPanel, PanelsCoverTheWholeWindow) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::view_panel_test

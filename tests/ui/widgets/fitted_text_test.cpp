@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::fitted_text_test {
 namespace {
 
 std::string cut(std::string_view text, std::size_t fits) {
@@ -24,4 +24,4 @@ TEST(FittedText, EndsAfterAClauseOrAWord) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::fitted_text_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace texplorer::ui {
+namespace texplorer::ui::inset_placement_test {
 namespace {
 
 // A room of 100 x 100 with an image in its middle, as the texture space has it.
@@ -79,4 +79,4 @@ TEST(InsetPlacementTest, NothingHasNoPlace) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::inset_placement_test

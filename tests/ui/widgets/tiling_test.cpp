@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::ui {
+namespace texplorer::ui::tiling_test {
 
 void PrintTo(const TileSpan& span, std::ostream* out) {
     *out << span.from << " to " << span.to;
@@ -40,4 +40,4 @@ INSTANTIATE_TEST_SUITE_P(Modes, Tiling,
                          [](const auto& test) { return test.param.name; });
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::tiling_test

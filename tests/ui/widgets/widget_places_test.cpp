@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace texplorer::ui {
+namespace texplorer::ui::widget_places_test {
 namespace {
 
 TEST(WidgetPlacesTest, AreReportedWhileOneLives) {
@@ -25,4 +25,4 @@ TEST(WidgetPlacesTest, AreReportedWhileOneLives) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::widget_places_test

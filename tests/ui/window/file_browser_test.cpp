@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::file_browser_test {
 namespace {
+
+using namespace test;
 
 using testing::HasSubstr;
 
@@ -192,4 +194,4 @@ TEST_F(FileBrowserDialog, UndoingEverythingLeavesNothingToSave) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::file_browser_test

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-namespace texplorer::ui {
+namespace texplorer::ui::layout_test {
 namespace {
 
 struct Case {
@@ -121,4 +121,4 @@ TEST(Layout, OfImpossibleSizesHasNoNegativeExtents) {
 }
 
 } // namespace
-} // namespace texplorer::ui
+} // namespace texplorer::ui::layout_test

@@ -1,8 +1,10 @@
 #include "app/ui/widgets/keys.h"
 #include "tests/ui/workbench.h"
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::playback_controls_test {
 namespace {
+
+using namespace test;
 
 class PlaybackControls : public Workbench {
 protected:
@@ -61,4 +63,4 @@ TEST_F(PlaybackControls, ThePictureFollowsTheTime) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::playback_controls_test

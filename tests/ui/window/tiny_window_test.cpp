@@ -3,8 +3,10 @@
 #include "app/ui/window/smallest_window.h"
 #include "tests/ui/workbench.h"
 
-namespace texplorer::ui::test {
+namespace texplorer::ui::tiny_window_test {
 namespace {
+
+using namespace test;
 
 class TinyWindow : public Workbench {
 protected:
@@ -69,4 +71,4 @@ TEST_F(TinyWindow, IsCoveredByItsPanels) {
 }
 
 } // namespace
-} // namespace texplorer::ui::test
+} // namespace texplorer::ui::tiny_window_test

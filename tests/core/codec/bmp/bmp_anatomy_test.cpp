@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::bmp_anatomy_test {
 namespace {
 
 using testing::ElementsAre;
@@ -233,4 +233,4 @@ TEST(BmpAnatomy, KnowsEveryHeader) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::bmp_anatomy_test

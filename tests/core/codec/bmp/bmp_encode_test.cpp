@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::bmp_encode_test {
 namespace {
 
 Image noise(PixelFormat format, int width, int height) {
@@ -91,4 +91,4 @@ TEST(BmpEncode, NothingIsRefused) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::bmp_encode_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace texplorer {
+namespace texplorer::bmp_test {
 namespace {
 
 Result<Image> decodePicture(ByteView file, const DecodeLimits& limits = {}) {
@@ -425,4 +425,4 @@ TEST(Bmp, FlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::bmp_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::reorder_test {
 namespace {
 
 TEST(Reorder, AgreesWithItsScalarTwinForEveryLengthAndStaysInside) {
@@ -31,4 +31,4 @@ TEST(Reorder, AgreesWithItsScalarTwinForEveryLengthAndStaysInside) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::reorder_test

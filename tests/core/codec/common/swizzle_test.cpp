@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace texplorer {
+namespace texplorer::swizzle_test {
 namespace {
 
 struct Swap {
@@ -44,4 +44,4 @@ INSTANTIATE_TEST_SUITE_P(All, Swizzle,
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::swizzle_test

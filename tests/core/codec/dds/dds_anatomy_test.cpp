@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::dds_anatomy_test {
 namespace {
 
 using test::ddsFile;
@@ -132,4 +132,4 @@ TEST(DdsAnatomy, AMagicNumberAndASizeThatAreWrongAreSaid) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::dds_anatomy_test

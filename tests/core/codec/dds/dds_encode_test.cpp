@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::dds_encode_test {
 namespace {
 
 /// A texture of noise; compressed if `format` is a block format.
@@ -249,4 +249,4 @@ TEST(DdsEncode, PillowAndImageMagickReadWhatWasWritten) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::dds_encode_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::dds_headers_test {
 namespace {
 
 using dds::Header;
@@ -483,4 +483,4 @@ TEST(DdsHeaders, NoLimitAtAllIsNoOverflow) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::dds_headers_test

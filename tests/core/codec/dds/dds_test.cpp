@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::dds_test {
 namespace {
 
 using dds::fourCC;
@@ -273,4 +273,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::dds_test

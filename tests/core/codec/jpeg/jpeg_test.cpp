@@ -16,7 +16,7 @@
 #include <map>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::jpeg_test {
 namespace {
 
 /// The files of make_jpeg.py.
@@ -266,4 +266,4 @@ TEST(Jpeg, OfTwoComponentsIsRefused) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::jpeg_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::png_chunks_test {
 namespace {
 
 struct Filtered {
@@ -27,4 +27,4 @@ INSTANTIATE_TEST_SUITE_P(All, FilteredBytes,
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::png_chunks_test

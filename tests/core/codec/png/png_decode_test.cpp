@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::png_decode_test {
 namespace {
 
 struct Expected {
@@ -280,4 +280,4 @@ TEST(PngDecode, ReadsWhatTheEncoderWrites) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::png_decode_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::png_encode_test {
 namespace {
 
 struct Mode {
@@ -73,4 +73,4 @@ TEST(Png, AnImageWhosePixelsAreMissingIsRefused) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::png_encode_test

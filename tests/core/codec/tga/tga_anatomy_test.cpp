@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace texplorer {
+namespace texplorer::tga_anatomy_test {
 namespace {
 
 using test::fileOf;
@@ -163,4 +163,4 @@ TEST(TgaAnatomy, DeveloperTagsAndTheImageIdAreShown) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::tga_anatomy_test

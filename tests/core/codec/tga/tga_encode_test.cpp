@@ -9,7 +9,7 @@
 
 #include <random>
 
-namespace texplorer {
+namespace texplorer::tga_encode_test {
 namespace {
 
 /// Noise with runs of all lengths in it.
@@ -168,4 +168,4 @@ TEST(TgaWriter, SaysWhatItCannotWrite) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::tga_encode_test

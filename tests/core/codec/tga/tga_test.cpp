@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::tga_test {
 namespace {
 
 using test::fileOf;
@@ -426,4 +426,4 @@ TEST(Tga, FlippedBitsNeverCrashAndNeverGiveHalfAnImage) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::tga_test

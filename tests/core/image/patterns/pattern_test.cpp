@@ -9,7 +9,7 @@
 #include <functional>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::pattern_test {
 namespace {
 
 using Rgba = std::array<int, 4>;
@@ -218,4 +218,4 @@ TEST(UvTemplate, ArrowsRunAlongTheLowerAndTheLeftEdge) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::pattern_test

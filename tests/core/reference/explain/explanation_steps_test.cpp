@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::explanation_steps_test {
 namespace {
 
 using testing::ElementsAre;
@@ -201,4 +201,4 @@ TEST(ColumnText, HasTheSameDigitsInEachLine) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::explanation_steps_test

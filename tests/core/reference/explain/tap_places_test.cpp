@@ -4,10 +4,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::reference {
+namespace texplorer::reference::tap_places_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 /// Four texels in a row, red 0, 0.1, 0.2, 0.3; one level.
 SampledTexture rowOf4(Wrap wrap, MagFilter filter = MagFilter::Nearest) {
@@ -95,4 +95,4 @@ TEST(LevelPatches, StaySmall) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::tap_places_test

@@ -9,10 +9,10 @@
 
 #include <utility>
 
-namespace texplorer::reference {
+namespace texplorer::reference::kernel_test {
 namespace {
 
-using testing_support::floorScene;
+using test::floorScene;
 
 Image drawn(const Scene& scene, const DrawOptions& options,
             AnisotropyMethod anisotropy = AnisotropyMethod::Probes) {
@@ -220,4 +220,4 @@ TEST(Kernel, KeepsTheDepthsFromBatchToBatch) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::kernel_test

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace texplorer::reference {
+namespace texplorer::reference::raster_test {
 namespace {
 
 constexpr Viewport viewport{97, 71};
@@ -126,4 +126,4 @@ TEST(Rasterize, DrawsWhatTheEdgeFunctionsSay) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::raster_test

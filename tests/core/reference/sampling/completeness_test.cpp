@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::reference {
+namespace texplorer::reference::completeness_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 using Rule = CompletenessRule;
 
 struct Case {
@@ -89,4 +89,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::completeness_test

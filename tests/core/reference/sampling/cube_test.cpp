@@ -6,10 +6,10 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::cube_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct Hit {
     const char* name;
@@ -160,4 +160,4 @@ TEST(CompletenessOfACubeMap, WantsSixSquaresOfOneSize) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::cube_test

@@ -13,10 +13,10 @@
 #include <random>
 #include <vector>
 
-namespace texplorer::reference {
+namespace texplorer::reference::fast_sampler_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -316,4 +316,4 @@ TEST(Lanes, RoundDownAsStdFloor) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::fast_sampler_test

@@ -7,10 +7,10 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::lod_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -266,4 +266,4 @@ TEST(LevelOfDetail, SaysWhereItIsUndefined) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::lod_test

@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::reference {
+namespace texplorer::reference::sampled_texture_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct Case {
     const char* name;
@@ -113,4 +113,4 @@ TEST(SampledTexture, DecompressesBlocksAndSaysWhatStandsInForTheDriver) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::sampled_texture_test

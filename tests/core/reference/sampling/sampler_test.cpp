@@ -8,10 +8,10 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::sampler_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 /// Texel i, j, k has i / 10 in red, j / 10 in green, k / 10 in blue.
 glm::vec4 indexColor(int i, int j, int k) {
@@ -234,4 +234,4 @@ TEST(Sample, AnIncompleteTextureIsOpaqueBlack) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::sampler_test

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace texplorer::reference {
+namespace texplorer::reference::texture_store_test {
 namespace {
 
 /// A picture that two units sample and that is compressed here.
@@ -135,4 +135,4 @@ TEST(StoppedContributions, AreCancelled) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::texture_store_test

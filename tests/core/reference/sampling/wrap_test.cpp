@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::wrap_test {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -77,4 +77,4 @@ TEST(FloorToInt, IsDefinedForEveryFloat) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::wrap_test

@@ -6,10 +6,10 @@
 #include "core/reference/shading/combine.h"
 #include "tests/core/reference/textures.h"
 
-namespace texplorer::reference {
+namespace texplorer::reference::combine_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 using Fn = CombineRgb;
 using Src = CombineSource;
@@ -160,4 +160,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::combine_test

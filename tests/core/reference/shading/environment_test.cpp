@@ -7,12 +7,12 @@
 
 #include <gmock/gmock.h>
 
-namespace texplorer::reference {
+namespace texplorer::reference::environment_test {
 namespace {
 
-using namespace testing_support;
-using texplorer::testing_support::EnvironmentCase;
-using texplorer::testing_support::environmentCases;
+using namespace test;
+using texplorer::test::EnvironmentCase;
+using texplorer::test::environmentCases;
 
 constexpr glm::vec4 previous = EnvironmentCase::fragment;
 
@@ -67,4 +67,4 @@ TEST(Equation, ReadsAsInTheSpecification) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::environment_test

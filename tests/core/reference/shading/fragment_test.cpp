@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace texplorer::reference {
+namespace texplorer::reference::fragment_test {
 namespace {
 
 // OpenGL 2.1, section 4.1.4: the reference is converted to fixed point, and alpha is rounded for the test,
@@ -37,4 +37,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::fragment_test

@@ -6,10 +6,10 @@
 
 #include <limits>
 
-namespace texplorer::reference {
+namespace texplorer::reference::lighting_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 struct Case {
     const char* name;
@@ -72,4 +72,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::lighting_test

@@ -4,10 +4,10 @@
 #include "core/reference/shading/tex_gen.h"
 #include "tests/core/reference/textures.h"
 
-namespace texplorer::reference {
+namespace texplorer::reference::tex_gen_test {
 namespace {
 
-using namespace testing_support;
+using namespace test;
 
 constexpr glm::vec4 given{0.1F, 0.2F, 0.3F, 1};
 // Straight ahead at a distance of 2, with a normal that leans by 45 degrees upwards: the eye's ray (0, 0, -1)
@@ -62,4 +62,4 @@ TEST(TexGen, HasAResultWhereThereIsNoDirection) {
 }
 
 } // namespace
-} // namespace texplorer::reference
+} // namespace texplorer::reference::tex_gen_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::gl_call_test {
 namespace {
 
 struct Call {
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::gl_call_test

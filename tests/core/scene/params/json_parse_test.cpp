@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::json_parse_test {
 namespace {
 
 struct Refusal {
@@ -326,4 +326,4 @@ TEST(ParseScene, TakesTheNameOfASchemaAtTheTop) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::json_parse_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace texplorer {
+namespace texplorer::json_write_test {
 namespace {
 
 TEST(WriteScene, ReadsLikeThis) {
@@ -268,4 +268,4 @@ TEST(SceneJson, RandomScenesComeBackExactly) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::json_write_test

@@ -10,7 +10,7 @@
 #include <regex>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::keys_test {
 namespace {
 
 using Visit = std::function<void(const StructTable&)>;
@@ -109,4 +109,4 @@ TEST(Keys, AreNotTypedAgainWhereScenesAreJudged) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::keys_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-namespace texplorer {
+namespace texplorer::param_listing_test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::param_listing_test

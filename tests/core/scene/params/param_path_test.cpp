@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer {
+namespace texplorer::param_path_test {
 namespace {
 
 struct Refusal {
@@ -130,4 +130,4 @@ TEST(ParamPath, VisitsInTableOrder) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::param_path_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace texplorer {
+namespace texplorer::param_value_test {
 namespace {
 
 const ParamRow& texture(std::string_view key) {
@@ -112,4 +112,4 @@ TEST(ParamValue, AValueOfAnotherKindIsRefused) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::param_value_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace texplorer {
+namespace texplorer::params_test {
 namespace {
 
 using Params = std::map<std::string, std::string>;
@@ -221,4 +221,4 @@ TEST(Params, ListsGrowWithDefaultsAndFixedArraysAreReset) {
 }
 
 } // namespace
-} // namespace texplorer
+} // namespace texplorer::params_test
