@@ -1,5 +1,6 @@
-# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels, program or
-# LAYER_tests. TEXPLORER_PRECOMPILE is off where it should show that every file includes what it uses.
+# texplorer_precompile(TARGET KIND): what most sources include is read once. KIND is code, panels or LAYER_tests; of a
+# kind that has no list here, there are too few sources to make a precompiled header worth its time. TEXPLORER_PRECOMPILE
+# is off where it should show that every file includes what it uses.
 option(TEXPLORER_PRECOMPILE "Precompile the headers that most sources include" ON)
 
 set(texplorer_precompiled_common
@@ -8,15 +9,14 @@ set(texplorer_precompiled_common
     <vector>
     <glm/glm.hpp> <tl/expected.hpp>)
 set(texplorer_precompiled_code ${texplorer_precompiled_common} <fmt/core.h>)
-set(texplorer_precompiled_program ${texplorer_precompiled_code}) # a program is linked at a fixed place: other flags
 set(texplorer_precompiled_panels ${texplorer_precompiled_code} <imgui.h>)
-foreach(layer command_line core plain_files random render stage ui) # a precompiled header of their own: their flags differ
+foreach(layer core render ui) # a precompiled header of their own: their flags differ
     set(texplorer_precompiled_${layer}_tests ${texplorer_precompiled_common} <gmock/gmock.h> <gtest/gtest.h>)
 endforeach()
 
 # The first target of a kind makes it, the others take it over.
 function(texplorer_precompile target kind)
-    if(NOT TEXPLORER_PRECOMPILE)
+    if(NOT TEXPLORER_PRECOMPILE OR NOT DEFINED texplorer_precompiled_${kind})
         return()
     endif()
     get_property(maker GLOBAL PROPERTY TEXPLORER_PRECOMPILED_${kind})

@@ -17,11 +17,6 @@ namespace texplorer::offscreen {
 
 namespace {
 
-struct DestroyContext {
-    void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
-};
-using Context = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyContext>;
-
 /// Of Gallium's drivers, those that draw into memory. OSMesa doesn't survive the name of another.
 constexpr std::array drivers{"llvmpipe", "softpipe"};
 
@@ -40,7 +35,8 @@ Result<void> checkDriverName() {
 } // namespace
 
 struct OsmesaContext::State {
-    Context context;
+    std::unique_ptr<std::remove_pointer_t<OSMesaContext>, void (*)(OSMesaContext)> context{
+        nullptr, OSMesaDestroyContext};
     Bytes pixels; // Mesa draws into this for as long as the context is current
 
     State() = default;

@@ -17,10 +17,12 @@ namespace {
 
 constexpr float shortestFrame = 1e-4F; // seconds: Dear ImGui wants its time to go on
 
+} // namespace
+
 /// Dear ImGui, as the host draws it.
-class Panels {
+class HostedPanels {
 public:
-    Panels(Graphics& graphics, float scale)
+    HostedPanels(Graphics& graphics, float scale)
         : graphics_(graphics)
         , scale_(scale) {
         ImGui::CreateContext();
@@ -28,12 +30,12 @@ public:
         ui::mapKeys();
         graphics_.startPanels();
     }
-    ~Panels() {
+    ~HostedPanels() {
         graphics_.endPanels();
         ImGui::DestroyContext();
     }
-    Panels(const Panels&) = delete;
-    Panels& operator=(const Panels&) = delete;
+    HostedPanels(const HostedPanels&) = delete;
+    HostedPanels& operator=(const HostedPanels&) = delete;
 
     void setScale(float scale) {
         if (scale == scale_)
@@ -48,8 +50,6 @@ private:
     float scale_;
 };
 
-} // namespace
-
 struct Stage::State {
     State(Graphics& lent, float scale)
         : graphics(lent)
@@ -58,7 +58,7 @@ struct Stage::State {
 
     Graphics& graphics;
     ViewFrames frames;
-    Panels panels;
+    HostedPanels panels;
     ui::PanelStates states;
     std::vector<std::string> problems;
 };

@@ -9,12 +9,12 @@
 namespace texplorer::conform {
 
 Bytes bytesOf(const MadeFile& file) {
-    constexpr int extent = 64;
+    constexpr int fileExtent = 64;
     TextureImage texture;
     texture.alpha = AlphaMeaning::Straight;
     texture.levels = file.levels;
     for (Image& level : buildMipChain(drawPattern(Pattern::Tree))) {
-        if (level.width <= extent && static_cast<int>(texture.surfaces.size()) < file.levels)
+        if (level.width <= fileExtent && static_cast<int>(texture.surfaces.size()) < file.levels)
             texture.surfaces.emplace_back(std::move(level));
     }
     Result<Bytes> bytes = encodeDds(texture);

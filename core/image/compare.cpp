@@ -49,9 +49,9 @@ int componentsOf(Compared compared) {
 using RampColor = std::array<float, 3>;
 
 /// In a line between these, at equal distances; within the tolerance and above it.
-constexpr std::array within{RampColor{12, 10, 40}, RampColor{38, 36, 112}};
-constexpr std::array above{RampColor{112, 32, 130}, RampColor{190, 48, 96},  RampColor{232, 92, 44},
-                           RampColor{250, 158, 24}, RampColor{248, 220, 96}, RampColor{255, 255, 226}};
+constexpr std::array withinRamp{RampColor{12, 10, 40}, RampColor{38, 36, 112}};
+constexpr std::array aboveRamp{RampColor{112, 32, 130}, RampColor{190, 48, 96},  RampColor{232, 92, 44},
+                               RampColor{250, 158, 24}, RampColor{248, 220, 96}, RampColor{255, 255, 226}};
 
 std::array<std::uint8_t, 4> between(std::span<const RampColor> colors, float position) {
     const float place = std::clamp(position, 0.0F, 1.0F) * static_cast<float>(colors.size() - 1);
@@ -103,11 +103,11 @@ std::array<std::uint8_t, 4> heatColor(float difference, const HeatScale& scale) 
     if (!(difference > 0))
         return {0, 0, 0, 255};
     if (difference <= tolerance)
-        return between(within, difference / tolerance);
+        return between(withinRamp, difference / tolerance);
     // The smallest difference above the tolerance is tolerance + 1: that is where the second part begins.
     const float lowest = std::log(tolerance + 1);
     const float range = std::log(static_cast<float>(std::max(scale.top, scale.tolerance + 1))) - lowest;
-    return between(above, range > 0 ? (std::log(difference) - lowest) / range : 1);
+    return between(aboveRamp, range > 0 ? (std::log(difference) - lowest) / range : 1);
 }
 
 Result<Image> heatMap(const Image& a, const Image& b, const HeatScale& scale, Compared compared) {

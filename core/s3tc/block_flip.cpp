@@ -19,7 +19,7 @@ struct HalfLayout {
 
 constexpr HalfLayout colors{2, 32};
 constexpr HalfLayout alphas{4, 0};
-constexpr HalfLayout values{3, 16};
+constexpr HalfLayout valueHalf{3, 16};
 
 std::array<HalfLayout, 2> halvesOf(BlockFormat format) {
     switch (format) {
@@ -29,14 +29,14 @@ std::array<HalfLayout, 2> halvesOf(BlockFormat format) {
     case BlockFormat::Dxt3:
         return {alphas, colors};
     case BlockFormat::Dxt5:
-        return {values, colors};
+        return {valueHalf, colors};
     case BlockFormat::Bc4:
     case BlockFormat::Bc4Signed:
     case BlockFormat::Bc5:
     case BlockFormat::Bc5Signed:
         break;
     }
-    return {values, values};
+    return {valueHalf, valueHalf};
 }
 
 enum class Axis { Rows, Columns };

@@ -19,14 +19,14 @@
 
 namespace texplorer::random {
 
-namespace {
-
 /// The numbers of one child.
-struct Numbers {
+struct ChildNumbers {
     int first;
     int end;
     bool again = false; ///< one that a child has died of, by itself
 };
+
+namespace {
 
 std::string oneLine(std::string_view text) {
     std::string line(text);
@@ -55,7 +55,7 @@ void Journal::write(std::string_view word, std::string_view kind, std::string_vi
 /// A process of the parent's, and what the parent has heard of it.
 class Child {
 public:
-    Child(const Batches& batches, Numbers numbers, const std::function<Work(int)>& open)
+    Child(const Batches& batches, ChildNumbers numbers, const std::function<Work(int)>& open)
         : numbers_(numbers)
         , at_(numbers.first)
         , limit_(batches.limitSeconds) {
@@ -83,7 +83,7 @@ public:
     }
 
     [[nodiscard]] int pipe() const { return pipe_; }
-    [[nodiscard]] const Numbers& numbers() const { return numbers_; }
+    [[nodiscard]] const ChildNumbers& numbers() const { return numbers_; }
     [[nodiscard]] int at() const { return at_; }
     [[nodiscard]] const std::string& step() const { return step_; }
 
@@ -160,7 +160,7 @@ private:
         }
     }
 
-    Numbers numbers_;
+    ChildNumbers numbers_;
     int at_;
     unsigned limit_;
     pid_t pid_ = -1;
@@ -172,7 +172,7 @@ private:
 
 Ended runBatches(const Batches& batches, const std::function<Work(int)>& open) {
     Ended ended;
-    std::deque<Numbers> waiting;
+    std::deque<ChildNumbers> waiting;
     const int end = batches.first + batches.count;
     for (int first = batches.first; first < end; first = waiting.back().end)
         waiting.push_back({first, std::min((first / batches.size + 1) * batches.size, end)});
@@ -196,7 +196,7 @@ Ended runBatches(const Batches& batches, const std::function<Work(int)>& open) {
 
     while (!waiting.empty() || !children.empty()) {
         while (!waiting.empty() && children.size() < std::max(1U, batches.jobs)) {
-            const Numbers numbers = waiting.front();
+            const ChildNumbers numbers = waiting.front();
             waiting.pop_front();
             children.push_back(std::make_unique<Child>(batches, numbers, open));
         }

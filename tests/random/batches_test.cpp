@@ -37,7 +37,7 @@ TEST(Batches, DoEveryNumberOnce) {
 }
 
 TEST(Batches, ChargeADeathToItsNumberAndGoOn) {
-    const Ended ended = runBatches({.count = 10, .size = 5, .limitSeconds = 10}, [](int) -> Work {
+    const Ended ended = runBatches({.count = 10, .size = 5, .limitSeconds = 5}, [](int) -> Work {
         return [](int number, Journal& journal) {
             journal.step("first");
             journal.step("second");
@@ -57,7 +57,7 @@ TEST(Batches, ChargeADeathToItsNumberAndGoOn) {
     });
     ASSERT_EQ(ended.deaths.size(), 4U);
     const std::vector<std::pair<int, std::string>> expected{
-        {0, "Segmentation fault"}, {3, "Killed"}, {4, "exit status 3"}, {6, "no end within 10 s"}};
+        {0, "Segmentation fault"}, {3, "Killed"}, {4, "exit status 3"}, {6, "no end within 5 s"}};
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_EQ(ended.deaths[i].number, expected[i].first);
         EXPECT_EQ(ended.deaths[i].cause, expected[i].second);

@@ -162,7 +162,7 @@ protected:
 // decides, and that is what the share of pixels is for.
 TEST_F(ShaderAgainstFixed, AnySceneIsTheSameWithinARounding) {
     constexpr int extent = 96;
-    constexpr int scenes = 80;
+    constexpr int scenes = 36;
     auto fixed = render::FixedRenderer::create(capabilities);
     auto shader = render::ShaderRenderer::create(capabilities);
     ASSERT_TRUE(fixed && shader);

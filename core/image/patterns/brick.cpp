@@ -9,9 +9,9 @@ namespace texplorer {
 
 namespace {
 
-// A running bond: every second course is shifted by half a brick. Courses and bricks divide the size, so it
-// tiles.
-constexpr int size = 256;
+// A running bond: every second course is shifted by half a brick. Courses and bricks divide the brickSize, so
+// it tiles.
+constexpr int brickSize = 256;
 constexpr int brickWidth = 64;
 constexpr int courseHeight = 32;
 constexpr int joint = 4; // width of the mortar between two bricks, in texels
@@ -26,7 +26,7 @@ struct Place {
 
 Place placeAt(int x, int y) {
     const int course = y / courseHeight;
-    const int shifted = (x + (course % 2) * brickWidth / 2) % size;
+    const int shifted = (x + (course % 2) * brickWidth / 2) % brickSize;
     const int inX = shifted % brickWidth;
     const int inY = y % courseHeight;
     const int toSide = std::min(inX - joint / 2, brickWidth - 1 - joint / 2 - inX);
@@ -35,7 +35,7 @@ Place placeAt(int x, int y) {
 }
 
 float grain(int x, int y, int cells, std::uint32_t seed) {
-    const float scale = static_cast<float>(cells) / size;
+    const float scale = static_cast<float>(cells) / brickSize;
     return tiledTurbulence(static_cast<float>(x) * scale, static_cast<float>(y) * scale, 0, cells, seed);
 }
 
@@ -56,20 +56,20 @@ float heightAt(int x, int y) {
 class HeightMap {
 public:
     HeightMap()
-        : heights_(static_cast<std::size_t>(size) * size) {
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+        : heights_(static_cast<std::size_t>(brickSize) * brickSize) {
+        for (int y = 0; y < brickSize; ++y)
+            for (int x = 0; x < brickSize; ++x)
                 heights_[index(x, y)] = heightAt(x, y);
     }
 
     /// Coordinates just outside of the image wrap around.
     [[nodiscard]] float at(int x, int y) const {
-        return heights_[index((x + size) % size, (y + size) % size)];
+        return heights_[index((x + brickSize) % brickSize, (y + brickSize) % brickSize)];
     }
 
 private:
     static std::size_t index(int x, int y) {
-        return static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * brickSize + static_cast<std::size_t>(x);
     }
 
     std::vector<float> heights_;
@@ -95,17 +95,17 @@ Color colorAt(const HeightMap& heights, int x, int y) {
 
 Image drawBrick() {
     const HeightMap heights;
-    Canvas canvas(size, size);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
+    Canvas canvas(brickSize, brickSize);
+    for (int y = 0; y < brickSize; ++y)
+        for (int x = 0; x < brickSize; ++x)
             canvas.set(x, y, colorAt(heights, x, y));
     return std::move(canvas).take();
 }
 
 Image drawBrickHeight() {
-    Canvas canvas(size, size);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    Canvas canvas(brickSize, brickSize);
+    for (int y = 0; y < brickSize; ++y)
+        for (int x = 0; x < brickSize; ++x) {
             const std::uint8_t grey = toByte(255 * heightAt(x, y));
             canvas.set(x, y, {grey, grey, grey, 255});
         }

@@ -18,7 +18,7 @@ namespace texplorer {
 namespace {
 
 /// Numbers are read as float at once: by way of double some would be rounded twice.
-using Json =
+using FloatJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
 
 constexpr std::string_view versionKey = "version";
@@ -50,7 +50,7 @@ struct Frame {
     TexCoords coords{};              ///< TexCoords
 };
 
-class Reader : public nlohmann::json_sax<Json> {
+class Reader : public nlohmann::json_sax<FloatJson> {
 public:
     explicit Reader(Scene& scene)
         : scene_(scene) {}
@@ -80,13 +80,13 @@ public:
         return number(value, whole, shortened(text));
     }
     bool string(std::string& value) override;
-    bool binary(Json::binary_t&) override { return refuse("binary data"); } // JSON has none
+    bool binary(FloatJson::binary_t&) override { return refuse("binary data"); } // JSON has none
     bool start_object(std::size_t) override;
     bool key(std::string& key) override;
     bool end_object() override;
     bool start_array(std::size_t) override;
     bool end_array() override;
-    bool parse_error(std::size_t, const std::string& token, const Json::exception& problem) override;
+    bool parse_error(std::size_t, const std::string& token, const FloatJson::exception& problem) override;
 
 private:
     /// The parameter that a scalar or an array of numbers would be for; nullptr where none may come.
@@ -320,7 +320,7 @@ bool Reader::end_array() {
     return true;
 }
 
-bool Reader::parse_error(std::size_t, const std::string& token, const Json::exception& problem) {
+bool Reader::parse_error(std::size_t, const std::string& token, const FloatJson::exception& problem) {
     constexpr int numberOverflow = 406;
     if (problem.id == numberOverflow)
         return refuse(shortened(token));
@@ -369,7 +369,7 @@ Result<Scene> parseScene(std::string_view json) {
 
     Scene scene = defaultScene();
     Reader reader(scene);
-    const bool parsed = Json::sax_parse(json.begin(), json.end(), &reader);
+    const bool parsed = FloatJson::sax_parse(json.begin(), json.end(), &reader);
     if (reader.error())
         return fail(*reader.error());
     if (!parsed)

@@ -46,13 +46,14 @@ TEST_P(Robustness, WhatTheWriterWritesIsReadAgain) {
 
 TEST_P(Robustness, AFileMayEndAnywhere) {
     for (const Bytes& file : files_)
-        for (std::size_t size = 0; size < file.size() && !HasFailure(); ++size)
+        // Everywhere in headers and tables, here and there among pixels.
+        for (std::size_t size = 0; size < file.size() && !HasFailure(); size += size < 256 ? 1 : 5)
             keepsItsPromises(ByteView(file).first(size));
 }
 
 TEST_P(Robustness, AnyBytesMayBeOthers) {
     for (const Bytes& original : files_) {
-        for (int round = 0; round < 200 && !HasFailure(); ++round) {
+        for (int round = 0; round < 120 && !HasFailure(); ++round) {
             Bytes file = original;
             // Headers are at the beginning: half of the changes go there.
             const std::size_t end = round % 2 == 0 ? std::min<std::size_t>(64, file.size()) : file.size();

@@ -5,12 +5,15 @@
 
 #include <ostream>
 
-namespace texplorer::ui::glsl_text_test {
+namespace texplorer::ui {
 
 static std::ostream& operator<<(std::ostream& out, const GlslToken& token) {
     return out << static_cast<int>(token.kind) << " '" << token.text << "'";
 }
 
+} // namespace texplorer::ui
+
+namespace texplorer::ui::glsl_text_test {
 namespace {
 
 using Kind = GlslToken::Kind;

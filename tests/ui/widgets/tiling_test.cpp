@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
-namespace texplorer::ui::tiling_test {
+namespace texplorer::ui {
 
-void PrintTo(const TileSpan& span, std::ostream* out) {
+static void PrintTo(const TileSpan& span, std::ostream* out) {
     *out << span.from << " to " << span.to;
 }
 
+} // namespace texplorer::ui
+
+namespace texplorer::ui::tiling_test {
 namespace {
 
 struct Case {
