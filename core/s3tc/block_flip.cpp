@@ -17,19 +17,19 @@ struct HalfLayout {
     unsigned first;
 };
 
-constexpr HalfLayout colors{2, 32};
-constexpr HalfLayout alphas{4, 0};
+constexpr HalfLayout colorHalf{2, 32};
+constexpr HalfLayout alphaHalf{4, 0};
 constexpr HalfLayout valueHalf{3, 16};
 
 std::array<HalfLayout, 2> halvesOf(BlockFormat format) {
     switch (format) {
     case BlockFormat::Dxt1:
     case BlockFormat::Dxt1Alpha:
-        return {colors, colors};
+        return {colorHalf, colorHalf};
     case BlockFormat::Dxt3:
-        return {alphas, colors};
+        return {alphaHalf, colorHalf};
     case BlockFormat::Dxt5:
-        return {valueHalf, colors};
+        return {valueHalf, colorHalf};
     case BlockFormat::Bc4:
     case BlockFormat::Bc4Signed:
     case BlockFormat::Bc5:

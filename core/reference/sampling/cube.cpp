@@ -18,24 +18,24 @@ struct FaceAxes {
     int major;
 };
 
-constexpr int x = 0;
-constexpr int y = 1;
-constexpr int z = 2;
+constexpr int axisX = 0;
+constexpr int axisY = 1;
+constexpr int axisZ = 2;
 
 constexpr std::array<FaceAxes, 6> table{{
-    {z, -1, y, -1, x}, // +x: sc = -rz, tc = -ry
-    {z, +1, y, -1, x}, // -x: sc =  rz, tc = -ry
-    {x, +1, z, +1, y}, // +y: sc =  rx, tc =  rz
-    {x, +1, z, -1, y}, // -y: sc =  rx, tc = -rz
-    {x, +1, y, -1, z}, // +z: sc =  rx, tc = -ry
-    {x, -1, y, -1, z}, // -z: sc = -rx, tc = -ry
+    {axisZ, -1, axisY, -1, axisX}, // +x: sc = -rz, tc = -ry
+    {axisZ, +1, axisY, -1, axisX}, // -x: sc =  rz, tc = -ry
+    {axisX, +1, axisZ, +1, axisY}, // +y: sc =  rx, tc =  rz
+    {axisX, +1, axisZ, -1, axisY}, // -y: sc =  rx, tc = -rz
+    {axisX, +1, axisY, -1, axisZ}, // +z: sc =  rx, tc = -ry
+    {axisX, -1, axisY, -1, axisZ}, // -z: sc = -rx, tc = -ry
 }};
 
 int majorAxis(glm::vec3 direction) {
     const float ax = std::abs(direction.x);
     const float ay = std::abs(direction.y);
     const float az = std::abs(direction.z);
-    return ax >= ay && ax >= az ? x : ay >= az ? y : z;
+    return ax >= ay && ax >= az ? axisX : ay >= az ? axisY : axisZ;
 }
 
 /// What is finite stays so: beyond the range of a float it becomes the largest one.

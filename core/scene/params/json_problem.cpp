@@ -24,7 +24,7 @@ constexpr std::array places{
     Expectation{"value", "", "a value"},
 };
 
-constexpr std::string_view before = "syntax error while parsing ";
+constexpr std::string_view beforeContext = "syntax error while parsing ";
 constexpr std::string_view unexpected = "unexpected ";
 constexpr std::string_view theEnd = "end of input";
 
@@ -43,9 +43,9 @@ std::string foundText(std::string_view token) {
 
 std::string readableProblem(std::string_view said) {
     const std::size_t dash = said.find(" - ");
-    if (!said.starts_with(before) || dash == std::string_view::npos)
+    if (!said.starts_with(beforeContext) || dash == std::string_view::npos)
         return std::string(said);
-    const std::string_view context = said.substr(before.size(), dash - before.size());
+    const std::string_view context = said.substr(beforeContext.size(), dash - beforeContext.size());
     std::string_view problem = said.substr(dash + 3);
     const auto place = std::ranges::find(places, context, &Expectation::context);
     if (place == places.end())
