@@ -21,7 +21,7 @@ std::shared_ptr<CLI::App> makeApp(const std::string& program, const std::string&
 
 /// One sentence, without the program's name.
 std::string sentenceFor(const CLI::App& app, const std::string& called, const CLI::ParseError& error) {
-    const std::string said = error.what();
+    std::string said = error.what();
     if (const std::vector<std::string> extra = app.remaining(true);
         error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty()) {
         const std::string& first = extra.front();

@@ -19,6 +19,8 @@ public:
     [[nodiscard]] static Result<Window> open(view::Size size, const std::string& title);
     Window(Window&&) noexcept;
     Window& operator=(Window&&) noexcept;
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
     ~Window();
 
     /// What has happened since the last call, in that order.

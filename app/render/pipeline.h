@@ -22,6 +22,9 @@ using BoundTextures = std::array<BoundTexture, maxUnits>;
 /// this order, with GL's initial state (see StateGuard) at the beginning of a frame.
 class Pipeline {
 public:
+    Pipeline() = default;
+    Pipeline(const Pipeline&) = delete;
+    Pipeline& operator=(const Pipeline&) = delete;
     virtual ~Pipeline() = default;
 
     /// Which vertex arrays it reads.

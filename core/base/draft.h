@@ -16,6 +16,8 @@ public:
     explicit Draft(int directory, mode_t mode = 0666);
     Draft(Draft&&) = default;
     Draft& operator=(Draft&&) = delete;
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
     ~Draft();
 
     [[nodiscard]] bool valid() const { return file_.valid(); }

@@ -16,7 +16,7 @@ struct FileFingerprint {
     std::int64_t modifiedSeconds = 0;
     std::int64_t modifiedNanoseconds = 0;
 
-    auto operator<=>(const FileFingerprint&) const = default;
+    auto operator<=>(const FileFingerprint&) const = default; // NOLINT(modernize-use-nullptr): there is none
 };
 
 /// Nothing where there is no such file, or what is there is no regular one.

@@ -121,14 +121,17 @@ Image repeatEdges(const Image& image, int axes) {
 MipChain applyMipPolicyWithBorder(MipPolicy policy, Image base, int axes, const MipOptions& options) {
     if (base.empty())
         return {};
-    if (!hasBorderExtents(base, axes) || policy == MipPolicy::Colored) {
-        const bool hasBorder = hasBorderExtents(base, axes);
-        Image inside = hasBorder ? cutOut(base, partOf(extentsOf(base), axes, {1, 1, 1})) : Image{};
-        MipChain levels = applyMipPolicy(policy, hasBorder ? std::move(inside) : std::move(base), options);
+    const auto withEdgesRepeated = [axes](MipChain levels) {
         for (Image& level : levels)
             level = repeatEdges(level, axes);
-        if (hasBorder)
-            levels.front() = std::move(base);
+        return levels;
+    };
+    if (!hasBorderExtents(base, axes))
+        return withEdgesRepeated(applyMipPolicy(policy, std::move(base), options));
+    if (policy == MipPolicy::Colored) {
+        MipChain levels = withEdgesRepeated(
+            applyMipPolicy(policy, cutOut(base, partOf(extentsOf(base), axes, {1, 1, 1})), options));
+        levels.front() = std::move(base);
         return levels;
     }
     // Each part is a small image with a chain of its own. A part runs out of levels where it has one texel.

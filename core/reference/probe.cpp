@@ -246,7 +246,7 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.pixel.transformed = place.homogeneous;
         unit.coords = place.coords;
         unit.derivatives = place.derivatives;
-        unit.sampler = *state.texture;
+        unit.sampler = static_cast<const SamplerState&>(*state.texture);
         unit.lodBias = state.sampling.unitBias;
         unit.sample = explainSample(*state.texture, place.coords, place.derivatives, state.sampling);
         unit.extents = extentsOf(*state.texture, unit.sample);

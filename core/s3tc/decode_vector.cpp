@@ -120,8 +120,8 @@ TEXPLORER_SSSE3 Bytes16 unsignedPalette(const std::byte* block) {
 
 /// The same for -127 to 127, which become 0 to 255: divisions that round towards zero are plain arithmetic's.
 TEXPLORER_SSSE3 Bytes16 signedPalette(const std::byte* block) {
-    const int first = static_cast<std::int8_t>(block[0]);
-    const int second = static_cast<std::int8_t>(block[1]);
+    const int first{std::to_integer<std::int8_t>(block[0])};  // NOLINT(bugprone-signed-char-misuse): a number
+    const int second{std::to_integer<std::int8_t>(block[1])}; // NOLINT(bugprone-signed-char-misuse)
     const int a = std::max(-127, first);
     const int b = std::max(-127, second);
     const ValueWeights& weights = valueWeights[first > second ? 1 : 0];

@@ -111,7 +111,7 @@ Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQu
 }
 
 Result<std::vector<BlockImage>> encodeLevels(const MipChain& chain, BlockFormat format, EncodeQuality quality,
-                                             const Progress& progress, std::stop_token stop) {
+                                             const Progress& progress, const std::stop_token& stop) {
     const auto texelsOf = [](const Image& level) {
         return static_cast<float>(level.width) * static_cast<float>(level.height);
     };

@@ -33,6 +33,6 @@ using Progress = std::function<void(float done)>;
 [[nodiscard]] Result<std::vector<BlockImage>> encodeLevels(const MipChain& chain, BlockFormat format,
                                                            EncodeQuality quality,
                                                            const Progress& progress = {},
-                                                           std::stop_token stop = {});
+                                                           const std::stop_token& stop = {});
 
 } // namespace texplorer

@@ -275,7 +275,7 @@ Result<void> Preparation::compressHere() {
     const auto perFace = out_.levels.size() / static_cast<std::size_t>(facesOf(target_));
     out_.fromCache = true;
     for (std::size_t first = 0; first < out_.levels.size(); first += perFace) {
-        if (const Result<void> made = compressHere(std::span(out_.levels).subspan(first, perFace)); !made)
+        if (Result<void> made = compressHere(std::span(out_.levels).subspan(first, perFace)); !made)
             return made;
     }
     return {};

@@ -31,8 +31,9 @@ bool hasAlpha(const Surface& surface) {
 void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell) {
     draw.AddRectFilled(low, high, IM_COL32(62, 66, 73, 255));
     for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
-        for (float x = low.x + (row % 2 == 0 ? 0 : cell); x < high.x; x += 2 * cell) {
-            const float y = low.y + static_cast<float>(row) * cell;
+        const float y = low.y + static_cast<float>(row) * cell;
+        for (int column = row % 2; low.x + static_cast<float>(column) * cell < high.x; column += 2) {
+            const float x = low.x + static_cast<float>(column) * cell;
             draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
                                IM_COL32(84, 89, 97, 255));
         }

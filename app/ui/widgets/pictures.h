@@ -37,7 +37,8 @@ struct Pictures {
 
 /// As Dear ImGui passes it on to the host's backend.
 [[nodiscard]] inline ImTextureID textureId(view::PictureHandle picture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture));
+    return reinterpret_cast<ImTextureID>( // NOLINT(performance-no-int-to-ptr): it is no pointer
+        static_cast<std::uintptr_t>(picture));
 }
 
 } // namespace texplorer::ui

@@ -241,7 +241,7 @@ Fields describeExtension(ByteView file, const Footer& footer) {
     ByteReader reader(file.subspan(begin));
     Fields fields{
         section("Extension Area", begin, extensionBytes, {}, {}, beyond(begin, extensionBytes, file.size()))};
-    const auto add = [&](std::string_view name, auto read, std::string meaning = {}) {
+    const auto add = [&](std::string_view name, auto read, const std::string& meaning = {}) {
         const std::size_t offset = reader.position();
         std::string value = read(reader);
         if (!reader.truncated())

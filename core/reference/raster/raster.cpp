@@ -79,7 +79,8 @@ public:
             if (!kernel_) {
                 eachRow(triangle, [&](const PixelRow& row) {
                     for (int i = 0; i < row.count; ++i)
-                        drawFragment(triangle, row.x + i, row.y, row.depth[i], row.colors + 4 * i);
+                        drawFragment(triangle, row.x + i, row.y, row.depth[i],
+                                     row.colors + std::ptrdiff_t{4} * i);
                 });
             } else if (numbers.size() == 1 || pass.blend || pass.alphaTest) {
                 shadeMarked(); // it may look through to what is there by now

@@ -386,7 +386,9 @@ void shadeRow(std::span<const Triangle> triangles, const std::uint32_t* owners, 
     for (int i = 0, count = 0; i < row.count; i += count) {
         count = runLength(owners + i, row.count - i);
         if (owners[i] != noTriangle)
-            Row(triangles[owners[i]], {row.x + i, row.y, count, row.depth + i, row.colors + 4 * i}).draw();
+            Row(triangles[owners[i]],
+                {row.x + i, row.y, count, row.depth + i, row.colors + std::ptrdiff_t{4} * i})
+                .draw();
     }
 }
 

@@ -359,7 +359,7 @@ private:
         float most = 1;
         forEachLane([&](std::size_t lane) __attribute__((always_inline)) { most = std::max(most, n[lane]); });
         Colors sum{};
-        for (float i = 1; i <= most; ++i) {
+        for (float i = 1; i <= most; ++i) { // NOLINT(clang-analyzer-security.FloatLoopCounter): 16 at most
             const Floats offset = i / (n + 1.0F) - 0.5F;
             const Ints several = n > 1.0F;
             const Floats s = several ? place.s + choice.alongS * offset : place.s;
