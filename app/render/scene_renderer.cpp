@@ -126,6 +126,8 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     meshes.beginFrame();
     const glm::mat4 view = viewMatrix(scene.view);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        if (!scene.passes[i].enabled)
+            continue;
         const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
         errors.check(where + ": glDepthFunc, glBlendFunc");

@@ -70,8 +70,8 @@ constexpr std::array rows{
             rules::exact},
     Feature{"blend", "factors of source x destination", "4.1.8", 80, scenes::blend, rules::exact,
             rules::exact},
-    Feature{"passes", "two and three passes of two units, depth equal, blended", "4.1", 48, scenes::passes,
-            rules::passes, rules::exact},
+    Feature{"passes", "two and three passes of two units, depth equal, blended, some off", "4.1", 48,
+            scenes::passes, rules::passes, rules::exact},
     Feature{"mixture", "anything with anything, several units and passes", "2.11 to 4.1", 48, scenes::mixture,
             rules::levelBlend, rules::lastBit},
 };

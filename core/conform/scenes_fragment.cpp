@@ -131,6 +131,7 @@ Scene passes(int number, Dice& state, Dice& values) {
             pass.units[u].enabled = u == 0 || state.chance(2);
             pass.units[u].texture = state.below(2) == 0 ? static_cast<int>(u) : 1 - static_cast<int>(u);
         }
+        pass.enabled = !state.chance(5);
     }
     return scene;
 }

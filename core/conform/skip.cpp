@@ -15,11 +15,12 @@ bool isDefinedDecal(BaseFormat format) {
 
 bool anyUnit(const Scene& scene, auto condition) {
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        return std::ranges::any_of(pass.units, [&](const Unit& unit) {
-            const auto texture = static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
-            return unit.enabled && texture < scene.textures.size() &&
-                   condition(unit, scene.textures[texture]);
-        });
+        return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                   const auto texture =
+                       static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
+                   return unit.enabled && texture < scene.textures.size() &&
+                          condition(unit, scene.textures[texture]);
+               });
     });
 }
 
@@ -126,7 +127,8 @@ constexpr std::array skipRows{
          [](const Scene& scene, const Pair&, const Driver& driver) {
              return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
                  for (std::size_t u = 0; u < pass.units.size(); ++u) {
-                     if (pass.units[u].enabled && static_cast<int>(u) >= driver.facts.textureUnits)
+                     if (pass.enabled && pass.units[u].enabled &&
+                         static_cast<int>(u) >= driver.facts.textureUnits)
                          return true;
                  }
                  return false;

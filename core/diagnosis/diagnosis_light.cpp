@@ -33,22 +33,24 @@ void addAll(Report& report, std::initializer_list<Key> paths, const char* reason
 }
 
 void noColor(const Case& about, Report& report) {
-    if (std::ranges::none_of(about.scene.passes,
-                             [&](const Pass& pass) { return primaryInFragments(about, pass).any(); }))
+    if (std::ranges::none_of(about.scene.passes, [&](const Pass& pass) {
+            return pass.enabled && primaryInFragments(about, pass).any();
+        }))
         report.add(pathOf<&Scene::material, &Material::color>(), blocked);
 }
 
 /// Alpha is the same with lighting and without it (section 2.14.1).
 void noLighting(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
-        if (!primaryInFragments(about, about.scene.passes[p]).rgb && !addsHighlight(about.scene))
+        if (about.scene.passes[p].enabled && !primaryInFragments(about, about.scene.passes[p]).rgb &&
+            !addsHighlight(about.scene))
             report.add(fmt::format("{}.{}", elementOf<&Scene::passes>(p), keyOf<&Pass::lighting>()), blocked);
     }
 }
 
 void noLight(const Case& about, Report& report) {
     const Scene& scene = about.scene;
-    if (std::ranges::none_of(scene.passes, &Pass::lighting)) {
+    if (std::ranges::none_of(scene.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; })) {
         addAll(report,
                {keyOf<&Scene::light>, pathOf<&Scene::material, &Material::specular>,
                 pathOf<&Scene::material, &Material::shininess>},
@@ -60,8 +62,9 @@ void noLight(const Case& about, Report& report) {
     const char* dull = whyDull(scene);
     if (dull)
         addAll(report, {pathOf<&Scene::light, &Light::colorControl>}, dull);
-    const bool shown = std::ranges::any_of(
-        scene.passes, [&](const Pass& pass) { return pass.lighting && primaryInFragments(about, pass).rgb; });
+    const bool shown = std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return pass.enabled && pass.lighting && primaryInFragments(about, pass).rgb;
+    });
     if (!shown)
         addAll(report,
                {pathOf<&Scene::light, &Light::ambient>, pathOf<&Scene::light, &Light::diffuse>,

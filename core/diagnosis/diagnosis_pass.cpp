@@ -10,10 +10,21 @@
 namespace texplorer::diagnosis {
 namespace {
 
-template<class Visit> ///< visit(pass, "passes[0].", number)
+template<class Visit> ///< visit(pass, "passes[0].", number), of passes that are drawn
 void forEachPass(const Scene& scene, Visit visit) {
-    for (std::size_t p = 0; p < scene.passes.size(); ++p)
-        visit(scene.passes[p], elementOf<&Scene::passes>(p) + ".", p);
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        if (scene.passes[p].enabled)
+            visit(scene.passes[p], elementOf<&Scene::passes>(p) + ".", p);
+    }
+}
+
+void passOff(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        const std::string path = elementOf<&Scene::passes>(p);
+        if (!about.scene.passes[p].enabled)
+            report.add(path, "the pass is not drawn",
+                       Fix{"Draw it", {{fmt::format("{}.{}", path, keyOf<&Pass::enabled>()), "true"}}});
+    }
 }
 
 void nothingPasses(const Case& about, Report& report) {
@@ -109,10 +120,10 @@ std::string texCoordsPath(std::size_t model, std::size_t unit) {
 void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            const bool on = std::ranges::any_of(about.scene.passes,
-                                                [&](const Pass& pass) { return pass.units[u].enabled; });
+            const bool on = std::ranges::any_of(
+                about.scene.passes, [&](const Pass& pass) { return pass.enabled && pass.units[u].enabled; });
             const bool ownQ = std::ranges::any_of(about.scene.passes, [&](const Pass& pass) {
-                return pass.units[u].enabled && !pass.units[u].texGenQ.enabled;
+                return pass.enabled && pass.units[u].enabled && !pass.units[u].texGenQ.enabled;
             });
             if (!on)
                 continue;
@@ -157,12 +168,13 @@ void hiddenModel(const Case& about, Report& report) {
 void unreadCoordinates(const Case& about, Report& report) {
     const std::vector<Pass>& passes = about.scene.passes;
     for (std::size_t u = 0; u < maxUnits; ++u) {
-        const bool off =
-            std::ranges::none_of(passes, [&](const Pass& pass) { return pass.units[u].enabled; });
+        const bool off = std::ranges::none_of(
+            passes, [&](const Pass& pass) { return pass.enabled && pass.units[u].enabled; });
         const bool generated = std::ranges::all_of(passes, [&](const Pass& pass) {
             const Unit& unit = pass.units[u];
-            return !unit.enabled || (unit.texGenS.enabled && unit.texGenT.enabled && unit.texGenR.enabled &&
-                                     unit.texGenQ.enabled);
+            return !pass.enabled || !unit.enabled ||
+                   (unit.texGenS.enabled && unit.texGenT.enabled && unit.texGenR.enabled &&
+                    unit.texGenQ.enabled);
         });
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
             report.add(texCoordsPath(m, u),
@@ -206,6 +218,7 @@ constexpr std::array passRuleRows{
     Rule{"ignored-hint", Severity::Warning, ignoredHint},
     Rule{"no-perspective", Severity::Hint, nothingToCorrect},
     Rule{"fragment-test", Severity::Hint, noFragmentTest},
+    Rule{"pass-off", Severity::Hint, passOff},
     Rule{"hidden-model", Severity::Hint, hiddenModel},
     Rule{"unread-coordinates", Severity::Hint, unreadCoordinates},
     Rule{"other-shape", Severity::Unused, otherShape},

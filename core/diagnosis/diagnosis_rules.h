@@ -104,9 +104,11 @@ struct Argument {
 };
 [[nodiscard]] std::array<Argument, 6> argumentsOf(const Combine& combine);
 
-template<class Visit> ///< visit(unit, "passes[0].units[1].", pass number)
+template<class Visit> ///< visit(unit, "passes[0].units[1].", pass number), of passes that are drawn
 void forEachUnit(const Scene& scene, Visit visit) {
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        if (!scene.passes[p].enabled)
+            continue;
         for (std::size_t u = 0; u < maxUnits; ++u)
             visit(scene.passes[p].units[u], unitPath(p, u), p);
     }

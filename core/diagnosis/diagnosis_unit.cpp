@@ -38,7 +38,7 @@ void unitLimit(const Case& about, Report& report) {
     const auto limit = static_cast<std::size_t>(std::max(0, about.driver.textureUnits));
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         for (std::size_t u = limit; u < maxUnits; ++u) {
-            if (about.scene.passes[p].units[u].enabled)
+            if (about.scene.passes[p].enabled && about.scene.passes[p].units[u].enabled)
                 report.add(unitPath(p, u) + keyOf<&Unit::enabled>(),
                            fmt::format("the driver has {} texture units: drawn without this one", limit));
         }
@@ -109,8 +109,8 @@ void flatDirection(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = about.scene.passes[p].units[u];
-            if (!unit.enabled || unit.target != Target::CubeMap || unit.texGenR.enabled ||
-                !unit.matrix.empty() || modelsHaveR(about.scene, u))
+            if (!about.scene.passes[p].enabled || !unit.enabled || unit.target != Target::CubeMap ||
+                unit.texGenR.enabled || !unit.matrix.empty() || modelsHaveR(about.scene, u))
                 continue;
             Fix fix{"Reflect", {}};
             for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -379,6 +379,8 @@ Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, c
                                                                   static_cast<float>(viewport.height));
     Prober prober(explanation, scene, viewport);
     for (std::size_t p = 0; p < passes.size(); ++p) {
+        if (!scene.passes[p].enabled)
+            continue;
         const std::size_t first = explanation.fragments.size();
         for (std::size_t m = 0; m < scene.models.size(); ++m) {
             if (scene.models[m].visible && !options.stop.stop_requested())

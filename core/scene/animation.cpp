@@ -112,7 +112,8 @@ bool isAnimated(const Scene& scene) {
     const auto spinning = [](const Model& model) { return model.visible && model.spin != glm::vec3(0); };
     return std::ranges::any_of(scene.models, spinning) ||
            (std::ranges::any_of(scene.models, visible) &&
-            std::ranges::any_of(scene.passes, [](const Pass& pass) { return isMoving(pass); }));
+            std::ranges::any_of(scene.passes,
+                                [](const Pass& pass) { return pass.enabled && isMoving(pass); }));
 }
 
 } // namespace texplorer

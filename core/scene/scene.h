@@ -156,6 +156,7 @@ struct Unit {
 
 /// One time that all models are drawn.
 struct Pass {
+    bool enabled = true; ///< off: nothing is drawn, and nothing else of it counts
     bool lighting = false;
     bool depthTest = false;
     CompareFunc depthFunc = CompareFunc::Less;

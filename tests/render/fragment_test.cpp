@@ -132,6 +132,31 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Passes : public RenderTest {};
 
+// Each pass leaves half of what is there.
+TEST_F(Passes, ThatAreOffChangeNothing) {
+    Scene scene = flatScene();
+    scene.view.background = {1, 0, 0, 1};
+    Pass& first = scene.passes[0];
+    first.blend = true;
+    first.blendSrc = BlendFactor::Zero;
+    first.blendDst = BlendFactor::SrcColor;
+    scene.material.color = {0.5F, 0.5F, 0.5F, 1};
+    scene.passes.push_back(first);
+    EXPECT_TRUE(isColor(onlyColor(scene), {0.25F, 0, 0, 1}, 1));
+    scene.passes[0].enabled = false;
+    EXPECT_TRUE(isColor(onlyColor(scene), {0.5F, 0, 0, 1}, 1));
+    scene.passes[1].enabled = false;
+    EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}, 0));
+    EXPECT_TRUE(problems.empty());
+}
+
+TEST_F(Passes, ThatAreOffNeedNoTexture) {
+    Scene scene = texturedScene(); // of a file that isn't there
+    scene.passes[0].enabled = false;
+    EXPECT_TRUE(isColor(onlyColor(scene), scene.view.background, 0));
+    EXPECT_TRUE(problems.empty());
+}
+
 // Units, lighting and texture coordinates change between passes; positions must not, to the last bit.
 TEST_F(Passes, ASecondPassWithEqualDepthHitsExactlyTheFirst) {
     images.put("image", plainImage(1, 1, {0, 255, 0, 255}));

@@ -209,8 +209,11 @@ void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pi
         pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
     if (!shader) {
         ImGui::PushTextWrapPos(0);
-        const std::string& reason = session.window.view.offered.whyNot(RendererKind::Shader);
-        dimText(fmt::format("There is no shader: {}.", reason.empty() ? "the status bar says why" : reason));
+        std::string reason = session.window.view.offered.whyNot(RendererKind::Shader);
+        if (reason.empty())
+            reason = session.document.scene.passes[pass].enabled ? "the status bar says why"
+                                                                 : fmt::format("pass {} is not drawn", pass);
+        dimText(fmt::format("There is no shader: {}.", reason));
         ImGui::PopTextWrapPos();
         return;
     }

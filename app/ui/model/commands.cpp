@@ -43,8 +43,8 @@ constexpr std::array<std::pair<TexGen Unit::*, Key>, 4> generatedCoordinates{{
 }};
 
 /// The parts that decide nothing: formats of an image that is uploaded with another, coordinates that a
-/// target has not, units that are off, GL_COMBINE's state under another mode, coordinates that aren't
-/// generated. Their calls are left out.
+/// target has not, passes and units that are off, GL_COMBINE's state under another mode, coordinates that
+/// aren't generated. Their calls are left out.
 std::vector<std::string> idleParts(const Scene& scene) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
@@ -63,6 +63,10 @@ std::vector<std::string> idleParts(const Scene& scene) {
             parts.push_back(path + keyOf<&Texture::wrapT>());
     }
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        if (!scene.passes[p].enabled) {
+            parts.push_back(elementOf<&Scene::passes>(p));
+            continue;
+        }
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = scene.passes[p].units[u];
             const std::string path =

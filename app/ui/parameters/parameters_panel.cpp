@@ -3,8 +3,10 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/parameters/combine_section.h"
 #include "app/ui/parameters/coordinates_section.h"
+#include "app/ui/parameters/pass_section.h"
 #include "app/ui/parameters/texture_section.h"
 #include "app/ui/widgets/model_choice.h"
+#include "app/ui/widgets/number_choice.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -77,37 +79,17 @@ bool section(Session& session, Section which, const std::vector<Mark>& marks = {
     return shown;
 }
 
-/// Buttons 0 to 3; a dot marks the units that are on.
+/// A dot marks the units that are on.
 void unitChoice(Session& session) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float buttons = maxUnits * (ImGui::GetFrameHeight() * 1.3F + gap);
-    const char* label = "Texture unit";
-    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(label).x + buttons + gap)
-        label = "Unit";
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
+    std::vector<NumberChoice> choices;
     for (int i = 0; i < maxUnits; ++i) {
-        ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
-        const bool chosen = i == session.window.selection.unit;
         const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
-        if (chosen)
-            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-        const std::string name = fmt::format("{}##unit", i);
-        if (ImGui::Button(name.c_str(), {ImGui::GetFrameHeight() * 1.3F, 0}))
-            session.window.selection.unit = i;
-        noteItem(fmt::format("unit:{}", i));
-        if (chosen)
-            ImGui::PopStyleColor();
-        if (on) {
-            const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y);
-            const float radius = ImGui::GetFontSize() * 0.16F;
-            ImGui::GetWindowDrawList()->AddCircleFilled({corner.x - 2.2F * radius, corner.y + 2.2F * radius},
-                                                        radius, color::t);
-        }
         const std::string sharers = sharersText(session, i);
-        helpTip(std::string(on ? "This unit is on." : "This unit is off.") +
-                (sharers.empty() ? "" : fmt::format("\nIt shares its texture with {}.", sharers)));
+        choices.push_back(
+            {on, std::string(on ? "This unit is on." : "This unit is off.") +
+                     (sharers.empty() ? "" : fmt::format("\nIt shares its texture with {}.", sharers))});
     }
+    numberChoice("Texture unit", "Unit", "unit", choices, session.window.selection.unit);
 }
 
 void unitSection(Session& session) {
@@ -223,6 +205,12 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
     return {{countOf(steps, "step"), color::changed}};
 }
 
+std::vector<Mark> passMarks(const Scene& scene) {
+    if (scene.passes.size() < 2)
+        return {};
+    return {{fmt::format("{} passes", scene.passes.size()), color::changed}};
+}
+
 void modelSection(Session& session) {
     if (session.document.scene.models.empty()) {
         ImGui::TextWrapped("The scene has no model. View > Show adds one.");
@@ -240,6 +228,7 @@ void drawParametersPanel(Session& session, const Layout& layout) {
     beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
     static const Scene initial;
     static const View start = defaultScene().view;
+    passChoice(session);
     unitChoice(session);
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
     if (section(session, Section::Texture))
@@ -254,11 +243,8 @@ void drawParametersPanel(Session& session, const Layout& layout) {
         matrixSection(session);
     if (section(session, Section::Model))
         modelSection(session);
-    if (section(session, Section::Pass)) {
-        static const Pass pass;
-        paramRows(session, {&selectedPass(session), &pass, indexed("passes", session.window.selection.pass)},
-                  passTable());
-    }
+    if (section(session, Section::Pass, passMarks(session.document.scene)))
+        passSection(session);
     if (section(session, Section::Light))
         paramRows(session, {&session.document.scene.light, &initial.light, "light"}, lightTable());
     if (section(session, Section::Material))

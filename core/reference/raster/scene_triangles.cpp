@@ -55,6 +55,8 @@ void eachTriangle(const Scene& scene, std::span<const PassState> passes, double 
     const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
                                                                   static_cast<float>(viewport.height));
     for (const PassState& pass : passes) {
+        if (!pass.pass->enabled)
+            continue;
         const Assembly assembly(pass, viewport, work);
         for (const Model& model : scene.models) {
             if (!model.visible)

@@ -66,9 +66,9 @@ void TextureStore::keepOnly(const Scene& scene) {
     std::erase_if(slots_, [&scene](const auto& entry) {
         const auto& [index, target] = entry.first;
         return std::ranges::none_of(scene.passes, [&, index = index, target = target](const Pass& pass) {
-            return std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                return unit.enabled && std::cmp_equal(unit.texture, index) && unit.target == target;
-            });
+            return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                       return unit.enabled && std::cmp_equal(unit.texture, index) && unit.target == target;
+                   });
         });
     });
 }

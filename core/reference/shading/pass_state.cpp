@@ -36,6 +36,8 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
         const Pass& pass = scene.passes[i];
         PassState& state = states.emplace_back();
         state.pass = &pass;
+        if (!pass.enabled)
+            continue;
         state.perspective = scene.view.perspectiveHint != HintMode::Fastest;
         state.flat = scene.material.shadeModel == ShadeModel::Flat;
         state.separateSpecular = pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;

@@ -6,6 +6,9 @@ namespace {
 using build::param;
 
 constexpr std::array passRows{
+    param<&Pass::enabled>(
+        "enabled", "Pass", "Drawn", "",
+        "Whether this pass is drawn. Passes come one after the other, each over what is there."),
     param<&Pass::lighting>(
         "lighting", "Lighting", "Lighting", "glEnable(GL_LIGHTING)",
         "Whether light 0 decides the fragment's colour. Without it the colour is glColor alone."),
@@ -33,7 +36,7 @@ const StructTable& passTable() {
     static const std::array children{
         build::many<&Pass::units>("units", "Unit", unitTable(), maxUnits, maxUnits),
     };
-    static_assert(passRows.size() == 9 && passRows.size() + children.size() == build::memberCount<Pass>());
+    static_assert(passRows.size() == 10 && passRows.size() + children.size() == build::memberCount<Pass>());
     static const StructTable table{"Pass", passRows, children};
     return table;
 }

@@ -524,6 +524,11 @@ const Wrong wrongs[] = {
              if (pass.blendSrc == BlendFactor::DstAlpha)
                  pass.blendSrc = BlendFactor::OneMinusDstAlpha;
      }},
+    {"PassesThatAreOffDrawn", "passes",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.enabled = true;
+     }},
     {"LastPassDropped", "passes", [](Scene& s) { s.passes.pop_back(); }},
     {"DepthFunctionIgnored", "depth",
      [](Scene& s) {

@@ -117,6 +117,20 @@ TEST(DrawReference, InterpolatesPerspectiveCorrectlyOrNot) {
     EXPECT_GE(light(false), 10);
 }
 
+TEST(DrawReference, LeavesOutPassesThatAreOff) {
+    Scene scene = defaultScene();
+    const Image one = drawn(scene, 64);
+    Pass over = scene.passes[0];
+    over.depthTest = false;
+    over.units = {};
+    scene.passes.push_back(over);
+    EXPECT_NE(drawn(scene, 64), one);
+    scene.passes[1].enabled = false;
+    EXPECT_EQ(drawn(scene, 64), one);
+    scene.passes[0].enabled = false;
+    EXPECT_EQ(pixelAt(drawn(scene, 64), 20, 32), pixelAt(one, 0, 63)) << "the background";
+}
+
 TEST(DrawReference, GivesTheSameBytesWithAnyNumberOfThreads) {
     Scene scene = defaultScene();
     scene.passes[0].blend = true;

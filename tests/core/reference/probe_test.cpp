@@ -209,6 +209,12 @@ TEST(Probe, ComparesWhatTheTestsCompare) {
     EXPECT_EQ(both.fragments[1].depthTest.value, both.fragments[0].depthTest.value);
     EXPECT_EQ(both.fragments[1].depthTest.with, both.fragments[0].depthTest.value);
     EXPECT_EQ(both.seen(), &both.fragments[0]);
+
+    flat.scene.passes[0].enabled = false;
+    const Explanation one = flat.at(0, 0);
+    ASSERT_EQ(one.fragments.size(), 1U);
+    EXPECT_EQ(one.fragments[0].pass, 1);
+    EXPECT_EQ(one.fragments[0].outcome, FragmentOutcome::Drawn);
 }
 
 TEST(Probe, Blends) {

@@ -176,6 +176,16 @@ TEST(Commands, LeaveOutUnitsThatAreOff) {
     EXPECT_NE(find(commandsOf(scene), "passes[0].units[1].envMode"), nullptr);
 }
 
+TEST(Commands, LeaveOutPassesThatAreOff) {
+    Scene scene = defaultScene();
+    scene.passes.push_back(scene.passes[0]);
+    scene.passes[1].blend = true;
+    EXPECT_THAT(calls(scene), Contains("glEnable(GL_BLEND);"));
+    scene.passes[1].enabled = false;
+    EXPECT_THAT(calls(scene), Not(Contains("glEnable(GL_BLEND);")));
+    EXPECT_THAT(calls(scene), Contains("glDisable(GL_BLEND);"));
+}
+
 TEST(Commands, ShowCombineUnderItsModeAlone) {
     Scene scene = defaultScene();
     scene.passes[0].units[0].combine.source1Rgb = CombineSource::Constant;

@@ -172,6 +172,41 @@ TEST_F(ParametersPanel, MatrixStepsAreAddedMovedAndRemoved) {
     EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
 }
 
+TEST_F(ParametersPanel, PassesAreAddedExchangedSwitchedOffAndRemoved) {
+    EXPECT_FALSE(has("pass:0")) << "there is nothing to choose from";
+    open("Pass");
+    scrollTo("add pass");
+    click("add pass");
+    ASSERT_EQ(scene().passes.size(), 2U);
+    EXPECT_EQ(scene().passes[1], scene().passes[0]) << "like the one before";
+    EXPECT_EQ(session->window.selection.pass, 1);
+
+    scrollTo("passes[1].enabled");
+    click("passes[1].enabled");
+    EXPECT_TRUE(scene().passes[0].enabled);
+    EXPECT_FALSE(scene().passes[1].enabled);
+    scrollTo("pass up");
+    click("pass up");
+    EXPECT_FALSE(scene().passes[0].enabled);
+    EXPECT_EQ(session->window.selection.pass, 0) << "it stays chosen";
+
+    scrollTo("pass:1");
+    click("pass:1");
+    EXPECT_EQ(session->window.selection.pass, 1);
+    scrollTo("remove pass");
+    click("remove pass");
+    ASSERT_EQ(scene().passes.size(), 1U);
+    EXPECT_FALSE(scene().passes[0].enabled);
+    EXPECT_EQ(session->window.selection.pass, 0);
+    scrollTo("remove pass");
+    click("remove pass");
+    EXPECT_EQ(scene().passes.size(), 1U) << "one there is always";
+    for (int i = 0; i < 4; ++i)
+        key('Z', {ctrl});
+    EXPECT_EQ(scene().passes.size(), 1U);
+    EXPECT_TRUE(scene().passes[0].enabled);
+}
+
 TEST_F(ParametersPanel, AVectorHasADragForEachComponent) {
     open("Light");
     scrollTo("light.position[1]");

@@ -98,6 +98,7 @@ TEST(WriteScene, ReadsLikeThis) {
   ],
   "passes": [
     {
+      "enabled": true,
       "lighting": false,
       "depthTest": false,
       "depthFunc": "GL_LESS",

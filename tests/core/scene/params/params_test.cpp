@@ -179,7 +179,7 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(), 8U + 7 + 4 + 12 + 28 + 9 + 4 * (6 + 16 + 4 * 4 + 5));
+    ASSERT_EQ(rows.size(), 8U + 7 + 4 + 12 + 28 + 10 + 4 * (6 + 16 + 4 * 4 + 5));
 
     for (const auto& [path, row] : rows) {
         for (const Value& value : valuesOf(*row)) {
