@@ -94,6 +94,7 @@ void undo(Session& session) {
     if (session.document.history.canUndo())
         session.document.scene = session.document.history.undo();
     leaveHiddenModel(session);
+    bringSelectionBack(session);
     session.document.lastChanged.clear();
 }
 
@@ -101,6 +102,7 @@ void redo(Session& session) {
     if (session.document.history.canRedo())
         session.document.scene = session.document.history.redo();
     leaveHiddenModel(session);
+    bringSelectionBack(session);
     session.document.lastChanged.clear();
 }
 

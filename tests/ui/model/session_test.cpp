@@ -110,6 +110,26 @@ TEST_F(OpeningAScene, SelectsNoPassThatThereIsNotAtAnyTime) {
     EXPECT_EQ(&selectedPass(*session), &scene().passes[0]);
 }
 
+// A menu does it in the middle of a frame.
+TEST_F(OpeningAScene, UndoAndRedoSelectNoPassThatThereIsNotAtAnyTime) {
+    const auto havePasses = [&](std::size_t count) {
+        scene().passes.resize(count);
+        recordEdit(*session, "Passes");
+        sealEdit(*session);
+    };
+    havePasses(3);
+    havePasses(1);
+    undo(*session);
+    session->window.selection.pass = 2;
+    undo(*session);
+    EXPECT_EQ(session->window.selection.pass, 0);
+    redo(*session);
+    session->window.selection.pass = 2;
+    redo(*session);
+    ASSERT_EQ(scene().passes.size(), 1U);
+    EXPECT_EQ(session->window.selection.pass, 0);
+}
+
 TEST_F(OpeningAScene, LeavesAModelSelectedThatIsSeenInBoth) {
     session->window.selection.model = 1;
     session->window.selection.vertex = 2;
