@@ -18,6 +18,8 @@ constexpr float texelError = 1.0F / 128; // dEQP: uvwBits = 7
 
 void forEachUnit(Scene& scene, auto each) {
     for (Pass& pass : scene.passes) {
+        if (!pass.enabled)
+            continue;
         for (Unit& unit : pass.units) {
             const auto texture = static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
             if (unit.enabled && texture < scene.textures.size())

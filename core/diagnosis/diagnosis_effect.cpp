@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -124,16 +126,36 @@ void ownBorder(const Case& about, Report& report) {
     }
 }
 
+/// A pass that would show a texture, were it drawn.
+std::optional<std::size_t> passOffThatShows(const Scene& scene, std::size_t texture) {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const auto shows = [&](const Unit& unit) {
+            return unit.enabled && std::cmp_equal(unit.texture, texture);
+        };
+        if (!scene.passes[p].enabled && std::ranges::any_of(scene.passes[p].units, shows))
+            return p;
+    }
+    return std::nullopt;
+}
+
 void notShown(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         if (about.textures[i].shown)
             continue;
+        const std::string path = elementOf<&Scene::textures>(i);
+        if (const std::optional<std::size_t> pass = passOffThatShows(about.scene, i)) {
+            const std::string enabled =
+                fmt::format("{}.{}", elementOf<&Scene::passes>(*pass), keyOf<&Pass::enabled>());
+            report.add(path, "the pass that shows this texture is not drawn",
+                       Fix{"Draw it", {{enabled, "true"}}});
+            continue;
+        }
         std::vector<Fix> fixes;
-        forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        forEachUnit(about.scene, [&](const Unit& unit, const std::string& owner, std::size_t) {
             if (fixes.empty() && !unit.enabled && unit.texture == static_cast<int>(i))
-                fixes = {{"Switch the unit on", {{path + keyOf<&Unit::enabled>(), "true"}}}};
+                fixes = {{"Switch the unit on", {{owner + keyOf<&Unit::enabled>(), "true"}}}};
         });
-        report.add(elementOf<&Scene::textures>(i), "no unit that is on shows this texture", std::move(fixes));
+        report.add(path, "no unit that is on shows this texture", std::move(fixes));
     }
 }
 

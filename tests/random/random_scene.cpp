@@ -176,6 +176,7 @@ void letItBeSeen(Scene& scene) {
         scene.models.emplace_back();
     scene.models.front().visible = true;
     Pass& pass = scene.passes.front();
+    pass.enabled = true;
     pass.alphaTest = false;
     if (!passesSomething(pass.depthFunc)) // against a depth of 1
         pass.depthTest = false;

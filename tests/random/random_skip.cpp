@@ -21,9 +21,10 @@ bool isFound(const Comparison& comparison, std::string_view rule) {
 bool mayRunThroughZero(const Scene& scene) {
     return std::ranges::any_of(scene.passes,
                                [](const Pass& pass) {
-                                   return std::ranges::any_of(pass.units, [](const Unit& unit) {
-                                       return unit.enabled && unit.texGenQ.enabled;
-                                   });
+                                   return pass.enabled &&
+                                          std::ranges::any_of(pass.units, [](const Unit& unit) {
+                                              return unit.enabled && unit.texGenQ.enabled;
+                                          });
                                }) ||
            std::ranges::any_of(scene.models, [](const Model& model) {
                return std::ranges::any_of(model.texCoords, [](const TexCoords& list) {
@@ -86,12 +87,12 @@ bool isEndless(const RandomScene& random, const conform::Driver& driver) {
     if (!driver.name.starts_with("llvmpipe"))
         return false;
     return std::ranges::any_of(random.scene.passes, [&](const Pass& pass) {
-        return std::ranges::any_of(pass.units, [&](const Unit& unit) {
-            const bool runsFast =
-                random.temper > Temper::Ordinary || !unit.matrix.empty() || unit.texGenQ.enabled;
-            return unit.enabled && runsFast &&
-                   random.scene.textures[static_cast<std::size_t>(unit.texture)].maxAnisotropy > 1;
-        });
+        return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                   const bool runsFast =
+                       random.temper > Temper::Ordinary || !unit.matrix.empty() || unit.texGenQ.enabled;
+                   return unit.enabled && runsFast &&
+                          random.scene.textures[static_cast<std::size_t>(unit.texture)].maxAnisotropy > 1;
+               });
     });
 }
 

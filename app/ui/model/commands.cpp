@@ -28,7 +28,7 @@ std::string ownerOf(const std::string& path) {
 Target targetOf(const Scene& scene, std::size_t texture) {
     for (const Pass& pass : scene.passes) {
         for (const Unit& unit : pass.units) {
-            if (unit.enabled && unit.texture == static_cast<int>(texture))
+            if (pass.enabled && unit.enabled && unit.texture == static_cast<int>(texture))
                 return unit.target;
         }
     }

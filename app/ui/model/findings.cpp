@@ -61,8 +61,9 @@ void reveal(Session& session, const std::string& path) {
         for (const bool on : {false, true}) {
             for (std::size_t p = 0; p < session.document.scene.passes.size(); ++p) {
                 for (std::size_t u = 0; u < maxUnits; ++u) {
-                    const Unit& unit = session.document.scene.passes[p].units[u];
-                    if (unit.texture == texture && unit.enabled == on) {
+                    const Pass& pass = session.document.scene.passes[p];
+                    const Unit& unit = pass.units[u];
+                    if (unit.texture == texture && (pass.enabled && unit.enabled) == on) {
                         selection.pass = static_cast<int>(p);
                         selection.unit = static_cast<int>(u);
                     }

@@ -1,13 +1,13 @@
 #include "app/ui/parameters/pass_section.h"
 
+#include "app/ui/model/explaining.h"
 #include "app/ui/widgets/number_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/scene/params/keys.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,12 +18,15 @@ void passesChanged(Session& session, std::string_view what) {
     sealEdit(session);
     recordEdit(session, what);
     sealEdit(session);
+    clearTexel(session); // its pass has another number
 }
 
 /// After the one that is chosen, and like it: most passes differ from the one before in a few things.
 void addPass(Session& session) {
     std::vector<Pass>& passes = session.document.scene.passes;
-    const Pass copy = selectedPass(session);
+    Pass copy = selectedPass(session);
+    if (copy.depthFunc == CompareFunc::Less) // no depth is less than that of the pass before
+        copy.depthFunc = CompareFunc::LessEqual;
     int& chosen = session.window.selection.pass;
     ++chosen;
     passes.insert(passes.begin() + chosen, copy);

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace texplorer::ui {
 namespace {
@@ -29,13 +30,17 @@ void numberChoice(const char* label, const char* shortLabel, const char* name,
     const float wanted = ImGui::GetFrameHeight() * 1.3F;
     if (room < ImGui::CalcTextSize(label).x + count * (wanted + gap) + gap)
         label = shortLabel;
-    const float left = room - ImGui::CalcTextSize(label).x - gap * (count + 1);
-    const float width = std::clamp(left / count, ImGui::GetFontSize(), wanted);
+    float left = room - ImGui::CalcTextSize(label).x - gap * (count + 1);
+    const bool ownLine = left < count * ImGui::GetFontSize() * 1.2F;
+    if (ownLine)
+        left = room - gap * (count - 1);
+    const float width = std::clamp(std::floor(left / count), 1.0F, wanted);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     for (int i = 0; i < static_cast<int>(choices.size()); ++i) {
         const NumberChoice& choice = choices[static_cast<std::size_t>(i)];
-        ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
+        if (i > 0 || !ownLine)
+            ImGui::SameLine(0, gap * (i == 0 ? 2.0F : 1.0F));
         const bool isChosen = i == chosen;
         if (isChosen)
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));

@@ -546,6 +546,8 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) { s.unit().enabled = false; }},
         Row{"PassOff", "pass-off", Hint, "passes[0]", "not drawn",
             [](Stage& s) { s.scene.passes[0].enabled = false; }},
+        Row{"TextureOfAPassThatIsOff", "texture-not-shown", Hint, "textures[0]", "the pass that shows",
+            [](Stage& s) { s.scene.passes[0].enabled = false; }},
         Row{"HiddenModel", "hidden-model", Hint, "models[1]", "hidden",
             [](Stage& s) { s.scene.models[1].visible = false; }},
         Row{"CoordinatesOfAUnitThatIsOff", "unread-coordinates", Hint, "models[0].texCoords2",

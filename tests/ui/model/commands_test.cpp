@@ -13,6 +13,7 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::string> calls(const Scene& scene) {
@@ -164,7 +165,7 @@ TEST(Commands, SetUpTheCameraThatIsDrawnWith) {
             }
             EXPECT_LT(farthest(made.modelView, viewMatrix(scene.view)), 1e-5) << azimuth;
             EXPECT_LT(farthest(made.projection, projectionMatrix(scene.view, 1.6F)), 1e-5) << azimuth;
-            EXPECT_THAT(calls(scene), Not(Contains(testing::HasSubstr("--"))));
+            EXPECT_THAT(calls(scene), Not(Contains(HasSubstr("--"))));
         }
     }
 }
@@ -184,6 +185,11 @@ TEST(Commands, LeaveOutPassesThatAreOff) {
     scene.passes[1].enabled = false;
     EXPECT_THAT(calls(scene), Not(Contains("glEnable(GL_BLEND);")));
     EXPECT_THAT(calls(scene), Contains("glDisable(GL_BLEND);"));
+
+    scene.passes[0].units[0].target = Target::Texture3D;
+    EXPECT_THAT(calls(scene), Contains(HasSubstr("glTexParameteri(GL_TEXTURE_3D, ")));
+    std::swap(scene.passes[0].enabled, scene.passes[1].enabled);
+    EXPECT_THAT(calls(scene), Not(Contains(HasSubstr("glTexParameteri(GL_TEXTURE_3D, "))));
 }
 
 TEST(Commands, ShowCombineUnderItsModeAlone) {
