@@ -82,6 +82,7 @@ bool section(Session& session, Section which, const std::vector<Mark>& marks = {
 /// A dot marks the units that are on.
 void unitChoice(Session& session) {
     std::vector<NumberChoice> choices;
+    choices.reserve(maxUnits);
     for (int i = 0; i < maxUnits; ++i) {
         const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
         const std::string sharers = sharersText(session, i);

@@ -76,6 +76,7 @@ void passChoice(Session& session) {
     if (passes.size() < 2)
         return;
     std::vector<NumberChoice> choices;
+    choices.reserve(passes.size());
     for (const Pass& pass : passes)
         choices.push_back({pass.enabled, pass.enabled ? "This pass is drawn." : "This pass is not drawn."});
     numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass);
