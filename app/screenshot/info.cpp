@@ -46,6 +46,7 @@ std::string padded(std::string text, std::size_t width) {
 /// What the levels of one face cost; there is no source here that they could be compared with.
 TextureReport costOf(const TextureImage& texture) {
     std::vector<TextureLevel> levels;
+    levels.reserve(static_cast<std::size_t>(std::max(0, texture.levels)));
     for (int level = 0; level < texture.levels; ++level)
         levels.push_back({level, texture.surface(0, level)});
     return reportOn(levels);

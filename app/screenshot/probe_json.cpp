@@ -239,7 +239,7 @@ Result<void> writeJson(const Contributions& found, const TexelQuestion& question
         }
         if (text.empty())
             continue;
-        if (const Result<void> written = write(text); !written)
+        if (Result<void> written = write(text); !written)
             return written;
         text.clear();
     }

@@ -20,7 +20,7 @@ bool isNumber(std::string_view text) {
     return !text.empty() && text.find_first_not_of("-0123456789.") == std::string_view::npos;
 }
 
-std::string aligned(std::string text, std::size_t width) {
+std::string aligned(const std::string& text, std::size_t width) {
     const std::size_t columns = columnsOf(text);
     const std::string space(width - std::min(width, columns), ' ');
     return isNumber(text) ? space + text : text + space;

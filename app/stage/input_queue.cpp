@@ -143,6 +143,8 @@ template<class... Each>
 struct Overloaded : Each... {
     using Each::operator()...;
 };
+template<class... Each>
+Overloaded(Each...) -> Overloaded<Each...>; // some compilers don't deduce it
 
 } // namespace
 

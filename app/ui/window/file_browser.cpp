@@ -35,7 +35,7 @@ bool matches(const FileBrowser& browser, const FileBrowser::Entry& entry) {
 std::string sizeText(std::uintmax_t bytes) {
     if (bytes < 1024)
         return fmt::format("{} B", bytes);
-    if (bytes < 1024 * 1024)
+    if (bytes < std::uintmax_t{1024} * 1024)
         return fmt::format("{} KiB", (bytes + 512) / 1024);
     return fmt::format("{} MiB", (bytes + (1U << 19)) >> 20);
 }
