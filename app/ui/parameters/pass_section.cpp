@@ -7,6 +7,7 @@
 #include "core/scene/params/keys.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -91,7 +92,8 @@ void passSection(Session& session) {
     ImGui::PopID();
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
     const Owner owner{&selectedPass(session), &initial, elementOf<&Scene::passes>(chosen)};
-    const StructTable& table = passTable(); // begins with the switch, which belongs to no group
+    const StructTable& table = passTable(); // begins with the switch, which needs no caption
+    assert(table.params.front().member == memberId<&Pass::enabled>);
     paramWidget(session, owner, table.params.front());
     paramRows(session, owner, {table.name, table.params.subspan(1), table.children});
 }
