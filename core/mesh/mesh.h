@@ -10,7 +10,7 @@
 
 namespace texplorer {
 
-enum class Shape : std::uint32_t { Cube, Sphere, Quad, Floor };
+enum class Shape : std::uint32_t { Cube, Sphere, Quad, Floor, Cylinder, Disk, PartialDisk, Torus, Mesh };
 
 inline constexpr std::array shapeRows{
     row(Shape::Cube, "cube", "Cube",
@@ -20,6 +20,13 @@ inline constexpr std::array shapeRows{
     row(Shape::Quad, "quad", "Square", "A square that faces the viewer: one texture, nothing in the way."),
     row(Shape::Floor, "floor", "Floor",
         "A long floor into the distance, tiled: where minification and anisotropy show."),
+    row(Shape::Cylinder, "cylinder", "Cylinder",
+        "gluCylinder, upright, without lids; with a top radius of 0 it is a cone."),
+    row(Shape::Disk, "disk", "Disk", "gluDisk: the image lies flat on it, and a hole cuts its middle out."),
+    row(Shape::PartialDisk, "partialDisk", "Partial disk",
+        "gluPartialDisk: a sector of a disk, from the start angle on, clockwise."),
+    row(Shape::Torus, "torus", "Torus", "A ring: s goes around it, t around its tube."),
+    row(Shape::Mesh, "mesh", "Mesh", "Vertices of its own: triangles, quads, lines or points."),
 };
 
 template<>
@@ -27,12 +34,13 @@ struct EnumTable<Shape> {
     static constexpr std::span<const EnumRow> rows = shapeRows;
 };
 
-static_assert(shapeRows.size() == 4);
+static_assert(shapeRows.size() == 9);
 
 struct Vertex {
     glm::vec3 position;
     glm::vec3 normal;   ///< unit length, outwards
     glm::vec4 texCoord; ///< s, t, r, q: what the mesh gives unless the scene says otherwise
+    glm::vec4 color{1}; ///< where the mesh has colours
 
     bool operator==(const Vertex&) const = default;
 };
@@ -40,11 +48,12 @@ struct Vertex {
 /// A named part of a mesh: what a texture view outlines and a vertex list groups by.
 struct Face {
     std::string name;                    ///< "Front", "Stack 3"
-    std::vector<std::uint32_t> vertices; ///< a closed outline, counter-clockwise seen from outside
+    std::vector<std::uint32_t> vertices; ///< an outline, counter-clockwise seen from outside
+    bool closed = true;                  ///< whether it leads back to its first vertex
 };
 
-/// Triangles, counter-clockwise seen from outside, in a right-handed space with y up. A value without
-/// handles.
+/// Triangles, counter-clockwise seen from outside, or lines or points, in a right-handed space with y up. A
+/// value without handles.
 ///
 /// A quadrilateral with the corners 0, 1, 2, 3 becomes the triangles 0, 1, 3 and 1, 2, 3. OpenGL leaves the
 /// division open, and between the corners the two diagonals give different coordinates and colours wherever
@@ -56,22 +65,39 @@ struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> triangles; ///< three indices each
     std::vector<Face> faces;
+    std::vector<std::uint32_t> lines{};  ///< two indices each
+    std::vector<std::uint32_t> points{}; ///< one index each
+    bool colored = false;                ///< whether its vertices have colours of their own
 };
 
 inline constexpr int minSlices = 3;
 inline constexpr int minStacks = 2;
 inline constexpr int maxSubdivision = 256;
 
-/// The mesh of a shape. Extents: the cube and the quad reach from -1 to 1, the sphere has radius 1, the floor
-/// lies at y = -1 from x = -4 to 4 and from z = 4 to -76, with s in [0, 8] and t in [0, 80]: one tile a unit.
-/// `slices` and `stacks` count for the sphere alone, clamped to [3, 256] and [2, 256]; its s follows
-/// gluSphere: 0 to 1 eastwards around the axis, 0.5 at the front (+z), its t 0 at the south pole (y = -1) and
-/// 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole up; its faces are the
-/// stacks. Its triangles come as gluSphere draws them with texture coordinates: from the north pole down, and
-/// westwards around the axis, with as many points at each pole as there are slices.
-[[nodiscard]] Mesh makeMesh(Shape shape, int slices, int stacks);
+/// What a shape is made from. Each number counts for the shapes that it names.
+struct ShapeOptions {
+    Shape shape = Shape::Cube;
+    int slices = 32;         ///< around the axis: sphere, cylinder, disks, torus; 3 to 256
+    int stacks = 16;         ///< sphere, cylinder: along the axis; disks: rings; torus: around its tube; 2 to 256
+    float topRadius = 1;     ///< cylinder
+    float innerRadius = 0;  ///< disks: of the hole, 0 to 1
+    float tubeRadius = 0.4F; ///< torus
+    float startAngle = 0;   ///< partial disk: degrees from +y towards +x
+    float sweepAngle = 270; ///< partial disk: degrees
+
+    bool operator==(const ShapeOptions&) const = default;
+};
+
+/// The mesh of a shape; none for Shape::Mesh (see mesh_data.h). Extents: the cube and the quad reach from -1
+/// to 1, the sphere has radius 1, the floor lies at y = -1 from x = -4 to 4 and from z = 4 to -76, with s in
+/// [0, 8] and t in [0, 80]: one tile a unit.
+/// The sphere's s follows gluSphere: 0 to 1 eastwards around the axis, 0.5 at the front (+z), its t 0 at the
+/// south pole (y = -1) and 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole up;
+/// its faces are the stacks. Its triangles come as gluSphere draws them with texture coordinates: from the
+/// north pole down, and westwards around the axis, with as many points at each pole as there are slices.
+[[nodiscard]] Mesh makeMesh(const ShapeOptions& options);
 
 /// How many vertices makeMesh gives, without making it.
-[[nodiscard]] std::size_t vertexCount(Shape shape, int slices, int stacks);
+[[nodiscard]] std::size_t vertexCount(const ShapeOptions& options);
 
 } // namespace texplorer

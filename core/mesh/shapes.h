@@ -12,6 +12,10 @@ namespace texplorer {
 [[nodiscard]] Mesh makeSphere(int slices, int stacks); ///< within the limits of mesh.h
 [[nodiscard]] Mesh makeQuad();
 [[nodiscard]] Mesh makeFloor();
+[[nodiscard]] Mesh makeCylinder(float topRadius, int slices, int stacks);
+[[nodiscard]] Mesh makeDisk(float innerRadius, int slices, int rings);
+[[nodiscard]] Mesh makePartialDisk(const ShapeOptions& options); ///< likewise
+[[nodiscard]] Mesh makeTorus(float tubeRadius, int slices, int stacks);
 
 /// Adds the two triangles of a quadrilateral, whose corners run counter-clockwise: see Mesh.
 void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners);
