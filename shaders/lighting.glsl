@@ -1,5 +1,4 @@
-// Lighting at each vertex: OpenGL 2.1, section 2.14.1, for one light without attenuation and spot, and a
-// material whose ambient and diffuse reflectance is glColor (GL_COLOR_MATERIAL).
+// Lighting at each vertex: OpenGL 2.1, section 2.14.1, for one light without attenuation and spot.
 
 //@ uniforms
 uniform vec4 lightPosition; // in eye coordinates; w = 0: a direction towards the light
@@ -9,6 +8,11 @@ uniform vec3 lightSpecular;
 uniform vec3 modelAmbient;
 uniform vec3 materialSpecular;
 uniform float shininess;
+//@ material uniforms
+uniform bool colorMaterial; // GL_COLOR_MATERIAL: glColor is the ambient and diffuse reflectance
+uniform vec3 materialAmbient;
+uniform vec4 materialDiffuse;
+uniform vec3 materialEmission;
 //@ directional light
 
     vec3 toLight = direction(lightPosition.xyz);
@@ -26,11 +30,18 @@ uniform float shininess;
     // No highlight on the side that looks away from the light. 0 to the power of 0 is 1 here, as in the
     // specification; GLSL leaves it undefined.
     float highlight = diffuse > 0.0 ? (shininess == 0.0 ? 1.0 : pow(cosine, shininess)) : 0.0;
-    vec3 lit = color.rgb * (modelAmbient + lightAmbient + diffuse * lightDiffuse);
     vec3 specular = highlight * materialSpecular * lightSpecular;
+//@ color material
+    vec4 reflectance = color; // GL_COLOR_MATERIAL: both the ambient and the diffuse one
+    vec3 lit = reflectance.rgb * (modelAmbient + lightAmbient + diffuse * lightDiffuse);
+//@ material
+    vec3 ambientReflectance = colorMaterial ? color.rgb : materialAmbient;
+    vec4 reflectance = colorMaterial ? color : materialDiffuse; // the diffuse one; its alpha is the fragment's
+    vec3 lit = materialEmission + ambientReflectance * (modelAmbient + lightAmbient) +
+               diffuse * reflectance.rgb * lightDiffuse;
 //@ GL_SINGLE_COLOR
-    primaryColor = clamp(vec4(lit + specular, color.a), 0.0, 1.0);
+    primaryColor = clamp(vec4(lit + specular, reflectance.a), 0.0, 1.0);
 //@ GL_SEPARATE_SPECULAR_COLOR
     // The highlight waits until texturing is done.
-    primaryColor = clamp(vec4(lit, color.a), 0.0, 1.0);
+    primaryColor = clamp(vec4(lit, reflectance.a), 0.0, 1.0);
     secondaryColor = clamp(specular, 0.0, 1.0);

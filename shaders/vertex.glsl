@@ -9,6 +9,7 @@
 // What each vertex was given.
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec3 normal;
+layout(location = 3) in vec4 color; // glColor, or the vertex's own
 //@ coordinate attribute
 layout(location = LOCATION) in vec4 givenCoordUNIT; // s, t, r and q
 //@ matrices
@@ -18,8 +19,6 @@ uniform mat4 modelViewProjection;
 uniform mat4 modelView;
 //@ normal matrix
 uniform mat3 normalMatrix; // the inverse of modelView's rotation and scale, transposed
-//@ color
-uniform vec4 color; // glColor
 //@ texture matrix
 uniform mat4 textureMatrixUNIT;
 //@ outputs GL_SMOOTH

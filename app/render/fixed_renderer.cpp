@@ -2,6 +2,7 @@
 
 #include "app/render/fixed_state.h"
 #include "app/render/pipeline.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -27,8 +28,9 @@ public:
     void beginFrame(const Scene& scene, const glm::mat4& projection, GlErrors& errors) override {
         loadMatrix(GL_PROJECTION, projection);
         loadMatrix(GL_MODELVIEW, glm::mat4(1));
-        applyLightAndMaterial(scene.light, scene.material);
-        errors.check("glLight, glMaterial");
+        applyLight(scene.light);
+        errors.check("glLight");
+        glShadeModel(static_cast<GLenum>(scene.material.shadeModel));
         glHint(GL_PERSPECTIVE_CORRECTION_HINT, static_cast<GLenum>(scene.view.perspectiveHint));
         errors.check("glHint");
     }
@@ -49,7 +51,11 @@ public:
         return true;
     }
 
-    void placeModel(const glm::mat4& modelView) override { glLoadMatrixf(glm::value_ptr(modelView)); }
+    void placeModel(const Scene& scene, const Model& model, bool /*colored*/,
+                    const glm::mat4& modelView) override {
+        applyMaterial(materialOf(scene, model)); // a mesh with colours has taken glColor with it
+        glLoadMatrixf(glm::value_ptr(modelView));
+    }
 
 private:
     int textureUnits_;

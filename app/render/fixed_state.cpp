@@ -70,7 +70,7 @@ void applyTexGen(const GeneratedCoordinate& row, const TexGen& generated) {
 
 } // namespace
 
-void applyLightAndMaterial(const Light& light, const Material& material) {
+void applyLight(const Light& light) {
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(light.modelAmbient));
     glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, static_cast<GLint>(light.colorControl));
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, light.localViewer ? 1 : 0);
@@ -86,16 +86,23 @@ void applyLightAndMaterial(const Light& light, const Material& material) {
     glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180);
     glEnable(GL_LIGHT0);
 
-    constexpr glm::vec4 noEmission{0, 0, 0, 1};
-    glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, glm::value_ptr(noEmission));
+    glEnable(GL_NORMALIZE); // models are scaled
+}
+
+void applyMaterial(const Material& material) {
+    // What the current colour is copied to while GL_COLOR_MATERIAL is on stays there afterwards.
+    glDisable(GL_COLOR_MATERIAL);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, glm::value_ptr(material.ambient));
+    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, glm::value_ptr(material.diffuse));
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, glm::value_ptr(material.specular));
+    glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, glm::value_ptr(material.emission));
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
+    glColor4fv(glm::value_ptr(material.color));
+    if (!material.colorMaterial)
+        return;
     // The mode first: enabling copies the current colour at once into what the mode names (section 2.14.3).
     glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
-    glColor4fv(glm::value_ptr(material.color));
     glEnable(GL_COLOR_MATERIAL);
-    glEnable(GL_NORMALIZE); // models are scaled
-    glShadeModel(static_cast<GLenum>(material.shadeModel));
 }
 
 void applyFixedPass(const Pass& pass) {

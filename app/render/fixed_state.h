@@ -7,9 +7,12 @@ namespace texplorer::render {
 
 // What a Scene says, as fixed-function state. All of it begins with GL's initial values: see StateGuard.
 
-/// GL_LIGHT0, the light model, the material and the current colour. The modelview matrix must be the
-/// identity: the light stands in eye coordinates.
-void applyLightAndMaterial(const Light& light, const Material& material);
+/// GL_LIGHT0 and the light model. The modelview matrix must be the identity: the light stands in eye
+/// coordinates.
+void applyLight(const Light& light);
+
+/// The material and the current colour.
+void applyMaterial(const Material& material);
 
 /// Lighting on or off and the alpha test.
 void applyFixedPass(const Pass& pass);

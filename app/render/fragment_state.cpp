@@ -11,4 +11,9 @@ void applyDepthAndBlend(const Pass& pass) {
     glBlendFunc(static_cast<GLenum>(pass.blendSrc), static_cast<GLenum>(pass.blendDst));
 }
 
+void applyLineAndPoint(const Model& model) {
+    glLineWidth(model.lineWidth);
+    glPointSize(model.pointSize);
+}
+
 } // namespace texplorer::render

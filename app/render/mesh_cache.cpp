@@ -1,6 +1,8 @@
 #include "app/render/mesh_cache.h"
 
 #include "app/render/vertex_attributes.h"
+#include "core/scene/emboss.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/tex_coords.h"
 
 #include <cstddef>
@@ -37,53 +39,72 @@ void MeshCache::beginFrame() {
     forgetUnused(coords_);
 }
 
-MeshCache::MeshKey MeshCache::keyOf(const Model& model) {
-    const bool subdivided = model.shape == Shape::Sphere;
-    return {model.shape, subdivided ? model.slices : 0, subdivided ? model.stacks : 0};
+MeshCache::MeshKey MeshCache::keyOf(const Model& model, std::size_t index) {
+    switch (model.shape) {
+    case Shape::Mesh:
+        return {{.shape = Shape::Mesh}, index};
+    case Shape::Cube:
+    case Shape::Quad:
+    case Shape::Floor: // which have no options
+        return {{.shape = model.shape}};
+    default:
+        return {shapeOptions(model)};
+    }
 }
 
-MeshCache::MeshSlot& MeshCache::meshOf(const MeshKey& key) {
-    auto [found, isNew] = meshes_.try_emplace(key);
+MeshCache::MeshSlot& MeshCache::meshOf(const Model& model, std::size_t index) {
+    auto [found, isNew] = meshes_.try_emplace(keyOf(model, index));
     MeshSlot& slot = found->second;
-    if (isNew) {
-        slot.mesh = makeMesh(key.shape, key.slices, key.stacks);
-        slot.vertices = makeBuffer(GL_ARRAY_BUFFER, slot.mesh.vertices);
-        slot.triangles = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, slot.mesh.triangles);
-    }
     slot.used = true;
+    const bool own = model.shape == Shape::Mesh;
+    if (!isNew && (!own || slot.data == model.mesh))
+        return slot;
+    if (own)
+        slot.data = model.mesh;
+    slot.mesh = texplorer::meshOf(model);
+    slot.version = ++versions_;
+    std::vector<std::uint32_t> indices = slot.mesh.triangles;
+    indices.insert(indices.end(), slot.mesh.lines.begin(), slot.mesh.lines.end());
+    indices.insert(indices.end(), slot.mesh.points.begin(), slot.mesh.points.end());
+    slot.vertices = makeBuffer(GL_ARRAY_BUFFER, slot.mesh.vertices);
+    slot.indices = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
     return slot;
 }
 
-void MeshCache::bind(const Model& model, std::size_t index, const std::array<CoordUse, maxUnits>& units) {
-    const MeshKey key = keyOf(model);
-    const MeshSlot& slot = meshOf(key);
+void MeshCache::bind(const Scene& scene, const Pass& pass, std::size_t index, double time,
+                     const std::array<CoordUse, maxUnits>& units) {
+    const MeshSlot& slot = meshOf(scene.models[index], index);
     bound_ = &slot;
 
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, slot.triangles.name());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, slot.indices.name());
     glBindBuffer(GL_ARRAY_BUFFER, slot.vertices.name());
     pointAtVertices();
     for (int unit = 0; unit < maxUnits; ++unit) {
-        const CoordUse use = units[static_cast<std::size_t>(unit)];
-        if (use == CoordUse::Off)
-            continue;
-        bindCoords(model, key, {index, unit}, use);
+        const auto at = static_cast<std::size_t>(unit);
+        if (units[at] != CoordUse::Off)
+            bindCoords(scene, pass, time, {index, unit, pass.units[at].emboss.enabled}, units[at]);
     }
 }
 
 void MeshCache::pointAtVertices() const {
     const void* position = offsetInBuffer(offsetof(Vertex, position));
     const void* normal = offsetInBuffer(offsetof(Vertex, normal));
+    const void* color = offsetInBuffer(offsetof(Vertex, color));
     if (input_ == VertexInput::Attributes) {
         glEnableVertexAttribArray(positionAttribute);
         glVertexAttribPointer(positionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), position);
         glEnableVertexAttribArray(normalAttribute);
         glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), normal);
+        (hasColors() ? glEnableVertexAttribArray : glDisableVertexAttribArray)(colorAttribute);
+        glVertexAttribPointer(colorAttribute, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), color);
         return;
     }
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_FLOAT, sizeof(Vertex), position);
     glEnableClientState(GL_NORMAL_ARRAY);
     glNormalPointer(GL_FLOAT, sizeof(Vertex), normal);
+    (hasColors() ? glEnableClientState : glDisableClientState)(GL_COLOR_ARRAY);
+    glColorPointer(4, GL_FLOAT, sizeof(Vertex), color);
 }
 
 void MeshCache::pointAtCoords(int unit, int stride, std::size_t offset) const {
@@ -98,21 +119,26 @@ void MeshCache::pointAtCoords(int unit, int stride, std::size_t offset) const {
     glTexCoordPointer(4, GL_FLOAT, stride, offsetInBuffer(offset));
 }
 
-void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const CoordKey& coordKey,
+void MeshCache::bindCoords(const Scene& scene, const Pass& pass, double time, const CoordKey& coordKey,
                            CoordUse use) {
-    const MeshSlot& mesh = meshOf(meshKey);
-    const TexCoords& list = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
-    if (list.empty() && use == CoordUse::AsGiven) {
+    const MeshSlot& mesh = *bound_;
+    const Model& model = scene.models[coordKey.model];
+    const TexCoords& own = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
+    if (own.empty() && !coordKey.embossed && use == CoordUse::AsGiven) {
         glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
         return pointAtCoords(coordKey.unit, sizeof(Vertex), offsetof(Vertex, texCoord));
     }
+    TexCoords embossed; // which change with the time and the light
+    if (coordKey.embossed)
+        embossed = givenTexCoords(scene, pass, coordKey.unit, model, mesh.mesh, time);
+    const TexCoords& list = coordKey.embossed ? embossed : own;
     auto [found, isNew] = coords_.try_emplace(coordKey);
     CoordSlot& slot = found->second;
-    if (isNew || slot.list != list || slot.mesh != meshKey || slot.use != use) {
+    if (isNew || slot.list != list || slot.mesh != mesh.version || slot.use != use) {
+        TexCoords coords = coordKey.embossed ? embossed : effectiveTexCoords(model, mesh.mesh, coordKey.unit);
         slot.list = list;
-        slot.mesh = meshKey;
+        slot.mesh = mesh.version;
         slot.use = use;
-        TexCoords coords = effectiveTexCoords(model, mesh.mesh, coordKey.unit);
         if (use == CoordUse::Flipped) {
             for (glm::vec4& coord : coords)
                 coord.t = coord.q - coord.t;
@@ -125,11 +151,19 @@ void MeshCache::bindCoords(const Model& model, const MeshKey& meshKey, const Coo
 }
 
 void MeshCache::draw() const {
-    if (!bound_)
+    if (!bound_ || bound_->mesh.vertices.empty())
         return;
-    glDrawRangeElements(GL_TRIANGLES, 0, static_cast<GLuint>(bound_->mesh.vertices.size() - 1),
-                        static_cast<GLsizei>(bound_->mesh.triangles.size()), GL_UNSIGNED_INT,
-                        offsetInBuffer(0));
+    std::size_t first = 0;
+    const auto drawParts = [&](GLenum primitive, const std::vector<std::uint32_t>& indices) {
+        if (!indices.empty())
+            glDrawRangeElements(primitive, 0, static_cast<GLuint>(bound_->mesh.vertices.size() - 1),
+                                static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT,
+                                offsetInBuffer(first * sizeof(std::uint32_t)));
+        first += indices.size();
+    };
+    drawParts(GL_TRIANGLES, bound_->mesh.triangles);
+    drawParts(GL_LINES, bound_->mesh.lines);
+    drawParts(GL_POINTS, bound_->mesh.points);
 }
 
 } // namespace texplorer::render

@@ -44,8 +44,9 @@ public:
     /// Grows when it draws the same scene otherwise than before: somebody has edited its shaders.
     [[nodiscard]] virtual std::uint64_t revision() const { return 0; }
 
-    /// Before each model.
-    virtual void placeModel(const glm::mat4& modelView) = 0;
+    /// Before each model. `colored` says that its vertices have colours in the place of glColor.
+    virtual void placeModel(const Scene& scene, const Model& model, bool colored,
+                            const glm::mat4& modelView) = 0;
 };
 
 } // namespace texplorer::render

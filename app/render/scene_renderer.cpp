@@ -8,6 +8,7 @@
 #include "app/render/state_guard.h"
 #include "app/render/texture_cache.h"
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
 
@@ -124,9 +125,9 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     pipeline->beginFrame(scene, projectionMatrix(scene.view, aspect), errors);
     textures->keepOnly(scene);
     meshes.beginFrame();
-    const glm::mat4 view = viewMatrix(scene.view);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
-        if (!scene.passes[i].enabled)
+        const std::vector<std::size_t> models = drawnModels(scene, scene.passes[i]);
+        if (models.empty())
             continue;
         const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
@@ -136,12 +137,11 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             continue;
         std::array<CoordUse, maxUnits> uses{};
         std::ranges::transform(bound, uses.begin(), coordUseOf);
-        for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        for (const std::size_t m : models) {
             const Model& model = scene.models[m];
-            if (!model.visible)
-                continue;
-            pipeline->placeModel(view * modelMatrix(model, time));
-            meshes.bind(model, m, uses);
+            meshes.bind(scene, scene.passes[i], m, time, uses);
+            applyLineAndPoint(model);
+            pipeline->placeModel(scene, model, meshes.hasColors(), modelViewMatrix(scene.view, model, time));
             meshes.draw();
         }
         errors.check(where + ": glDrawRangeElements");

@@ -4,10 +4,13 @@
 #include "app/render/pipeline.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_program.h"
+#include "app/render/vertex_attributes.h"
 #include "core/scene/animation.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -32,19 +35,24 @@ SampledUnits sampledUnits(const BoundTextures& textures) {
     return units;
 }
 
-/// The light, the material and the alpha test: what is the same for every model and unit.
+/// The light and the alpha test: what is the same for every model and unit.
 void setPass(const ShaderProgram& program, const Scene& scene, const Pass& pass) {
     const Light& light = scene.light;
-    const Material& material = scene.material;
-    program.set("color", material.color);
     program.set("lightPosition", light.position);
     program.set("lightAmbient", glm::vec3(light.ambient));
     program.set("lightDiffuse", glm::vec3(light.diffuse));
     program.set("lightSpecular", glm::vec3(light.specular));
     program.set("modelAmbient", glm::vec3(light.modelAmbient));
-    program.set("materialSpecular", glm::vec3(material.specular));
-    program.set("shininess", material.shininess);
     program.set("alphaReference", std::round(std::clamp(pass.alphaRef, 0.0F, 1.0F) * 255));
+}
+
+void setMaterial(const ShaderProgram& program, const Material& material) {
+    program.set("colorMaterial", material.colorMaterial ? 1 : 0);
+    program.set("materialAmbient", glm::vec3(material.ambient));
+    program.set("materialDiffuse", material.diffuse);
+    program.set("materialSpecular", glm::vec3(material.specular));
+    program.set("materialEmission", glm::vec3(material.emission));
+    program.set("shininess", material.shininess);
 }
 
 void setTexGen(const ShaderProgram& program, const std::string& uniform, const TexGen& generated) {
@@ -131,7 +139,12 @@ public:
 
     [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
-    void placeModel(const glm::mat4& modelView) override {
+    void placeModel(const Scene& scene, const Model& model, bool colored,
+                    const glm::mat4& modelView) override {
+        const Material& material = materialOf(scene, model);
+        if (!colored)
+            glVertexAttrib4fv(colorAttribute, glm::value_ptr(material.color));
+        setMaterial(*program_, material);
         program_->set("modelView", modelView);
         program_->set("modelViewProjection", projection_ * modelView);
         program_->set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(modelView))));

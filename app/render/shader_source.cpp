@@ -2,6 +2,8 @@
 
 #include "app/render/vertex_attributes.h"
 #include "core/gl/combine_arguments.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -109,6 +111,15 @@ struct Plan {
         return affineColors() ? fmt::format("{} {}", name, nameOf(HintMode::Fastest)) : name;
     }
 
+    /// Whether glColor is all that lighting needs of the materials, but for the highlight.
+    [[nodiscard]] bool colorsAreMaterials() const {
+        constexpr glm::vec3 none(0);
+        return std::ranges::all_of(drawnModels(scene, pass), [&](std::size_t model) {
+            const Material& material = materialOf(scene, scene.models[model]);
+            return material.colorMaterial && glm::vec3(material.emission) == none;
+        });
+    }
+
     void forEachUnit(auto each) const {
         for (std::size_t i = 0; i < units.size(); ++i) {
             if (units[i])
@@ -117,10 +128,12 @@ struct Plan {
     }
 };
 
-void writeLighting(Writer& body, const Light& light) {
+void writeLighting(Writer& body, const Plan& plan) {
+    const Light& light = plan.scene.light;
     body.add("lighting", light.position.w == 0 ? "directional light" : "positional light");
     body.add("lighting", light.localViewer ? "local viewer" : "infinite viewer");
     body.add("lighting", "terms");
+    body.add("lighting", plan.colorsAreMaterials() ? "color material" : "material");
     body.add("lighting", nameOf(light.colorControl));
 }
 
@@ -141,7 +154,7 @@ void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled,
 Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
     Writer body(pieces);
     if (plan.pass.lighting)
-        writeLighting(body, plan.scene.light);
+        writeLighting(body, plan);
     else
         body.add("vertex", "unlit");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
@@ -168,9 +181,10 @@ Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& piec
         stage.add("vertex", "model-view matrix");
     if (body.mentions("eyeNormal"))
         stage.add("vertex", "normal matrix");
-    stage.add("vertex", "color");
     if (plan.pass.lighting)
         stage.add("lighting", "uniforms");
+    if (body.mentions("materialDiffuse"))
+        stage.add("lighting", "material uniforms");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         for (const Coordinate& coordinate : coordinates) {
             const std::string name(1, coordinate.name);

@@ -35,6 +35,7 @@ Json nameOf(E value) {
 
 Json jsonOf(const CoordinateSteps& steps) {
     return {{"given", listOf(steps.given)},
+            {"embossed", listOf(steps.embossed)},
             {"generated", listOf(steps.generated)},
             {"transformed", listOf(steps.transformed)}};
 }
@@ -45,10 +46,13 @@ Json jsonOf(const VertexExplanation& vertex) {
               {"normal", listOf(vertex.normal)},   {"clip", listOf(vertex.clip)},
               {"primary", listOf(vertex.primary)}, {"secondary", listOf(vertex.secondary)}};
     if (vertex.lighting)
-        json["lighting"] = {
-            {"scene", listOf(vertex.lighting->scene)},     {"ambient", listOf(vertex.lighting->ambient)},
-            {"diffuse", listOf(vertex.lighting->diffuse)}, {"specular", listOf(vertex.lighting->specular)},
-            {"nDotVP", vertex.lighting->nDotVP},           {"nDotH", vertex.lighting->nDotH}};
+        json["lighting"] = {{"emission", listOf(vertex.lighting->emission)},
+                            {"scene", listOf(vertex.lighting->scene)},
+                            {"ambient", listOf(vertex.lighting->ambient)},
+                            {"diffuse", listOf(vertex.lighting->diffuse)},
+                            {"specular", listOf(vertex.lighting->specular)},
+                            {"nDotVP", vertex.lighting->nDotVP},
+                            {"nDotH", vertex.lighting->nDotH}};
     return json;
 }
 
@@ -104,6 +108,14 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
     return json;
 }
 
+template<class T>
+Json arrayOf(const std::vector<T>& elements) {
+    Json array = Json::array();
+    for (const T& each : elements)
+        array.push_back(jsonOf(each));
+    return array;
+}
+
 Json jsonOf(const UnitExplanation& unit) {
     Json json{{"unit", unit.unit},
               {"texture", unit.texture},
@@ -111,8 +123,7 @@ Json jsonOf(const UnitExplanation& unit) {
               {"baseFormat", nameOf(unit.format)},
               {"generates",
                Json::array({unit.generates[0], unit.generates[1], unit.generates[2], unit.generates[3]})},
-              {"atVertices",
-               Json::array({jsonOf(unit.vertices[0]), jsonOf(unit.vertices[1]), jsonOf(unit.vertices[2])})},
+              {"atVertices", arrayOf(unit.vertices)},
               {"here", jsonOf(unit.pixel)},
               {"coords", listOf(unit.coords)},
               {"perPixelX", listOf(unit.derivatives.dx)},
@@ -155,16 +166,17 @@ Json jsonOf(const BlendExplanation& blend) {
 }
 
 Json jsonOf(const FragmentExplanation& fragment) {
+    constexpr std::array partNames{"point", "line", "triangle"};
     constexpr std::array outcomes{"drawn", "failed the alpha test", "failed the depth test"};
     Json json{{"pass", fragment.pass},
               {"model", fragment.model},
               {"shape", nameOf(fragment.shape)},
               {"face", fragment.face},
-              {"triangle", fragment.triangle},
+              {"part", partNames.at(std::clamp<std::size_t>(fragment.vertices.size(), 1, 3) - 1)},
+              {"number", fragment.part},
               {"clipped", fragment.clipped},
               {"outcome", outcomes.at(static_cast<std::size_t>(fragment.outcome))},
-              {"vertices", Json::array({jsonOf(fragment.vertices[0]), jsonOf(fragment.vertices[1]),
-                                        jsonOf(fragment.vertices[2])})},
+              {"vertices", arrayOf(fragment.vertices)},
               {"lighting", fragment.lighting},
               {"flat", fragment.flat},
               {"primary", listOf(fragment.primary)}};

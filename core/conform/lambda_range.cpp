@@ -17,16 +17,27 @@ namespace {
 
 constexpr float lambdaError = 1.0F / 64; // dEQP: lodBits = 6
 
-/// Texture coordinates anywhere in the plane of a triangle, from its corners.
+/// Texture coordinates anywhere in the plane of a triangle, from its corners. A line's change along it alone:
+/// a third corner with the coordinates of the first lies across it. A point's don't change.
 class CoordinatePlane {
 public:
     CoordinatePlane(const reference::Explanation& pixel, const reference::FragmentExplanation& fragment,
                     const reference::UnitExplanation& unit) {
-        for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t corners = std::min<std::size_t>(fragment.vertices.size(), 3);
+        for (std::size_t i = 0; i < corners; ++i) {
             const glm::dvec4 clip(fragment.vertices[i].clip);
             window_[i] = {(clip.x / clip.w + 1) / 2 * pixel.width - 0.5,
                           (clip.y / clip.w + 1) / 2 * pixel.height - 0.5};
             overW_[i] = glm::dvec4(unit.vertices[i].transformed) / clip.w;
+        }
+        if (corners == 1) {
+            window_[1] = window_[0] + glm::dvec2(1, 0);
+            overW_[1] = overW_[0];
+        }
+        if (corners < 3) {
+            const glm::dvec2 along = window_[1] - window_[0];
+            window_[2] = window_[0] + glm::dvec2(-along.y, along.x);
+            overW_[2] = overW_[0];
         }
     }
 

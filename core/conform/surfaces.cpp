@@ -53,7 +53,7 @@ void placeTexels(Model& quad, std::size_t unit, const Source& source, Dice& valu
                      0.5F * static_cast<float>(source.width) + 0.5F) /
                     static_cast<float>(source.width);
     quad.texCoords[unit].clear();
-    for (const Vertex& vertex : makeMesh(Shape::Quad, 0, 0).vertices)
+    for (const Vertex& vertex : makeMesh({Shape::Quad}).vertices)
         quad.texCoords[unit].emplace_back(vertex.position.x > 0 ? s.high : s.low,
                                           vertex.position.y > 0 ? t.high : t.low, r, 1);
 }

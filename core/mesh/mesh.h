@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -77,24 +78,24 @@ inline constexpr int maxSubdivision = 256;
 /// What a shape is made from. Each number counts for the shapes that it names.
 struct ShapeOptions {
     Shape shape = Shape::Cube;
-    int slices = 32;         ///< around the axis: sphere, cylinder, disks, torus; 3 to 256
-    int stacks = 16;         ///< sphere, cylinder: along the axis; disks: rings; torus: around its tube; 2 to 256
-    float topRadius = 1;     ///< cylinder
-    float innerRadius = 0;  ///< disks: of the hole, 0 to 1
+    int slices = 32;     ///< around the axis: sphere, cylinder, disks, torus; 3 to 256
+    int stacks = 16;     ///< sphere, cylinder: along the axis; disks: rings; torus: around its tube; 2 to 256
+    float topRadius = 1; ///< cylinder
+    float innerRadius = 0;   ///< disks: of the hole, 0 to 1
     float tubeRadius = 0.4F; ///< torus
-    float startAngle = 0;   ///< partial disk: degrees from +y towards +x
-    float sweepAngle = 270; ///< partial disk: degrees
+    float startAngle = 0;    ///< partial disk: degrees from +y towards +x
+    float sweepAngle = 270;  ///< partial disk: degrees
 
-    bool operator==(const ShapeOptions&) const = default;
+    auto operator<=>(const ShapeOptions&) const = default; // NOLINT(modernize-use-nullptr): there is none
 };
 
 /// The mesh of a shape; none for Shape::Mesh (see mesh_data.h). Extents: the cube and the quad reach from -1
 /// to 1, the sphere has radius 1, the floor lies at y = -1 from x = -4 to 4 and from z = 4 to -76, with s in
 /// [0, 8] and t in [0, 80]: one tile a unit.
 /// The sphere's s follows gluSphere: 0 to 1 eastwards around the axis, 0.5 at the front (+z), its t 0 at the
-/// south pole (y = -1) and 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole up;
-/// its faces are the stacks. Its triangles come as gluSphere draws them with texture coordinates: from the
-/// north pole down, and westwards around the axis, with as many points at each pole as there are slices.
+/// south pole (y = -1) and 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole
+/// up; its faces are the stacks. Its triangles come as gluSphere draws them with texture coordinates: from
+/// the north pole down, and westwards around the axis, with as many points at each pole as there are slices.
 [[nodiscard]] Mesh makeMesh(const ShapeOptions& options);
 
 /// How many vertices makeMesh gives, without making it.

@@ -9,16 +9,35 @@
 namespace texplorer {
 
 [[nodiscard]] Mesh makeCube();
-[[nodiscard]] Mesh makeSphere(int slices, int stacks); ///< within the limits of mesh.h
 [[nodiscard]] Mesh makeQuad();
 [[nodiscard]] Mesh makeFloor();
+// The options of these are within the limits of mesh.h.
+[[nodiscard]] Mesh makeSphere(int slices, int stacks);
 [[nodiscard]] Mesh makeCylinder(float topRadius, int slices, int stacks);
 [[nodiscard]] Mesh makeDisk(float innerRadius, int slices, int rings);
-[[nodiscard]] Mesh makePartialDisk(const ShapeOptions& options); ///< likewise
+[[nodiscard]] Mesh makePartialDisk(const ShapeOptions& options);
 [[nodiscard]] Mesh makeTorus(float tubeRadius, int slices, int stacks);
+
+struct Circle {
+    float sine;
+    float cosine;
+};
+
+/// At an angle in quarter turns. Whole ones are exact, so that poles are points and seams have no gap.
+[[nodiscard]] Circle circleAt(double quarters);
+
+void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
 /// Adds the two triangles of a quadrilateral, whose corners run counter-clockwise: see Mesh.
 void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners);
+
+// Of meshes made of rows of slices + 1 vertices, which run eastwards; the next row lies on their left.
+
+/// Adds a face for each two rows, "Stack 1" and so on: along the first and back along the second.
+void addBandFaces(Mesh& mesh, const char* name, int slices, int stacks);
+
+/// Adds the quadrilaterals between a row and the next, westwards, as the GL_QUAD_STRIPs of GLU's quadrics do.
+void addBandQuads(Mesh& mesh, int slices, int row);
 
 /// Four corners of a plane rectangle. `right` and `up` lead from the lower left corner along s and t, so that
 /// the image stands upright for a viewer who looks against `normal`.

@@ -1,5 +1,6 @@
 #include "core/reference/probe.h"
 
+#include "core/reference/raster/assembly.h"
 #include "core/reference/raster/raster.h"
 #include "core/reference/raster/shade.h"
 #include "core/reference/sampling/completeness.h"
@@ -8,6 +9,8 @@
 #include "core/reference/shading/stored_color.h"
 #include "core/reference/shading/vertex_stage.h"
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -37,24 +40,25 @@ struct Framebuffer {
     [[nodiscard]] PixelBytes bytes() const { return bytesOf(colorOf(color.data())); }
 };
 
-std::string faceOf(const Mesh& mesh, std::size_t triangle) {
-    const auto holds = [](const Face& face, std::uint32_t vertex) {
-        return std::ranges::find(face.vertices, vertex) != face.vertices.end();
-    };
+std::string faceOf(const Mesh& mesh, std::span<const std::uint32_t> part) {
     for (const Face& face : mesh.faces) {
-        if (holds(face, mesh.triangles[triangle]) && holds(face, mesh.triangles[triangle + 1]) &&
-            holds(face, mesh.triangles[triangle + 2]))
+        const bool holdsAll = std::ranges::all_of(part, [&](std::uint32_t vertex) {
+            return std::ranges::find(face.vertices, vertex) != face.vertices.end();
+        });
+        if (holdsAll)
             return face.name;
     }
     return {};
 }
 
-/// Whether a triangle whose corners all lie before the eye can't reach the pixel: cheaper than to set it up.
-/// One pixel is allowed for rounding.
-bool passesBy(const std::array<glm::vec4, 3>& clip, PixelPlace pixel, Viewport viewport) {
+/// Whether a part whose corners all lie before the eye can't reach the pixel: cheaper than to set it up.
+/// `margin` pixels are allowed for rounding and for the width of lines and points.
+bool passesBy(std::span<const std::uint32_t> part, const std::vector<glm::vec4>& clipped, PixelPlace pixel,
+              Viewport viewport, float margin) {
     glm::vec2 low(INFINITY);
     glm::vec2 high(-INFINITY);
-    for (const glm::vec4& corner : clip) {
+    for (const std::uint32_t vertex : part) {
+        const glm::vec4& corner = clipped[vertex];
         if (!(corner.w > 1e-6F))
             return false;
         const glm::vec2 window =
@@ -63,10 +67,11 @@ bool passesBy(const std::array<glm::vec4, 3>& clip, PixelPlace pixel, Viewport v
         high = glm::max(high, window);
     }
     const glm::vec2 centre = glm::vec2(pixel.x, pixel.y) + 0.5F;
-    return centre.x < low.x - 1 || centre.y < low.y - 1 || centre.x > high.x + 1 || centre.y > high.y + 1;
+    return centre.x < low.x - margin || centre.y < low.y - margin || centre.x > high.x + margin ||
+           centre.y > high.y + margin;
 }
 
-/// The part of a clipped triangle that covers the pixel, and which share its corners have in what is
+/// What clipping left of a part and covers the pixel, and which share its corners have in what is
 /// interpolated there.
 struct Cover {
     Triangle triangle;
@@ -84,19 +89,21 @@ public:
     }
 
     void draw(const PassState& pass, std::size_t passIndex, std::size_t modelIndex,
-              const glm::mat4& modelview, const glm::mat4& projection);
+              const glm::mat4& projection);
 
     [[nodiscard]] PixelBytes bytes() const { return framebuffer_.bytes(); }
 
 private:
-    [[nodiscard]] std::vector<Cover> cover(const std::array<ShadedVertex, 3>& corners,
-                                           const PassState& pass) const;
+    /// One set of coordinates a unit, for each corner of a part.
+    using Coords = std::vector<std::array<glm::vec4, maxUnits>>;
+
+    [[nodiscard]] std::vector<Cover> cover(std::span<const ShadedVertex> corners, const PassState& pass,
+                                           const Model& model) const;
     void draw(FragmentExplanation fragment, const Cover& cover, const PassState& pass,
-              const std::array<VertexRecord, 3>& records,
-              const std::array<std::array<glm::vec4, maxUnits>, 3>& given);
+              const std::vector<VertexRecord>& records, const Coords& given, const Coords& embossed);
     void explainUnits(FragmentExplanation& fragment, const Cover& cover, const PassState& pass,
-                      const std::array<VertexRecord, 3>& records,
-                      const std::array<std::array<glm::vec4, maxUnits>, 3>& given) const;
+                      const std::vector<VertexRecord>& records, const Coords& given,
+                      const Coords& embossed) const;
     [[nodiscard]] glm::vec2 offsetOf(const Triangle& triangle) const {
         return glm::vec2(explanation_.pixel.x, explanation_.pixel.y) - triangle.origin;
     }
@@ -108,88 +115,97 @@ private:
     Framebuffer framebuffer_;
 };
 
-/// As a picture's triangles are made: see draw.cpp.
-std::vector<Cover> Prober::cover(const std::array<ShadedVertex, 3>& corners, const PassState& pass) const {
-    std::vector<Cover> found;
+/// As a picture's triangles, lines and points are made: see scene_triangles.cpp.
+std::vector<Cover> Prober::cover(std::span<const ShadedVertex> corners, const PassState& pass,
+                                 const Model& model) const {
     // What a corner contributes is found as any colour is: each is given a primary colour of its own.
-    std::array<ShadedVertex, 3> marked = corners;
-    for (int i = 0; i < 3; ++i) {
-        marked[static_cast<std::size_t>(i)].primary = glm::vec4(0);
-        marked[static_cast<std::size_t>(i)].primary[i] = 1;
+    std::vector<ShadedVertex> marked(corners.begin(), corners.end());
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+        marked[i].primary = glm::vec4(0);
+        marked[i].primary[static_cast<int>(i)] = 1;
     }
-    const Polygon polygon = clip(corners[0], corners[1], corners[2], pass.perspective);
-    if (polygon.size() < 3)
-        return found;
-    const Polygon weights = clip(marked[0], marked[1], marked[2], pass.perspective);
+    const auto assembled = [&](std::span<const ShadedVertex> part, bool flat) {
+        std::vector<Triangle> made;
+        PassState shading = pass;
+        shading.flat = flat;
+        const std::function<void(const Triangle&)> keep = [&made](const Triangle& each) {
+            made.push_back(each);
+        };
+        Assembly(shading, model, viewport_, keep).add(part);
+        for (Triangle& each : made)
+            each.pass = &pass;
+        return made;
+    };
+    const std::vector<Triangle> parts = assembled(corners, pass.flat);
+    const std::vector<Triangle> shares = assembled(marked, false);
+    const bool cut = corners.size() == 3 && !isInside(corners[0], corners[1], corners[2]);
     const auto [x, y] = explanation_.pixel;
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        const auto triangle =
-            setUp(polygon[0], polygon[i - 1], polygon[i], pass, viewport_, pass.perspective);
-        if (!triangle)
-            continue;
+    std::vector<Cover> found;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
         bool covered = false;
-        eachCoveredRow(*triangle, {x, x, y, y}, [&](int, int, int) { covered = true; });
+        eachCoveredRow(parts[i], {x, x, y, y}, [&](int, int, int) { covered = true; });
         if (!covered)
             continue;
-        const auto shares = setUp(weights[0], weights[i - 1], weights[i], pass, viewport_, pass.perspective);
-        const glm::vec2 offset = offsetOf(*triangle);
-        const glm::vec4 share = shares ? shares->primary.at(offset) / shares->invW.at(offset) : glm::vec4(0);
-        const bool cut = polygon.size() > 3 || polygon[0].clip != corners[0].clip ||
-                         polygon[1].clip != corners[1].clip || polygon[2].clip != corners[2].clip;
-        found.push_back({*triangle, glm::vec3(share), cut});
+        const glm::vec2 offset = offsetOf(parts[i]);
+        const glm::vec4 share =
+            i < shares.size() ? shares[i].primary.at(offset) / shares[i].invW.at(offset) : glm::vec4(0);
+        found.push_back({parts[i], glm::vec3(share), cut});
     }
     return found;
 }
 
 void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t modelIndex,
-                  const glm::mat4& modelview, const glm::mat4& projection) {
+                  const glm::mat4& projection) {
     const Model& model = scene_.models[modelIndex];
-    const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
-    const VertexStage stage(scene_, pass, modelview, projection);
+    const Mesh mesh = meshOf(model);
+    const VertexStage stage(scene_, pass, model, mesh, modelViewMatrix(scene_.view, model, explanation_.time),
+                            projection);
     std::vector<glm::vec4> clipped;
     clipped.reserve(mesh.vertices.size());
     for (const Vertex& vertex : mesh.vertices)
         clipped.push_back(stage.clip(vertex));
+    const float margin =
+        1 + static_cast<float>(std::max(mesh.lines.empty() ? 0 : roundedSize(model.lineWidth),
+                                        mesh.points.empty() ? 0 : roundedSize(model.pointSize)));
 
-    std::array<TexCoords, maxUnits> lists; // filled when the first triangle needs them
+    std::array<TexCoords, maxUnits> own; // filled when the first part needs them
+    std::array<TexCoords, maxUnits> moved;
     bool listed = false;
-    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-        const std::array<std::uint32_t, 3> vertices{mesh.triangles[i], mesh.triangles[i + 1],
-                                                    mesh.triangles[i + 2]};
-        if (passesBy({clipped[vertices[0]], clipped[vertices[1]], clipped[vertices[2]]}, explanation_.pixel,
-                     viewport_))
-            continue;
+    eachPart(mesh, [&](std::span<const std::uint32_t> part, std::size_t number) {
+        if (passesBy(part, clipped, explanation_.pixel, viewport_, margin))
+            return;
         if (!listed) {
             for (int u = 0; u < pass.unitsUsed; ++u)
-                lists[static_cast<std::size_t>(u)] = effectiveTexCoords(model, mesh, u);
+                own[static_cast<std::size_t>(u)] = effectiveTexCoords(model, mesh, u);
+            moved = givenTexCoords(scene_, pass, model, mesh, explanation_.time);
             listed = true;
         }
-        std::array<VertexRecord, 3> records;
-        std::array<std::array<glm::vec4, maxUnits>, 3> given{};
-        std::array<ShadedVertex, 3> corners;
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u)
-                given[c][u] = lists[u][vertices[c]];
-            records[c] = stage.explain(mesh.vertices[vertices[c]], given[c]);
-            corners[c] = records[c].shaded;
+        std::vector<VertexRecord> records;
+        Coords given(part.size());
+        Coords embossed(part.size());
+        std::vector<ShadedVertex> corners;
+        for (std::size_t c = 0; c < part.size(); ++c) {
+            for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u) {
+                given[c][u] = own[u][part[c]];
+                embossed[c][u] = moved[u][part[c]];
+            }
+            records.push_back(stage.explain(mesh.vertices[part[c]], embossed[c]));
+            corners.push_back(records[c].shaded);
         }
-        if (pass.flat) { // section 2.14.7: the colours of the last vertex
-            corners[0].primary = corners[1].primary = corners[2].primary;
-            corners[0].secondary = corners[1].secondary = corners[2].secondary;
-        }
-        for (const Cover& part : cover(corners, pass)) {
+        for (const Cover& covering : cover(corners, pass, model)) {
             FragmentExplanation fragment;
             fragment.pass = static_cast<int>(passIndex);
             fragment.model = static_cast<int>(modelIndex);
             fragment.shape = model.shape;
-            fragment.triangle = static_cast<std::uint32_t>(i / 3);
-            fragment.face = faceOf(mesh, i);
-            fragment.clipped = part.clipped;
-            for (std::size_t c = 0; c < 3; ++c) {
-                VertexExplanation& vertex = fragment.vertices[c];
-                vertex.vertex = vertices[c];
-                vertex.weight = part.weights[static_cast<int>(c)];
-                vertex.object = glm::vec4(mesh.vertices[vertices[c]].position, 1);
+            fragment.part = static_cast<std::uint32_t>(number);
+            fragment.face = faceOf(mesh, part);
+            fragment.clipped = covering.clipped;
+            fragment.coloredVertices = mesh.colored;
+            for (std::size_t c = 0; c < part.size(); ++c) {
+                VertexExplanation& vertex = fragment.vertices.emplace_back();
+                vertex.vertex = part[c];
+                vertex.weight = covering.weights[static_cast<int>(c)];
+                vertex.object = glm::vec4(mesh.vertices[part[c]].position, 1);
                 vertex.eye = records[c].eye;
                 vertex.normal = records[c].normal;
                 vertex.clip = records[c].shaded.clip;
@@ -198,9 +214,9 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
                 vertex.primary = records[c].shaded.primary;
                 vertex.secondary = records[c].shaded.secondary;
             }
-            draw(std::move(fragment), part, pass, records, given);
+            draw(std::move(fragment), covering, pass, records, given, embossed);
         }
-    }
+    });
 }
 
 /// Where a level is among those that were read, only its extents are of interest.
@@ -214,8 +230,8 @@ std::vector<LevelExtent> extentsOf(const SampledTexture& texture, const SampleRe
 }
 
 void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, const PassState& pass,
-                          const std::array<VertexRecord, 3>& records,
-                          const std::array<std::array<glm::vec4, maxUnits>, 3>& given) const {
+                          const std::vector<VertexRecord>& records, const Coords& given,
+                          const Coords& embossed) const {
     const glm::vec2 offset = offsetOf(cover.triangle);
     std::array<glm::vec4, maxUnits> samples{};
     std::array<const glm::vec4*, maxUnits> sources{};
@@ -231,14 +247,16 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.format = state.texture->format;
         unit.generates = {state.unit->texGenS.enabled, state.unit->texGenT.enabled,
                           state.unit->texGenR.enabled, state.unit->texGenQ.enabled};
-        for (std::size_t c = 0; c < 3; ++c) {
-            CoordinateSteps& steps = unit.vertices[c];
-            steps = {given[c][u], records[c].generated[u], records[c].shaded.texCoords[u]};
+        unit.embosses = state.unit->emboss.enabled;
+        unit.pixel = {glm::vec4(0), glm::vec4(0), glm::vec4(0), glm::vec4(0)};
+        for (std::size_t c = 0; c < records.size(); ++c) {
+            const CoordinateSteps steps{given[c][u], embossed[c][u], records[c].generated[u],
+                                        records[c].shaded.texCoords[u]};
             const float weight = fragment.vertices[c].weight;
-            if (c == 0)
-                unit.pixel = {glm::vec4(0), glm::vec4(0), glm::vec4(0)};
             unit.pixel.given += weight * steps.given;
+            unit.pixel.embossed += weight * steps.embossed;
             unit.pixel.generated += weight * steps.generated;
+            unit.vertices.push_back(steps);
         }
         unit.matrix = state.matrix;
         unit.flipped = state.flipsCoordinates;
@@ -315,8 +333,7 @@ void Prober::test(FragmentExplanation& fragment, const Triangle& triangle) {
 }
 
 void Prober::draw(FragmentExplanation fragment, const Cover& cover, const PassState& pass,
-                  const std::array<VertexRecord, 3>& records,
-                  const std::array<std::array<glm::vec4, maxUnits>, 3>& given) {
+                  const std::vector<VertexRecord>& records, const Coords& given, const Coords& embossed) {
     const Triangle& triangle = cover.triangle;
     const glm::vec2 offset = offsetOf(triangle);
     fragment.lighting = pass.pass->lighting;
@@ -326,7 +343,7 @@ void Prober::draw(FragmentExplanation fragment, const Cover& cover, const PassSt
     if (pass.separateSpecular)
         fragment.secondary =
             glm::clamp(triangle.secondary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
-    explainUnits(fragment, cover, pass, records, given);
+    explainUnits(fragment, cover, pass, records, given, embossed);
     // The picture's own arithmetic has the last word: it may round otherwise than what explains it.
     fragment.color = fragmentColor(triangle, offset);
     test(fragment, triangle);
@@ -374,17 +391,14 @@ Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, c
         passStates(scene, images, time, options.levels, anisotropy, textures, explanation.problems);
     if (options.isStopped())
         return stopped();
-    const glm::mat4 view = viewMatrix(scene.view);
     const glm::mat4 projection = projectionMatrix(scene.view, static_cast<float>(viewport.width) /
                                                                   static_cast<float>(viewport.height));
     Prober prober(explanation, scene, viewport);
     for (std::size_t p = 0; p < passes.size(); ++p) {
-        if (!scene.passes[p].enabled)
-            continue;
         const std::size_t first = explanation.fragments.size();
-        for (std::size_t m = 0; m < scene.models.size(); ++m) {
-            if (scene.models[m].visible && !options.stop.stop_requested())
-                prober.draw(passes[p], p, m, view * modelMatrix(scene.models[m], time), projection);
+        for (const std::size_t m : drawnModels(scene, scene.passes[p])) {
+            if (!options.stop.stop_requested())
+                prober.draw(passes[p], p, m, projection);
         }
         if (explanation.fragments.size() == first)
             continue;

@@ -1,10 +1,14 @@
 #include "core/scene/animation.h"
 
+#include "core/scene/drawn_models.h"
+
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace texplorer {
@@ -37,21 +41,51 @@ glm::dmat4 rotation(double degrees, glm::dvec3 axis) {
             {0, 0, 0, 1}};
 }
 
+glm::dmat4 aboutPivot(const glm::dmat4& matrix, glm::dvec3 pivot) {
+    if (pivot == glm::dvec3(0))
+        return matrix;
+    return glm::translate(glm::dmat4(1), pivot) * matrix * glm::translate(glm::dmat4(1), -pivot);
+}
+
 glm::dmat4 stepMatrix(const MatrixStep& step, double time) {
     const glm::dvec3 amount = glm::dvec3(step.amount) + glm::dvec3(step.rate) * time;
     switch (step.op) {
     case MatrixOp::Translate:
         return glm::translate(glm::dmat4(1), amount);
     case MatrixOp::Rotate:
-        return rotation(double{step.angle} + double{step.angleRate} * time, amount);
+        return aboutPivot(rotation(double{step.angle} + double{step.angleRate} * time, amount), step.pivot);
     case MatrixOp::Scale:
-        return glm::scale(glm::dmat4(1), amount);
+        return aboutPivot(glm::scale(glm::dmat4(1), amount), step.pivot);
+    case MatrixOp::Multiply:
+    case MatrixOp::Load:
+        return glm::dmat4(step.matrix);
     }
     return glm::dmat4(1);
 }
 
 bool isMoving(const MatrixStep& step) {
+    if (step.op == MatrixOp::Multiply || step.op == MatrixOp::Load)
+        return false;
     return step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0);
+}
+
+/// The axes of the rotations as glRotate is called: the last one turns the model first.
+std::array<int, 3> axesOf(RotationOrder order) {
+    switch (order) {
+    case RotationOrder::Zyx:
+        return {2, 1, 0};
+    case RotationOrder::Zxy:
+        return {2, 0, 1};
+    case RotationOrder::Yzx:
+        return {1, 2, 0};
+    case RotationOrder::Yxz:
+        return {1, 0, 2};
+    case RotationOrder::Xzy:
+        return {0, 2, 1};
+    case RotationOrder::Xyz:
+        return {0, 1, 2};
+    }
+    return {2, 1, 0};
 }
 
 bool isMoving(const Unit& unit) {
@@ -67,22 +101,31 @@ bool isMoving(const Pass& pass) {
 
 glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time) {
     glm::dmat4 product(1);
-    for (const MatrixStep& step : steps)
-        product *= stepMatrix(step, time);
+    for (const MatrixStep& step : steps) {
+        const glm::dmat4 matrix = stepMatrix(step, time);
+        product = step.op == MatrixOp::Load ? matrix : product * matrix;
+    }
     return product;
 }
 
 glm::mat4 modelMatrix(const Model& model, double time) {
+    constexpr std::array directions{axisX, axisY, axisZ};
     const glm::dvec3 angles = glm::dvec3(model.rotation) + glm::dvec3(model.spin) * time;
-    return glm::translate(glm::dmat4(1), glm::dvec3(model.position)) * rotation(angles.z, axisZ) *
-           rotation(angles.y, axisY) * rotation(angles.x, axisX) *
-           glm::scale(glm::dmat4(1), glm::dvec3(double{model.size}));
+    glm::dmat4 matrix = glm::translate(glm::dmat4(1), glm::dvec3(model.position));
+    for (const int axis : axesOf(model.rotationOrder))
+        matrix *= rotation(angles[axis], directions[static_cast<std::size_t>(axis)]);
+    return glm::scale(matrix, glm::dvec3(model.scale) * double{model.size});
 }
 
 glm::mat4 viewMatrix(const View& view) {
     return glm::translate(glm::dmat4(1), {0, 0, -double{view.distance}}) *
-           rotation(double{view.elevation}, axisX) * rotation(-double{view.azimuth}, axisY) *
-           glm::translate(glm::dmat4(1), -glm::dvec3(view.target));
+           rotation(double{view.roll}, axisZ) * rotation(double{view.elevation}, axisX) *
+           rotation(-double{view.azimuth}, axisY) * glm::translate(glm::dmat4(1), -glm::dvec3(view.target));
+}
+
+glm::mat4 modelViewMatrix(const View& view, const Model& model, double time) {
+    const glm::mat4 placed = modelMatrix(model, time);
+    return model.attachment == Attachment::Eye ? placed : viewMatrix(view) * placed;
 }
 
 ClipPlanes clipPlanes(const View& view) {
@@ -108,12 +151,12 @@ glm::mat4 projectionMatrix(const View& view, float aspect) {
 }
 
 bool isAnimated(const Scene& scene) {
-    const auto visible = [](const Model& model) { return model.visible; };
-    const auto spinning = [](const Model& model) { return model.visible && model.spin != glm::vec3(0); };
-    return std::ranges::any_of(scene.models, spinning) ||
-           (std::ranges::any_of(scene.models, visible) &&
-            std::ranges::any_of(scene.passes,
-                                [](const Pass& pass) { return pass.enabled && isMoving(pass); }));
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
+        return std::ranges::any_of(
+                   drawn, [&](std::size_t model) { return scene.models[model].spin != glm::vec3(0); }) ||
+               (!drawn.empty() && isMoving(pass));
+    });
 }
 
 } // namespace texplorer

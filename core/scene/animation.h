@@ -11,13 +11,17 @@ namespace texplorer {
 // What depends on the scene time, in seconds. The same inputs give the same matrices in every renderer.
 
 /// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
-/// section 2.11.2).
+/// section 2.11.2). A step that loads a matrix makes those before it void.
 [[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time);
 
-/// translate(position) * rotate z * rotate y * rotate x * scale(size), angles at rotation + spin * time.
+/// translate(position) * the three rotations in the model's order * scale(size * scale), angles at
+/// rotation + spin * time.
 [[nodiscard]] glm::mat4 modelMatrix(const Model& model, double time);
 
 [[nodiscard]] glm::mat4 viewMatrix(const View& view);
+
+/// GL_MODELVIEW of a model: view * model, or the model's alone where it is attached to the eye.
+[[nodiscard]] glm::mat4 modelViewMatrix(const View& view, const Model& model, double time);
 
 /// How far away the near and the far plane are: they follow the distance. An orthographic view reaches from
 /// -far to far.

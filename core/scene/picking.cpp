@@ -1,6 +1,8 @@
 #include "core/scene/picking.h"
 
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -81,6 +83,7 @@ struct Placed {
     bool closed; ///< one can't see the inner side of its faces
     glm::mat4 toScene;
     Mesh mesh;
+    glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(toScene)));
 };
 
 bool hides(const Placed& placed, const Sight& sight) {
@@ -110,10 +113,10 @@ std::optional<glm::vec2> projectVertex(const Scene& scene, std::size_t model, st
     if (model >= scene.models.size())
         return std::nullopt;
     const Model& placed = scene.models[model];
-    const Mesh mesh = makeMesh(placed.shape, placed.slices, placed.stacks);
+    const Mesh mesh = meshOf(placed);
     if (vertex >= mesh.vertices.size())
         return std::nullopt;
-    return project(cameraMatrix(scene.view, aspect) * modelMatrix(placed, time),
+    return project(projectionMatrix(scene.view, aspect) * modelViewMatrix(scene.view, placed, time),
                    mesh.vertices[vertex].position);
 }
 
@@ -123,11 +126,14 @@ std::optional<PickedVertex> pickVertex(const Scene& scene, double time, float as
     const Viewer viewer(scene.view);
 
     std::vector<Placed> models;
+    const glm::mat4 fromEye = glm::inverse(viewMatrix(scene.view));
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
+        if (!isDrawn(scene, i))
+            continue;
         const Model& model = scene.models[i];
-        if (model.visible)
-            models.push_back({i, model.shape == Shape::Cube || model.shape == Shape::Sphere,
-                              modelMatrix(model, time), makeMesh(model.shape, model.slices, model.stacks)});
+        const glm::mat4 placed = modelMatrix(model, time);
+        models.push_back({i, isClosed(model), model.attachment == Attachment::Eye ? fromEye * placed : placed,
+                          meshOf(model)});
     }
 
     std::vector<Candidate> candidates;
@@ -141,8 +147,7 @@ std::optional<PickedVertex> pickVertex(const Scene& scene, double time, float as
             if (!(distance <= radius))
                 continue;
             const Sight sight = viewer.sightOf(glm::vec3(placed.toScene * glm::vec4(vertex.position, 1)));
-            // Models are scaled evenly, so their matrix turns normals as it turns positions.
-            const glm::vec3 normal = glm::normalize(glm::mat3(placed.toScene) * vertex.normal);
+            const glm::vec3 normal = glm::normalize(placed.normals * vertex.normal);
             const float facing = glm::dot(normal, glm::normalize(sight.way));
             if (facing > 0 || !placed.closed)
                 candidates.push_back({{placed.index, v}, distance, std::abs(facing), sight});

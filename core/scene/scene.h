@@ -14,10 +14,11 @@
 #include "core/image/mipmaps.h"
 #include "core/image/patterns/pattern.h"
 #include "core/image/transparency.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_data.h"
 #include "core/scene/sampler_state.h"
 #include "core/scene/texture_options.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -35,12 +36,16 @@ inline constexpr std::size_t maxMatrixSteps = 32;
 
 enum class Projection : std::uint32_t { Perspective, Orthographic };
 enum class SourceKind : std::uint32_t { Pattern, File };
-enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale };
+enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale, Multiply, Load };
+enum class RotationOrder : std::uint32_t { Zyx, Zxy, Yzx, Yxz, Xzy, Xyz };
+enum class Attachment : std::uint32_t { World, Eye };
+enum class LightCarrier : std::uint32_t { Inverse, Transpose };
 
 /// The camera orbits around `target`.
 struct View {
     float azimuth = 0;   ///< degrees around the y axis; 0 looks along -z
-    float elevation = 0; ///< degrees above the horizon, -89 to 89
+    float elevation = 0; ///< degrees above the horizon; beyond 90 the camera has gone over the pole
+    float roll = 0;      ///< degrees about the line of sight, clockwise as the camera turns
     float distance = 6;  ///< from camera to target, in scene units
     glm::vec3 target{0};
     Projection projection = Projection::Perspective;
@@ -64,13 +69,16 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
-/// One material for all models. `color` is glColor4f; under lighting it also is the ambient and diffuse
-/// reflectance (GL_COLOR_MATERIAL with GL_AMBIENT_AND_DIFFUSE).
+/// What glMaterial, glColor4f and glShadeModel set.
 struct Material {
-    glm::vec4 color{1, 1, 1, 1};
+    glm::vec4 color{1, 1, 1, 1}; ///< glColor4f
+    bool colorMaterial = true;   ///< under lighting `color` is the ambient and diffuse reflectance
+    glm::vec4 ambient{0.2F, 0.2F, 0.2F, 1};
+    glm::vec4 diffuse{0.8F, 0.8F, 0.8F, 1};
     glm::vec4 specular{0, 0, 0, 1};
+    glm::vec4 emission{0, 0, 0, 1};
     float shininess = 0;
-    ShadeModel shadeModel = ShadeModel::Smooth;
+    ShadeModel shadeModel = ShadeModel::Smooth; ///< the scene's counts for all models
 
     bool operator==(const Material&) const = default;
 };
@@ -79,14 +87,28 @@ struct Material {
 using TexCoords = std::vector<glm::vec4>;
 
 struct Model {
+    std::string name{};
     Shape shape = Shape::Cube;
     bool visible = true;
+    int slices = 32;
+    int stacks = 16;
+    float topRadius = 1;
+    float innerRadius = 0;
+    float tubeRadius = 0.4F;
+    float startAngle = 0;
+    float sweepAngle = 270;
     glm::vec3 position{0};
-    glm::vec3 rotation{0}; ///< degrees about x, then y, then z, at time 0
-    glm::vec3 spin{0};     ///< degrees a second, added to `rotation`
+    glm::vec3 rotation{0}; ///< degrees about x, y and z, at time 0
+    RotationOrder rotationOrder = RotationOrder::Zyx;
+    glm::vec3 spin{0}; ///< degrees a second, added to `rotation`
     float size = 1;
-    int slices = 32;                             ///< sphere only
-    int stacks = 16;                             ///< sphere only
+    glm::vec3 scale{1}; ///< of each axis, times `size`
+    Attachment attachment = Attachment::World;
+    float lineWidth = 1; ///< pixels
+    float pointSize = 1; ///< pixels
+    bool ownMaterial = false;
+    Material material{};                         ///< with ownMaterial
+    MeshData mesh{};                             ///< for Shape::Mesh
     std::array<TexCoords, maxUnits> texCoords{}; ///< one list a unit; an empty one takes the mesh's
 
     bool operator==(const Model&) const = default;
@@ -114,13 +136,16 @@ struct Texture : SamplerState {
     bool operator==(const Texture&) const = default;
 };
 
-/// One glTranslate, glRotate or glScale on the texture matrix, with its rate of change.
+/// One glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
+/// change.
 struct MatrixStep {
     MatrixOp op = MatrixOp::Translate;
     glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0
     glm::vec3 rate{0};   ///< added to `amount` every second
     float angle = 0;     ///< degrees, for Rotate alone, at time 0
     float angleRate = 0; ///< degrees a second
+    glm::vec3 pivot{0};  ///< what stays in its place, for Rotate and Scale
+    glm::mat4 matrix{1}; ///< for Multiply and Load
 
     bool operator==(const MatrixStep&) const = default;
 };
@@ -136,6 +161,16 @@ struct TexGen {
     bool operator==(const TexGen&) const = default;
 };
 
+/// Coordinates that follow the light, as an embossed bump map asks for: those of every vertex move by how far
+/// the light stands aside, along the image's own axes on the surface.
+struct Emboss {
+    bool enabled = false;
+    float depth = 0.01F; ///< how far they move at most
+    LightCarrier carrier = LightCarrier::Inverse;
+
+    bool operator==(const Emboss&) const = default;
+};
+
 /// A texture unit: which texture is bound, and the environment that applies it.
 struct Unit {
     bool enabled = false;
@@ -147,16 +182,19 @@ struct Unit {
     Combine combine{}; ///< for EnvMode::Combine
     TexGen texGenS{.objectPlane = {1, 0, 0, 0}, .eyePlane = {1, 0, 0, 0}};
     TexGen texGenT{.objectPlane = {0, 1, 0, 0}, .eyePlane = {0, 1, 0, 0}};
-    TexGen texGenR{};                 ///< has no sphere map
-    TexGen texGenQ{};                 ///< has eye and object planes alone
+    TexGen texGenR{}; ///< has no sphere map
+    TexGen texGenQ{}; ///< has eye and object planes alone
+    Emboss emboss{};
     std::vector<MatrixStep> matrix{}; ///< multiplied in this order, as successive GL calls are
 
     bool operator==(const Unit&) const = default;
 };
 
-/// One time that all models are drawn.
+/// One time that models are drawn.
 struct Pass {
     bool enabled = true; ///< off: nothing is drawn, and nothing else of it counts
+    std::string name{};
+    std::vector<int> models{}; ///< indices of those that it draws, in this order; empty: all
     bool lighting = false;
     bool depthTest = false;
     CompareFunc depthFunc = CompareFunc::Less;
@@ -198,6 +236,32 @@ inline constexpr std::array matrixOpRows{
     row(MatrixOp::Rotate, "rotate", "Rotate", "Turns the image about an axis through (0, 0) (glRotatef)."),
     row(MatrixOp::Scale, "scale", "Scale",
         "A factor of 2 shows the image twice as often, half as big (glScalef)."),
+    row(MatrixOp::Multiply, "multiply", "Multiply", "Multiplies by 16 numbers (glMultMatrixf)."),
+    row(MatrixOp::Load, "load", "Load",
+        "Puts 16 numbers in the place of all that the steps before it made (glLoadMatrixf)."),
+};
+
+inline constexpr std::array rotationOrderRows{
+    row(RotationOrder::Zyx, "zyx", "x, then y, then z", "glRotatef about z, y, x: x turns the model first."),
+    row(RotationOrder::Zxy, "zxy", "y, then x, then z", "glRotatef about z, x, y: y turns the model first."),
+    row(RotationOrder::Yzx, "yzx", "x, then z, then y", "glRotatef about y, z, x: x turns the model first."),
+    row(RotationOrder::Yxz, "yxz", "z, then x, then y", "glRotatef about y, x, z: z turns the model first."),
+    row(RotationOrder::Xzy, "xzy", "y, then z, then x", "glRotatef about x, z, y: y turns the model first."),
+    row(RotationOrder::Xyz, "xyz", "z, then y, then x", "glRotatef about x, y, z: z turns the model first."),
+};
+
+inline constexpr std::array attachmentRows{
+    row(Attachment::World, "world", "The world", "It stays where it is while the camera moves."),
+    row(Attachment::Eye, "eye", "The eye",
+        "It moves with the camera, as a logo or an instrument: its place is in eye coordinates."),
+};
+
+inline constexpr std::array lightCarrierRows{
+    row(LightCarrier::Inverse, "inverse", "Inverse matrix",
+        "The light's place times the inverse of the modelview matrix: right for every model."),
+    row(LightCarrier::Transpose, "transpose", "Transposed inverse",
+        "What one gets who multiplies the row instead of the column: the relief is lit as if the model had "
+        "turned the other way."),
 };
 
 template<>
@@ -212,8 +276,21 @@ template<>
 struct EnumTable<MatrixOp> {
     static constexpr std::span<const EnumRow> rows = matrixOpRows;
 };
+template<>
+struct EnumTable<RotationOrder> {
+    static constexpr std::span<const EnumRow> rows = rotationOrderRows;
+};
+template<>
+struct EnumTable<Attachment> {
+    static constexpr std::span<const EnumRow> rows = attachmentRows;
+};
+template<>
+struct EnumTable<LightCarrier> {
+    static constexpr std::span<const EnumRow> rows = lightCarrierRows;
+};
 
-static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 2 && matrixOpRows.size() == 3);
+static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 2 && matrixOpRows.size() == 5 &&
+              rotationOrderRows.size() == 6 && attachmentRows.size() == 2 && lightCarrierRows.size() == 2);
 
 /// What Texplorer starts with: a cube and a sphere side by side, lit, with the checkerboard, trilinear.
 [[nodiscard]] Scene defaultScene();

@@ -1,5 +1,6 @@
-// The shapes as programs of OpenGL 1.1 draw them: the sphere with gluSphere, cube, square and floor as a
-// list of GL_QUADS. How the driver divides their quadrilaterals is what our triangles follow, pixel by pixel.
+// The shapes as programs of OpenGL 1.1 draw them: sphere, cylinder and disks with GLU's quadrics, cube,
+// square and floor as a list of GL_QUADS. How the driver divides their quadrilaterals is what our triangles
+// follow, pixel by pixel.
 
 #include "app/render/gl_handle.h"
 #include "app/render/render_target.h"
@@ -39,10 +40,43 @@ struct Look {
 
 struct Solid {
     const char* name;
-    Shape shape;
-    int slices;
-    int stacks;
+    ShapeOptions options;
 };
+
+/// A shape that GLU draws.
+struct Quadric {
+    Shape shape;
+    void (*draw)(GLUquadric* quadric, const Model& model);
+    bool upright;  ///< its z axis becomes our y axis
+    float lowered; ///< along that axis
+};
+constexpr std::array quadrics{
+    Quadric{
+        Shape::Sphere,
+        [](GLUquadric* quadric, const Model& model) { gluSphere(quadric, 1, model.slices, model.stacks); },
+        true, 0},
+    Quadric{Shape::Cylinder,
+            [](GLUquadric* quadric, const Model& model) {
+                gluCylinder(quadric, 1, double{model.topRadius}, 2, model.slices, model.stacks);
+            },
+            true, 1},
+    Quadric{Shape::Disk,
+            [](GLUquadric* quadric, const Model& model) {
+                gluDisk(quadric, double{model.innerRadius}, 1, model.slices, model.stacks);
+            },
+            false, 0},
+    Quadric{Shape::PartialDisk,
+            [](GLUquadric* quadric, const Model& model) {
+                gluPartialDisk(quadric, double{model.innerRadius}, 1, model.slices, model.stacks,
+                               double{model.startAngle}, double{model.sweepAngle});
+            },
+            false, 0},
+};
+
+const Quadric* quadricOf(Shape shape) {
+    const auto found = std::ranges::find(quadrics, shape, &Quadric::shape);
+    return found == quadrics.end() ? nullptr : &*found;
+}
 
 /// Nothing in it is straight: whatever is interpolated otherwise shows.
 Image curvedImage() {
@@ -59,7 +93,7 @@ Image curvedImage() {
 /// The mesh's, with one corner of each square pulled away: now the two diagonals are two pictures.
 TexCoords pulledCoords(Shape shape) {
     TexCoords coords;
-    for (const Vertex& vertex : makeMesh(shape, 0, 0).vertices)
+    for (const Vertex& vertex : makeMesh({shape}).vertices)
         coords.push_back(coords.size() % 4 == 2 ? vertex.texCoord * glm::vec4(1.5F, 2, 1, 1)
                                                 : vertex.texCoord);
     return coords;
@@ -84,13 +118,24 @@ void drawQuads(const Mesh& mesh, const TexCoords& coords) {
     glDeleteLists(list, 1);
 }
 
-/// Its z axis becomes our y axis.
-void drawGluSphere(int slices, int stacks) {
+void drawQuadric(const Quadric& quadric, const Model& model) {
     constexpr std::array<float, 16> turn{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
-    glMultMatrixf(turn.data());
-    const std::unique_ptr<GLUquadric, decltype(&gluDeleteQuadric)> quadric(gluNewQuadric(), gluDeleteQuadric);
-    gluQuadricTexture(quadric.get(), GL_TRUE);
-    gluSphere(quadric.get(), 1, slices, stacks);
+    if (quadric.upright)
+        glMultMatrixf(turn.data());
+    glTranslatef(0, 0, -quadric.lowered);
+    const std::unique_ptr<GLUquadric, decltype(&gluDeleteQuadric)> state(gluNewQuadric(), gluDeleteQuadric);
+    gluQuadricTexture(state.get(), GL_TRUE);
+    quadric.draw(state.get(), model);
+}
+
+Model modelOf(const ShapeOptions& options) {
+    return {.shape = options.shape,
+            .slices = options.slices,
+            .stacks = options.stacks,
+            .topRadius = options.topRadius,
+            .innerRadius = options.innerRadius,
+            .startAngle = options.startAngle,
+            .sweepAngle = options.sweepAngle};
 }
 
 class AsPrograms : public RenderTest, public testing::WithParamInterface<std::tuple<Solid, Look>> {
@@ -98,9 +143,9 @@ protected:
     static Scene sceneOf(const Solid& solid, const Look& look, const Camera& camera) {
         Scene scene = look.textured ? texturedScene() : flatScene();
         scene.view = {.azimuth = camera.azimuth, .elevation = camera.elevation, .distance = camera.distance};
-        scene.models[0] = {.shape = solid.shape, .slices = solid.slices, .stacks = solid.stacks};
-        if (solid.shape != Shape::Sphere)
-            scene.models[0].texCoords[0] = pulledCoords(solid.shape);
+        scene.models[0] = modelOf(solid.options);
+        if (!quadricOf(solid.options.shape))
+            scene.models[0].texCoords[0] = pulledCoords(solid.options.shape);
         scene.textures[0].magFilter = MagFilter::Linear;
         scene.textures[0].minFilter = MinFilter::Linear;
         scene.light.position = {1, 1.5F, -1.5F, 1}; // near: every vertex has a colour of its own
@@ -162,10 +207,10 @@ protected:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         setState(scene);
         const Model& model = scene.models[0];
-        if (model.shape == Shape::Sphere)
-            drawGluSphere(model.slices, model.stacks);
+        if (const Quadric* quadric = quadricOf(model.shape))
+            drawQuadric(*quadric, model);
         else
-            drawQuads(makeMesh(model.shape, 0, 0), model.texCoords[0]);
+            drawQuads(makeMesh({model.shape}), model.texCoords[0]);
         Image found = Image::uninitialised(PixelFormat::Rgba8, extent, extent);
         glReadPixels(0, 0, extent, extent, GL_RGBA, GL_UNSIGNED_BYTE, found.pixels.data());
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -202,17 +247,34 @@ TEST_P(AsPrograms, DrawThem) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, AsPrograms,
-    testing::Combine(testing::Values(Solid{"Cube", Shape::Cube, 0, 0}, Solid{"Quad", Shape::Quad, 0, 0},
-                                     Solid{"Floor", Shape::Floor, 0, 0},
-                                     Solid{"Sphere32x16", Shape::Sphere, 32, 16},
-                                     Solid{"Sphere7x5", Shape::Sphere, 7, 5},
-                                     Solid{"Sphere3x2", Shape::Sphere, 3, 2}),
-                     testing::Values(Look{"Textured", false, ShadeModel::Smooth, true, false},
-                                     Look{"LitAndTextured", true, ShadeModel::Smooth, true, false},
-                                     Look{"Lit", true, ShadeModel::Smooth, false, false},
-                                     Look{"Flat", true, ShadeModel::Flat, false, false},
-                                     Look{"FlatAndTextured", true, ShadeModel::Flat, true, false},
-                                     Look{"SeeThrough", true, ShadeModel::Smooth, true, true})),
+    testing::Combine(
+        testing::Values(
+            Solid{"Cube", {Shape::Cube}}, Solid{"Quad", {Shape::Quad}}, Solid{"Floor", {Shape::Floor}},
+            Solid{"Sphere32x16", {Shape::Sphere, 32, 16}}, Solid{"Sphere7x5", {Shape::Sphere, 7, 5}},
+            Solid{"Sphere3x2", {Shape::Sphere, 3, 2}}, Solid{"Cylinder32x16", {Shape::Cylinder, 32, 16}},
+            Solid{"Cone7x5", {.shape = Shape::Cylinder, .slices = 7, .stacks = 5, .topRadius = 0}},
+            Solid{"Funnel5x3", {.shape = Shape::Cylinder, .slices = 5, .stacks = 3, .topRadius = 1.25F}},
+            Solid{"Disk32x16", {Shape::Disk, 32, 16}}, Solid{"Disk5x3", {Shape::Disk, 5, 3}},
+            Solid{"Ring7x5", {.shape = Shape::Disk, .slices = 7, .stacks = 5, .innerRadius = 0.25F}},
+            Solid{"Sector9x4",
+                  {.shape = Shape::PartialDisk,
+                   .slices = 9,
+                   .stacks = 4,
+                   .innerRadius = 0.25F,
+                   .startAngle = 30,
+                   .sweepAngle = 270}},
+            Solid{"Backwards8x2",
+                  {.shape = Shape::PartialDisk,
+                   .slices = 8,
+                   .stacks = 2,
+                   .startAngle = -40,
+                   .sweepAngle = -300}}),
+        testing::Values(Look{"Textured", false, ShadeModel::Smooth, true, false},
+                        Look{"LitAndTextured", true, ShadeModel::Smooth, true, false},
+                        Look{"Lit", true, ShadeModel::Smooth, false, false},
+                        Look{"Flat", true, ShadeModel::Flat, false, false},
+                        Look{"FlatAndTextured", true, ShadeModel::Flat, true, false},
+                        Look{"SeeThrough", true, ShadeModel::Smooth, true, true})),
     [](const auto& test) {
         return std::string(std::get<0>(test.param).name) + std::get<1>(test.param).name;
     });

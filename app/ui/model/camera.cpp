@@ -1,7 +1,8 @@
 #include "app/ui/model/camera.h"
 
-#include "core/mesh/mesh.h"
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <glm/glm.hpp>
 
@@ -15,24 +16,25 @@ constexpr float degreesPerPixel = 0.4F;
 constexpr float nearest = 0.2F;
 constexpr float farthest = 500;
 constexpr float margin = 0.93F; // the share of the view that a fitted scene takes
-constexpr float steepest = 89;
 
 float halfHeight(const View& view) {
     return std::tan(glm::radians(std::clamp(view.fieldOfView, 1.0F, 170.0F)) / 2);
 }
 
 bool counts(const Model& model) {
-    return model.visible && model.shape != Shape::Floor;
+    return model.shape != Shape::Floor && model.attachment == Attachment::World;
 }
 
 template<class Visit>
 void forEachCorner(const Scene& scene, double time, Visit visit) {
-    for (const Model& model : scene.models) {
-        if (!counts(model))
+    for (std::size_t i = 0; i < scene.models.size(); ++i) {
+        if (!counts(scene.models[i]) || !isDrawn(scene, i))
             continue;
+        Model model = scene.models[i];
         const glm::mat4 matrix = modelMatrix(model, time);
-        // Coarse is enough: a sphere of 24 x 12 touches its bounds closely.
-        const Mesh mesh = makeMesh(model.shape, 24, 12);
+        model.slices = 24; // coarse is enough: a sphere of 24 x 12 touches its bounds closely
+        model.stacks = 12;
+        const Mesh mesh = meshOf(model);
         for (const Vertex& vertex : mesh.vertices)
             visit(glm::vec3(matrix * glm::vec4(vertex.position, 1)));
     }
@@ -42,7 +44,7 @@ void forEachCorner(const Scene& scene, double time, Visit visit) {
 
 void orbit(View& view, float dx, float dy) {
     view.azimuth = std::remainder(view.azimuth - dx * degreesPerPixel, 360.0F);
-    view.elevation = std::clamp(view.elevation + dy * degreesPerPixel, -steepest, steepest);
+    view.elevation = std::remainder(view.elevation + dy * degreesPerPixel, 360.0F); // over the poles
 }
 
 void pan(View& view, float dx, float dy, float viewHeight) {

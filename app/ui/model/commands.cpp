@@ -190,7 +190,7 @@ std::vector<Command> commandsOf(const Scene& scene) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
         const bool changed = index < initial.size() && value != initial[index];
         ++index;
-        if (row.glCall.empty() || row.kind == Kind::TexCoordList || isIdle(path))
+        if (row.glCall.empty() || isList(row.kind) || isIdle(path))
             return;
         if (const std::string current = ownerOf(path); current != owner || blocks.empty()) {
             owner = current;

@@ -3,6 +3,7 @@
 #include "app/ui/model/camera.h"
 #include "app/ui/model/loads.h"
 #include "core/scene/animation.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -116,11 +117,12 @@ const Mesh& selectedMesh(Session& session) {
     const Model* model = selectedModel(session);
     if (!model)
         return none;
-    const std::array<int, 3> key{static_cast<int>(model->shape), model->slices, model->stacks};
-    if (!session.window.mesh || session.window.meshKey != key) {
-        session.window.mesh =
-            std::make_shared<const Mesh>(makeMesh(model->shape, model->slices, model->stacks));
-        session.window.meshKey = key;
+    WindowState& window = session.window;
+    const bool own = model->shape == Shape::Mesh;
+    if (!window.mesh || window.meshShape != shapeOptions(*model) || (own && window.meshData != model->mesh)) {
+        window.mesh = std::make_shared<const Mesh>(meshOf(*model));
+        window.meshShape = shapeOptions(*model);
+        window.meshData = own ? model->mesh : MeshData{};
     }
     return *session.window.mesh;
 }

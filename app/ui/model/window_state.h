@@ -82,7 +82,8 @@ struct WindowState {
     Notice notice;
 
     std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
-    std::array<int, 3> meshKey{-1, 0, 0};
+    ShapeOptions meshShape{};         ///< what it was made from
+    MeshData meshData{};
 };
 
 } // namespace texplorer::ui

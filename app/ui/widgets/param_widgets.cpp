@@ -6,6 +6,7 @@
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
@@ -20,7 +21,7 @@ constexpr float narrowest = 7.5F;   ///< of a control beside its label, in lette
 
 /// Wide controls get a line of their own below the label.
 bool isWide(Kind kind) {
-    return kind == Kind::Vec3 || kind == Kind::Vec4;
+    return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Matrix;
 }
 
 float textWidth(std::string_view words) {
@@ -143,6 +144,27 @@ bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const st
     return changed;
 }
 
+/// Row by row as one writes a matrix down, though OpenGL keeps it column by column.
+bool matrixWidget(Session& session, const ParamRow& row, glm::mat4& value, const std::string& path) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::floor((ImGui::CalcItemWidth() - gap * 3) / 4);
+    bool changed = false;
+    ImGui::BeginGroup();
+    for (int i = 0; i < 16; ++i) {
+        if (i % 4 > 0)
+            ImGui::SameLine(0, gap);
+        const int element = i % 4 * 4 + i / 4;
+        ImGui::PushID(element);
+        ImGui::SetNextItemWidth(width);
+        changed |= dragNumber("##element", value[i % 4][i / 4], row.range, i / 4);
+        noteItem(fmt::format("{}[{}]", path, element));
+        sealAfterItem(session);
+        ImGui::PopID();
+    }
+    ImGui::EndGroup();
+    return changed;
+}
+
 /// Draws the control; true where `value` changed.
 bool control(Session& session, const Owner& owner, const ParamRow& row, Value& value,
              const std::string& path) {
@@ -169,15 +191,20 @@ bool control(Session& session, const Owner& owner, const ParamRow& row, Value& v
         return enumWidget(owner, row, std::get<EnumValue>(value), path);
     case Kind::Text:
         return textField("##value", std::get<std::string>(value), ImGuiInputTextFlags_EnterReturnsTrue);
+    case Kind::Matrix:
+        return matrixWidget(session, row, std::get<glm::mat4>(value), path);
+    case Kind::PointList:
+    case Kind::ColorList:
     case Kind::TexCoordList:
-        return false; // the vertex list and the texture space edit these
+    case Kind::IndexList:
+        return false; // the vertex list, the texture space and the pass section edit these
     }
     return false;
 }
 
 bool isContinuous(Kind kind) {
     return kind == Kind::Int || kind == Kind::Float || kind == Kind::Vec3 || kind == Kind::Vec4 ||
-           kind == Kind::Color;
+           kind == Kind::Color || kind == Kind::Matrix;
 }
 
 bool assign(Session& session, const Owner& owner, const ParamRow& row, const Value& value,
@@ -322,7 +349,7 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
 }
 
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
-    if (row.kind == Kind::TexCoordList)
+    if (isList(row.kind))
         return false;
     Line line = lineOf(session, owner, row);
 
@@ -374,7 +401,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
 }
 
 bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row) {
-    return row.kind != Kind::TexCoordList && !isUnused(session, owner.pathOf(row));
+    return !isList(row.kind) && !isUnused(session, owner.pathOf(row));
 }
 
 void paramRows(Session& session, const Owner& owner, const StructTable& table) {

@@ -29,15 +29,16 @@ struct PixelPlace {
 
 using PixelBytes = std::array<std::uint8_t, 4>;
 
-/// One set of texture coordinates on its way: as the scene gives it, with what the unit generates in its
-/// place, and after the texture matrix (OpenGL 2.1, section 2.11.4, then 2.11.2).
+/// One set of texture coordinates on its way: as the scene gives it, moved towards the light, with what the
+/// unit generates in its place, and after the texture matrix (OpenGL 2.1, section 2.11.4, then 2.11.2).
 struct CoordinateSteps {
     glm::vec4 given{0, 0, 0, 1};
+    glm::vec4 embossed{0, 0, 0, 1};
     glm::vec4 generated{0, 0, 0, 1};
     glm::vec4 transformed{0, 0, 0, 1};
 };
 
-/// A corner of the triangle.
+/// A corner of the triangle, an end of the line, or the point.
 struct VertexExplanation {
     std::uint32_t vertex = 0; ///< index into the vertices of the model's mesh
     float weight = 0;         ///< barycentric: its share of what is interpolated at the pixel
@@ -64,9 +65,10 @@ struct UnitExplanation {
     Target target = Target::Texture2D;
     BaseFormat format = BaseFormat::Rgba;
 
-    std::array<bool, 4> generates{};           ///< which of s, t, r and q are generated
-    std::array<CoordinateSteps, 3> vertices{}; ///< at the corners of the triangle
-    CoordinateSteps pixel;                     ///< the same, interpolated
+    std::array<bool, 4> generates{};       ///< which of s, t, r and q are generated
+    bool embosses = false;                 ///< whether coordinates follow the light
+    std::vector<CoordinateSteps> vertices; ///< at the corners
+    CoordinateSteps pixel;                 ///< the same, interpolated
     glm::mat4 matrix{1};
     bool flipped = false; ///< t became q - t at first, to turn the image around
     glm::vec3 coords{0};  ///< s/q, t/q, r/q
@@ -116,18 +118,19 @@ struct BlendExplanation {
     glm::vec4 result{0};
 };
 
-/// One triangle that covers the pixel, in one pass.
+/// One triangle, line or point that covers the pixel, in one pass.
 struct FragmentExplanation {
     int pass = 0;
     int model = 0;
     Shape shape = Shape::Cube;
-    std::uint32_t triangle = 0; ///< of the mesh
-    std::string face;           ///< its name; empty: it belongs to none
-    bool clipped = false;       ///< the near or far plane, or the edge of the guard band, cut it
-    std::array<VertexExplanation, 3> vertices{};
+    std::uint32_t part = 0;                  ///< number of the triangle, line or point in the mesh
+    std::string face;                        ///< its name; empty: it belongs to none
+    bool clipped = false;                    ///< the near or far plane, or the edge of the guard band, cut it
+    std::vector<VertexExplanation> vertices; ///< 3 of a triangle, 2 of a line, 1 of a point
 
     bool lighting = false;
-    bool flat = false; ///< the colours of the last vertex
+    bool coloredVertices = false; ///< the mesh has colours in the place of glColor
+    bool flat = false;            ///< the colours of the last vertex
     bool separateSpecular = false;
     glm::vec4 primary{1};   ///< interpolated
     glm::vec4 secondary{0}; ///< the same; used under separate specular alone

@@ -44,8 +44,19 @@ StepRow perCorner(const char* label, const FragmentExplanation& fragment, Text&&
     return row;
 }
 
+/// What the mesh is made of: by the number of corners.
+struct PartWords {
+    const char* title;
+    const char* name;
+};
+PartWords partWords(const FragmentExplanation& fragment) {
+    constexpr std::array words{PartWords{"Point", "point"}, PartWords{"Line", "line"},
+                               PartWords{"Triangle", "triangle"}};
+    return words.at(std::clamp<std::size_t>(fragment.vertices.size(), 1, 3) - 1);
+}
+
 Step triangleStep(const FragmentExplanation& fragment) {
-    Step step{StepKind::Triangle, -1, "Triangle", {}};
+    Step step{StepKind::Triangle, -1, partWords(fragment).title, {}};
     std::string shares;
     for (const VertexExplanation& vertex : fragment.vertices) {
         shares += fmt::format("{}{} %", shares.empty() ? "" : ", ",
@@ -69,7 +80,12 @@ Step triangleStep(const FragmentExplanation& fragment) {
 Step primaryStep(const FragmentExplanation& fragment) {
     Step step{StepKind::PrimaryColor, -1, "Primary colour", colorText(fragment.primary), fragment.primary};
     if (!fragment.lighting) {
-        step.rows = {{"Lighting is off: the current colour (glColor), the same at every vertex."}};
+        if (fragment.coloredVertices)
+            step.rows = {{"Lighting is off: the colours of the vertices, interpolated."},
+                         corners(fragment),
+                         perCorner("colour", fragment, [](const auto& v) { return colorText(v.primary); })};
+        else
+            step.rows = {{"Lighting is off: the current colour (glColor), the same at every vertex."}};
         return step;
     }
     const auto term = [](glm::vec3 LightingTerms::*member) {
@@ -238,9 +254,9 @@ std::string bytesText(const PixelBytes& bytes) {
 FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     FragmentSteps text;
     const std::string shape(rowOf(fragment.shape).label);
-    text.title = fmt::format("{}{}, triangle {} (models[{}], pass {})", shape,
+    text.title = fmt::format("{}{}, {} {} (models[{}], pass {})", shape,
                              fragment.face.empty() || fragment.face == shape ? "" : ", " + fragment.face,
-                             fragment.triangle, fragment.model, fragment.pass);
+                             partWords(fragment).name, fragment.part, fragment.model, fragment.pass);
     text.drawn = fragment.outcome == FragmentOutcome::Drawn;
     text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
                    : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"

@@ -48,12 +48,14 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
                         numberText(unit.coords[i]));
     const auto stage = [&](const char* title, glm::vec4 CoordinateSteps::*member) {
         step.rows.push_back(heading(title, 4));
-        for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < unit.vertices.size(); ++i)
             step.rows.push_back(coordinates(fmt::format("  at vertex {}", fragment.vertices[i].vertex),
                                             unit.vertices[i].*member));
         step.rows.push_back(coordinates("  here", unit.pixel.*member));
     };
     stage("given", &CoordinateSteps::given);
+    if (unit.embosses)
+        stage("moved towards the light", &CoordinateSteps::embossed);
     std::string generated;
     for (std::size_t i = 0; i < 4; ++i)
         generated += unit.generates[i] ? std::string(generated.empty() ? "" : ", ") + coordinateNames[i] : "";

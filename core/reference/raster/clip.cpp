@@ -61,10 +61,12 @@ Polygon cut(const Polygon& polygon, const glm::vec4& plane, bool perspective) {
 }
 
 // -w <= z <= w leaves no negative w.
-constexpr std::array planes{
-    glm::vec4(0, 0, 1, 1),          glm::vec4(0, 0, -1, 1),        glm::vec4(1, 0, 0, guardBand),
-    glm::vec4(-1, 0, 0, guardBand), glm::vec4(0, 1, 0, guardBand), glm::vec4(0, -1, 0, guardBand),
-};
+constexpr std::array<glm::vec4, 6> planesAt(float band) {
+    return {glm::vec4(0, 0, 1, 1),     glm::vec4(0, 0, -1, 1),   glm::vec4(1, 0, 0, band),
+            glm::vec4(-1, 0, 0, band), glm::vec4(0, 1, 0, band), glm::vec4(0, -1, 0, band)};
+}
+constexpr std::array planes = planesAt(guardBand);
+constexpr std::array viewPlanes = planesAt(1);
 
 } // namespace
 
@@ -86,6 +88,33 @@ Polygon clip(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c
             return {};
     }
     return polygon.size() < 3 ? Polygon{} : polygon;
+}
+
+Polygon clipLine(const ShadedVertex& a, const ShadedVertex& b, bool perspective) {
+    if (!isFinite(a.clip) || !isFinite(b.clip))
+        return {};
+    Polygon line{a, b};
+    for (const glm::vec4& plane : viewPlanes) { // a wide line outside of the view doesn't reach into it
+        const float from = distance(plane, line[0].clip);
+        const float to = distance(plane, line[1].clip);
+        if (from < 0 && to < 0)
+            return {};
+        if (to < 0)
+            line[1] = between(line[0], line[1], from / (from - to), perspective);
+        else if (from < 0)
+            line[0] = between(line[1], line[0], to / (to - from), perspective);
+    }
+    for (const ShadedVertex& vertex : line) {
+        if (!isFinite(vertex.clip) || !(vertex.clip.w > 0))
+            return {};
+    }
+    return line;
+}
+
+bool isInView(const ShadedVertex& vertex) {
+    const glm::vec4& clip = vertex.clip;
+    return isFinite(clip) && clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
+           std::abs(clip.z) <= clip.w;
 }
 
 bool isInside(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c) {

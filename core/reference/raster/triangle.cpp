@@ -1,5 +1,6 @@
 #include "core/reference/raster/triangle.h"
 
+#include "core/reference/raster/corner.h"
 #include "core/reference/shading/pass_state.h"
 
 #include <algorithm>
@@ -9,31 +10,6 @@
 namespace texplorer::reference {
 
 namespace {
-
-constexpr int subPixels = 256; // as llvmpipe; the specification asks for some
-
-struct Corner {
-    const ShadedVertex* vertex;
-    glm::dvec2 window; ///< relative to the centre of pixel (0, 0), y upwards
-    double depth;      ///< 0 to 1
-    double invW;
-    std::int64_t x; ///< window, snapped
-    std::int64_t y;
-};
-
-Corner cornerOf(const ShadedVertex& vertex, Viewport viewport, bool perspective) {
-    const glm::dvec4 clip(vertex.clip);
-    Corner corner{};
-    corner.vertex = &vertex;
-    // Section 2.11.1: normalised device coordinates, then window coordinates.
-    corner.window = {(clip.x / clip.w + 1) / 2 * viewport.width - 0.5,
-                     (clip.y / clip.w + 1) / 2 * viewport.height - 0.5};
-    corner.depth = std::clamp((clip.z / clip.w + 1) / 2, 0.0, 1.0);
-    corner.invW = perspective ? 1 / clip.w : 1;
-    corner.x = std::llrint(corner.window.x * subPixels);
-    corner.y = std::llrint(corner.window.y * subPixels);
-    return corner;
-}
 
 /// A pixel centre on an edge belongs to the triangle if that is a left edge, or a horizontal one at the
 /// bottom: each centre on a shared edge to exactly one of two triangles. Which one the specification leaves
@@ -45,13 +21,6 @@ EdgeFunction edgeOf(const Corner& from, const Corner& to) {
     const bool owns = y < 0 || (y == 0 && x > 0);
     return {y * from.x - x * from.y - (owns ? 0 : 1), -y * subPixels, x * subPixels,
             1 / std::abs(static_cast<double>(y * subPixels))};
-}
-
-int pixelAtOrAfter(std::int64_t snapped) {
-    return static_cast<int>((snapped + subPixels - 1) >> 8);
-}
-int pixelAtOrBefore(std::int64_t snapped) {
-    return static_cast<int>(snapped >> 8);
 }
 
 /// The gradient of a value with these at the three corners.
@@ -91,6 +60,20 @@ private:
 };
 
 } // namespace
+
+Corner cornerOf(const ShadedVertex& vertex, Viewport viewport, bool perspective) {
+    const glm::dvec4 clip(vertex.clip);
+    Corner corner{};
+    corner.vertex = &vertex;
+    // Section 2.11.1: normalised device coordinates, then window coordinates.
+    corner.window = {(clip.x / clip.w + 1) / 2 * viewport.width - 0.5,
+                     (clip.y / clip.w + 1) / 2 * viewport.height - 0.5};
+    corner.depth = std::clamp((clip.z / clip.w + 1) / 2, 0.0, 1.0);
+    corner.invW = perspective ? 1 / clip.w : 1;
+    corner.x = std::llrint(corner.window.x * subPixels);
+    corner.y = std::llrint(corner.window.y * subPixels);
+    return corner;
+}
 
 std::optional<Triangle> setUp(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c,
                               const PassState& pass, Viewport viewport, bool perspective) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A triangle made ready for rasterising: OpenGL 2.1, section 3.5.1.
+// A triangle, line or point made ready for rasterising: OpenGL 2.1, sections 3.3, 3.4 and 3.5.1.
 
 #include "core/reference/shading/vertex.h"
 
@@ -37,6 +37,9 @@ struct EdgeFunction {
 /// gap and hit no pixel twice. What is interpolated is divided by w first ("over w"); dividing it by the
 /// interpolated 1/w makes it perspective-correct (equation 3.6). Without perspective correction w counts
 /// as 1.
+///
+/// Lines and points are no triangles, and are drawn alike: what they cover lies between two edges at most and
+/// within the limits below.
 struct Triangle {
     const PassState* pass = nullptr;
     std::array<EdgeFunction, 3> edges{};
@@ -57,6 +60,19 @@ struct Viewport {
     int width = 0;
     int height = 0;
 };
+
+/// The number of pixels that a line width or a point size is rounded to.
+[[nodiscard]] int roundedSize(float size);
+
+/// A line of section 3.4: its pixels by the diamond-exit rule, and as many of them across as it is wide;
+/// `width` is rounded. What is interpolated changes along the line alone (equation 3.5). nullopt where it has
+/// none.
+[[nodiscard]] std::optional<Triangle> setUpLine(const ShadedVertex& from, const ShadedVertex& to, float width,
+                                                const PassState& pass, Viewport viewport, bool perspective);
+
+/// A point of section 3.3: a square of `size` pixels, which is rounded, with the values of its vertex.
+[[nodiscard]] std::optional<Triangle> setUpPoint(const ShadedVertex& vertex, float size,
+                                                 const PassState& pass, Viewport viewport, bool perspective);
 
 /// nullopt where no pixel's centre can lie inside. `perspective` off is the cheap interpolation that
 /// GL_PERSPECTIVE_CORRECTION_HINT once allowed.

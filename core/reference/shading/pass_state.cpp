@@ -1,6 +1,7 @@
 #include "core/reference/shading/pass_state.h"
 
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -36,8 +37,8 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
         const Pass& pass = scene.passes[i];
         PassState& state = states.emplace_back();
         state.pass = &pass;
-        if (!pass.enabled)
-            continue;
+        if (!drawsAnything(scene, pass))
+            continue; // its textures aren't needed
         state.perspective = scene.view.perspectiveHint != HintMode::Fastest;
         state.flat = scene.material.shadeModel == ShadeModel::Flat;
         state.separateSpecular = pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;

@@ -20,7 +20,7 @@ struct ShadedVertex {
     std::array<glm::vec4, maxUnits> texCoords{}; ///< s, t, r, q after the texture matrix
 };
 
-/// A convex polygon: what clipping leaves of a triangle.
+/// A convex polygon or a line: what clipping leaves of a triangle or line.
 using Polygon = std::vector<ShadedVertex>;
 
 /// How far outside of the view, in halves of its extent, a polygon may reach in x and y. GL cuts it at the
@@ -35,5 +35,11 @@ inline constexpr float guardBand = 8;
 
 /// Whether clip() leaves the triangle as it is, as it does with most.
 [[nodiscard]] bool isInside(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c);
+
+/// The same for a line: two vertices, or none where nothing is left.
+[[nodiscard]] Polygon clipLine(const ShadedVertex& a, const ShadedVertex& b, bool perspective = true);
+
+/// Whether a point is drawn: its vertex, not what it covers, is in the view volume.
+[[nodiscard]] bool isInView(const ShadedVertex& vertex);
 
 } // namespace texplorer::reference

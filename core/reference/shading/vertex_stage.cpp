@@ -1,7 +1,8 @@
 #include "core/reference/shading/vertex_stage.h"
 
 #include "core/reference/shading/tex_gen.h"
-#include "core/scene/tex_coords.h"
+#include "core/scene/emboss.h"
+#include "core/scene/model_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -25,10 +26,12 @@ glm::vec3 normalized(glm::vec3 v) {
 
 } // namespace
 
-VertexStage::VertexStage(const Scene& scene, const PassState& pass, const glm::mat4& modelview,
-                         const glm::mat4& projection)
+VertexStage::VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
+                         const glm::mat4& modelview, const glm::mat4& projection)
     : scene_(scene)
     , pass_(pass)
+    , material_(materialOf(scene, model))
+    , colored_(mesh.colored)
     , modelview_(modelview)
     , clip_(projection * modelview)
     , normal_(cofactors(glm::mat3(modelview))) {
@@ -44,11 +47,13 @@ VertexRecord VertexStage::explain(const Vertex& vertex,
     const glm::vec4 position(vertex.position, 1);
     record.eye = modelview_ * position;
     record.normal = normalized(normal_ * vertex.normal);
+    const glm::vec4 current = colored_ ? vertex.color : material_.color;
+    const Reflectance surface(material_, current);
     if (pass_.pass->lighting)
-        record.lighting = lightingTerms(scene_.light, scene_.material, glm::vec3(record.eye), record.normal);
+        record.lighting = lightingTerms(scene_.light, surface, glm::vec3(record.eye), record.normal);
     const VertexColors colors = pass_.pass->lighting
-                                    ? litColors(record.lighting, scene_.material, scene_.light.colorControl)
-                                    : unlitColors(scene_.material);
+                                    ? litColors(record.lighting, surface, scene_.light.colorControl)
+                                    : unlitColors(current);
     shaded.primary = colors.primary;
     shaded.secondary = colors.secondary;
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
@@ -64,11 +69,17 @@ VertexRecord VertexStage::explain(const Vertex& vertex,
     return record;
 }
 
-std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Model& model, const Mesh& mesh,
-                                        const PassState& pass) {
+std::array<TexCoords, maxUnits> givenTexCoords(const Scene& scene, const PassState& pass, const Model& model,
+                                               const Mesh& mesh, double time) {
     std::array<TexCoords, maxUnits> lists;
     for (int u = 0; u < pass.unitsUsed; ++u)
-        lists[static_cast<std::size_t>(u)] = effectiveTexCoords(model, mesh, u);
+        lists[static_cast<std::size_t>(u)] =
+            texplorer::givenTexCoords(scene, *pass.pass, u, model, mesh, time);
+    return lists;
+}
+
+std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Mesh& mesh,
+                                        const std::array<TexCoords, maxUnits>& lists, const PassState& pass) {
     std::vector<ShadedVertex> shaded;
     shaded.reserve(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {

@@ -24,8 +24,8 @@ struct VertexRecord {
 /// as in section 2.11.
 class VertexStage {
 public:
-    VertexStage(const Scene& scene, const PassState& pass, const glm::mat4& modelview,
-                const glm::mat4& projection);
+    VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
+                const glm::mat4& modelview, const glm::mat4& projection);
 
     /// `texCoords` holds one coordinate a unit, as the scene gives them.
     [[nodiscard]] ShadedVertex operator()(const Vertex& vertex,
@@ -42,13 +42,20 @@ public:
 private:
     const Scene& scene_;
     const PassState& pass_;
+    const Material& material_;
+    bool colored_; ///< whether a vertex's colour takes the place of glColor
     glm::mat4 modelview_;
     glm::mat4 clip_;
     glm::mat3 normal_; ///< the inverse transpose of modelview (section 2.11.3)
 };
 
+/// The coordinates of a model's vertices, a list for each unit that takes part in a pass.
+[[nodiscard]] std::array<TexCoords, maxUnits>
+givenTexCoords(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh, double time);
+
 /// All vertices of a model, as a pass draws it.
-[[nodiscard]] std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Model& model,
-                                                      const Mesh& mesh, const PassState& pass);
+[[nodiscard]] std::vector<ShadedVertex> shadeVertices(const VertexStage& stage, const Mesh& mesh,
+                                                      const std::array<TexCoords, maxUnits>& lists,
+                                                      const PassState& pass);
 
 } // namespace texplorer::reference

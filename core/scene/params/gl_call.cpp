@@ -54,8 +54,12 @@ std::string argumentOf(const ParamRow& row, const Value& value, bool negates) {
     case Kind::Vec4:
     case Kind::Color:
         return numbersOf(std::get<glm::vec4>(value), negates, takesPointer(row.glCall));
+    case Kind::PointList:
+    case Kind::ColorList:
     case Kind::TexCoordList:
+    case Kind::IndexList:
         return std::string(row.key); // called once a vertex
+    case Kind::Matrix:
     case Kind::Int:
     case Kind::Enum:
     case Kind::Text:

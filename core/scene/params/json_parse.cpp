@@ -9,8 +9,11 @@
 #include "core/scene/params/scene_check.h"
 
 #include <fmt/core.h>
+#include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -24,30 +27,39 @@ using FloatJson =
 constexpr std::string_view versionKey = "version";
 constexpr std::string_view schemaKey = "$schema"; // for editors that check while one types
 
-std::size_t maxVertexCount() {
-    std::size_t count = 0;
-    for (const EnumRow& shape : shapeRows)
-        count = std::max(count, vertexCount(static_cast<Shape>(shape.value), maxSubdivision, maxSubdivision));
-    return count;
+/// How many numbers an array for this kind has, or each of its elements; none where it is no array of
+/// numbers.
+ElementNumbers numbersOf(Kind kind) {
+    switch (kind) {
+    case Kind::Vec3:
+        return {3, 3};
+    case Kind::Vec4:
+    case Kind::Color:
+        return {4, 4};
+    case Kind::Matrix:
+        return {16, 16};
+    default:
+        return elementNumbers(kind).value_or(ElementNumbers{0, 0});
+    }
 }
 
 /// An object or array that has begun and not ended.
 struct Frame {
-    enum class Kind { Object, List, Numbers, TexCoords };
+    enum class Kind { Object, List, Numbers, Elements, Indices };
 
     Kind kind;
     void* owner;                        ///< the struct that the object, or the member, belongs to
     const StructTable* table = nullptr; ///< Object: its members
-    const ParamRow* row =
-        nullptr; ///< Object: the member that comes next; Numbers, TexCoords: what they are for
-    const ChildRow* child = nullptr; ///< Object: the member that comes next; List: what its elements are
-    bool versionNext = false;        ///< Object: what comes next is the version
-    bool schemaNext = false;         ///< Object: what comes next names a schema, and is not looked at
-    std::string key{};               ///< Object: the last key, for the pointer
-    std::uint64_t seen = 0;          ///< Object: one bit for each member that occurred
-    std::size_t count = 0;           ///< elements so far
-    glm::vec4 numbers{0, 0, 0, 1};   ///< Numbers
-    TexCoords coords{};              ///< TexCoords
+    const ParamRow* row = nullptr;      ///< Object: the member that comes next; else what the numbers are for
+    const ChildRow* child = nullptr;    ///< Object: the member that comes next; List: what its elements are
+    bool versionNext = false;           ///< Object: what comes next is the version
+    bool schemaNext = false;            ///< Object: what comes next names a schema, and is not looked at
+    std::string key{};                  ///< Object: the last key, for the pointer
+    std::uint64_t seen = 0;             ///< Object: one bit for each member that occurred
+    std::size_t count = 0;              ///< elements so far
+    std::array<float, 16> numbers{};    ///< Numbers
+    std::vector<glm::vec4> elements{};  ///< Elements
+    std::vector<int> indices{};         ///< Indices
 };
 
 class Reader : public nlohmann::json_sax<FloatJson> {
@@ -95,6 +107,7 @@ private:
     }
 
     bool number(float value, std::optional<std::int64_t> whole, const std::string& text);
+    bool numbersEnded(const Frame& ended);
     bool version(std::optional<std::int64_t> number, const std::string& text);
     bool store(const ParamRow& row, const Value& value);
     std::string expected() const;
@@ -103,6 +116,9 @@ private:
     bool stop(ErrorCode code, std::string message) {
         error_ = Error{code, std::move(message), pointer()};
         return false;
+    }
+    bool tooMany(std::size_t limit) {
+        return stop(ErrorCode::TooLarge, fmt::format("expected at most {} elements, found more", limit));
     }
     bool refuse(const std::string& found) {
         return stop(ErrorCode::OutOfRange, fmt::format("expected {}, found {}", expected(), found));
@@ -149,8 +165,14 @@ std::string Reader::expected() const {
         return "an object";
     case Frame::Kind::Numbers:
         return "a number";
-    case Frame::Kind::TexCoords:
-        return "an array of 2 to 4 numbers";
+    case Frame::Kind::Elements: {
+        const ElementNumbers numbers = *elementNumbers(frame.row->kind);
+        return numbers.least == numbers.most
+                   ? fmt::format("an array of {} numbers", numbers.most)
+                   : fmt::format("an array of {} to {} numbers", numbers.least, numbers.most);
+    }
+    case Frame::Kind::Indices:
+        return "a whole number";
     }
     return {};
 }
@@ -173,11 +195,21 @@ bool Reader::version(std::optional<std::int64_t> number, const std::string& text
 bool Reader::number(float value, std::optional<std::int64_t> whole, const std::string& text) {
     if (!frames_.empty() && frames_.back().kind == Frame::Kind::Numbers) {
         Frame& frame = frames_.back();
-        const std::size_t limit = frame.row->kind == Kind::Vec3 ? 3 : 4;
+        const std::size_t limit = numbersOf(frame.row->kind).most;
         if (frame.count == limit)
             return stop(ErrorCode::OutOfRange,
                         fmt::format("expected {}, found more than {}", describeAccepted(*frame.row), limit));
-        frame.numbers[static_cast<glm::vec4::length_type>(frame.count++)] = value;
+        frame.numbers[frame.count++] = value;
+        return true;
+    }
+    if (!frames_.empty() && frames_.back().kind == Frame::Kind::Indices) {
+        Frame& frame = frames_.back();
+        if (!whole || *whole < 0 || *whole > INT32_MAX)
+            return refuse(text);
+        if (frame.count == frame.row->maxCount)
+            return tooMany(frame.row->maxCount);
+        frame.indices.push_back(static_cast<int>(*whole));
+        ++frame.count;
         return true;
     }
     if (!frames_.empty() && frames_.back().versionNext)
@@ -215,8 +247,7 @@ bool Reader::start_object(std::size_t) {
     if (frame.kind == Frame::Kind::List) {
         index = frame.count;
         if (index == child->maxCount)
-            return stop(ErrorCode::TooLarge,
-                        fmt::format("expected at most {} elements, found more", child->maxCount));
+            return tooMany(child->maxCount);
         if (child->minCount != child->maxCount)
             child->resize(frame.owner, index + 1);
     } else if (frame.kind != Frame::Kind::Object || !child || child->indexed) {
@@ -259,11 +290,9 @@ bool Reader::start_array(std::size_t) {
     if (frames_.empty())
         return refuse("an array");
     Frame& frame = frames_.back();
-    if (frame.kind == Frame::Kind::TexCoords) {
-        static const std::size_t limit = maxVertexCount();
-        if (frame.count == limit)
-            return stop(ErrorCode::TooLarge,
-                        fmt::format("expected at most {} coordinates, found more", limit));
+    if (frame.kind == Frame::Kind::Elements) {
+        if (frame.count == frame.row->maxCount)
+            return tooMany(frame.row->maxCount);
         frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = frame.row});
         return true;
     }
@@ -273,11 +302,12 @@ bool Reader::start_array(std::size_t) {
         return true;
     }
     const ParamRow* row = rowNext();
-    if (row && row->kind == Kind::TexCoordList) {
-        frames_.push_back({.kind = Frame::Kind::TexCoords, .owner = frame.owner, .row = row});
+    if (row && isList(row->kind)) {
+        const auto kind = row->kind == Kind::IndexList ? Frame::Kind::Indices : Frame::Kind::Elements;
+        frames_.push_back({.kind = kind, .owner = frame.owner, .row = row});
         return true;
     }
-    if (row && (row->kind == Kind::Vec3 || row->kind == Kind::Vec4 || row->kind == Kind::Color)) {
+    if (row && numbersOf(row->kind).most > 0) {
         frames_.push_back({.kind = Frame::Kind::Numbers, .owner = frame.owner, .row = row});
         return true;
     }
@@ -303,21 +333,38 @@ bool Reader::end_array() {
                         fmt::format("expected {} to {} elements, found {}", ended.child->minCount,
                                     ended.child->maxCount, ended.count));
         break;
-    case Frame::Kind::TexCoords:
-        return store(*ended.row, ended.coords);
-    case Frame::Kind::Numbers: {
-        const bool coordinate = ended.row->kind == Kind::TexCoordList;
-        if (ended.count < (coordinate ? 2U : ended.row->kind == Kind::Vec3 ? 3U : 4U))
-            return refuse(std::to_string(ended.count));
-        if (!coordinate)
-            return store(*ended.row, ended.row->kind == Kind::Vec3 ? Value(glm::vec3(ended.numbers))
-                                                                   : Value(ended.numbers));
-        frames_.back().coords.push_back(ended.numbers);
-        ++frames_.back().count;
-        break;
-    }
+    case Frame::Kind::Elements:
+        return store(*ended.row, listOf(ended.row->kind, ended.elements));
+    case Frame::Kind::Indices:
+        // Kept apart from a pass that says nothing, which draws all.
+        if (ended.indices.empty() && ended.row->member == memberId<&Pass::models>)
+            return refuse("an empty array; a pass that doesn't name its models draws all");
+        return store(*ended.row, ended.indices);
+    case Frame::Kind::Numbers:
+        return numbersEnded(ended);
     }
     return true;
+}
+
+bool Reader::numbersEnded(const Frame& ended) {
+    const ElementNumbers expected = numbersOf(ended.row->kind);
+    if (ended.count < expected.least)
+        return refuse(std::to_string(ended.count));
+    glm::vec4 first = expected.rest;
+    std::copy_n(ended.numbers.begin(), std::min<std::size_t>(ended.count, 4), &first.x);
+    switch (ended.row->kind) {
+    case Kind::Vec3:
+        return store(*ended.row, glm::vec3(first));
+    case Kind::Vec4:
+    case Kind::Color:
+        return store(*ended.row, first);
+    case Kind::Matrix:
+        return store(*ended.row, glm::make_mat4(ended.numbers.data()));
+    default:
+        frames_.back().elements.push_back(first);
+        ++frames_.back().count;
+        return true;
+    }
 }
 
 bool Reader::parse_error(std::size_t, const std::string& token, const FloatJson::exception& problem) {
@@ -339,22 +386,46 @@ bool Reader::parse_error(std::size_t, const std::string& token, const FloatJson:
     return false;
 }
 
+Result<void> at(const std::string& pointer, const Result<void>& checked) {
+    if (checked)
+        return {};
+    return fail(checked.error().code, checked.error().message, pointer + checked.error().where);
+}
+
+Result<void> checkModel(const Model& model, const std::string& pointer) {
+    for (const ParamRow& row : meshTable().params) {
+        if (!isList(row.kind))
+            continue;
+        if (auto fits = at(fmt::format("{}/mesh/{}", pointer, row.key), checkMeshList(model.mesh, row));
+            !fits)
+            return fits;
+    }
+    for (const ParamRow& row : modelTable().params) {
+        if (row.kind != Kind::TexCoordList)
+            continue;
+        if (auto fits = at(fmt::format("{}/{}", pointer, row.key),
+                           checkTexCoordCount(model, std::get<TexCoords>(row.read(&model))));
+            !fits)
+            return fits;
+    }
+    return {};
+}
+
 /// What the tables can't see: members that must fit each other.
 Result<void> checkTogether(const Scene& scene) {
     for (std::size_t m = 0; m < scene.models.size(); ++m)
-        for (const ParamRow& row : modelTable().params) {
-            if (row.kind != Kind::TexCoordList)
-                continue;
-            const Model& model = scene.models[m];
-            if (auto fits = checkTexCoordCount(model, std::get<TexCoords>(row.read(&model))); !fits)
-                return fail(fits.error().code, fits.error().message,
-                            fmt::format("/models/{}/{}", m, row.key));
-        }
+        if (auto fits = checkModel(scene.models[m], fmt::format("/models/{}", m)); !fits)
+            return fits;
+    for (std::size_t p = 0; p < scene.passes.size(); ++p)
+        if (auto fits = at(fmt::format("/passes/{}/models", p), checkPassModels(scene, scene.passes[p]));
+            !fits)
+            return fits;
     for (std::size_t p = 0; p < scene.passes.size(); ++p)
         for (std::size_t u = 0; u < scene.passes[p].units.size(); ++u)
-            if (auto found = checkUnitTexture(scene, scene.passes[p].units[u]); !found)
-                return fail(found.error().code, found.error().message,
-                            fmt::format("/passes/{}/units/{}/texture", p, u));
+            if (auto found = at(fmt::format("/passes/{}/units/{}/texture", p, u),
+                                checkUnitTexture(scene, scene.passes[p].units[u]));
+                !found)
+                return found;
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -19,11 +20,10 @@ std::string jsonNumber(float number) {
     return number == 0 && std::signbit(number) ? "-0.0" : formatNumber(number); // -0 would read as an integer
 }
 
-template<class Vector>
-std::string jsonVector(const Vector& vector, int count) {
+std::string jsonNumbers(std::span<const float> numbers) {
     std::string text = "[";
-    for (int i = 0; i < count; ++i)
-        text.append(i == 0 ? "" : ", ").append(jsonNumber(vector[i]));
+    for (const float number : numbers)
+        text.append(text.size() == 1 ? "" : ", ").append(jsonNumber(number));
     return text + "]";
 }
 
@@ -34,12 +34,15 @@ std::string jsonText(std::string_view text) {
 
 class Writer {
 public:
-    std::string write(const Scene& scene) {
+    explicit Writer(const Scene& scene)
+        : scene_(scene) {}
+
+    std::string write() {
         open('{');
         member("version");
         out_ += std::to_string(sceneFormatVersion);
         members(sceneTable(),
-                const_cast<Scene*>(&scene)); // the tables reach members through void*; only read
+                const_cast<Scene*>(&scene_)); // the tables reach members through void*; only read
         close('}');
         return std::move(out_) + "\n";
     }
@@ -80,14 +83,20 @@ private:
         close(']');
     }
 
+    /// Whether a list fits the others of its struct, or the scene.
+    bool listFits(const ParamRow& row, const void* owner) const {
+        if (row.member == memberId<&Model::texCoords>)
+            return checkTexCoordCount(*static_cast<const Model*>(owner), std::get<TexCoords>(row.read(owner)))
+                .has_value();
+        if (row.member == memberId<&Pass::models>)
+            return checkPassModels(scene_, *static_cast<const Pass*>(owner)).has_value();
+        return checkMeshList(*static_cast<const MeshData*>(owner), row).has_value();
+    }
+
     void param(const ParamRow& row, void* owner) {
         const Value value = row.read(owner);
-        if (row.kind == Kind::TexCoordList) {
-            // A list that doesn't fit its mesh has no effect, and a reader would refuse it.
-            const TexCoords& coords = std::get<TexCoords>(value);
-            if (coords.empty() || !checkTexCoordCount(*static_cast<const Model*>(owner), coords))
-                return;
-        }
+        if (isList(row.kind) && (listSize(value) == 0 || !listFits(row, owner)))
+            return; // what doesn't fit has no effect, and a reader would refuse it
         member(row.key);
         switch (row.kind) {
         case Kind::Bool:
@@ -98,23 +107,33 @@ private:
             out_ += jsonNumber(std::get<float>(value));
             break;
         case Kind::Vec3:
-            out_ += jsonVector(std::get<glm::vec3>(value), 3);
+            out_ += jsonNumbers({&std::get<glm::vec3>(value).x, 3});
             break;
         case Kind::Vec4:
         case Kind::Color:
-            out_ += jsonVector(std::get<glm::vec4>(value), 4);
+            out_ += jsonNumbers({&std::get<glm::vec4>(value).x, 4});
             break;
         case Kind::Enum:
         case Kind::Text:
             out_ += jsonText(formatValue(row, value));
             break;
-        case Kind::TexCoordList:
+        case Kind::Matrix:
+            out_ += jsonNumbers({&std::get<glm::mat4>(value)[0].x, 16});
+            break;
+        case Kind::PointList:
+        case Kind::ColorList:
+        case Kind::TexCoordList: {
+            const ElementNumbers numbers = *elementNumbers(row.kind);
             open('[');
-            for (const glm::vec4& coord : std::get<TexCoords>(value)) {
+            for (const glm::vec4& element : elementsOf(value)) {
                 line();
-                out_ += jsonVector(coord, coord.q != 1 ? 4 : coord.p != 0 ? 3 : 2);
+                out_ += jsonNumbers({&element.x, numbers.needed(element)});
             }
             close(']');
+            break;
+        }
+        case Kind::IndexList:
+            out_ += fmt::format("[{}]", fmt::join(std::get<std::vector<int>>(value), ", "));
             break;
         }
     }
@@ -148,6 +167,7 @@ private:
 
     void indent() { out_.append("\n").append(2 * depth_, ' '); }
 
+    const Scene& scene_;
     std::string out_;
     std::size_t depth_ = 0;
     bool empty_ = true; ///< nothing was written yet since the last opening bracket
@@ -156,7 +176,7 @@ private:
 } // namespace
 
 std::string writeScene(const Scene& scene) {
-    return Writer().write(scene);
+    return Writer(scene).write();
 }
 
 } // namespace texplorer

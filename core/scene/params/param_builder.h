@@ -7,6 +7,10 @@
 
 namespace texplorer::build {
 
+/// As many vertices as a shape can have.
+inline constexpr std::size_t maxTexCoords = std::size_t{maxSubdivision + 1} * (maxSubdivision + 1);
+static_assert(maxTexCoords >= maxMeshVertices);
+
 template<class>
 struct MemberOf;
 template<class O, class T>
@@ -49,8 +53,16 @@ consteval Kind kindOf() {
         return Kind::Vec3;
     else if constexpr (std::is_same_v<T, glm::vec4>)
         return Kind::Vec4;
+    else if constexpr (std::is_same_v<T, glm::mat4>)
+        return Kind::Matrix;
     else if constexpr (std::is_same_v<T, std::string>)
         return Kind::Text;
+    else if constexpr (std::is_same_v<T, std::vector<glm::vec3>>)
+        return Kind::PointList;
+    else if constexpr (std::is_same_v<T, std::vector<glm::vec4>>)
+        return Kind::TexCoordList;
+    else if constexpr (std::is_same_v<T, std::vector<int>>)
+        return Kind::IndexList;
     else {
         static_assert(Enumerated<T>, "a member needs a Kind or an EnumTable");
         return Kind::Enum;
@@ -110,6 +122,25 @@ constexpr ParamRow color(std::string_view key, std::string_view group, std::stri
     return row;
 }
 
+/// A row for a list of at most `maxCount` elements. Whole numbers need a range.
+template<auto Member>
+constexpr ParamRow list(std::string_view key, std::string_view group, std::string_view label,
+                        std::string_view glCall, std::string_view help, std::size_t maxCount,
+                        Range range = {}) {
+    ParamRow row = param<Member>(key, group, label, glCall, help, range);
+    row.maxCount = maxCount;
+    return row;
+}
+
+/// A list of colours: 3 or 4 numbers each, from 0 to 1.
+template<auto Member>
+constexpr ParamRow colors(std::string_view key, std::string_view group, std::string_view label,
+                          std::string_view glCall, std::string_view help, std::size_t maxCount) {
+    ParamRow row = list<Member>(key, group, label, glCall, help, maxCount, {0, 1, 0.005F, {}});
+    row.kind = Kind::ColorList;
+    return row;
+}
+
 /// A row for one element of an array of texture-coordinate lists.
 template<auto Member, std::size_t Index>
 constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::string_view label,
@@ -118,8 +149,8 @@ constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::
     constexpr auto writeList = [](void* owner, const Value& value) {
         get<Member>(owner)[Index] = std::get<TexCoords>(value);
     };
-    return {memberId<Member>,   key, group, label,    help,     glCall,
-            Kind::TexCoordList, {},  {},    readList, writeList};
+    return {memberId<Member>,   key, group, label,    help,      glCall,
+            Kind::TexCoordList, {},  {},    readList, writeList, maxTexCoords};
 }
 
 /// A member that is one struct. Its initial value is the one that its owner gives it.

@@ -59,15 +59,23 @@ std::string_view kindName(Kind kind) {
         return "enum";
     case Kind::Text:
         return "text";
+    case Kind::Matrix:
+        return "matrix";
+    case Kind::PointList:
+        return "points";
+    case Kind::ColorList:
+        return "colors";
     case Kind::TexCoordList:
         return "texCoords";
+    case Kind::IndexList:
+        return "indices";
     }
     return {};
 }
 
 bool hasRange(Kind kind) {
     return kind == Kind::Int || kind == Kind::Float || kind == Kind::Vec3 || kind == Kind::Vec4 ||
-           kind == Kind::Color;
+           kind == Kind::Color || kind == Kind::Matrix || kind == Kind::ColorList || kind == Kind::IndexList;
 }
 
 template<class Vector>
@@ -95,7 +103,16 @@ OrderedJson jsonValue(const ParamRow& row, const Value& value) {
     case Kind::Enum:
     case Kind::Text:
         return formatValue(row, value);
+    case Kind::Matrix: {
+        OrderedJson numbers = OrderedJson::array();
+        for (int i = 0; i < 16; ++i)
+            numbers.push_back(std::get<glm::mat4>(value)[i / 4][i % 4]);
+        return numbers;
+    }
+    case Kind::PointList:
+    case Kind::ColorList:
     case Kind::TexCoordList:
+    case Kind::IndexList:
         return OrderedJson::array();
     }
     return {};

@@ -1,5 +1,6 @@
 // Parameters by their path: "passes[0].units[1].envMode".
 
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
@@ -87,16 +88,18 @@ private:
         place_.row = &row;
         if (!part.index)
             return {};
-        if (row.kind != Kind::TexCoordList)
-            return refuse("it is a single value, expected no index");
+        if (row.member != memberId<&Model::texCoords>)
+            return refuse(isList(row.kind) ? "it is set as a whole, expected no index"
+                                           : "it is a single value, expected no index");
         const Model& model = *static_cast<const Model*>(place_.owner);
-        const std::size_t count = vertexCount(model.shape, model.slices, model.stacks);
+        const std::size_t count = vertexCountOf(model);
         place_.vertex = parseIndex(*part.index);
         if (!place_.vertex)
             return refuse("expected the number of a vertex in the brackets, found " + inQuotes(*part.index));
         if (*place_.vertex >= count)
-            return refuse(fmt::format("the {} has {} vertices, expected 0 to {}", rowOf(model.shape).name,
-                                      count, count - 1));
+            return refuse(count == 0 ? "the mesh has no vertices"
+                                     : fmt::format("the {} has {} vertices, expected 0 to {}",
+                                                   rowOf(model.shape).name, count, count - 1));
         return {};
     }
 
@@ -142,16 +145,25 @@ TexCoords filledTexCoords(const Place& place) {
     TexCoords list = std::get<TexCoords>(place.row->read(place.owner));
     if (!list.empty() && checkTexCoordCount(model, list))
         return list;
-    const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
+    const Mesh mesh = meshOf(model);
     list.resize(mesh.vertices.size());
     std::ranges::transform(mesh.vertices, list.begin(), &Vertex::texCoord);
     return list;
 }
 
+/// Positions may come first, whatever the other lists have: those count for nothing until they fit.
+Result<void> checkMesh(const MeshData& mesh, const ParamRow& row) {
+    return row.member == memberId<&MeshData::positions> ? Result<void>() : checkMeshList(mesh, row);
+}
+
 Result<void> checkInScene(const Scene& scene, const Place& place) {
-    if (place.row->kind == Kind::TexCoordList)
+    if (place.row->member == memberId<&Model::texCoords>)
         return checkTexCoordCount(*static_cast<const Model*>(place.owner),
                                   std::get<TexCoords>(place.row->read(place.owner)));
+    if (place.row->member == memberId<&Pass::models>)
+        return checkPassModels(scene, *static_cast<const Pass*>(place.owner));
+    if (place.table == &meshTable() && isList(place.row->kind))
+        return checkMesh(*static_cast<const MeshData*>(place.owner), *place.row);
     if (place.table == &unitTable())
         return checkUnitTexture(scene, *static_cast<const Unit*>(place.owner));
     return {};

@@ -3,6 +3,11 @@
 // The pieces that messages about parameters are made of. Input from outside is quoted, cut and made
 // printable.
 
+#include "core/scene/params/params.h"
+
+#include <glm/vec4.hpp>
+
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,5 +33,27 @@ namespace texplorer {
 
 /// `did you mean "minFilter"?`, or else `expected one of a, b, c`.
 [[nodiscard]] std::string suggestName(std::string_view text, const std::vector<std::string_view>& names);
+
+/// The numbers that an element of a list has for each vertex: so many, or the last ones left out where they
+/// are those of `rest`.
+struct ElementNumbers {
+    std::size_t least;
+    std::size_t most;
+    glm::vec4 rest{0, 0, 0, 1};
+
+    /// How many of this element have to be written.
+    [[nodiscard]] std::size_t needed(glm::vec4 element) const;
+};
+
+/// Nothing where the kind isn't a list of vectors.
+[[nodiscard]] std::optional<ElementNumbers> elementNumbers(Kind kind);
+
+/// The elements of such a list, and back.
+[[nodiscard]] std::vector<glm::vec4> elementsOf(const Value& value);
+[[nodiscard]] Value listOf(Kind kind, const std::vector<glm::vec4>& elements);
+
+/// How many elements a list of any kind has; 0 for what is no list.
+[[nodiscard]] std::size_t listSize(const Value& value);
+[[nodiscard]] bool isList(Kind kind);
 
 } // namespace texplorer

@@ -4,7 +4,7 @@
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
@@ -37,12 +37,19 @@ std::size_t alternativeOf(Kind kind) {
     case Kind::Vec4:
     case Kind::Color:
         return Value(glm::vec4()).index();
+    case Kind::Matrix:
+        return Value(glm::mat4()).index();
     case Kind::Enum:
         return Value(EnumValue{}).index();
     case Kind::Text:
         return Value(std::string()).index();
+    case Kind::PointList:
+        return Value(std::vector<glm::vec3>()).index();
+    case Kind::ColorList:
     case Kind::TexCoordList:
-        return Value(TexCoords()).index();
+        return Value(std::vector<glm::vec4>()).index();
+    case Kind::IndexList:
+        return Value(std::vector<int>()).index();
     }
     return std::variant_npos;
 }
@@ -69,11 +76,40 @@ Result<void> checkText(const ParamRow& row, const std::string& text) {
     return {};
 }
 
-Result<void> checkTexCoords(const ParamRow& row, const TexCoords& list) {
+Result<void> checkMatrix(const ParamRow& row, const glm::mat4& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int i = 0; i < 4; ++i)
+            if (!accepts(row.range, matrix[column][i]))
+                return refuse(row, formatNumber(matrix[column][i]));
+    return {};
+}
+
+Result<void> checkLength(const ParamRow& row, std::size_t count) {
+    if (count <= row.maxCount)
+        return {};
+    return fail(ErrorCode::TooLarge,
+                fmt::format("expected at most {} elements, found {}", row.maxCount, count));
+}
+
+Result<void> checkElements(const ParamRow& row, const std::vector<glm::vec4>& list) {
+    if (auto fits = checkLength(row, list.size()); !fits)
+        return fits;
+    const auto fits = [&](float number) {
+        return row.kind == Kind::ColorList ? accepts(row.range, number) : std::isfinite(number);
+    };
     for (std::size_t i = 0; i < list.size(); ++i)
         for (int c = 0; c < 4; ++c)
-            if (!std::isfinite(list[i][c]))
+            if (!fits(list[i][c]))
                 return refuse(row, fmt::format("{} at vertex {}", formatNumber(list[i][c]), i));
+    return {};
+}
+
+Result<void> checkIndices(const ParamRow& row, const std::vector<int>& list) {
+    if (auto fits = checkLength(row, list.size()); !fits)
+        return fits;
+    for (const int index : list)
+        if (!accepts(row.range, static_cast<float>(index)))
+            return refuse(row, std::to_string(index));
     return {};
 }
 
@@ -125,17 +161,44 @@ std::optional<glm::vec4> parseVector(std::string_view text, std::size_t minCount
     return vector;
 }
 
-std::optional<Value> readTexCoords(std::string_view text) {
-    TexCoords list;
+std::optional<Value> readElements(Kind kind, const ElementNumbers& numbers, std::string_view text) {
+    std::vector<glm::vec4> list;
+    if (text.empty())
+        return listOf(kind, list);
+    for (const std::string_view vertex : split(text, ';')) {
+        const auto element = parseVector(vertex, numbers.least, numbers.most, numbers.rest);
+        if (!element)
+            return std::nullopt;
+        list.push_back(*element);
+    }
+    return listOf(kind, list);
+}
+
+std::optional<Value> readIndices(std::string_view text) {
+    std::vector<int> list;
     if (text.empty())
         return list;
-    for (const std::string_view vertex : split(text, ';')) {
-        const auto coord = parseVector(vertex, 2, 4, {0, 0, 0, 1});
-        if (!coord)
+    for (const std::string_view part : split(text, ',')) {
+        const auto number = parseNumber<int>(part);
+        if (!number)
             return std::nullopt;
-        list.push_back(*coord);
+        list.push_back(*number);
     }
     return list;
+}
+
+std::optional<Value> readMatrix(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() != 16)
+        return std::nullopt;
+    glm::mat4 matrix{};
+    for (int i = 0; i < 16; ++i) {
+        const auto number = parseNumber<float>(parts[static_cast<std::size_t>(i)]);
+        if (!number)
+            return std::nullopt;
+        matrix[i / 4][i % 4] = *number;
+    }
+    return matrix;
 }
 
 /// The value that the text spells, whether or not its number is in range.
@@ -166,23 +229,86 @@ std::optional<Value> readValue(const ParamRow& row, std::string_view text) {
         if (const EnumRow* found = findRow(row.choices, text))
             return EnumValue{found->value};
         return std::nullopt;
+    case Kind::Matrix:
+        return readMatrix(text);
     case Kind::Text:
         return std::string(text);
+    case Kind::PointList:
+    case Kind::ColorList:
     case Kind::TexCoordList:
-        return readTexCoords(text);
+        return readElements(row.kind, *elementNumbers(row.kind), text);
+    case Kind::IndexList:
+        return readIndices(text);
     }
     return std::nullopt;
 }
 
+constexpr ElementNumbers pointNumbers{3, 3};
+constexpr ElementNumbers colorNumbers{3, 4};
+constexpr ElementNumbers texCoordNumbers{2, 4};
+
 } // namespace
 
+std::size_t ElementNumbers::needed(glm::vec4 element) const {
+    std::size_t count = most;
+    while (count > least && element[static_cast<int>(count) - 1] == rest[static_cast<int>(count) - 1])
+        --count;
+    return count;
+}
+
+std::optional<ElementNumbers> elementNumbers(Kind kind) {
+    switch (kind) {
+    case Kind::PointList:
+        return pointNumbers;
+    case Kind::ColorList:
+        return colorNumbers;
+    case Kind::TexCoordList:
+        return texCoordNumbers;
+    default:
+        return std::nullopt;
+    }
+}
+
+std::vector<glm::vec4> elementsOf(const Value& value) {
+    if (const auto* coords = std::get_if<std::vector<glm::vec4>>(&value))
+        return *coords;
+    std::vector<glm::vec4> elements;
+    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&value)) {
+        elements.reserve(points->size());
+        for (const glm::vec3& point : *points)
+            elements.emplace_back(point, 1);
+    }
+    return elements;
+}
+
+Value listOf(Kind kind, const std::vector<glm::vec4>& elements) {
+    if (kind == Kind::PointList)
+        return std::vector<glm::vec3>(elements.begin(), elements.end());
+    return elements;
+}
+
+std::size_t listSize(const Value& value) {
+    return std::visit(
+        [](const auto& held) -> std::size_t {
+            if constexpr (requires { held.resize(0); } && !std::is_same_v<decltype(held), const std::string&>)
+                return held.size();
+            else
+                return 0;
+        },
+        value);
+}
+
+bool isList(Kind kind) {
+    return kind == Kind::IndexList || elementNumbers(kind).has_value();
+}
+
 std::string formatTexCoord(glm::vec4 coord) {
-    const std::size_t count = coord.q != 1 ? 4 : coord.p != 0 ? 3 : 2;
-    return formatNumbers({&coord.x, count});
+    return formatNumbers({&coord.x, texCoordNumbers.needed(coord)});
 }
 
 Result<glm::vec4> parseTexCoord(std::string_view text) {
-    if (const auto coord = parseVector(text, 2, 4, {0, 0, 0, 1}))
+    if (const auto coord =
+            parseVector(text, texCoordNumbers.least, texCoordNumbers.most, texCoordNumbers.rest))
         return *coord;
     return fail(ErrorCode::OutOfRange,
                 "expected 2 to 4 finite numbers separated by commas, found " + inQuotes(text));
@@ -206,8 +332,16 @@ std::string describeAccepted(const ParamRow& row) {
         return "one of " + listNames(row.choices);
     case Kind::Text:
         return fmt::format("UTF-8 text of at most {} bytes", maxTextBytes);
+    case Kind::Matrix:
+        return "16 numbers, each " + withUnit(row.range);
+    case Kind::PointList:
+        return "3 finite numbers for each vertex";
+    case Kind::ColorList:
+        return "3 or 4 numbers (red, green, blue, alpha) for each vertex, each " + withUnit(row.range);
     case Kind::TexCoordList:
         return "2 to 4 finite numbers for each vertex";
+    case Kind::IndexList:
+        return "whole numbers, each " + withUnit(row.range);
     }
     return {};
 }
@@ -237,8 +371,14 @@ Result<void> checkValue(const ParamRow& row, const Value& value) {
         return {};
     case Kind::Text:
         return checkText(row, std::get<std::string>(value));
+    case Kind::Matrix:
+        return checkMatrix(row, std::get<glm::mat4>(value));
+    case Kind::PointList:
+    case Kind::ColorList:
     case Kind::TexCoordList:
-        return checkTexCoords(row, std::get<TexCoords>(value));
+        return checkElements(row, elementsOf(value));
+    case Kind::IndexList:
+        return checkIndices(row, std::get<std::vector<int>>(value));
     }
     return {};
 }
@@ -262,12 +402,19 @@ std::string formatValue(const ParamRow& row, const Value& value) {
     }
     case Kind::Text:
         return std::get<std::string>(value);
+    case Kind::Matrix:
+        return formatNumbers({&std::get<glm::mat4>(value)[0].x, 16});
+    case Kind::PointList:
+    case Kind::ColorList:
     case Kind::TexCoordList: {
+        const ElementNumbers numbers = *elementNumbers(row.kind);
         std::string text;
-        for (const glm::vec4& coord : std::get<TexCoords>(value))
-            text.append(text.empty() ? "" : ";").append(formatTexCoord(coord));
+        for (const glm::vec4& element : elementsOf(value))
+            text.append(text.empty() ? "" : ";").append(formatNumbers({&element.x, numbers.needed(element)}));
         return text;
     }
+    case Kind::IndexList:
+        return fmt::format("{}", fmt::join(std::get<std::vector<int>>(value), ","));
     }
     return {};
 }

@@ -19,9 +19,25 @@ struct EnumValue {
     bool operator==(const EnumValue&) const = default;
 };
 
-using Value = std::variant<bool, int, float, glm::vec3, glm::vec4, EnumValue, std::string, TexCoords>;
+using Value = std::variant<bool, int, float, glm::vec3, glm::vec4, glm::mat4, EnumValue, std::string,
+                           std::vector<glm::vec3>, std::vector<glm::vec4>, std::vector<int>>;
 
-enum class Kind { Bool, Int, Float, Vec3, Vec4, Color, Enum, Text, TexCoordList };
+/// The lists have an element of 3, 3 to 4, or 2 to 4 numbers for each vertex; or whole numbers.
+enum class Kind {
+    Bool,
+    Int,
+    Float,
+    Vec3,
+    Vec4,
+    Color,
+    Matrix,
+    Enum,
+    Text,
+    PointList,
+    ColorList,
+    TexCoordList,
+    IndexList
+};
 
 /// The accepted numbers, both ends included, for each component; `step` is a drag of one pixel.
 struct Range {
@@ -50,10 +66,11 @@ struct ParamRow {
     /// words of gl_call.cpp.
     std::string_view glCall;
     Kind kind;
-    Range range;                                    ///< for Int, Float, Vec3, Vec4, Color
+    Range range;                                    ///< for Int, Float, Vec3, Vec4, Color, Matrix, IndexList
     std::span<const EnumRow> choices;               ///< for Enum
     Value (*read)(const void* owner);               ///< `owner` is the struct whose table holds this row
     void (*write)(void* owner, const Value& value); ///< the value must hold the row's alternative
+    std::size_t maxCount = 0;                       ///< of a list: its longest
 };
 
 struct StructTable;
@@ -87,11 +104,14 @@ struct StructTable {
 [[nodiscard]] const StructTable& lightTable();
 [[nodiscard]] const StructTable& materialTable();
 [[nodiscard]] const StructTable& modelTable();
+[[nodiscard]] const StructTable& modelMaterialTable(); ///< of one model: without what is the scene's
+[[nodiscard]] const StructTable& meshTable();
 [[nodiscard]] const StructTable& textureTable();
 [[nodiscard]] const StructTable& passTable();
 [[nodiscard]] const StructTable& unitTable();
 [[nodiscard]] const StructTable& matrixStepTable();
 [[nodiscard]] const StructTable& combineTable();
+[[nodiscard]] const StructTable& embossTable();
 /// For one of the coordinates s, t, r and q: 0 to 3. They differ in the modes that OpenGL accepts.
 [[nodiscard]] const StructTable& texGenTable(std::size_t coordinate);
 
@@ -111,7 +131,8 @@ inline constexpr std::size_t maxTextBytes = 4096;
 [[nodiscard]] Result<void> checkValue(const ParamRow& row, const Value& value);
 
 /// A value as `--set` and `texshot params` write it: "GL_LINEAR", "0.5", "1,0,0,1", "true"; texture
-/// coordinates are "0,0;1,0;1,1", one vertex after the other. parseValue reads it back exactly.
+/// coordinates and what else each vertex has are "0,0;1,0;1,1", one vertex after the other; whole numbers in
+/// a list "0,2,1". parseValue reads it back exactly.
 [[nodiscard]] std::string formatValue(const ParamRow& row, const Value& value);
 [[nodiscard]] Result<Value> parseValue(const ParamRow& row, std::string_view text);
 

@@ -38,10 +38,23 @@ constexpr std::array materialRows{
     color<&Material::color>(
         "color", "Material", "glColor", "glColor4f({})",
         "The fragment's colour before texturing. Under lighting it is the ambient and diffuse "
-        "reflectance (GL_COLOR_MATERIAL)."),
+        "reflectance where the next switch says so."),
+    param<&Material::colorMaterial>(
+        "colorMaterial", "Material", "Colour material", "glEnable(GL_COLOR_MATERIAL)",
+        "Whether glColor is the ambient and diffuse reflectance under lighting. Without it those below are, "
+        "and glColor counts for nothing there."),
+    color<&Material::ambient>("ambient", "Material", "Ambient",
+                              "glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, {})",
+                              "How much of the ambient light the surface scatters."),
+    color<&Material::diffuse>(
+        "diffuse", "Material", "Diffuse", "glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, {})",
+        "How much of the light's diffuse colour the surface scatters; its alpha is the fragment's."),
     color<&Material::specular>(
         "specular", "Material", "Specular", "glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {})",
         "How much of the light's specular colour the surface mirrors; black has no highlight."),
+    color<&Material::emission>("emission", "Material", "Emission",
+                               "glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, {})",
+                               "What the surface shines with itself, without any light."),
     param<&Material::shininess>(
         "shininess", "Material", "Shininess", "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, {})",
         "The exponent of the highlight: the larger, the smaller and sharper it is.", {0, 128, 0.5F, {}}),
@@ -49,7 +62,8 @@ constexpr std::array materialRows{
         "shadeModel", "Material", "Shading", "glShadeModel({})",
         "Whether lighting is interpolated across a triangle. Texture coordinates always are."),
 };
-static_assert(materialRows.size() == 4 && materialRows.size() == build::memberCount<Material>());
+static_assert(materialRows.back().member == memberId<&Material::shadeModel>);
+static_assert(materialRows.size() == 8 && materialRows.size() == build::memberCount<Material>());
 
 } // namespace
 
@@ -60,6 +74,11 @@ const StructTable& lightTable() {
 
 const StructTable& materialTable() {
     static const StructTable table{"Material", materialRows, {}};
+    return table;
+}
+
+const StructTable& modelMaterialTable() {
+    static const StructTable table{"Material", std::span(materialRows).first(materialRows.size() - 1), {}};
     return table;
 }
 

@@ -3,12 +3,18 @@
 namespace texplorer {
 namespace {
 
+using build::list;
 using build::param;
 
 constexpr std::array passRows{
     param<&Pass::enabled>(
         "enabled", "Pass", "Drawn", "",
         "Whether this pass is drawn. Passes come one after the other, each over what is there."),
+    param<&Pass::name>("name", "Pass", "Name", "", "What it is called in lists. It changes nothing else."),
+    list<&Pass::models>(
+        "models", "Pass", "Models", "",
+        "Which models this pass draws, counted from 0 and in this order. An empty list: all of them.",
+        maxModels, {0, static_cast<float>(maxModels - 1), 1, {}}),
     param<&Pass::lighting>(
         "lighting", "Lighting", "Lighting", "glEnable(GL_LIGHTING)",
         "Whether light 0 decides the fragment's colour. Without it the colour is glColor alone."),
@@ -36,7 +42,7 @@ const StructTable& passTable() {
     static const std::array children{
         build::many<&Pass::units>("units", "Unit", unitTable(), maxUnits, maxUnits),
     };
-    static_assert(passRows.size() == 10 && passRows.size() + children.size() == build::memberCount<Pass>());
+    static_assert(passRows.size() == 12 && passRows.size() + children.size() == build::memberCount<Pass>());
     static const StructTable table{"Pass", passRows, children};
     return table;
 }

@@ -34,6 +34,15 @@ constexpr std::array matrixStepRows{
     param<&MatrixStep::amount>("amount", "Step", "Amount", "",
                                "The offset, the factors, or the axis of the rotation, at time 0.",
                                {-1000, 1000, 0.01F, {}}),
+    param<&MatrixStep::pivot>(
+        "pivot", "Step", "About", "",
+        "The point that a rotation or a scale leaves in its place; (0.5, 0.5, 0) is the "
+        "middle of a picture.",
+        {-1000, 1000, 0.01F, {}}),
+    param<&MatrixStep::matrix>("matrix", "Step", "Matrix", "",
+                               "16 numbers, column after column as OpenGL takes them: the last four are the "
+                               "offset.",
+                               {-1e6F, 1e6F, 0.01F, {}}),
     param<&MatrixStep::angle>("angle", "Step", "Angle", "glRotatef({}, x, y, z)",
                               "How far a rotation turns at time 0; translating and scaling ignore it.",
                               {-360, 360, 0.5F, "deg"}),
@@ -42,7 +51,7 @@ constexpr std::array matrixStepRows{
     param<&MatrixStep::angleRate>("angleRate", "Animation", "Angle rate", "",
                                   "Added to the angle every second.", {-3600, 3600, 0.5F, "deg/s"}),
 };
-static_assert(matrixStepRows.size() == 5 && matrixStepRows.size() == build::memberCount<MatrixStep>());
+static_assert(matrixStepRows.size() == 7 && matrixStepRows.size() == build::memberCount<MatrixStep>());
 
 constexpr std::array combineRows{
     param<&Combine::rgb>("rgb", "Colour", "Colour function", "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {})",
@@ -95,6 +104,17 @@ constexpr std::array combineRows{
 };
 static_assert(combineRows.size() == 16 && combineRows.size() == build::memberCount<Combine>());
 
+constexpr std::array embossRows{
+    param<&Emboss::enabled>("enabled", "Emboss", "Follow the light", "",
+                            "Moves every vertex's coordinates towards the light, as far as it stands aside. "
+                            "An image minus itself moved so is a relief."),
+    param<&Emboss::depth>("depth", "Emboss", "Depth", "",
+                          "How far coordinates move at most, in widths of the image.", {-1, 1, 0.0005F, {}}),
+    param<&Emboss::carrier>("carrier", "Emboss", "Light into the model by", "",
+                            "How the light's place is carried into the model's coordinates."),
+};
+static_assert(embossRows.size() == 3 && embossRows.size() == build::memberCount<Emboss>());
+
 struct TexGenCalls {
     std::string_view enable;
     std::string_view mode;
@@ -146,6 +166,11 @@ const StructTable& combineTable() {
     return table;
 }
 
+const StructTable& embossTable() {
+    static const StructTable table{"Emboss", embossRows, {}};
+    return table;
+}
+
 const StructTable& texGenTable(std::size_t coordinate) {
     static const std::array tables{
         StructTable{"TexGenS", texGenTableRows[0], {}}, StructTable{"TexGenT", texGenTableRows[1], {}},
@@ -165,6 +190,7 @@ const StructTable& unitTable() {
         build::single<&Unit::texGenT>("texGenT", "Generated t", texGenTable(1)),
         build::single<&Unit::texGenR>("texGenR", "Generated r", texGenTable(2)),
         build::single<&Unit::texGenQ>("texGenQ", "Generated q", texGenTable(3)),
+        build::single<&Unit::emboss>("emboss", "Emboss", embossTable()),
         build::many<&Unit::matrix>("matrix", "Matrix step", matrixStepTable(), 0, maxMatrixSteps),
     };
     static_assert(unitRows.size() == 6 && unitRows.size() + children.size() == build::memberCount<Unit>());

@@ -10,9 +10,13 @@ constexpr std::array viewRows{
     param<&View::azimuth>("azimuth", "Camera", "Azimuth", "glRotatef(-{}, 0, 1, 0)",
                           "How far the camera has gone around the y axis; at 0 it looks along -z.",
                           {-360, 360, 0.5F, "deg"}),
-    param<&View::elevation>("elevation", "Camera", "Elevation", "glRotatef({}, 1, 0, 0)",
-                            "How high the camera stands above the horizon; negative looks up from below.",
-                            {-89, 89, 0.5F, "deg"}),
+    param<&View::elevation>(
+        "elevation", "Camera", "Elevation", "glRotatef({}, 1, 0, 0)",
+        "How high the camera stands above the horizon; negative looks up from below, and beyond 90 "
+        "degrees it has gone over the pole.",
+        {-360, 360, 0.5F, "deg"}),
+    param<&View::roll>("roll", "Camera", "Roll", "glRotatef({}, 0, 0, 1)",
+                       "How far the camera is turned about its line of sight.", {-360, 360, 0.5F, "deg"}),
     param<&View::distance>(
         "distance", "Camera", "Distance", "glTranslatef(0, 0, -{})",
         "From the camera to its target. Far away, a pixel covers many texels: minification.",
@@ -35,7 +39,7 @@ constexpr std::array viewRows{
         "What the frame is cleared to. Its alpha shows only where a blend factor asks for it; "
         "screenshots are opaque."),
 };
-static_assert(viewRows.size() == 8 && viewRows.size() == build::memberCount<View>());
+static_assert(viewRows.size() == 9 && viewRows.size() == build::memberCount<View>());
 
 } // namespace
 

@@ -13,9 +13,7 @@ namespace {
 
 struct Case {
     const char* name;
-    Shape shape;
-    int slices;
-    int stacks;
+    ShapeOptions options;
     std::size_t vertices;
     std::size_t triangles;
     std::size_t faces;
@@ -23,7 +21,7 @@ struct Case {
 
 class Meshes : public testing::TestWithParam<Case> {
 protected:
-    Mesh mesh_ = makeMesh(GetParam().shape, GetParam().slices, GetParam().stacks);
+    Mesh mesh_ = makeMesh(GetParam().options);
 
     glm::vec3 position(std::uint32_t vertex) const { return mesh_.vertices.at(vertex).position; }
     /// Twice the area, in the direction from which the corners are seen counter-clockwise.
@@ -38,7 +36,10 @@ TEST_P(Meshes, HaveTheCountsThatTheirShapeSays) {
     EXPECT_EQ(mesh_.vertices.size(), GetParam().vertices);
     EXPECT_EQ(mesh_.triangles.size(), 3 * GetParam().triangles);
     EXPECT_EQ(mesh_.faces.size(), GetParam().faces);
-    EXPECT_EQ(vertexCount(GetParam().shape, GetParam().slices, GetParam().stacks), GetParam().vertices);
+    EXPECT_THAT(mesh_.lines, testing::IsEmpty());
+    EXPECT_THAT(mesh_.points, testing::IsEmpty());
+    EXPECT_FALSE(mesh_.colored);
+    EXPECT_EQ(vertexCount(GetParam().options), GetParam().vertices);
 }
 
 TEST_P(Meshes, EveryTriangleHasAnAreaAndFacesItsNormals) {
@@ -63,8 +64,9 @@ TEST_P(Meshes, FacesCoverEveryVertexAndTheirOutlinesRunCounterClockwise) {
     for (const Face& face : mesh_.faces) {
         EXPECT_TRUE(names.insert(face.name).second) << face.name;
         ASSERT_GE(face.vertices.size(), 3U) << face.name;
-        // In texture space every face of these meshes is a rectangle, seen as the image is: the signed area
-        // of its outline (the shoelace formula) is positive.
+        EXPECT_TRUE(face.closed) << face.name;
+        // In texture space every face of these meshes is seen as the image is, and most are rectangles: the
+        // signed area of its outline (the shoelace formula) is positive.
         float area = 0;
         for (std::size_t i = 0; i < face.vertices.size(); ++i) {
             const glm::vec4 a = mesh_.vertices.at(face.vertices[i]).texCoord;
@@ -79,14 +81,48 @@ TEST_P(Meshes, FacesCoverEveryVertexAndTheirOutlinesRunCounterClockwise) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Meshes,
-    testing::Values(Case{"Cube", Shape::Cube, 0, 0, 24, 12, 6}, Case{"Quad", Shape::Quad, 0, 0, 4, 2, 1},
-                    Case{"Floor", Shape::Floor, 0, 0, 4, 2, 1},
-                    Case{"Sphere32x16", Shape::Sphere, 32, 16, 33 * 17, 32 * 15 * 2, 16},
-                    Case{"Sphere3x2", Shape::Sphere, 3, 2, 4 * 3, 6, 2},
-                    Case{"Sphere5x7", Shape::Sphere, 5, 7, 6 * 8, 5 * 6 * 2, 7},
-                    Case{"SphereTooCoarse", Shape::Sphere, -1, 0, 4 * 3, 6, 2},
-                    Case{"SphereTooFine", Shape::Sphere, 1 << 30, 257, 257 * 257, 256 * 255 * 2, 256}),
+    testing::Values(
+        Case{"Cube", {Shape::Cube}, 24, 12, 6}, Case{"Quad", {Shape::Quad}, 4, 2, 1},
+        Case{"Floor", {Shape::Floor}, 4, 2, 1},
+        Case{"Sphere32x16", {Shape::Sphere, 32, 16}, 33 * 17, 32 * 15 * 2, 16},
+        Case{"Sphere3x2", {Shape::Sphere, 3, 2}, 4 * 3, 6, 2},
+        Case{"Sphere5x7", {Shape::Sphere, 5, 7}, 6 * 8, 5 * 6 * 2, 7},
+        Case{"SphereTooCoarse", {Shape::Sphere, -1, 0}, 4 * 3, 6, 2},
+        Case{"SphereTooFine", {Shape::Sphere, 1 << 30, 257}, 257 * 257, 256 * 255 * 2, 256},
+        Case{"Cylinder32x16", {Shape::Cylinder, 32, 16}, 33 * 17, 32 * 16 * 2, 16},
+        Case{"CylinderTooCoarse", {Shape::Cylinder, 2, 1}, 4 * 3, 3 * 2 * 2, 2},
+        Case{"CylinderTooFine", {Shape::Cylinder, 300, 300}, 257 * 257, 256 * 256 * 2, 256},
+        Case{
+            "Cone7x5", {.shape = Shape::Cylinder, .slices = 7, .stacks = 5, .topRadius = 0}, 8 * 6, 7 * 9, 5},
+        Case{"Funnel3x2", {.shape = Shape::Cylinder, .slices = 3, .stacks = 2, .topRadius = 4}, 4 * 3, 12, 2},
+        Case{"Disk32x16", {Shape::Disk, 32, 16}, 33 * 17, 32 * 31, 16},
+        Case{"DiskTooCoarse", {Shape::Disk, 0, 0}, 4 * 3, 3 * 3, 2},
+        Case{"Ring7x5",
+             {.shape = Shape::Disk, .slices = 7, .stacks = 5, .innerRadius = 0.5F},
+             8 * 6,
+             7 * 10,
+             5},
+        Case{"PartialDisk9x4", {Shape::PartialDisk, 9, 4}, 10 * 5, 9 * 7, 4},
+        Case{"Arc9x4",
+             {.shape = Shape::PartialDisk, .slices = 9, .stacks = 4, .innerRadius = 0.9F, .sweepAngle = -90},
+             10 * 5,
+             9 * 8,
+             4},
+        Case{"Torus32x16", {Shape::Torus, 32, 16}, 33 * 17, 32 * 16 * 2, 16},
+        Case{"Torus5x3",
+             {.shape = Shape::Torus, .slices = 5, .stacks = 3, .tubeRadius = 0.25F},
+             6 * 4,
+             30,
+             3}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(OwnMesh, IsNoShape) {
+    const Mesh mesh = makeMesh({Shape::Mesh});
+    EXPECT_TRUE(mesh.vertices.empty());
+    EXPECT_TRUE(mesh.triangles.empty());
+    EXPECT_TRUE(mesh.faces.empty());
+    EXPECT_EQ(vertexCount({Shape::Mesh}), 0U);
+}
 
 TEST(Cube, FacesAreNamedAndTheirImagesStandUpright) {
     struct Expected {
@@ -102,7 +138,7 @@ TEST(Cube, FacesAreNamedAndTheirImagesStandUpright) {
         {"Left", {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {"Right", {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
         {"Top", {0, 1, 0}, {1, 0, 0}, {0, 0, -1}},  {"Bottom", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
     };
-    const Mesh cube = makeMesh(Shape::Cube, 0, 0);
+    const Mesh cube = makeMesh({Shape::Cube});
     ASSERT_EQ(cube.faces.size(), std::size(expected));
     for (std::size_t i = 0; i < std::size(expected); ++i) {
         SCOPED_TRACE(expected[i].name);
@@ -129,7 +165,7 @@ TEST(Cube, FacesAreNamedAndTheirImagesStandUpright) {
 TEST(Sphere, PositionsAndCoordinatesFollowGluSphere) {
     const int slices = 12;
     const int stacks = 6;
-    const Mesh sphere = makeMesh(Shape::Sphere, slices, stacks);
+    const Mesh sphere = makeMesh({Shape::Sphere, slices, stacks});
     for (int j = 0; j <= stacks; ++j)
         for (int i = 0; i <= slices; ++i) {
             const double a = 2 * std::numbers::pi * i / slices;
@@ -147,7 +183,7 @@ TEST(Sphere, PositionsAndCoordinatesFollowGluSphere) {
 }
 
 TEST(Sphere, TheFrontShowsTheMiddleOfTheImageAndEastIsToTheRight) {
-    const Mesh sphere = makeMesh(Shape::Sphere, 4, 2);
+    const Mesh sphere = makeMesh({Shape::Sphere, 4, 2});
     const auto at = [&](int slice) { return sphere.vertices.at(static_cast<std::size_t>(5 + slice)); };
     EXPECT_EQ(at(0).position, glm::vec3(0, 0, -1));
     EXPECT_EQ(at(1).position, glm::vec3(-1, 0, 0));
@@ -159,7 +195,7 @@ TEST(Sphere, TheFrontShowsTheMiddleOfTheImageAndEastIsToTheRight) {
 }
 
 TEST(Sphere, PolesArePoints) {
-    const Mesh sphere = makeMesh(Shape::Sphere, 7, 5);
+    const Mesh sphere = makeMesh({Shape::Sphere, 7, 5});
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_EQ(sphere.vertices.at(i).position, glm::vec3(0, -1, 0));
         EXPECT_EQ(sphere.vertices.at(sphere.vertices.size() - 1 - i).position, glm::vec3(0, 1, 0));
@@ -174,7 +210,7 @@ TEST(Sphere, PolesArePoints) {
 TEST(Sphere, TrianglesComeAsGluSphereDrawsThem) {
     const int slices = 5;
     const int stacks = 4;
-    const Mesh sphere = makeMesh(Shape::Sphere, slices, stacks);
+    const Mesh sphere = makeMesh({Shape::Sphere, slices, stacks});
     const auto at = [&](int i, int j) {
         return static_cast<std::uint32_t>((stacks - j) * (slices + 1) + (slices - i));
     };
@@ -193,9 +229,9 @@ TEST(Sphere, TrianglesComeAsGluSphereDrawsThem) {
 }
 
 TEST(Patches, AreDividedBetweenTheirSecondAndFourthCorner) {
-    EXPECT_THAT(makeMesh(Shape::Quad, 0, 0).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
-    EXPECT_THAT(makeMesh(Shape::Floor, 0, 0).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
-    const Mesh cube = makeMesh(Shape::Cube, 0, 0);
+    EXPECT_THAT(makeMesh({Shape::Quad}).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
+    EXPECT_THAT(makeMesh({Shape::Floor}).triangles, testing::ElementsAre(0, 1, 3, 1, 2, 3));
+    const Mesh cube = makeMesh({Shape::Cube});
     for (std::uint32_t face = 0; face < 6; ++face) {
         const auto first = cube.triangles.begin() + 6 * static_cast<std::ptrdiff_t>(face);
         const std::uint32_t at = 4 * face;
@@ -205,7 +241,7 @@ TEST(Patches, AreDividedBetweenTheirSecondAndFourthCorner) {
 }
 
 TEST(Floor, HasOneTileAUnitAndReachesIntoTheDistance) {
-    const Mesh floor = makeMesh(Shape::Floor, 0, 0);
+    const Mesh floor = makeMesh({Shape::Floor});
     for (const Vertex& vertex : floor.vertices) {
         EXPECT_EQ(vertex.position.y, -1.0F);
         EXPECT_EQ(vertex.texCoord.s, vertex.position.x + 4);

@@ -1,0 +1,65 @@
+#include "core/scene/drawn_models.h"
+
+#include <algorithm>
+
+namespace texplorer {
+
+std::vector<std::size_t> drawnModels(const Scene& scene, const Pass& pass) {
+    std::vector<std::size_t> drawn;
+    if (!pass.enabled)
+        return drawn;
+    const auto add = [&](std::size_t index) {
+        if (index < scene.models.size() && scene.models[index].visible)
+            drawn.push_back(index);
+    };
+    if (pass.models.empty()) {
+        for (std::size_t i = 0; i < scene.models.size(); ++i)
+            add(i);
+    } else {
+        for (const int index : pass.models)
+            add(static_cast<std::size_t>(index));
+    }
+    return drawn;
+}
+
+bool isDrawn(const Scene& scene, std::size_t model) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
+        return std::ranges::find(drawn, model) != drawn.end();
+    });
+}
+
+bool drawsAnything(const Scene& scene, const Pass& pass) {
+    return !drawnModels(scene, pass).empty();
+}
+
+void modelRemoved(Scene& scene, std::size_t index) {
+    const int removed = static_cast<int>(index);
+    for (Pass& pass : scene.passes) {
+        if (pass.models.empty())
+            continue;
+        std::erase(pass.models, removed);
+        if (pass.models.empty())
+            pass.enabled = false;
+        for (int& model : pass.models)
+            model -= model > removed ? 1 : 0;
+    }
+}
+
+void modelInserted(Scene& scene, std::size_t index) {
+    for (Pass& pass : scene.passes)
+        for (int& model : pass.models)
+            model += model >= static_cast<int>(index) ? 1 : 0;
+}
+
+void modelsSwapped(Scene& scene, std::size_t one, std::size_t other) {
+    for (Pass& pass : scene.passes)
+        for (int& model : pass.models) {
+            if (model == static_cast<int>(one))
+                model = static_cast<int>(other);
+            else if (model == static_cast<int>(other))
+                model = static_cast<int>(one);
+        }
+}
+
+} // namespace texplorer

@@ -1,0 +1,26 @@
+#include "core/scene/model_mesh.h"
+
+namespace texplorer {
+
+ShapeOptions shapeOptions(const Model& model) {
+    return {model.shape,       model.slices,     model.stacks,     model.topRadius,
+            model.innerRadius, model.tubeRadius, model.startAngle, model.sweepAngle};
+}
+
+Mesh meshOf(const Model& model) {
+    return model.shape == Shape::Mesh ? makeMesh(model.mesh) : makeMesh(shapeOptions(model));
+}
+
+std::size_t vertexCountOf(const Model& model) {
+    return model.shape == Shape::Mesh ? model.mesh.positions.size() : vertexCount(shapeOptions(model));
+}
+
+bool isClosed(const Model& model) {
+    return model.shape == Shape::Cube || model.shape == Shape::Sphere || model.shape == Shape::Torus;
+}
+
+const Material& materialOf(const Scene& scene, const Model& model) {
+    return model.ownMaterial ? model.material : scene.material;
+}
+
+} // namespace texplorer

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace texplorer {
+
+/// The mesh that a model is drawn as: that of its shape, or its own.
+[[nodiscard]] Mesh meshOf(const Model& model);
+
+/// How many vertices it has, without making it.
+[[nodiscard]] std::size_t vertexCountOf(const Model& model);
+
+/// What the shape is made from.
+[[nodiscard]] ShapeOptions shapeOptions(const Model& model);
+
+/// Whether one can't see the inner side of its faces.
+[[nodiscard]] bool isClosed(const Model& model);
+
+/// The model's own material where it has one, else the scene's. Its shading is always the scene's.
+[[nodiscard]] const Material& materialOf(const Scene& scene, const Model& model);
+
+} // namespace texplorer
