@@ -90,19 +90,20 @@ void applyLight(const Light& light) {
 }
 
 void applyMaterial(const Material& material) {
-    // What the current colour is copied to while GL_COLOR_MATERIAL is on stays there afterwards.
-    glDisable(GL_COLOR_MATERIAL);
-    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, glm::value_ptr(material.ambient));
-    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, glm::value_ptr(material.diffuse));
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, glm::value_ptr(material.specular));
     glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, glm::value_ptr(material.emission));
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
-    glColor4fv(glm::value_ptr(material.color));
-    if (!material.colorMaterial)
-        return;
-    // The mode first: enabling copies the current colour at once into what the mode names (section 2.14.3).
-    glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
-    glEnable(GL_COLOR_MATERIAL);
+    if (material.colorMaterial) {
+        // The mode first: enabling copies the current colour at once into what the mode names (section 2.14.3).
+        glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+        glColor4fv(glm::value_ptr(material.color));
+        glEnable(GL_COLOR_MATERIAL);
+    } else {
+        glDisable(GL_COLOR_MATERIAL);
+        glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, glm::value_ptr(material.ambient));
+        glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, glm::value_ptr(material.diffuse));
+        glColor4fv(glm::value_ptr(material.color));
+    }
 }
 
 void applyFixedPass(const Pass& pass) {

@@ -58,6 +58,7 @@ constexpr auto functions = std::to_array<GlFunction>({
     TEXPLORER_GL(glUniformMatrix3fv, version20, true),
     TEXPLORER_GL(glUniformMatrix4fv, version20, true),
     TEXPLORER_GL(glUseProgram, version20, true),
+    TEXPLORER_GL(glVertexAttrib4fv, version20, true),
     TEXPLORER_GL(glVertexAttribPointer, version20, true),
     TEXPLORER_GL(glBindFramebuffer, framebuffers, true),
     TEXPLORER_GL(glBindRenderbuffer, framebuffers, true),

@@ -142,6 +142,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             meshes.bind(scene, scene.passes[i], m, time, uses);
             applyLineAndPoint(model);
             pipeline->placeModel(scene, model, meshes.hasColors(), modelViewMatrix(scene.view, model, time));
+            errors.check(fmt::format("models[{}]: glMaterial, glLineWidth, glPointSize", m));
             meshes.draw();
         }
         errors.check(where + ": glDrawRangeElements");

@@ -9,6 +9,7 @@
 #include "core/mesh/mesh.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/scene/animation.h"
+#include "core/scene/model_mesh.h"
 #include "core/texture/image_source.h"
 
 #include <GL/glew.h>
@@ -101,7 +102,7 @@ private:
     }
 
     void makeModel(const Model& model) {
-        const Mesh mesh = makeMesh(model.shape, model.slices, model.stacks);
+        const Mesh mesh = meshOf(model);
         Buffers& buffers = models_.emplace_back();
         buffers.count = static_cast<GLsizei>(mesh.triangles.size());
         glGenBuffers(1, &buffers.vertices);

@@ -2,6 +2,7 @@
 // nlohmann-json's own parse and dump of the same text into its document (which checks nothing of a scene).
 
 #include "core/scene/params/json.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/tex_coords.h"
 
 #include <benchmark/benchmark.h>
@@ -13,7 +14,7 @@ namespace {
 Scene editedScene() {
     Scene scene = defaultScene();
     Model& sphere = scene.models[1];
-    const Mesh mesh = makeMesh(sphere.shape, sphere.slices, sphere.stacks);
+    const Mesh mesh = meshOf(sphere);
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
         setTexCoord(sphere, mesh, 0, vertex, mesh.vertices[vertex].texCoord * 1.37F);
     return scene;

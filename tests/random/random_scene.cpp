@@ -3,6 +3,7 @@
 #include "core/conform/dice.h"
 #include "core/gl/combine_arguments.h"
 #include "core/reference/sampling/lod.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/params.h"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ private:
 /// What no row can know alone: how members must fit each other.
 void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     for (Model& model : scene.models) {
-        const std::size_t count = vertexCount(model.shape, model.slices, model.stacks);
+        const std::size_t count = vertexCountOf(model);
         for (TexCoords& list : model.texCoords) {
             if (count > maxOwnCoordinates || !dice.chance(3))
                 continue;

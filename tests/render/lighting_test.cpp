@@ -124,7 +124,7 @@ Inside pixelIn(const std::array<glm::vec3, 3>& corners, int extent) {
 }
 
 std::vector<std::array<glm::vec3, 3>> quadTriangles() {
-    const Mesh mesh = makeMesh(Shape::Quad, 0, 0);
+    const Mesh mesh = makeMesh({Shape::Quad});
     std::vector<std::array<glm::vec3, 3>> triangles;
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3)
         triangles.push_back({mesh.vertices[mesh.triangles[i]].position,

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                  scene.passes[0].units[0].enabled = false;
                  scene.material.shininess = 200;
              },
-             "glLight, glMaterial: GL_INVALID_VALUE (A number is out of range.)"}),
+             "models[0]: glMaterial, glLineWidth, glPointSize: GL_INVALID_VALUE (A number is out of range.)"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 class Problems : public RenderTest {};

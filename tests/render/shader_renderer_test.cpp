@@ -104,7 +104,14 @@ Scene anyScene(unsigned seed) {
     scene.view.azimuth = dice.number(-90, 90);
     scene.view.elevation = dice.number(-40, 40);
     scene.view.background = dice.color();
-    scene.material = {dice.color(), dice.color(), dice.number(0, 40), dice.any<ShadeModel>()};
+    scene.material = {.color = dice.color(),
+                      .colorMaterial = !dice.chance(3),
+                      .ambient = dice.color(),
+                      .diffuse = dice.color(),
+                      .specular = dice.color(),
+                      .emission = dice.chance(2) ? glm::vec4(0, 0, 0, 1) : dice.color(),
+                      .shininess = dice.number(0, 40),
+                      .shadeModel = dice.any<ShadeModel>()};
     scene.light = {
         .position = {dice.number(-3, 3), dice.number(-3, 3), dice.number(0, 3), dice.chance(2) ? 0.0F : 1.0F},
         .ambient = dice.color(),
@@ -224,7 +231,7 @@ TEST_F(ShaderAgainstReference, AVertexAtTheEyeHasNoDirection) {
         Scene scene = texturedScene();
         scene.textures[0].source = SourceKind::Pattern;
         scene.textures[0].pattern = Pattern::UvTemplate;
-        const Vertex corner = makeMesh(Shape::Quad, 0, 0).vertices.front();
+        const Vertex corner = makeMesh({Shape::Quad}).vertices.front();
         scene.models[0].position = glm::vec3(0, 0, scene.view.distance) - corner.position;
         scene.passes[0].units[0].texGenS = {.enabled = true, .mode = mode};
         scene.passes[0].units[0].texGenT = {.enabled = true, .mode = mode};

@@ -2,6 +2,7 @@
 // looks as one whose vertices were given what the formulas say.
 
 #include "core/scene/animation.h"
+#include "core/scene/model_mesh.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 
@@ -26,10 +27,10 @@ Scene sphereScene() {
     Scene scene = texturedScene();
     scene.view = View{.azimuth = 25, .elevation = 10, .distance = 5};
     scene.models[0] = Model{.shape = Shape::Sphere,
-                            .position = {0.3F, -0.2F, 0.4F},
-                            .rotation = {20, 40, 60},
                             .slices = 9,
-                            .stacks = 7};
+                            .stacks = 7,
+                            .position = {0.3F, -0.2F, 0.4F},
+                            .rotation = {20, 40, 60}};
     scene.passes[0].depthTest = true;
     Unit& unit = scene.passes[0].units[0];
     const std::array coordinates{&unit.texGenS, &unit.texGenT, &unit.texGenR, &unit.texGenQ};
@@ -98,7 +99,7 @@ TEST_P(Generated, CoordinatesAreThoseOfTheFormula) {
     Scene given = sphereScene();
     Model& model = given.models[0];
     const glm::mat4 toEye = viewMatrix(given.view) * modelMatrix(model, 0);
-    for (const Vertex& vertex : makeMesh(model.shape, model.slices, model.stacks).vertices) {
+    for (const Vertex& vertex : meshOf(model).vertices) {
         const glm::vec4 object(vertex.position, 1);
         model.texCoords[0].push_back(GetParam().formula(
             {object, toEye * object, glm::normalize(glm::mat3(toEye) * vertex.normal), vertex.texCoord}));

@@ -31,7 +31,7 @@ Scene texturedScene() {
 
 TexCoords quadCoords(glm::vec4 lowerLeft, glm::vec4 upperRight) {
     TexCoords coords;
-    for (const Vertex& vertex : makeMesh(Shape::Quad, 0, 0).vertices) {
+    for (const Vertex& vertex : makeMesh({Shape::Quad}).vertices) {
         const glm::vec4 corner = lowerLeft;
         const glm::vec4 across = upperRight - lowerLeft;
         coords.push_back(

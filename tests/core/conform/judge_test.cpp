@@ -25,7 +25,7 @@ Scene boardWithEdgesAt(float offset) {
     Dice dice("board", 1, 1);
     Scene scene = texturedQuad({Pattern::Checker, 0, 64, 64}, dice);
     scene.models[0].texCoords[0].clear();
-    for (const Vertex& vertex : makeMesh(Shape::Quad, 0, 0).vertices)
+    for (const Vertex& vertex : makeMesh({Shape::Quad}).vertices)
         scene.models[0].texCoords[0].emplace_back(
             (vertex.position.x > 0 ? 1.0F : 0.0F) + (offset - 0.5F) / 64, 0.5F / 64, 0, 1);
     return scene;

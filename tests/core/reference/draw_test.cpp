@@ -98,7 +98,7 @@ TEST(DrawReference, InterpolatesPerspectiveCorrectlyOrNot) {
     scene.passes[0].units[0].enabled = true;
     scene.passes[0].units[0].envMode = EnvMode::Replace;
     TexCoords coords;
-    for (const Vertex& vertex : makeMesh(Shape::Floor, 0, 0).vertices)
+    for (const Vertex& vertex : makeMesh({Shape::Floor}).vertices)
         coords.push_back({0.5F, vertex.position.z > 0 ? 0.0F : 0.99F, 0, 1});
     scene.models[0].texCoords[0] = coords;
     ImageSource images;

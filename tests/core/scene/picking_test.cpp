@@ -19,7 +19,7 @@ Scene sceneWith(std::vector<Model> models) {
 
 /// The vertex of a mesh at a position with a normal.
 std::size_t vertexAt(Shape shape, glm::vec3 position, glm::vec3 normal) {
-    const Mesh mesh = makeMesh(shape, 32, 16);
+    const Mesh mesh = makeMesh({shape});
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         if (mesh.vertices[i].position == position && mesh.vertices[i].normal == normal)
             return i;
@@ -156,7 +156,7 @@ TEST(PickSphere, FindsTheVertexAtTheMiddleAndNotTheOneBehindIt) {
     Scene scene = sceneWith({Model{.shape = Shape::Sphere}});
     const auto picked = pickVertex(scene, 0, 1, {0.5F, 0.5F});
     ASSERT_TRUE(picked);
-    const Mesh mesh = makeMesh(Shape::Sphere, 32, 16);
+    const Mesh mesh = makeMesh({Shape::Sphere, 32, 16});
     EXPECT_NEAR(mesh.vertices[picked->vertex].position.z, 1, 1e-6F);
 }
 

@@ -8,7 +8,7 @@ namespace {
 class TexCoordsOfAQuad : public testing::Test {
 protected:
     Model model_{.shape = Shape::Quad};
-    Mesh mesh_ = makeMesh(Shape::Quad, 0, 0);
+    Mesh mesh_ = makeMesh({Shape::Quad});
     glm::vec4 own_{7, 8, 0.5F, 2};
 };
 

@@ -2,6 +2,7 @@
 #include "app/ui/view/show.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/animation.h"
+#include "core/scene/model_mesh.h"
 
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
@@ -18,7 +19,7 @@ float reach(const Scene& scene, float aspect) {
     for (const Model& model : scene.models) {
         if (!model.visible)
             continue;
-        for (const Vertex& vertex : makeMesh(model.shape, model.slices, model.stacks).vertices) {
+        for (const Vertex& vertex : meshOf(model).vertices) {
             const glm::vec4 clip = camera * modelMatrix(model, 0) * glm::vec4(vertex.position, 1);
             largest = std::max({largest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
         }

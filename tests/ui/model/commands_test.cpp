@@ -157,7 +157,7 @@ TEST(Commands, SetUpTheCameraThatIsDrawnWith) {
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
         for (const float azimuth : {-35.0F, 0.0F, 110.0F}) {
             Scene scene = defaultScene();
-            scene.view = {azimuth, 18, 7.5F, {1, -2, 0.25F}, projection, 50, {}, {}};
+            scene.view = {azimuth, 18, 25, 7.5F, {1, -2, 0.25F}, projection, 50, {}, {}};
             Matrices made{1.6};
             for (const Command& each : commandsOf(scene)) {
                 if (each.kind == Command::Kind::Call && each.path.starts_with("view."))

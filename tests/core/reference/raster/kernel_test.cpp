@@ -2,6 +2,7 @@
 
 #include "core/reference/draw.h"
 #include "core/reference/raster/kernel.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/param_text.h"
 #include "tests/support/floor_scene.h"
 
@@ -49,7 +50,7 @@ Unit& secondUnit(Scene& scene) {
 /// Other coordinates than the mesh's, all of them so many times as large.
 void scaleCoordinates(Scene& scene, float factor) {
     for (Model& model : scene.models) {
-        for (const Vertex& vertex : makeMesh(model.shape, model.slices, model.stacks).vertices)
+        for (const Vertex& vertex : meshOf(model).vertices)
             model.texCoords[0].push_back(glm::vec4(factor, factor, factor, 1) * vertex.texCoord);
     }
 }

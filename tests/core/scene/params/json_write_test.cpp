@@ -1,4 +1,5 @@
 #include "core/scene/params/json.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/params.h"
 
 #include <gtest/gtest.h>
@@ -179,7 +180,7 @@ public:
         for (Model& model : scene.models)
             for (TexCoords& coords : model.texCoords)
                 if (below(2) == 0)
-                    for (std::size_t i = vertexCount(model.shape, model.slices, model.stacks); i > 0; --i)
+                    for (std::size_t i = vertexCountOf(model); i > 0; --i)
                         coords.emplace_back(anyFloat(), anyFloat(), below(2) == 0 ? 0 : anyFloat(),
                                             below(2) == 0 ? 1 : anyFloat());
         for (Pass& pass : scene.passes)

@@ -94,7 +94,7 @@ TEST(ParamPath, SetsOneParameter) {
 
 TEST(ParamPath, TexCoordsOfAModelAreFilledFromItsMeshFirst) {
     Scene scene = defaultScene();
-    const Mesh cube = makeMesh(Shape::Cube, 32, 16);
+    const Mesh cube = makeMesh({Shape::Cube, 32, 16});
     EXPECT_EQ(getParam(scene, "models[0].texCoords0[5]").value_or("?"),
               formatTexCoord(cube.vertices[5].texCoord));
 
