@@ -143,10 +143,10 @@ constexpr std::array cameraCalls{
 };
 
 /// In the order in which the matrices are multiplied: what is called last is done to a vertex first.
-constexpr std::array<Key, 7> cameraOrder{keyOf<&View::background>,  keyOf<&View::perspectiveHint>,
+constexpr std::array<Key, 8> cameraOrder{keyOf<&View::background>,  keyOf<&View::perspectiveHint>,
                                          keyOf<&View::fieldOfView>, keyOf<&View::distance>,
-                                         keyOf<&View::elevation>,   keyOf<&View::azimuth>,
-                                         keyOf<&View::target>};
+                                         keyOf<&View::roll>,        keyOf<&View::elevation>,
+                                         keyOf<&View::azimuth>,     keyOf<&View::target>};
 
 /// The calls of the view's parameters, which come in the order of its panel, as those of a program that sets
 /// up the same camera. `aspect` stays: it is the window's.

@@ -252,7 +252,7 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
                 continue;
             if (row.key.ends_with("Plane") && idleReasonOf(session->document.findings, owner.pathOf(row)))
                 continue; // each mode has its own
-            const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4;
+            const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4 || row.kind == Kind::Matrix;
             EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
             ++rows;
         }
