@@ -1,5 +1,7 @@
 #include "app/stage/view_frames.h"
 
+#include "app/ui/model/shown_passes.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -45,7 +47,7 @@ void ViewFrames::addProblems(const std::vector<std::string>& problems) {
 
 ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
     ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true};
-    Result<view::Frame> frame = graphics_.draw(kind, session.document.scene, session.document.images,
+    Result<view::Frame> frame = graphics_.draw(kind, ui::shownScene(session), session.document.images,
                                                session.window.playback.time, size, session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
@@ -71,7 +73,7 @@ ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view
 
 ui::ViewFrame ViewFrames::drawReference(ui::Session& session, view::Size size) {
     const reference::DrawWorker::Frame& picture = session.services.reference.frame(
-        {session.document.scene, session.document.images, session.window.playback.time, size.width,
+        {ui::shownScene(session), session.document.images, session.window.playback.time, size.width,
          size.height, session.window.view.anisotropy});
     const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,

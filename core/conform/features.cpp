@@ -9,7 +9,7 @@ namespace texplorer::conform {
 namespace {
 
 constexpr std::array rows{
-    Feature{"coverage", "shapes, projections, sizes, without texture", "3.5.1", 48, scenes::coverage,
+    Feature{"coverage", "shapes, projections, sizes, without texture", "3.5.1", 72, scenes::coverage,
             rules::outline, rules::outline},
     Feature{"depth", "depth functions, three models through each other", "4.1.6", 48, scenes::depth,
             rules::outline, rules::outline},
@@ -17,6 +17,16 @@ constexpr std::array rows{
             scenes::lighting, rules::outline, rules::outline},
     Feature{"specular", "separate specular over each environment mode", "3.9", 40, scenes::separateSpecular,
             rules::texelEdge, rules::lastBit},
+    Feature{"lines", "points and lines of every primitive, odd widths, colours, textures", "3.3, 3.4", 72,
+            scenes::lines, rules::lines, rules::outline},
+    Feature{"meshes", "every other primitive: normals, colours, indices, flat and smooth", "2.6.1", 72,
+            scenes::meshes, rules::outline, rules::outline},
+    Feature{"quadrics", "cylinders, cones, disks, parts of disks, tori", "3.5.1", 48, scenes::quadrics,
+            rules::outline, rules::outline},
+    Feature{"materials", "colour material or not, ambient, diffuse, emission, one for each model", "2.14.3",
+            48, scenes::materials, rules::outline, rules::outline},
+    Feature{"placement", "orders of rotation, scales of each axis, in the world or before the eye, roll",
+            "2.11.2", 48, scenes::placement, rules::outline, rules::outline},
     Feature{"environment", "modes x base formats", "3.8.13", 144, scenes::environment, rules::exact,
             rules::exact},
     Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 112,
@@ -33,8 +43,10 @@ constexpr std::array rows{
             scenes::mappedTexGen, rules::texelEdgeOnQuads, rules::lastBit},
     Feature{"texgen-shapes", "every mode on every shape", "2.11.4", 64, scenes::texGenOnShapes,
             rules::texelEdge, rules::lastBit},
-    Feature{"matrix", "texture matrix: pairs of steps, and a q for each vertex", "2.11.2", 72, scenes::matrix,
+    Feature{"matrix", "texture matrix: pairs of steps, pivots, and a q for each vertex", "2.11.2", 100, scenes::matrix,
             rules::texelEdgeOnQuads, rules::lastBit},
+    Feature{"emboss", "coordinates that follow the light, by either matrix, at a place or not", "2.7", 48,
+            scenes::emboss, rules::texelEdge, rules::lastBit},
     Feature{"nearest", "GL_NEAREST x wrap x shapes", "3.8.8", 72, scenes::nearest, rules::texelEdge,
             rules::exact},
     Feature{"linear", "GL_LINEAR x wrap x shapes", "3.8.8", 48, scenes::linear, rules::texelEdge,
@@ -70,8 +82,8 @@ constexpr std::array rows{
             rules::exact},
     Feature{"blend", "factors of source x destination", "4.1.8", 80, scenes::blend, rules::exact,
             rules::exact},
-    Feature{"passes", "two and three passes of two units, depth equal, blended, some off", "4.1", 48,
-            scenes::passes, rules::passes, rules::exact},
+    Feature{"passes", "two and three passes of two units, of some models in any order, depth equal, blended, some off",
+            "4.1", 60, scenes::passes, rules::passes, rules::exact},
     Feature{"mixture", "anything with anything, several units and passes", "2.11 to 4.1", 48, scenes::mixture,
             rules::levelBlend, rules::lastBit},
 };
@@ -82,7 +94,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 32 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 38 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

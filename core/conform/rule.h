@@ -134,6 +134,18 @@ inline constexpr Rule outline{
     "Which pixels a polygon covers is said for exact corners; they are snapped to 1/256 of a pixel "
     "(GL_SUBPIXEL_BITS), so that one on the outline may fall on the other side."};
 
+inline constexpr Rule lines{
+    "lines",
+    2,
+    0.998,
+    Tolerance::TexelEdge,
+    0.999,
+    0.99,
+    "Which pixels a line covers is said for exact ends; they are snapped to 1/256 of a pixel "
+    "(GL_SUBPIXEL_BITS). "
+    "Where a side, or the diamond that an end lies in, is as near to a pixel's boundary, there is a pixel "
+    "more or less (OpenGL 2.1, section 3.4.1)."};
+
 inline constexpr Rule lastBit{
     "last-bit",
     1,

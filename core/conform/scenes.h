@@ -13,6 +13,14 @@ Scene depth(int number, Dice& state, Dice& values);
 Scene lighting(int number, Dice& state, Dice& values);
 Scene separateSpecular(int number, Dice& state, Dice& values);
 
+// Models: what they are made of, and where they are.
+Scene lines(int number, Dice& state, Dice& values);
+Scene meshes(int number, Dice& state, Dice& values);
+Scene quadrics(int number, Dice& state, Dice& values);
+Scene materials(int number, Dice& state, Dice& values);
+Scene placement(int number, Dice& state, Dice& values);
+Scene emboss(int number, Dice& state, Dice& values);
+
 // Where a texture is looked up.
 Scene wrap(int number, Dice& state, Dice& values);
 Scene wrapLinear(int number, Dice& state, Dice& values);

@@ -113,14 +113,14 @@ Scene anisotropy(int number, Dice& state, Dice& values) {
     return scene;
 }
 
-Scene targets(int number, Dice& /*state*/, Dice& values) {
+Scene targets(int number, Dice& state, Dice& values) {
     const Target target = number % 2 == 0 ? Target::Texture3D : Target::Texture1D;
     number /= 2;
     Scene scene = surface(pick<Shape>(number), values);
     Texture& texture = scene.textures[0];
     texture.pattern = target == Target::Texture3D ? Pattern::Marble : Pattern::ColorLine;
     texture.minFilter = MinFilter::Linear;
-    texture.wrapR = pick<Wrap>(number);
+    texture.wrapR = state.any<Wrap>();
     Unit& unit = scene.passes[0].units[0];
     unit.target = target;
     if (target == Target::Texture3D) // r of a mesh is 0 everywhere

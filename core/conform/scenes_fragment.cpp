@@ -115,8 +115,12 @@ Scene blend(int number, Dice& state, Dice& values) {
 }
 
 Scene passes(int number, Dice& state, Dice& values) {
-    Scene scene = texturedQuad(state.of(coloredSources), values);
-    addUnits(scene, 2, state, values);
+    const std::array sources{state.of(coloredSources), state.of(coloredSources)};
+    Scene scene = texturedQuad(sources[0], values);
+    addUnits(scene, 2, sources, values);
+    const bool named = number / 2 % 2 == 1;
+    if (named)
+        addQuads(scene, sources, values);
     const int count = 2 + number % 2;
     scene.passes.resize(static_cast<std::size_t>(count), scene.passes[0]);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
@@ -132,6 +136,8 @@ Scene passes(int number, Dice& state, Dice& values) {
             pass.units[u].texture = state.below(2) == 0 ? static_cast<int>(u) : 1 - static_cast<int>(u);
         }
         pass.enabled = !state.chance(5);
+        if (named)
+            pass.models = someQuads(state);
     }
     return scene;
 }
@@ -183,7 +189,10 @@ Scene mixture(int number, Dice& state, Dice& values) {
             unit.matrix = {
                 {.op = state.any<MatrixOp>(),
                  .amount = {values.number(0.5F, 2), values.number(0.5F, 2), values.number(0.5F, 2)},
-                 .angle = values.number(0, 360)}};
+                 .angle = values.number(0, 360),
+                 .matrix = planeMatrix(values)}};
+        if (state.chance(4))
+            unit.emboss = {true, values.number(0.02F, 0.2F), state.any<LightCarrier>()};
         for (Pass& pass : scene.passes)
             pass.units[u] = unit;
     }

@@ -4,8 +4,9 @@
 namespace texplorer::conform::scenes {
 
 Scene coverage(int number, Dice& /*state*/, Dice& values) {
+    const Projection projection = pick<Projection>(number);
     Scene scene = surface(pick<Shape>(number), values);
-    scene.view.projection = pick<Projection>(number);
+    scene.view.projection = projection;
     scene.view.distance += values.number(0, 3);
     scene.models[0].rotation = {values.number(-60, 60), values.number(-60, 60), values.number(0, 360)};
     scene.passes[0].units[0].enabled = false;

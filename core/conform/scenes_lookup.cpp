@@ -121,17 +121,23 @@ Scene matrix(int number, Dice& state, Dice& values) {
     Scene scene = texturedQuad(state.of(coloredSources), values);
     const auto step = [&](MatrixOp op) {
         MatrixStep made{.op = op};
+        if (op == MatrixOp::Multiply || op == MatrixOp::Load) {
+            made.matrix = planeMatrix(values);
+            return made;
+        }
         if (op == MatrixOp::Rotate) {
             made.amount = {0, 0, 1};
             made.angle = values.number(0, 360);
         } else {
             made.amount = {values.number(0.5F, 2), values.number(0.5F, 2), values.number(0.5F, 2)};
         }
+        if (values.chance(2))
+            made.pivot = {values.number(-1, 1), values.number(-1, 1), 0};
         return made;
     };
     scene.passes[0].units[0].matrix = {step(first), step(second)};
     // Every vertex with a q of its own: s / q is no longer a plane over the quad.
-    if (number % 2 == 1)
+    if (state.chance(2))
         std::ranges::for_each(scene.models[0].texCoords[0],
                               [&](glm::vec4& coord) { coord *= values.number(0.5F, 2); });
     return scene;

@@ -1,6 +1,8 @@
 #include "core/conform/skip.h"
 
+#include "core/reference/raster/triangle.h"
 #include "core/reference/sampling/lod.h"
+#include "core/scene/drawn_models.h"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +32,13 @@ constexpr bool isCompressed(const Texture& texture) {
 
 bool isLinearAnywhere(const Texture& texture) {
     return texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
+}
+
+bool hasEvenLines(const Model& model) {
+    const Primitive primitive = model.mesh.primitive;
+    const bool lines = primitive == Primitive::Lines || primitive == Primitive::LineStrip ||
+                       primitive == Primitive::LineLoop;
+    return model.shape == Shape::Mesh && lines && reference::roundedSize(model.lineWidth) % 2 == 0;
 }
 
 constexpr std::array skipRows{
@@ -123,6 +132,17 @@ constexpr std::array skipRows{
          "llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; "
          "the "
          "specification wraps on the face as on any picture (OpenGL 2.1, section 3.8.6)"},
+    Skip{"even-lines",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                    std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+                        return std::ranges::any_of(drawnModels(scene, pass), [&](std::size_t model) {
+                            return hasEvenLines(scene.models[model]);
+                        });
+                    });
+         },
+         "llvmpipe asks in which diamonds a line ends as it is given; the specification moves one of even "
+         "width by half a pixel before (OpenGL 2.1, section 3.4.2)"},
     Skip{"too-few-units",
          [](const Scene& scene, const Pair&, const Driver& driver) {
              return std::ranges::any_of(scene.passes, [&](const Pass& pass) {

@@ -22,6 +22,22 @@ Run runOf(int texels, Dice& values) {
     return values.chance(4) ? Run{run.high, run.low} : run;
 }
 
+/// Four squares in a row, folded between them, for Shape::Mesh.
+MeshData foldedStrip() {
+    MeshData mesh;
+    mesh.primitive = Primitive::QuadStrip;
+    for (int i = 0; i <= 4; ++i) {
+        const auto fold = static_cast<float>(i);
+        const float side = i % 2 == 0 ? -1.0F : 1.0F;
+        for (const float y : {1.0F, -1.0F}) {
+            mesh.positions.emplace_back(fold / 2 - 1, y, 0.3F * side);
+            mesh.normals.emplace_back(0.5F * side, 0, 1);
+            mesh.texCoords.emplace_back(fold / 4, (y + 1) / 2, 0, 1);
+        }
+    }
+    return mesh;
+}
+
 } // namespace
 
 Scene flatQuad(Dice& values) {
@@ -78,10 +94,12 @@ Scene surface(Shape shape, Dice& values) {
     scene.material.color = values.color();
     Model model;
     model.shape = shape;
-    if (shape == Shape::Cube || shape == Shape::Sphere)
-        model.rotation = {values.number(0, 360), values.number(0, 360), values.number(0, 360)};
-    else if (shape == Shape::Quad)
+    if (shape == Shape::Mesh)
+        model.mesh = foldedStrip();
+    if (shape == Shape::Quad || shape == Shape::Disk || shape == Shape::PartialDisk || shape == Shape::Mesh)
         model.rotation = {values.number(-70, 30), values.number(-60, 60), values.number(0, 360)};
+    else if (shape != Shape::Floor)
+        model.rotation = {values.number(0, 360), values.number(0, 360), values.number(0, 360)};
     scene.models = {model};
     scene.textures.resize(1);
     scene.textures[0].pattern = values.of(patterns);
@@ -91,6 +109,14 @@ Scene surface(Shape shape, Dice& values) {
     scene.passes[0].units[0].enabled = true;
     scene.passes[0].units[0].envMode = EnvMode::Replace;
     return scene;
+}
+
+glm::mat4 planeMatrix(Dice& values) {
+    glm::mat4 matrix(1);
+    matrix[0] = {values.number(0.5F, 2), values.number(-1, 1), 0, 0};
+    matrix[1] = {values.number(-1, 1), values.number(0.5F, 2), 0, 0};
+    matrix[3] = {values.number(-1, 1), values.number(-1, 1), 0, 1};
+    return matrix;
 }
 
 void setLight(Scene& scene, Dice& values) {

@@ -43,6 +43,9 @@ void placeTexels(Model& quad, std::size_t unit, const Source& source, Dice& valu
 /// What is seen of it runs from magnified to strongly minified.
 [[nodiscard]] Scene surface(Shape shape, Dice& values);
 
+/// Scales, shears and moves s and t: for a step of the texture matrix that is given as 16 numbers.
+[[nodiscard]] glm::mat4 planeMatrix(Dice& values);
+
 /// Has a light and a material that shine; the pass is lit.
 void setLight(Scene& scene, Dice& values);
 

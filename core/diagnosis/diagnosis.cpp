@@ -92,8 +92,8 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     const Case about{scene, driver, factsOf(scene, images, driver)};
     std::vector<Finding> findings;
     Report report(findings);
-    for (const std::span<const Rule> rules :
-         {textureRules(), unitRules(), combineRules(), passRules(), lightRules(), textureEffectRules()}) {
+    for (const std::span<const Rule> rules : {textureRules(), unitRules(), combineRules(), passRules(),
+                                              modelRules(), lightRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);

@@ -1,6 +1,8 @@
 // Light and material: which of their settings reach no pixel.
 
 #include "core/diagnosis/color_flow.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -15,9 +17,29 @@ bool isBlack(const glm::vec4& color) {
     return color.r == 0 && color.g == 0 && color.b == 0;
 }
 
+/// The materials of the models that are drawn lit, each once; of a scene that draws none, its own.
+std::vector<const Material*> materialsOf(const Scene& scene) {
+    std::vector<const Material*> found;
+    for (const Pass& pass : scene.passes) {
+        for (const std::size_t model : drawnModels(scene, pass)) {
+            const Material* material = &materialOf(scene, scene.models[model]);
+            if (std::ranges::find(found, material) == found.end())
+                found.push_back(material);
+        }
+    }
+    if (found.empty())
+        found.push_back(&scene.material);
+    return found;
+}
+
+bool isDull(const Scene& scene) {
+    return std::ranges::all_of(materialsOf(scene),
+                               [](const Material* each) { return isBlack(each->specular); });
+}
+
 /// Why there is no highlight, whatever its other settings are; nullptr: there may be one.
 const char* whyDull(const Scene& scene) {
-    if (isBlack(scene.material.specular))
+    if (isDull(scene))
         return "the material's specular colour is black";
     return isBlack(scene.light.specular) ? "the light's specular colour is black" : nullptr;
 }
@@ -25,6 +47,15 @@ const char* whyDull(const Scene& scene) {
 /// Section 3.9: the colour sum adds the highlight after texturing.
 bool addsHighlight(const Scene& scene) {
     return scene.light.colorControl == ColorControl::SeparateSpecular && !whyDull(scene);
+}
+
+/// Whether coordinates follow the light, lit or not.
+bool movesCoordinates(const Scene& scene) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [](const Unit& unit) {
+                   return unit.enabled && unit.emboss.enabled;
+               });
+    });
 }
 
 void addAll(Report& report, std::initializer_list<Key> paths, const char* reason) {
@@ -51,12 +82,24 @@ void noLighting(const Case& about, Report& report) {
 void noLight(const Case& about, Report& report) {
     const Scene& scene = about.scene;
     if (std::ranges::none_of(scene.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; })) {
+        if (movesCoordinates(scene)) {
+            for (const ParamRow& row : lightTable().params) {
+                if (row.member != memberId<&Light::position>)
+                    report.add(fmt::format("{}.{}", keyOf<&Scene::light>(), row.key), "no pass has lighting");
+            }
+        } else
+            report.add(keyOf<&Scene::light>(), "no pass has lighting");
         addAll(report,
-               {keyOf<&Scene::light>, pathOf<&Scene::material, &Material::specular>,
+               {pathOf<&Scene::material, &Material::colorMaterial>,
+                pathOf<&Scene::material, &Material::ambient>, pathOf<&Scene::material, &Material::diffuse>,
+                pathOf<&Scene::material, &Material::specular>, pathOf<&Scene::material, &Material::emission>,
                 pathOf<&Scene::material, &Material::shininess>},
                "no pass has lighting");
-        report.add(pathOf<&Scene::material, &Material::shadeModel>(),
-                   "without lighting all vertices have the same colour");
+        if (std::ranges::none_of(scene.models, [](const Model& model) {
+                return model.shape == Shape::Mesh && !model.mesh.colors.empty();
+            }))
+            report.add(pathOf<&Scene::material, &Material::shadeModel>(),
+                       "without lighting all vertices have the same colour");
         return;
     }
     const char* dull = whyDull(scene);
@@ -78,8 +121,8 @@ void noLight(const Case& about, Report& report) {
              pathOf<&Scene::material, &Material::shininess>, pathOf<&Scene::material, &Material::shadeModel>},
             blocked);
     if (dull) {
-        report.add(isBlack(scene.material.specular) ? pathOf<&Scene::light, &Light::specular>()
-                                                    : pathOf<&Scene::material, &Material::specular>(),
+        report.add(isDull(scene) ? pathOf<&Scene::light, &Light::specular>()
+                                 : pathOf<&Scene::material, &Material::specular>(),
                    dull);
         addAll(report,
                {pathOf<&Scene::material, &Material::shininess>, pathOf<&Scene::light, &Light::localViewer>},
@@ -87,7 +130,46 @@ void noLight(const Case& about, Report& report) {
     }
 }
 
+/// Under GL_COLOR_MATERIAL glColor takes the place of two reflectances; without it it counts for nothing.
+void otherReflectance(const Case& about, Report& report) {
+    const Scene& scene = about.scene;
+    const auto lit = [](const Pass& pass) { return pass.enabled && pass.lighting; };
+    if (std::ranges::none_of(scene.passes, lit))
+        return;
+    const bool allLit =
+        std::ranges::all_of(scene.passes, [](const Pass& pass) { return !pass.enabled || pass.lighting; });
+    const auto check = [&](const Material& material, const std::string& path) {
+        if (material.colorMaterial) {
+            for (const Key key : {keyOf<&Material::ambient>, keyOf<&Material::diffuse>})
+                report.add(fmt::format("{}.{}", path, key()), "glColor takes its place (GL_COLOR_MATERIAL)",
+                           Fix{"Use it",
+                               {{fmt::format("{}.{}", path, keyOf<&Material::colorMaterial>()), "false"}}});
+        } else if (allLit)
+            report.add(fmt::format("{}.{}", path, keyOf<&Material::color>()),
+                       "under lighting ambient and diffuse count, without GL_COLOR_MATERIAL");
+    };
+    check(scene.material, keyOf<&Scene::material>());
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        if (scene.models[m].ownMaterial)
+            check(scene.models[m].material,
+                  fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::material>()));
+    }
+}
+
+/// Where all models have materials of their own.
+void unusedMaterial(const Case& about, Report& report) {
+    const Scene& scene = about.scene;
+    const std::vector<const Material*> used = materialsOf(scene);
+    if (std::ranges::find(used, &scene.material) != used.end())
+        return;
+    for (const ParamRow& row : modelMaterialTable().params)
+        report.add(fmt::format("{}.{}", keyOf<&Scene::material>(), row.key),
+                   "every model that is drawn has a material of its own");
+}
+
 constexpr std::array lightRuleRows{
+    Rule{"unused-material", Severity::Hint, unusedMaterial},
+    Rule{"other-reflectance", Severity::Hint, otherReflectance},
     Rule{"light", Severity::Hint, noLight},
     Rule{"lighting", Severity::Hint, noLighting},
     Rule{"color", Severity::Hint, noColor},

@@ -1,6 +1,7 @@
 // Passes and models.
 
 #include "core/diagnosis/diagnosis_rules.h"
+#include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
 
@@ -43,9 +44,12 @@ void nothingPasses(const Case& about, Report& report) {
 
 /// The same triangles have the same depths in every pass (appendix A.2): none is less than itself.
 void hiddenPass(const Case& about, Report& report) {
-    bool drawn = false; // whether a pass before has written the depth of all that one sees
+    std::vector<bool> written(about.scene.models.size()); // whether a pass before has written a model's depth
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         const bool strict = pass.depthFunc == CompareFunc::Less;
+        const std::vector<std::size_t> models = drawnModels(about.scene, pass);
+        const bool drawn =
+            !models.empty() && std::ranges::all_of(models, [&](std::size_t model) { return written[model]; });
         if (drawn && pass.depthTest && strict)
             report.add(path + keyOf<&Pass::depthFunc>(),
                        "a pass before has drawn the same surfaces, and no depth is less than itself: this "
@@ -53,17 +57,30 @@ void hiddenPass(const Case& about, Report& report) {
                        Fix{"Set " + nameOf(CompareFunc::LessEqual),
                            {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
         const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
-        drawn |= pass.depthTest && writes && !pass.alphaTest;
+        if (pass.depthTest && writes && !pass.alphaTest) {
+            for (const std::size_t model : models)
+                written[model] = true;
+        }
     });
 }
 
-/// Whether models may hide each other, or themselves: a closed shape has a far side, and two flat ones stand
-/// one behind the other unless they share a plane.
-bool canHide(const std::vector<Model>& models) {
+/// Lines, points, or triangles in one plane of constant z.
+bool isFlat(const MeshData& mesh) {
+    const bool thin = mesh.primitive == Primitive::Points || mesh.primitive == Primitive::Lines ||
+                      mesh.primitive == Primitive::LineStrip || mesh.primitive == Primitive::LineLoop;
+    return thin || std::ranges::all_of(mesh.positions, [&](const glm::vec3& position) {
+               return position.z == mesh.positions.front().z;
+           });
+}
+
+/// Whether models of a pass may hide each other, or themselves: a closed shape has a far side, and two flat
+/// ones stand one behind the other unless they share a plane.
+bool canHide(const Scene& scene, const Pass& pass) {
     const Model* first = nullptr;
-    for (const Model& each : models) {
-        if (!each.visible)
-            continue;
+    for (const std::size_t index : drawnModels(scene, pass)) {
+        const Model& each = scene.models[index];
+        if (each.shape == Shape::Mesh && isFlat(each.mesh))
+            continue; // nothing of it stands behind the rest of it
         if (each.shape != Shape::Quad && each.shape != Shape::Floor)
             return true;
         const int across = each.shape == Shape::Floor ? 1 : 2; // the axis that the flat shape is upright to
@@ -78,12 +95,10 @@ bool canHide(const std::vector<Model>& models) {
 
 /// GL's initial state draws the far side of a cube over its near side. What is blended has its own order.
 void noDepthTest(const Case& about, Report& report) {
-    if (!canHide(about.scene.models))
-        return;
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t p) {
         const bool blends =
             pass.blend && (pass.blendSrc != BlendFactor::One || pass.blendDst != BlendFactor::Zero);
-        if (pass.depthTest || blends)
+        if (pass.depthTest || blends || !canHide(about.scene, pass))
             return;
         Fix fix{"Switch the depth test on", {{path + keyOf<&Pass::depthTest>(), "true"}}};
         if (p > 0) // no depth is less than that of a pass before
@@ -156,15 +171,6 @@ void zeroQ(const Case& about, Report& report) {
     badCoordinates(about, report, false);
 }
 
-void hiddenModel(const Case& about, Report& report) {
-    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
-        const std::string path = elementOf<&Scene::models>(m);
-        if (!about.scene.models[m].visible)
-            report.add(path, "the model is hidden",
-                       Fix{"Show it", {{fmt::format("{}.{}", path, keyOf<&Model::visible>()), "true"}}});
-    }
-}
-
 void unreadCoordinates(const Case& about, Report& report) {
     const std::vector<Pass>& passes = about.scene.passes;
     for (std::size_t u = 0; u < maxUnits; ++u) {
@@ -179,17 +185,6 @@ void unreadCoordinates(const Case& about, Report& report) {
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
             report.add(texCoordsPath(m, u),
                        fmt::format("unit {}{}", u, off ? " is off" : " generates all of its coordinates"));
-    }
-}
-
-void otherShape(const Case& about, Report& report) {
-    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
-        const Shape shape = about.scene.models[m].shape;
-        if (shape == Shape::Sphere)
-            continue;
-        for (const Key key : {keyOf<&Model::slices>, keyOf<&Model::stacks>})
-            report.add(fmt::format("{}.{}", elementOf<&Scene::models>(m), key()),
-                       fmt::format("a {} has none", nameOf(shape)));
     }
 }
 
@@ -219,9 +214,7 @@ constexpr std::array passRuleRows{
     Rule{"no-perspective", Severity::Hint, nothingToCorrect},
     Rule{"fragment-test", Severity::Hint, noFragmentTest},
     Rule{"pass-off", Severity::Hint, passOff},
-    Rule{"hidden-model", Severity::Hint, hiddenModel},
     Rule{"unread-coordinates", Severity::Hint, unreadCoordinates},
-    Rule{"other-shape", Severity::Unused, otherShape},
 };
 
 } // namespace

@@ -88,7 +88,8 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< which of their settings do nothing
 [[nodiscard]] std::span<const Rule> unitRules();
 [[nodiscard]] std::span<const Rule> combineRules();
-[[nodiscard]] std::span<const Rule> passRules();  ///< models, too
+[[nodiscard]] std::span<const Rule> passRules();
+[[nodiscard]] std::span<const Rule> modelRules();
 [[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
 
 /// "passes[0].units[1]."

@@ -4,7 +4,11 @@
 #include "core/diagnosis/color_flow.h"
 #include "core/gl/combine_arguments.h"
 #include "core/reference/sampling/lod.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/emboss.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/param_text.h"
+#include "core/scene/tex_coords.h"
 
 #include <fmt/core.h>
 
@@ -27,10 +31,12 @@ void missingTexture(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!unit.enabled || about.textureOf(unit))
             return;
+        Fix fix{"Switch the unit off", {{path + keyOf<&Unit::enabled>(), "false"}}};
+        if (count > 0)
+            fix = {"Bind texture 0", {{path + keyOf<&Unit::texture>(), "0"}}};
         report.add(path + keyOf<&Unit::texture>(),
                    fmt::format("there is no texture {}, the scene has {}", unit.texture, count),
-                   count > 0 ? Fix{"Bind texture 0", {{path + keyOf<&Unit::texture>(), "0"}}}
-                             : Fix{"Switch the unit off", {{path + keyOf<&Unit::enabled>(), "false"}}});
+                   std::move(fix));
     });
 }
 
@@ -101,7 +107,9 @@ void collapsingMatrix(const Case& about, Report& report) {
 /// Whether r can be anything but 0 when it comes from the models: the meshes have none.
 bool modelsHaveR(const Scene& scene, std::size_t unit) {
     return std::ranges::any_of(scene.models, [&](const Model& model) {
-        return std::ranges::any_of(model.texCoords[unit], [](const glm::vec4& each) { return each.z != 0; });
+        const TexCoords& own = model.texCoords[unit];
+        const TexCoords& list = own.empty() && model.shape == Shape::Mesh ? model.mesh.texCoords : own;
+        return std::ranges::any_of(list, [](const glm::vec4& each) { return each.z != 0; });
     });
 }
 
@@ -294,14 +302,85 @@ void overruledTexture(const Case& about, Report& report) {
     }
 }
 
+/// glLoadMatrix puts its matrix in the place of all that was made before.
+void replacedSteps(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        for (std::size_t last = unit.matrix.size(); last-- > 1;) {
+            if (unit.matrix[last].op != MatrixOp::Load)
+                continue;
+            for (std::size_t i = 0; i < last; ++i)
+                report.add(path + elementOf<&Unit::matrix>(i),
+                           fmt::format("step {} loads a matrix in its place", last + 1));
+            break;
+        }
+    });
+}
+
+/// Coordinates that are the same all over a triangle, or along it, say no direction to move into.
+void noTangent(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        const Pass& pass = about.scene.passes[p];
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            if (!pass.units[u].enabled || !pass.units[u].emboss.enabled)
+                continue;
+            for (const std::size_t m : drawnModels(about.scene, pass)) {
+                const Model& model = about.scene.models[m];
+                const Mesh mesh = meshOf(model);
+                const auto tangents = tangentsOf(mesh, effectiveTexCoords(model, mesh, static_cast<int>(u)));
+                const auto missing =
+                    static_cast<std::size_t>(std::ranges::count_if(tangents, [](const Tangents& each) {
+                        return each.s == glm::vec3(0) || each.t == glm::vec3(0);
+                    }));
+                if (missing > 0)
+                    report.add(fmt::format("{}{}.{}", unitPath(p, u), keyOf<&Unit::emboss>(),
+                                           keyOf<&Emboss::enabled>()),
+                               fmt::format("at {} of the {} vertices of models[{}] the coordinates say no "
+                                           "direction on the surface: they don't follow the light",
+                                           missing == tangents.size() ? "all" : std::to_string(missing),
+                                           tangents.size(), m));
+            }
+        }
+    }
+}
+
+void embossOff(const Case& about, Report& report) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+        if (unit.emboss.enabled)
+            return;
+        for (const Key key : {keyOf<&Emboss::depth>, keyOf<&Emboss::carrier>})
+            report.add(fmt::format("{}{}.{}", path, keyOf<&Unit::emboss>(), key()),
+                       "these coordinates don't follow the light");
+    });
+}
+
+/// A parameter of a step, and the operations that read it.
+struct OperationRow {
+    Key key;
+    std::string_view what;
+    std::span<const MatrixOp> operations;
+};
+constexpr std::array amounts{MatrixOp::Translate, MatrixOp::Rotate, MatrixOp::Scale};
+constexpr std::array angles{MatrixOp::Rotate};
+constexpr std::array pivots{MatrixOp::Rotate, MatrixOp::Scale};
+constexpr std::array matrices{MatrixOp::Multiply, MatrixOp::Load};
+constexpr std::array operationRows{
+    OperationRow{keyOf<&MatrixStep::amount>, "amount", amounts},
+    OperationRow{keyOf<&MatrixStep::rate>, "rate", amounts},
+    OperationRow{keyOf<&MatrixStep::angle>, "angle", angles},
+    OperationRow{keyOf<&MatrixStep::angleRate>, "angle", angles},
+    OperationRow{keyOf<&MatrixStep::pivot>, "pivot", pivots},
+    OperationRow{keyOf<&MatrixStep::matrix>, "matrix", matrices},
+};
+
 void otherOperation(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
-            if (unit.matrix[i].op == MatrixOp::Rotate)
-                continue;
-            for (const Key key : {keyOf<&MatrixStep::angle>, keyOf<&MatrixStep::angleRate>})
-                report.add(fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(i), key()),
-                           fmt::format("only {} has an angle", nameOf(MatrixOp::Rotate)));
+            const std::string step = fmt::format("{}{}.", path, elementOf<&Unit::matrix>(i));
+            for (const OperationRow& row : operationRows) {
+                const MatrixOp op = unit.matrix[i].op;
+                if (std::ranges::find(row.operations, op) == row.operations.end())
+                    report.add(step + row.key(), fmt::format("{} takes no {}", nameOf(op), row.what));
+            }
         }
     });
 }
@@ -315,6 +394,9 @@ constexpr std::array unitRuleRows{
     Rule{"flat-direction", Severity::Warning, flatDirection},
     Rule{"cube-seams", Severity::Warning, cubeSeams},
     Rule{"unit-off", Severity::Hint, unitOff},
+    Rule{"matrix-replaced", Severity::Hint, replacedSteps},
+    Rule{"no-tangent", Severity::Warning, noTangent},
+    Rule{"emboss", Severity::Hint, embossOff},
     Rule{"env-color", Severity::Hint, noEnvColor},
     Rule{"lod-bias", Severity::Hint, noLodBias},
     Rule{"generation", Severity::Hint, noGeneration},

@@ -22,6 +22,10 @@ std::vector<std::size_t> drawnModels(const Scene& scene, const Pass& pass) {
     return drawn;
 }
 
+std::string nameOf(const Model& model) {
+    return model.name.empty() ? std::string(rowOf(model.shape).label) : model.name;
+}
+
 bool isDrawn(const Scene& scene, std::size_t model) {
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
         const std::vector<std::size_t> drawn = drawnModels(scene, pass);
@@ -50,6 +54,14 @@ void modelInserted(Scene& scene, std::size_t index) {
     for (Pass& pass : scene.passes)
         for (int& model : pass.models)
             model += model >= static_cast<int>(index) ? 1 : 0;
+}
+
+void drawEverywhere(Scene& scene, std::size_t model) {
+    const int index = static_cast<int>(model);
+    for (Pass& pass : scene.passes) {
+        if (!pass.models.empty() && std::ranges::find(pass.models, index) == pass.models.end())
+            pass.models.push_back(index);
+    }
 }
 
 void modelsSwapped(Scene& scene, std::size_t one, std::size_t other) {

@@ -2,15 +2,19 @@
 
 #include "core/conform/dice.h"
 #include "core/gl/combine_arguments.h"
+#include "core/reference/raster/triangle.h"
 #include "core/reference/sampling/lod.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/params.h"
+#include "tests/random/random_skip.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <string_view>
 
 namespace texplorer::random {
 
@@ -19,6 +23,11 @@ namespace {
 using conform::Dice;
 
 constexpr std::size_t maxOwnCoordinates = 600; // a larger mesh keeps its own: nobody reads lists that long
+constexpr int mostVertices = 60;
+constexpr int mostIndices = 90;
+
+constexpr std::array<std::string_view, 8> names{"",       "Floor", "two words",     "\"in quotes\"",
+                                                "a/b\\c", "{} %s", "W\xC3\xBCrfel", "two\nlines"};
 
 class Generator {
 public:
@@ -37,8 +46,20 @@ public:
         }
     }
 
-    /// One coordinate of a vertex: rows don't limit it, so that it goes as far as a float.
+    // What each vertex has. Rows don't limit coordinates, so that they go as far as a float.
     float coordinate() { return isWild() ? dice_.of(unlimited) : dice_.number(-2, 3); }
+    glm::vec4 texCoord() {
+        glm::vec4 made{coordinate(), coordinate(), coordinate(), 1};
+        if (dice_.chance(8))
+            made.q = coordinate();
+        return made;
+    }
+    /// About as far away as the vertices of the other shapes; never 0, so that it is a normal as well.
+    glm::vec3 place() {
+        const auto number = [&] { return isWild() ? dice_.of(unlimited) : dice_.number(-1.5F, 1.5F); };
+        return {number(), number(), number()};
+    }
+    glm::vec4 color() { return vectorOf(Range{0, 1, 0.005F, {}}, glm::vec4(0.5F)); }
 
 private:
     static constexpr float denormal = std::numeric_limits<float>::denorm_min();
@@ -109,9 +130,20 @@ private:
         case Kind::Enum:
             return EnumValue{dice_.of(row.choices).value};
         case Kind::Text:
+            if (row.member != memberId<&Texture::file>)
+                return std::string(dice_.of(names));
             return files_.empty() ? std::string() : dice_.of(files_);
+        case Kind::Matrix: {
+            auto matrix = std::get<glm::mat4>(start);
+            for (int column = 0; column < 4; ++column)
+                matrix[column] = vectorOf(row.range, matrix[column]);
+            return matrix;
+        }
+        case Kind::PointList:
+        case Kind::ColorList:
         case Kind::TexCoordList:
-            break; // as many as the mesh has vertices, which no row knows
+        case Kind::IndexList:
+            break; // how many, and of what, no row knows
         }
         return start;
     }
@@ -137,19 +169,53 @@ private:
     Dice& dice_;
 };
 
+/// Vertices that lie anywhere and are drawn in any order.
+void fitMesh(MeshData& mesh, Generator& generator, Dice& dice) {
+    const auto count = static_cast<std::size_t>(dice.below(mostVertices + 1));
+    const auto fill = [&](auto& list, const auto& make) {
+        for (std::size_t i = 0; i < count; ++i)
+            list.push_back(make());
+    };
+    fill(mesh.positions, [&] { return generator.place(); });
+    if (dice.chance(2))
+        fill(mesh.normals, [&] { return generator.place(); });
+    if (dice.chance(2))
+        fill(mesh.colors, [&] { return generator.color(); });
+    if (!dice.chance(4))
+        fill(mesh.texCoords, [&] { return generator.texCoord(); });
+    if (count == 0 || dice.chance(2))
+        return;
+    for (int i = dice.below(mostIndices + 1); i > 0; --i)
+        mesh.indices.push_back(dice.below(static_cast<int>(count)));
+}
+
+/// Some of the models, each once and in any order.
+std::vector<int> someModels(const Scene& scene, Dice& dice) {
+    std::vector<int> all(scene.models.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<int> chosen;
+    for (int left = dice.below(static_cast<int>(all.size()) + 1); left > 0; --left) {
+        const auto next = all.begin() + dice.below(static_cast<int>(all.size()));
+        chosen.push_back(*next);
+        all.erase(next);
+    }
+    return chosen;
+}
+
 /// What no row can know alone: how members must fit each other.
 void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     for (Model& model : scene.models) {
+        if (dice.chance(6)) // more often than one shape among many
+            model.shape = Shape::Mesh;
+        if (model.shape == Shape::Mesh || dice.chance(8)) // vertices of their own that nobody sees
+            fitMesh(model.mesh, generator, dice);
         const std::size_t count = vertexCountOf(model);
         for (TexCoords& list : model.texCoords) {
             if (count > maxOwnCoordinates || !dice.chance(3))
                 continue;
             list.resize(count);
-            for (glm::vec4& each : list) {
-                each = {generator.coordinate(), generator.coordinate(), generator.coordinate(), 1};
-                if (dice.chance(8))
-                    each.q = generator.coordinate();
-            }
+            for (glm::vec4& each : list)
+                each = generator.texCoord();
         }
     }
     for (Texture& texture : scene.textures) {
@@ -157,6 +223,8 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
             texture.source = SourceKind::Pattern;
     }
     for (Pass& pass : scene.passes) {
+        if (dice.chance(2))
+            pass.models = someModels(scene, dice);
         for (Unit& unit : pass.units) {
             if (scene.textures.empty())
                 unit.enabled = false;
@@ -175,9 +243,18 @@ bool passesSomething(CompareFunc func) {
 void letItBeSeen(Scene& scene) {
     if (scene.models.empty())
         scene.models.emplace_back();
-    scene.models.front().visible = true;
+    Model& model = scene.models.front();
+    model.visible = true;
+    if (model.shape == Shape::Mesh && model.mesh.positions.size() < 3) {
+        model.shape = Shape::Cube;
+        model.texCoords = {};
+    }
+    if (model.attachment == Attachment::Eye) // in front of it, where the others are
+        model.position.z = -scene.view.distance;
     Pass& pass = scene.passes.front();
     pass.enabled = true;
+    if (!pass.models.empty() && std::ranges::find(pass.models, 0) == pass.models.end())
+        pass.models.front() = 0;
     pass.alphaTest = false;
     if (!passesSomething(pass.depthFunc)) // against a depth of 1
         pass.depthTest = false;
@@ -190,10 +267,20 @@ void letItBeSeen(Scene& scene) {
 /// What drivers do otherwise than the specification, or may.
 void takeAwayWhatDiffers(Scene& scene) {
     scene.view.perspectiveHint = HintMode::DontCare;
+    const auto setQ = [](TexCoords& list) {
+        for (glm::vec4& each : list)
+            each.q = 1;
+    };
     for (Model& model : scene.models) {
-        for (TexCoords& list : model.texCoords) {
-            for (glm::vec4& each : list)
-                each.q = 1;
+        std::ranges::for_each(model.texCoords, setQ);
+        setQ(model.mesh.texCoords);
+        model.pointSize = std::round(model.pointSize);
+        const int width = reference::roundedSize(model.lineWidth);
+        if (width % 2 == 0)
+            model.lineWidth = static_cast<float>(width - 1);
+        if (drawsAPartTwice(model)) {
+            model.mesh.primitive = Primitive::Points;
+            model.mesh.indices.clear();
         }
     }
     for (Texture& texture : scene.textures) {
@@ -209,6 +296,10 @@ void takeAwayWhatDiffers(Scene& scene) {
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
             unit.texGenQ.enabled = false;
+            for (MatrixStep& step : unit.matrix) {
+                for (int column = 0; column < 4; ++column)
+                    step.matrix[column].w = column == 3 ? 1.0F : 0.0F;
+            }
             if (!unit.enabled)
                 continue;
             Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];

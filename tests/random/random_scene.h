@@ -20,8 +20,8 @@ enum class Temper : std::uint8_t {
 
 struct RandomScene {
     Temper temper = Temper::Ordinary;
-    /// Can be kept in a file: every value is within its row, lists of coordinates fit their meshes, and
-    /// whatever is enabled exists. Its textures name some of the files that it was given.
+    /// Can be kept in a file: every value is within its row, lists of what each vertex has fit their meshes,
+    /// and whatever is enabled or named exists. Its textures name some of the files that it was given.
     Scene scene;
 };
 

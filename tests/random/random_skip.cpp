@@ -1,9 +1,15 @@
 #include "tests/random/random_skip.h"
 
 #include "core/conform/skip.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
+
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <set>
 
 namespace texplorer::random {
 
@@ -17,20 +23,45 @@ bool isFound(const Comparison& comparison, std::string_view rule) {
     return std::ranges::find(comparison.findings, rule, &Finding::rule) != comparison.findings.end();
 }
 
-/// Whether a q is generated, or some vertex has one that isn't above 0.
+bool runsThroughZero(const TexCoords& list) {
+    return std::ranges::any_of(list, [](const glm::vec4& each) { return each.q <= 0; });
+}
+
+/// Whether a matrix makes a q of its own out of the other coordinates.
+bool mixesQ(const MatrixStep& step) {
+    if (step.op != MatrixOp::Multiply && step.op != MatrixOp::Load)
+        return false;
+    return glm::transpose(step.matrix)[3] != glm::vec4(0, 0, 0, 1);
+}
+
+/// Whether a q is generated or comes out of a matrix, or some vertex has one that isn't above 0.
 bool mayRunThroughZero(const Scene& scene) {
-    return std::ranges::any_of(scene.passes,
-                               [](const Pass& pass) {
-                                   return pass.enabled &&
-                                          std::ranges::any_of(pass.units, [](const Unit& unit) {
-                                              return unit.enabled && unit.texGenQ.enabled;
-                                          });
-                               }) ||
+    return std::ranges::any_of(
+               scene.passes,
+               [](const Pass& pass) {
+                   return pass.enabled && std::ranges::any_of(pass.units, [](const Unit& unit) {
+                              return unit.enabled &&
+                                     (unit.texGenQ.enabled || std::ranges::any_of(unit.matrix, mixesQ));
+                          });
+               }) ||
            std::ranges::any_of(scene.models, [](const Model& model) {
-               return std::ranges::any_of(model.texCoords, [](const TexCoords& list) {
-                   return std::ranges::any_of(list, [](const glm::vec4& each) { return each.q <= 0; });
-               });
+               return std::ranges::any_of(model.texCoords, runsThroughZero) ||
+                      runsThroughZero(model.mesh.texCoords);
            });
+}
+
+bool anyDrawn(const Scene& scene, auto condition) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return std::ranges::any_of(drawnModels(scene, pass),
+                                   [&](std::size_t model) { return condition(scene.models[model]); });
+    });
+}
+
+/// Whether a point's size is so near to half a pixel that it is rounded either way.
+bool isHalfAPoint(const Model& model) {
+    const float fraction = model.pointSize - std::floor(model.pointSize);
+    return model.shape == Shape::Mesh && model.mesh.primitive == Primitive::Points &&
+           std::abs(fraction - 0.5F) < 1.0F / 128;
 }
 
 constexpr std::array rows{
@@ -55,6 +86,17 @@ constexpr std::array rows{
         },
         "where q changes its sign, coordinates have no bound, and no bit of theirs is right; the sweep has "
         "scenes whose q stays above 0"},
+    RandomSkip{
+        "drawn-twice",
+        [](const Comparison& each) {
+            return each.pair.has(RendererKind::Reference) && anyDrawn(each.random.scene, drawsAPartTwice);
+        },
+        "a part that is drawn twice, from another corner on, is as deep as before but for its last bit"},
+    RandomSkip{"half-points",
+               [](const Comparison& each) {
+                   return each.pair.has(RendererKind::Reference) && anyDrawn(each.random.scene, isHalfAPoint);
+               },
+               "OpenGL 2.1, section 3.3, doesn't say which way a point size of half a pixel is rounded"},
     RandomSkip{"undefined-crossbar",
                [](const Comparison& each) { return isFound(each, "undefined-crossbar"); },
                "GL_COMBINE reads the texture of a unit that is off or incomplete, which is undefined (OpenGL "
@@ -94,6 +136,24 @@ bool isEndless(const RandomScene& random, const conform::Driver& driver) {
                           random.scene.textures[static_cast<std::size_t>(unit.texture)].maxAnisotropy > 1;
                });
     });
+}
+
+bool drawsAPartTwice(const Model& model) {
+    if (model.shape != Shape::Mesh)
+        return false;
+    const Mesh mesh = meshOf(model);
+    const auto anyTwice = [](const std::vector<std::uint32_t>& indices, std::size_t corners) {
+        std::set<std::vector<std::uint32_t>> seen;
+        for (std::size_t i = 0; i + corners <= indices.size(); i += corners) {
+            const auto first = indices.begin() + static_cast<std::ptrdiff_t>(i);
+            std::vector<std::uint32_t> part(first, first + static_cast<std::ptrdiff_t>(corners));
+            std::ranges::sort(part);
+            if (!seen.insert(std::move(part)).second)
+                return true;
+        }
+        return false;
+    };
+    return anyTwice(mesh.triangles, 3) || anyTwice(mesh.lines, 2) || anyTwice(mesh.points, 1);
 }
 
 std::string_view reasonOf(std::string_view name) {

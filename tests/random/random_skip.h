@@ -45,6 +45,9 @@ struct Skipped {
 /// anisotropy.
 [[nodiscard]] bool isEndless(const RandomScene& random, const conform::Driver& driver);
 
+/// Whether a mesh has the same triangle, line or point twice, as random indices may have it.
+[[nodiscard]] bool drawsAPartTwice(const Model& model);
+
 /// The reason that belongs to a skip's name.
 [[nodiscard]] std::string_view reasonOf(std::string_view name);
 

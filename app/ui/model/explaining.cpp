@@ -1,6 +1,7 @@
 #include "app/ui/model/explaining.h"
 
 #include "app/ui/model/session.h"
+#include "app/ui/model/shown_passes.h"
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
 
 reference::DrawRequest pictureNow(const Session& session, int width, int height) {
     return {
-        session.document.scene,        session.document.images, session.window.playback.time, width, height,
+        shownScene(session),           session.document.images, session.window.playback.time, width, height,
         session.window.view.anisotropy};
 }
 

@@ -36,9 +36,10 @@ struct ViewSettings {
     std::array<RendererKind, 2> compared{RendererKind::Fixed, RendererKind::Reference};
     Arrangement comparing = Arrangement::Split; ///< what Compare leads to: Split or Grid, as it was last
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
-    float split = 0.5F;     ///< where the seam is, as a share of the picture's width
-    int tolerance = 2;      ///< differences up to here don't count, in 255ths
-    bool magnifies = false; ///< the pixels under the mouse are shown enlarged
+    float split = 0.5F;              ///< where the seam is, as a share of the picture's width
+    int tolerance = 2;               ///< differences up to here don't count, in 255ths
+    bool magnifies = false;          ///< the pixels under the mouse are shown enlarged
+    bool stepsThroughPasses = false; ///< those after the chosen one are left out
     PictureZoom zoom;
     view::OfferedRenderers offered; ///< by the host: of the others nothing is shown
 

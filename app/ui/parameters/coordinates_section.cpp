@@ -54,6 +54,13 @@ void coordinatesSection(Session& session) {
                 paramWidget(session, owner, row);
         }
     }
+    const Owner emboss{&unit.emboss, &initial.emboss,
+                       fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::emboss>())};
+    caption("Emboss");
+    for (const ParamRow& row : embossTable().params) {
+        if (unit.emboss.enabled || row.member == memberId<&Emboss::enabled>)
+            paramWidget(session, emboss, row);
+    }
 }
 
 } // namespace texplorer::ui

@@ -3,9 +3,9 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/parameters/combine_section.h"
 #include "app/ui/parameters/coordinates_section.h"
+#include "app/ui/parameters/model_section.h"
 #include "app/ui/parameters/pass_section.h"
 #include "app/ui/parameters/texture_section.h"
-#include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/number_choice.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -161,11 +161,11 @@ void matrixSection(Session& session) {
         ImGui::PopID();
     }
     ImGui::BeginDisabled(steps.size() >= maxMatrixSteps);
-    const float width =
-        (ImGui::GetContentRegionAvail().x - 2 * gap) / static_cast<float>(matrixOpRows.size());
+    constexpr std::size_t perLine = 3;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / static_cast<float>(perLine);
     for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
         const EnumRow& op = matrixOpRows[i];
-        if (i > 0)
+        if (i % perLine > 0)
             ImGui::SameLine(0, gap);
         const std::string label = "+ " + std::string(op.label);
         if (ImGui::Button(label.c_str(), {width, 0})) {
@@ -196,6 +196,8 @@ std::vector<Mark> generatedMarks(const Unit& unit) {
         if (on[i])
             marks.push_back({letters[i], componentColor(static_cast<int>(i))});
     }
+    if (unit.emboss.enabled)
+        marks.push_back({"emboss", color::changed});
     return marks;
 }
 
@@ -210,17 +212,6 @@ std::vector<Mark> passMarks(const Scene& scene) {
     if (scene.passes.size() < 2)
         return {};
     return {{fmt::format("{} passes", scene.passes.size()), color::changed}};
-}
-
-void modelSection(Session& session) {
-    if (session.document.scene.models.empty()) {
-        ImGui::TextWrapped("The scene has no model. View > Show adds one.");
-        return;
-    }
-    modelChoice(session, -FLT_MIN);
-    static const Model initial;
-    paramRows(session, {selectedModel(session), &initial, indexed("models", session.window.selection.model)},
-              modelTable());
 }
 
 } // namespace

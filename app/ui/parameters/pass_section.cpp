@@ -1,13 +1,16 @@
 #include "app/ui/parameters/pass_section.h"
 
 #include "app/ui/model/explaining.h"
+#include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/number_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/widget_places.h"
+#include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cassert>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -50,24 +53,87 @@ void movePass(Session& session, int by) {
     passesChanged(session, "Reorder passes");
 }
 
-/// What one does with passes, at the right end of a line.
-void passButtons(Session& session) {
-    const std::size_t count = session.document.scene.passes.size();
-    const int chosen = session.window.selection.pass;
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float button = ImGui::GetFrameHeight();
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - 4 * button - 3 * gap));
-    if (squareButton("+", "add pass", "Add a pass after this one, and like it", count < maxPasses))
-        return addPass(session);
-    ImGui::SameLine(0, gap);
-    if (squareButton("↑", "pass up", "Draw this pass earlier", chosen > 0))
-        return movePass(session, -1);
-    ImGui::SameLine(0, gap);
-    if (squareButton("↓", "pass down", "Draw this pass later", static_cast<std::size_t>(chosen) + 1 < count))
-        return movePass(session, 1);
-    ImGui::SameLine(0, gap);
-    if (squareButton("✕", "remove pass", "Remove this pass", count > 1))
+void editPasses(Session& session) {
+    constexpr ListWords words{"pass", "Add a pass after this one, and like it", "Draw this pass earlier",
+                              "Draw this pass later", "Remove this pass"};
+    const auto pressed = listButtons(words, static_cast<std::size_t>(session.window.selection.pass),
+                                     session.document.scene.passes.size(), 1, maxPasses);
+    if (pressed == ListEdit::Add)
+        addPass(session);
+    else if (pressed == ListEdit::Up)
+        movePass(session, -1);
+    else if (pressed == ListEdit::Down)
+        movePass(session, 1);
+    else if (pressed == ListEdit::Remove)
         removePass(session);
+}
+
+void modelsChanged(Session& session) {
+    const auto pass = static_cast<std::size_t>(session.window.selection.pass);
+    sealEdit(session);
+    recordEdit(session, "Models of the pass",
+               fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::models>()));
+    sealEdit(session);
+}
+
+/// One model of the list: a tick, and where it is drawn, buttons that draw it earlier or later. Whether the
+/// list changed.
+bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const std::string& name) {
+    const float button = ImGui::GetFrameHeight();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    bool draws = place < named.size();
+    ImGui::BeginDisabled(draws && named.size() == 1); // a pass that draws nothing is switched off instead
+    const bool ticked = ImGui::Checkbox(fmt::format("{}  {}", index, name).c_str(), &draws);
+    noteItem(fmt::format("pass models:{}", index));
+    ImGui::EndDisabled();
+    if (ticked) {
+        if (draws)
+            named.push_back(index);
+        else
+            std::erase(named, index);
+        return true;
+    }
+    if (!draws)
+        return false;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - 2 * button - gap));
+    const bool up = squareButton("↑", fmt::format("pass models:{} up", index),
+                                 "Draw this model earlier in the pass", place > 0);
+    ImGui::SameLine(0, gap);
+    const bool down = squareButton("↓", fmt::format("pass models:{} down", index),
+                                   "Draw this model later in the pass", place + 1 < named.size());
+    if (up || down)
+        std::swap(named[place], named[up ? place - 1 : place + 1]);
+    return up || down;
+}
+
+/// All models, or those that are ticked.
+void modelsOfPass(Session& session) {
+    const std::vector<Model>& models = session.document.scene.models;
+    std::vector<int>& named = selectedPass(session).models;
+    std::vector<int> order = named; // then those that it leaves out
+    for (int i = 0; i < static_cast<int>(models.size()); ++i) {
+        if (std::ranges::find(named, i) == named.end())
+            order.push_back(i);
+    }
+    caption("Models");
+    bool all = named.empty();
+    if (ImGui::Checkbox("All of them", &all)) {
+        named = all ? std::vector<int>{} : order;
+        modelsChanged(session);
+    }
+    noteItem("pass models:all");
+    helpTip("Whether this pass draws every model, in their order, or only those that are ticked");
+    if (named.empty())
+        return;
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        const int index = order[place];
+        ImGui::PushID(index);
+        const bool changed =
+            modelOfPass(named, index, place, nameOf(models[static_cast<std::size_t>(index)]));
+        ImGui::PopID();
+        if (changed)
+            return modelsChanged(session); // the rest is drawn at the next frame
+    }
 }
 
 } // namespace
@@ -79,23 +145,30 @@ void passChoice(Session& session) {
     std::vector<NumberChoice> choices;
     choices.reserve(passes.size());
     for (const Pass& pass : passes)
-        choices.push_back({pass.enabled, pass.enabled ? "This pass is drawn." : "This pass is not drawn."});
+        choices.push_back(
+            {pass.enabled, fmt::format("{}{}", pass.name.empty() ? "" : pass.name + ": ",
+                                       pass.enabled ? "This pass is drawn." : "This pass is not drawn.")});
     numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass);
+    ImGui::Checkbox("Step: only up to this pass", &session.window.view.stepsThroughPasses);
+    noteItem("step through passes");
+    helpTip(
+        "Leaves out the passes after the chosen one: choose 0, 1, 2 … to see each come over what is there");
 }
 
 void passSection(Session& session) {
     static const Pass initial;
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("Pass %d", session.window.selection.pass);
-    ImGui::PushID("passes"); // there are other buttons with a +
-    passButtons(session);
-    ImGui::PopID();
+    editPasses(session);
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
     const Owner owner{&selectedPass(session), &initial, elementOf<&Scene::passes>(chosen)};
-    const StructTable& table = passTable(); // begins with the switch, which needs no caption
-    assert(table.params.front().member == memberId<&Pass::enabled>);
-    paramWidget(session, owner, table.params.front());
-    paramRows(session, owner, {table.name, table.params.subspan(1), table.children});
+    // The switch needs no caption, and the models come next to the name.
+    const StructTable& table = passTable();
+    const auto rest = std::ranges::find(table.params, memberId<&Pass::models>, &ParamRow::member) + 1;
+    for (auto row = table.params.begin(); row != rest; ++row)
+        paramWidget(session, owner, *row);
+    modelsOfPass(session);
+    paramRows(session, owner, {table.name, {rest, table.params.end()}, table.children});
 }
 
 } // namespace texplorer::ui

@@ -1,6 +1,7 @@
 #include "app/ui/view/show.h"
 
 #include "app/ui/model/camera.h"
+#include "core/scene/drawn_models.h"
 
 #include <algorithm>
 
@@ -16,13 +17,16 @@ Model* firstOf(Scene& scene, Shape shape) {
 
 void reveal(Scene& scene, Shape shape) {
     if (!firstOf(scene, shape)) {
-        if (scene.models.size() >= maxModels)
+        if (scene.models.size() >= maxModels) {
             scene.models.pop_back();
+            modelRemoved(scene, scene.models.size());
+        }
         Model model;
         model.shape = shape;
         if (shape == Shape::Sphere)
             model.size = 1.25F;
         scene.models.push_back(model);
+        drawEverywhere(scene, scene.models.size() - 1);
     }
     firstOf(scene, shape)->visible = true;
 }

@@ -1,6 +1,7 @@
 #include "app/ui/view/view_panel.h"
 
 #include "app/ui/model/camera.h"
+#include "app/ui/model/shown_passes.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/magnifier.h"
 #include "app/ui/view/pane_drawing.h"
@@ -207,6 +208,25 @@ void hintLine(const Layout& layout) {
     ImGui::TextDisabled("%s", line.c_str());
 }
 
+/// Says that the picture is not the whole of it, over its lower edge.
+void stepLine(const Session& session, const Layout& layout) {
+    const std::size_t count = session.document.scene.passes.size();
+    const std::size_t shown = shownPasses(session);
+    if (shown == count)
+        return;
+    const std::string line = shown == 1 ? fmt::format("Pass 0 of {}", count)
+                                        : fmt::format("Passes 0 to {} of {}", shown - 1, count);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 size = ImGui::CalcTextSize(line.c_str());
+    const ImVec2 low(static_cast<float>(layout.picture.x) + em * 0.6F,
+                     static_cast<float>(layout.picture.bottom()) - size.y - em * 0.8F);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled({low.x - em * 0.4F, low.y - em * 0.2F},
+                       {low.x + size.x + em * 0.4F, low.y + size.y + em * 0.2F}, IM_COL32(20, 22, 26, 200),
+                       em * 0.25F);
+    draw.AddText(low, color::changed, line.c_str());
+}
+
 } // namespace
 
 void drawViewPanel(Session& session, const Pictures& pictures, const Layout& layout) {
@@ -256,6 +276,7 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     if (hovered)
         drawMagnifier(session, panes, pictures, layout);
     drawComparisonStrip(session, pictures, layout);
+    stepLine(session, layout);
     hintLine(layout);
     ImGui::End();
 }

@@ -1,6 +1,7 @@
 #include "app/ui/widgets/model_choice.h"
 
 #include "app/ui/widgets/param_widgets.h"
+#include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
 
@@ -9,7 +10,7 @@ namespace texplorer::ui {
 void modelChoice(Session& session, float width) {
     const std::vector<Model>& models = session.document.scene.models;
     const auto name = [&](int index) {
-        return fmt::format("{}  {}", index, rowOf(models[static_cast<std::size_t>(index)].shape).label);
+        return fmt::format("{}  {}", index, nameOf(models[static_cast<std::size_t>(index)]));
     };
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", name(session.window.selection.model).c_str())) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+namespace texplorer::ui {
+
+/// How many passes are drawn: all, or those up to the chosen one while the user steps through them.
+[[nodiscard]] std::size_t shownPasses(const Session& session);
+
+/// The scene as the view shows it: with those passes alone.
+[[nodiscard]] Scene shownScene(const Session& session);
+
+} // namespace texplorer::ui

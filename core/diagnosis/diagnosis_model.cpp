@@ -1,0 +1,105 @@
+// Models: what is not drawn, and which of their settings do nothing.
+
+#include "core/diagnosis/diagnosis_rules.h"
+#include "core/scene/drawn_models.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::diagnosis {
+namespace {
+
+std::string modelPath(std::size_t model, const std::string& key) {
+    return fmt::format("{}.{}", elementOf<&Scene::models>(model), key);
+}
+
+void hiddenModel(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        if (!about.scene.models[m].visible)
+            report.add(elementOf<&Scene::models>(m), "the model is hidden",
+                       Fix{"Show it", {{modelPath(m, keyOf<&Model::visible>()), "true"}}});
+        else if (!isDrawn(about.scene, m))
+            report.add(elementOf<&Scene::models>(m), "no pass that is on draws it");
+    }
+}
+
+/// A parameter of a shape, and the shapes that have it.
+struct ShapeRow {
+    Key key;
+    std::string_view what;
+    std::vector<Shape> shapes;
+};
+
+void otherShape(const Case& about, Report& report) {
+    const std::vector round{Shape::Sphere, Shape::Cylinder, Shape::Disk, Shape::PartialDisk, Shape::Torus};
+    const std::array rows{
+        ShapeRow{keyOf<&Model::slices>, "slices", round},
+        ShapeRow{keyOf<&Model::stacks>, "stacks", round},
+        ShapeRow{keyOf<&Model::topRadius>, "top radius", {Shape::Cylinder}},
+        ShapeRow{keyOf<&Model::innerRadius>, "inner radius", {Shape::Disk, Shape::PartialDisk}},
+        ShapeRow{keyOf<&Model::tubeRadius>, "tube", {Shape::Torus}},
+        ShapeRow{keyOf<&Model::startAngle>, "start angle", {Shape::PartialDisk}},
+        ShapeRow{keyOf<&Model::sweepAngle>, "sweep angle", {Shape::PartialDisk}},
+        ShapeRow{keyOf<&Model::mesh>, "vertices of its own", {Shape::Mesh}},
+    };
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Shape shape = about.scene.models[m].shape;
+        for (const ShapeRow& row : rows) {
+            if (std::ranges::find(row.shapes, shape) == row.shapes.end())
+                report.add(modelPath(m, row.key()), fmt::format("a {} has no {}", nameOf(shape), row.what));
+        }
+    }
+}
+
+bool hasLines(const Model& model) {
+    const Primitive primitive = model.mesh.primitive;
+    return model.shape == Shape::Mesh &&
+           (primitive == Primitive::Lines || primitive == Primitive::LineStrip ||
+            primitive == Primitive::LineLoop);
+}
+
+bool hasPoints(const Model& model) {
+    return model.shape == Shape::Mesh && model.mesh.primitive == Primitive::Points;
+}
+
+void otherPrimitive(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Model& model = about.scene.models[m];
+        if (!hasLines(model))
+            report.add(modelPath(m, keyOf<&Model::lineWidth>()), "it has no lines");
+        if (!hasPoints(model))
+            report.add(modelPath(m, keyOf<&Model::pointSize>()), "it has no points");
+    }
+}
+
+void sharedMaterial(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        if (!about.scene.models[m].ownMaterial)
+            report.add(modelPath(m, keyOf<&Model::material>()), "it has the scene's material");
+    }
+}
+
+void emptyMesh(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Model& model = about.scene.models[m];
+        if (model.shape == Shape::Mesh && model.mesh.positions.empty())
+            report.add(modelPath(m, keyOf<&Model::shape>()), "the mesh has no vertices: nothing is drawn");
+    }
+}
+
+constexpr std::array modelRuleRows{
+    Rule{"empty-mesh", Severity::Warning, emptyMesh},
+    Rule{"hidden-model", Severity::Hint, hiddenModel},
+    Rule{"other-shape", Severity::Unused, otherShape},
+    Rule{"other-primitive", Severity::Unused, otherPrimitive},
+    Rule{"shared-material", Severity::Unused, sharedMaterial},
+};
+
+} // namespace
+
+std::span<const Rule> modelRules() {
+    return modelRuleRows;
+}
+
+} // namespace texplorer::diagnosis
