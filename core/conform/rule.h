@@ -142,9 +142,8 @@ inline constexpr Rule lines{
     0.999,
     0.99,
     "Which pixels a line covers is said for exact ends; they are snapped to 1/256 of a pixel "
-    "(GL_SUBPIXEL_BITS). "
-    "Where a side, or the diamond that an end lies in, is as near to a pixel's boundary, there is a pixel "
-    "more or less (OpenGL 2.1, section 3.4.1)."};
+    "(GL_SUBPIXEL_BITS). Where a side of it, or of the diamond that it ends in, passes a pixel's centre as "
+    "near, there is a pixel more or less (OpenGL 2.1, sections 3.4.1 and 3.4.2)."};
 
 inline constexpr Rule lastBit{
     "last-bit",

@@ -30,8 +30,9 @@ Combine anyCombine(int& number, Dice& state, int units) {
     return c;
 }
 
-/// Lets so many units show pictures, one after the other.
-void addUnits(Scene& scene, int count, Dice& state, Dice& values) {
+/// Lets so many units show pictures, one after the other. Those of the units that it adds.
+std::vector<Source> addUnits(Scene& scene, int count, Dice& state, Dice& values) {
+    std::vector<Source> added;
     scene.textures.resize(static_cast<std::size_t>(count), scene.textures[0]);
     for (std::size_t u = 1; u < static_cast<std::size_t>(count); ++u) {
         const Source source = state.of(coloredSources);
@@ -40,7 +41,37 @@ void addUnits(Scene& scene, int count, Dice& state, Dice& values) {
         Unit& unit = scene.passes[0].units[u];
         unit.enabled = true;
         unit.texture = static_cast<int>(u);
+        added.push_back(source);
     }
+    return added;
+}
+
+/// Two smaller quads in the plane of the first one, with colours of their own. Their sides lie between
+/// pixels.
+void addQuads(Scene& scene, const std::vector<Source>& sources, Dice& values) {
+    const auto place = [&] { return static_cast<float>(values.below(33) - 16) / 32; };
+    for (const float size : {0.5F, 0.25F}) {
+        Model quad = scene.models[0];
+        quad.size = size;
+        quad.position = {place(), place(), 0};
+        quad.ownMaterial = true;
+        quad.material.color = values.color();
+        for (std::size_t u = 0; u < sources.size(); ++u)
+            placeTexels(quad, u, sources[u], values);
+        scene.models.push_back(quad);
+    }
+}
+
+/// One to `most` of the three quads, in any order.
+std::vector<int> someQuads(int most, Dice& state) {
+    std::vector<int> left{0, 1, 2};
+    std::vector<int> chosen;
+    for (int count = 1 + state.below(most); count > 0; --count) {
+        const auto next = left.begin() + state.below(static_cast<int>(left.size()));
+        chosen.push_back(*next);
+        left.erase(next);
+    }
+    return chosen;
 }
 
 constexpr std::array definedDecals{BaseFormat::Rgb, BaseFormat::Rgba};
@@ -115,12 +146,12 @@ Scene blend(int number, Dice& state, Dice& values) {
 }
 
 Scene passes(int number, Dice& state, Dice& values) {
-    const std::array sources{state.of(coloredSources), state.of(coloredSources)};
-    Scene scene = texturedQuad(sources[0], values);
-    addUnits(scene, 2, sources, values);
+    const Source first = state.of(coloredSources);
+    Scene scene = texturedQuad(first, values);
+    const std::vector<Source> added = addUnits(scene, 2, state, values);
     const bool named = number / 2 % 2 == 1;
     if (named)
-        addQuads(scene, sources, values);
+        addQuads(scene, {first, added[0]}, values);
     const int count = 2 + number % 2;
     scene.passes.resize(static_cast<std::size_t>(count), scene.passes[0]);
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
@@ -137,7 +168,7 @@ Scene passes(int number, Dice& state, Dice& values) {
         }
         pass.enabled = !state.chance(5);
         if (named)
-            pass.models = someQuads(state);
+            pass.models = someQuads(i == 0 ? 3 : 1, state); // so that each blended pass rounds once
     }
     return scene;
 }

@@ -11,15 +11,14 @@ namespace {
 
 constexpr std::array thinPrimitives{Primitive::Points, Primitive::Lines, Primitive::LineStrip,
                                     Primitive::LineLoop};
-constexpr std::array polygonPrimitives{Primitive::Triangles, Primitive::TriangleStrip,
-                                       Primitive::TriangleFan, Primitive::Quads,
-                                       Primitive::QuadStrip, Primitive::Polygon};
+constexpr std::array polygonPrimitives{Primitive::Triangles, Primitive::TriangleStrip, Primitive::TriangleFan,
+                                       Primitive::Quads,     Primitive::QuadStrip,     Primitive::Polygon};
 
 /// Twelve places around a circle that every machine computes alike.
-constexpr std::array rim{glm::vec2(1, 0),         glm::vec2(0.8F, 0.6F),   glm::vec2(0.6F, 0.8F),
-                         glm::vec2(0, 1),         glm::vec2(-0.6F, 0.8F),  glm::vec2(-0.8F, 0.6F),
-                         glm::vec2(-1, 0),        glm::vec2(-0.8F, -0.6F), glm::vec2(-0.6F, -0.8F),
-                         glm::vec2(0, -1),        glm::vec2(0.6F, -0.8F),  glm::vec2(0.8F, -0.6F)};
+constexpr std::array rim{glm::vec2(1, 0),  glm::vec2(0.8F, 0.6F),   glm::vec2(0.6F, 0.8F),
+                         glm::vec2(0, 1),  glm::vec2(-0.6F, 0.8F),  glm::vec2(-0.8F, 0.6F),
+                         glm::vec2(-1, 0), glm::vec2(-0.8F, -0.6F), glm::vec2(-0.6F, -0.8F),
+                         glm::vec2(0, -1), glm::vec2(0.6F, -0.8F),  glm::vec2(0.8F, -0.6F)};
 
 /// How far from the middle a vertex lies, so that the parts of a primitive are polygons that OpenGL defines:
 /// strips are rings, quadrilaterals go around, the others are as the rim is.
@@ -114,12 +113,12 @@ Scene meshes(int number, Dice& state, Dice& values) {
     // Without light a mesh of one colour shows no more than its outline.
     if (!scene.passes[0].lighting || state.chance(2))
         setColors(mesh, values);
-    if (state.chance(2)) { // from another vertex on, where that makes the same polygons
-        const bool anywhere = primitive == Primitive::Polygon;
-        const int first = anywhere ? 1 + state.below(11) : primitive == Primitive::TriangleFan ? 0 : 4;
+    if (state.chance(2)) { // a fan around the other way, everything else from another vertex on
+        const bool fan = primitive == Primitive::TriangleFan;
+        const int first = fan ? 0 : primitive == Primitive::Triangles ? 3 : 4;
         for (int i = 0; i < 12; ++i)
             mesh.indices.push_back((first + i) % 12);
-        if (first == 0) // around the other way
+        if (fan)
             std::reverse(mesh.indices.begin() + 1, mesh.indices.end());
     }
     return scene;

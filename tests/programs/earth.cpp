@@ -14,7 +14,7 @@ void drawEarth(int width, int height, GLint filter) {
     glClearColor(0, 0, 0.02F, 1);
     glEnable(GL_DEPTH_TEST);
 
-    const Picture& map = pattern("marble");
+    const Picture& map = pattern("uv-template");
     GLuint texName = 0;
     glGenTextures(1, &texName);
     glBindTexture(GL_TEXTURE_2D, texName);
@@ -34,7 +34,7 @@ void drawEarth(int width, int height, GLint filter) {
 
     constexpr std::array<GLfloat, 4> sun{-1, 0.3F, 0.8F, 0};
     constexpr std::array<GLfloat, 4> night{0.08F, 0.08F, 0.1F, 1};
-    constexpr std::array<GLfloat, 4> surface{0.5F, 0.7F, 1, 1};
+    constexpr std::array<GLfloat, 4> surface{1, 1, 1, 1};
     glLightfv(GL_LIGHT0, GL_POSITION, sun.data());
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, night.data());
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, surface.data());

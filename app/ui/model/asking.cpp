@@ -27,6 +27,9 @@ void finishPending(Session& session) {
     case Pending::NewScene:
         newScene(session);
         break;
+    case Pending::Example:
+        report(session, openExample(session, session.window.pendingExample));
+        break;
     case Pending::OpenScene:
         session.window.dialog = Dialog::OpenScene;
         break;
@@ -58,6 +61,11 @@ void askOpenImage(Session& session) {
 
 void askNewScene(Session& session) {
     askAboutChanges(session, Pending::NewScene);
+}
+
+void askExample(Session& session, std::string_view file) {
+    session.window.pendingExample = file;
+    askAboutChanges(session, Pending::Example);
 }
 
 void askSaveAs(Session& session) {

@@ -3,6 +3,7 @@
 #include "app/ui/model/session.h"
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::ui {
@@ -13,7 +14,8 @@ namespace texplorer::ui {
 void askOpenScene(Session& session);
 void askOpenImage(Session& session);
 void askNewScene(Session& session);
-void save(Session& session); ///< asks for a name where there is none
+void askExample(Session& session, std::string_view file); ///< see examples.h
+void save(Session& session);                              ///< asks for a name where there is none
 void askSaveAs(Session& session);
 
 /// The user wants to close the window: asks first where something would be lost.

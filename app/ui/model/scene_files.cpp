@@ -1,5 +1,6 @@
 #include "app/ui/model/scene_files.h"
 
+#include "app/ui/model/examples.h"
 #include "app/ui/model/loads.h"
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
@@ -91,6 +92,14 @@ void bindFile(Scene& scene, int pass, int unit, std::string file) {
 
 void newScene(Session& session) {
     replaceDocument(session, {defaultScene(), ImageSource{}});
+}
+
+Result<void> openExample(Session& session, std::string_view file) {
+    Result<Scene> scene = exampleScene(file);
+    if (!scene)
+        return fail(scene.error());
+    replaceDocument(session, {std::move(*scene), ImageSource{}});
+    return {};
 }
 
 Result<void> openScene(Session& session, const fs::path& path) {

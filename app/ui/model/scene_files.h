@@ -10,6 +10,9 @@ namespace texplorer::ui {
 
 void newScene(Session& session);
 
+/// One of the scenes that come with the program, as a scene without a file.
+[[nodiscard]] Result<void> openExample(Session& session, std::string_view file);
+
 // Images come later: what was asked for happens in `receiveFiles`, or the user is told there why it can't.
 // The errors that are returned are those that are seen at once.
 

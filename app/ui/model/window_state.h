@@ -37,7 +37,7 @@ struct Selection {
 enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help, Restore, Refused };
 
 /// What waits until the user has decided about unsaved changes.
-enum class Pending { None, NewScene, OpenScene, OpenFiles, ShowScene, Quit };
+enum class Pending { None, NewScene, Example, OpenScene, OpenFiles, ShowScene, Quit };
 
 /// The visible part of the texture plane.
 struct Plane {
@@ -73,6 +73,7 @@ struct WindowState {
     Dialog dialog = Dialog::None;
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;
+    std::string pendingExample;       ///< its file's name
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
     std::vector<Error> refused; ///< of several files: those that could not be opened, until one has read it
     bool quitConfirmed = false;

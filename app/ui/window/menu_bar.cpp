@@ -1,6 +1,7 @@
 #include "app/ui/window/menu_bar.h"
 
 #include "app/ui/model/asking.h"
+#include "app/ui/model/examples.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/panel.h"
@@ -60,9 +61,23 @@ void resetEverything(Session& session) {
     sealEdit(session);
 }
 
+void examplesMenu(Session& session) {
+    const bool open = ImGui::BeginMenu("Examples");
+    noteItem("menu:Examples");
+    if (!open)
+        return;
+    for (const Example& example : examples()) {
+        if (item(example.title, nullptr))
+            askExample(session, example.file);
+        helpTip(example.help);
+    }
+    ImGui::EndMenu();
+}
+
 void fileMenu(Session& session) {
     if (item("New", nullptr))
         askNewScene(session);
+    examplesMenu(session);
     if (item("Open scene…", "Ctrl+O"))
         askOpenScene(session);
     if (item("Open image…", "Ctrl+I"))

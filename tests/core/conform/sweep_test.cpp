@@ -2,6 +2,9 @@
 #include "core/conform/report.h"
 #include "core/conform/sweep.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 #include "core/scene/params/json.h"
 #include "tests/support/no_threads.h"
 
@@ -266,6 +269,90 @@ TEST(Cases, WrapCubeMapsInEachWay) {
     EXPECT_EQ(wraps.size(), EnumTable<Wrap>::rows.size());
 }
 
+// Lines that are clipped have other ends, and those of even width end elsewhere (skip.cpp).
+TEST(Cases, HaveLinesOfEveryKindWithinTheView) {
+    std::set<Primitive> primitives;
+    std::set<float> widths;
+    std::set<float> sizes;
+    for (const Case& item : casesOf({1, 72, {findFeature("lines")}})) {
+        const Model& model = item.scene.models[0];
+        primitives.insert(model.mesh.primitive);
+        widths.insert(model.lineWidth);
+        sizes.insert(model.pointSize);
+        const glm::mat4 toClip =
+            projectionMatrix(item.scene.view, 1) * modelViewMatrix(item.scene.view, model, 0);
+        for (const glm::vec3& position : model.mesh.positions) {
+            const glm::vec4 clip = toClip * glm::vec4(position, 1);
+            EXPECT_LT(std::max(std::abs(clip.x), std::abs(clip.y)), 0.89F * clip.w) << item.number;
+        }
+    }
+    EXPECT_THAT(primitives, testing::ElementsAre(Primitive::Points, Primitive::Lines, Primitive::LineLoop,
+                                                 Primitive::LineStrip));
+    EXPECT_THAT(widths, testing::ElementsAre(1, 3, 5, 7));
+    EXPECT_EQ(sizes.size(), 7U);
+}
+
+TEST(Cases, HaveAMeshWhereverAShapeIsDrawn) {
+    for (const Case& item : casesOf({1, defaultScenes, {}})) {
+        for (const Model& model : item.scene.models)
+            EXPECT_GT(vertexCountOf(model), 0U) << item.feature->name << " " << item.number;
+    }
+}
+
+TEST(Cases, NameModelsInAnyOrder) {
+    bool all = false;
+    std::set<std::vector<int>> named;
+    for (const Case& item : casesOf({1, 60, {findFeature("passes")}})) {
+        for (const Pass& pass : item.scene.passes) {
+            all = all || pass.models.empty();
+            named.insert(pass.models);
+        }
+    }
+    EXPECT_TRUE(all);
+    EXPECT_TRUE(std::ranges::any_of(named, [](const std::vector<int>& models) {
+        return models.size() > 1 && !std::ranges::is_sorted(models);
+    }));
+}
+
+TEST(Cases, PairEveryOperationOfTheMatrixWithEveryOther) {
+    std::set<std::pair<MatrixOp, MatrixOp>> pairs;
+    bool ofOneQ = false;
+    bool ofManyQs = false;
+    for (const Case& item : casesOf({1, 100, {findFeature("matrix")}})) {
+        const std::vector<MatrixStep>& steps = item.scene.passes[0].units[0].matrix;
+        pairs.insert({steps.at(0).op, steps.at(1).op});
+        const TexCoords& coords = item.scene.models[0].texCoords[0];
+        const bool even = std::ranges::all_of(coords, [](const glm::vec4& each) { return each.q == 1; });
+        (even ? ofOneQ : ofManyQs) = true;
+    }
+    EXPECT_EQ(pairs.size(), matrixOpRows.size() * matrixOpRows.size());
+    EXPECT_TRUE(ofOneQ && ofManyQs);
+}
+
+TEST(Skips, NameLinesOfEvenWidthThatAreDrawn) {
+    const Scene lines = sceneOf(*findFeature("lines"), 1, scenesPerState); // GL_LINES
+    const auto nameOf = [](const Scene& scene, const Pair& pair, const char* driver) {
+        const Skip* skip = skipOf(scene, pair, {driver, "", "", {}});
+        return skip ? skip->name : std::string_view();
+    };
+    constexpr Pair withReference{RendererKind::Reference, RendererKind::Fixed};
+    constexpr const char* mesa = "llvmpipe (LLVM 15)";
+    for (const auto& [width, name] :
+         {std::pair{1.0F, ""}, std::pair{1.4F, ""}, std::pair{1.6F, "even-lines"},
+          std::pair{2.0F, "even-lines"}, std::pair{3.0F, ""}, std::pair{64.0F, "even-lines"}}) {
+        Scene scene = lines;
+        scene.models[0].lineWidth = width;
+        EXPECT_EQ(nameOf(scene, withReference, mesa), name) << width;
+        EXPECT_EQ(nameOf(scene, withReference, "another"), "") << width;
+        EXPECT_EQ(nameOf(scene, {RendererKind::Shader, RendererKind::Fixed}, mesa), "") << width;
+        scene.models[0].mesh.primitive = Primitive::Triangles;
+        EXPECT_EQ(nameOf(scene, withReference, mesa), "") << width;
+        scene.models[0].mesh.primitive = Primitive::LineLoop;
+        scene.models[0].visible = false;
+        EXPECT_EQ(nameOf(scene, withReference, mesa), "") << width;
+    }
+}
+
 // std::mt19937 is the same everywhere. Its first number from the FNV-1a hash of these, worked out in Python.
 TEST(Cases, AreTheSameOnEveryMachine) {
     Dice dice("environment", 1, 0);
@@ -341,6 +428,13 @@ void eachUnit(Scene& scene, auto change) {
 void eachTexture(Scene& scene, auto change) {
     for (Texture& texture : scene.textures)
         change(texture);
+}
+void eachModel(Scene& scene, auto change) {
+    for (Model& model : scene.models)
+        change(model);
+}
+void eachStep(Scene& scene, auto change) {
+    eachUnit(scene, [&](Unit& unit) { std::ranges::for_each(unit.matrix, change); });
 }
 
 struct Wrong {
@@ -443,6 +537,14 @@ const Wrong wrongs[] = {
                  u.texGenT.mode = TexGenMode::ReflectionMap;
          });
      }},
+    {"PivotIgnored", "matrix", [](Scene& s) { eachStep(s, [](MatrixStep& m) { m.pivot = {}; }); }},
+    {"LoadAsMultiply", "matrix",
+     [](Scene& s) {
+         eachStep(s, [](MatrixStep& m) { m.op = m.op == MatrixOp::Load ? MatrixOp::Multiply : m.op; });
+     },
+     nullptr, 100},
+    {"MatrixTransposed", "matrix",
+     [](Scene& s) { eachStep(s, [](MatrixStep& m) { std::swap(m.matrix[0].y, m.matrix[1].x); }); }},
     {"MatrixBackwards", "matrix",
      [](Scene& s) { eachUnit(s, [](Unit& u) { std::ranges::reverse(u.matrix); }); }},
     {"TexelsBesideByASixteenth", "nearest",
@@ -530,6 +632,16 @@ const Wrong wrongs[] = {
              pass.enabled = true;
      }},
     {"LastPassDropped", "passes", [](Scene& s) { s.passes.pop_back(); }},
+    {"NamedModelsIgnored", "passes",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.models.clear();
+     }},
+    {"NamedModelsInTheScenesOrder", "passes",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             std::ranges::sort(pass.models);
+     }},
     {"DepthFunctionIgnored", "depth",
      [](Scene& s) {
          for (Pass& pass : s.passes)
@@ -540,6 +652,54 @@ const Wrong wrongs[] = {
     {"ViewerNotLocal", "lighting", [](Scene& s) { s.light.localViewer = false; }},
     {"HighlightUnderTheTexture", "specular", [](Scene& s) { s.light.colorControl = ColorControl::Single; }},
     {"APixelTooFarRight", "coverage", [](Scene& s) { s.models[0].position.x += 0.02F; }},
+    {"LineWidthIgnored", "lines", [](Scene& s) { eachModel(s, [](Model& m) { m.lineWidth = 1; }); }},
+    {"PointSizeIgnored", "lines", [](Scene& s) { eachModel(s, [](Model& m) { m.pointSize = 1; }); }},
+    {"LoopsLeftOpen", "lines",
+     [](Scene& s) {
+         eachModel(s, [](Model& m) {
+             if (m.mesh.primitive == Primitive::LineLoop)
+                 m.mesh.primitive = Primitive::LineStrip;
+         });
+     }},
+    {"ColorsOfLinesIgnored", "lines",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.colors.clear(); }); }},
+    {"FlatLinesAsSmooth", "lines", [](Scene& s) { s.material.shadeModel = ShadeModel::Smooth; }},
+    {"TexturesOfLinesIgnored", "lines", [](Scene& s) { eachUnit(s, [](Unit& u) { u.enabled = false; }); }},
+    {"ColorsOfVerticesIgnored", "meshes",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.colors.clear(); }); }},
+    {"NormalsIgnored", "meshes", [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.normals.clear(); }); }},
+    {"IndicesIgnored", "meshes", [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.indices.clear(); }); }},
+    {"QuadsAsStrips", "meshes",
+     [](Scene& s) {
+         eachModel(s, [](Model& m) {
+             if (m.mesh.primitive == Primitive::Quads)
+                 m.mesh.primitive = Primitive::QuadStrip;
+         });
+     }},
+    {"HolesFilled", "quadrics", [](Scene& s) { eachModel(s, [](Model& m) { m.innerRadius = 0; }); }},
+    {"ConesAsCylinders", "quadrics", [](Scene& s) { eachModel(s, [](Model& m) { m.topRadius = 1; }); }},
+    {"SweptTheOtherWay", "quadrics",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.sweepAngle = -m.sweepAngle; }); }},
+    {"TubesTooThin", "quadrics", [](Scene& s) { eachModel(s, [](Model& m) { m.tubeRadius *= 0.9F; }); }},
+    {"EmissionIgnored", "materials",
+     [](Scene& s) {
+         s.material.emission = {};
+         eachModel(s, [](Model& m) { m.material.emission = {}; });
+     }},
+    {"OwnMaterialIgnored", "materials",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.ownMaterial = false; }); }},
+    {"ColorMaterialAlwaysOn", "materials", [](Scene& s) { s.material.colorMaterial = true; }},
+    {"AmbientAsDiffuse", "materials", [](Scene& s) { s.material.ambient = s.material.diffuse; }},
+    {"ScaleIgnored", "placement", [](Scene& s) { eachModel(s, [](Model& m) { m.scale = glm::vec3(1); }); }},
+    {"RotationOrderIgnored", "placement",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.rotationOrder = RotationOrder::Zyx; }); }},
+    {"AttachmentIgnored", "placement",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.attachment = Attachment::World; }); }},
+    {"RollIgnored", "placement", [](Scene& s) { s.view.roll = 0; }},
+    {"EmbossIgnored", "emboss", [](Scene& s) { eachUnit(s, [](Unit& u) { u.emboss.enabled = false; }); }},
+    {"LightAlwaysByTheInverse", "emboss",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { u.emboss.carrier = LightCarrier::Inverse; }); }},
+    {"LightAlwaysAtInfinity", "emboss", [](Scene& s) { s.light.position.w = 0; }},
     {"SecondUnitAsFirst", "mixture", [](Scene& s) { eachUnit(s, [](Unit& u) { u.texture = 0; }); }},
 };
 

@@ -1,0 +1,46 @@
+#include "app/ui/model/examples.h"
+
+#include "core/scene/params/json.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::array exampleRows{
+    Example{"cube.json", "Textured cube", "One picture on six faces: coordinates, filters, mipmaps."},
+    Example{"checker.json", "Checkerboard, near and slanted",
+            "The same 64 × 64 texels on a square that faces you and on one that leans away."},
+    Example{"texbind.json", "Two textures",
+            "Two texture objects: each pass binds one and draws one of the two squares."},
+    Example{"quadrics.json", "Quadrics",
+            "Sphere, cylinder, disk and partial disk, with the coordinates that GLU gives them."},
+    Example{"earth.json", "Planet", "A picture around a sphere that spins about a tilted axis."},
+    Example{"line.json", "Line texture", "A one-dimensional texture along a line: each pixel takes a texel."},
+    Example{"spiral.json", "Spiral line", "The same along a line strip: s grows with its length."},
+    Example{"marble.json", "Marble block", "A three-dimensional texture: the block is cut out of it."},
+    Example{"contours.json", "Contour lines",
+            "Generated coordinates: s is the height of a vertex, so that equal heights have one colour."},
+    Example{"environment.json", "Environment map", "GL_SPHERE_MAP: the surface mirrors a picture."},
+    Example{"nehe-bumps-1-unit.json", "Embossed bumps, one unit",
+            "A height map minus itself, moved towards the light, in three passes. Step through them."},
+    Example{"nehe-bumps-2-units.json", "Embossed bumps, two units",
+            "The same with two texture units: one pass less."},
+    Example{"nehe-no-bumps.json", "Embossed bumps, off", "What is left without them: the picture, lit."},
+};
+
+} // namespace
+
+std::span<const Example> examples() {
+    return exampleRows;
+}
+
+Result<Scene> exampleScene(std::string_view file) {
+    const auto found = std::ranges::find(exampleFiles(), file, &ExampleFile::name);
+    if (found == exampleFiles().end())
+        return fail(ErrorCode::NotFound, "there is no such example", std::string(file));
+    return parseScene(found->text);
+}
+
+} // namespace texplorer::ui
