@@ -44,7 +44,7 @@ void drawEarth(int width, int height, GLint filter) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glTranslatef(0, 0, -4);
     glRotatef(-23.4F, 0, 0, 1); // the tilt of the axis
-    glRotatef(30, 0, 1, 0);     // the turn
+    glRotatef(32, 0, 1, 0);     // the turn
     glRotatef(-90, 1, 0, 0);    // GLU's axis is z
     GLUquadric* quadric = gluNewQuadric();
     gluQuadricTexture(quadric, GL_TRUE);

@@ -49,22 +49,22 @@ GLuint beginLines(int width, int height) {
 
 void drawLine(int width, int height) {
     const GLuint texName = beginLines(width, height);
-    glLineWidth(9);
+    glLineWidth(15);
     glBegin(GL_LINES);
     glTexCoord1f(0); // the whole texture
-    glVertex3f(-1.21F, -0.43F, 0);
+    glVertex3f(-1.21F, -0.23F, 0);
     glTexCoord1f(1);
-    glVertex3f(1.19F, 0.83F, 0);
+    glVertex3f(1.19F, 0.87F, 0);
 
     glTexCoord1f(0); // three copies of it
-    glVertex3f(-1.21F, -0.62F, 0);
+    glVertex3f(-1.21F, -0.55F, 0);
     glTexCoord1f(3);
-    glVertex3f(1.19F, 0.64F, 0);
+    glVertex3f(1.19F, 0.55F, 0);
 
     glTexCoord1f(0.25F); // a run of its colours
-    glVertex3f(-1.21F, -0.81F, 0);
+    glVertex3f(-1.21F, -0.87F, 0);
     glTexCoord1f(0.75F);
-    glVertex3f(1.19F, 0.45F, 0);
+    glVertex3f(1.19F, 0.23F, 0);
     glEnd();
     glFlush();
     glDeleteTextures(1, &texName);
@@ -74,7 +74,7 @@ void drawSpiral(int width, int height) {
     constexpr int turns = 5;
     constexpr int steps = 32; // a turn
     const GLuint texName = beginLines(width, height);
-    glLineWidth(5);
+    glLineWidth(7);
     glBegin(GL_LINE_STRIP);
     for (int i = 0; i <= turns * steps; ++i) {
         const double way = static_cast<double>(i) / (turns * steps);

@@ -45,11 +45,11 @@ void drawQuadrics(int width, int height) {
     glViewport(0, 0, width, height);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
-    gluPerspective(40, static_cast<double>(width) / height, 8.0 / 50, 4 * 8.0 + 400);
+    gluPerspective(40, static_cast<double>(width) / height, 7.0 / 50, 4 * 7.0 + 400);
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
     lightQuadrics(); // while the matrix is the identity: the light stands beside the eye
-    glTranslatef(0, 0, -8);
+    glTranslatef(0, 0, -7);
     glRotatef(15, 1, 0, 0);
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -57,24 +57,24 @@ void drawQuadrics(int width, int height) {
     gluQuadricTexture(quadric, GL_TRUE);
 
     glPushMatrix();
-    glTranslatef(-1.3F, 1.2F, 0);
+    glTranslatef(-1.3F, 1.05F, 0);
     glRotatef(-90, 1, 0, 0); // GLU's axis is z
     gluSphere(quadric, 1, 32, 16);
     glPopMatrix();
 
     glPushMatrix();
-    glTranslatef(1.3F, 0.2F, 0);
+    glTranslatef(1.3F, 0.05F, 0);
     glRotatef(-90, 1, 0, 0);
     gluCylinder(quadric, 1, 1, 2, 32, 4);
     glPopMatrix();
 
     glPushMatrix();
-    glTranslatef(-1.3F, -1.2F, 0);
+    glTranslatef(-1.3F, -1.35F, 0);
     gluDisk(quadric, 0.3, 1, 32, 4);
     glPopMatrix();
 
     glPushMatrix();
-    glTranslatef(1.3F, -1.2F, 0);
+    glTranslatef(1.3F, -1.35F, 0);
     gluPartialDisk(quadric, 0.3, 1, 32, 4, 0, 240);
     glPopMatrix();
 

@@ -48,11 +48,12 @@ constexpr int tolerance = 2; // 255ths
 
 // Of 320 x 240 pixels, those in which the reference may differ from the programs, each for its reason.
 
-/// OpenGL lets a driver approximate the level of detail (section 3.8.8); llvmpipe takes the same for two by
-/// two pixels. A texture of 512 texels shows it where it is mipmapped.
-constexpr int mipmapped = 0;
-/// Blending multiplies and rounds in eight bits, and the last pass of an embossed cube doubles what it finds.
-constexpr int blendedTwice = 0;
+/// OpenGL lets a driver approximate the level of detail (section 3.8.8): llvmpipe takes the differences
+/// within blocks of two by two pixels, and mixes two levels by it.
+constexpr int mipmapped = 280;
+/// llvmpipe blends in the framebuffer's eight bits, as it may (section 4.1.8), and the last of three passes
+/// doubles what the two before it have rounded. One step more than the tolerance.
+constexpr int blendedTwice = 56;
 
 struct Program {
     const char* name;
