@@ -69,8 +69,18 @@ bool isMoving(const MatrixStep& step) {
     return step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0);
 }
 
-/// The axes of the rotations as glRotate is called: the last one turns the model first.
-std::array<int, 3> axesOf(RotationOrder order) {
+bool isMoving(const Unit& unit) {
+    return unit.enabled &&
+           std::ranges::any_of(unit.matrix, [](const MatrixStep& step) { return isMoving(step); });
+}
+
+bool isMoving(const Pass& pass) {
+    return std::ranges::any_of(pass.units, [](const Unit& unit) { return isMoving(unit); });
+}
+
+} // namespace
+
+std::array<int, 3> rotationAxes(RotationOrder order) {
     switch (order) {
     case RotationOrder::Zyx:
         return {2, 1, 0};
@@ -88,17 +98,6 @@ std::array<int, 3> axesOf(RotationOrder order) {
     return {2, 1, 0};
 }
 
-bool isMoving(const Unit& unit) {
-    return unit.enabled &&
-           std::ranges::any_of(unit.matrix, [](const MatrixStep& step) { return isMoving(step); });
-}
-
-bool isMoving(const Pass& pass) {
-    return std::ranges::any_of(pass.units, [](const Unit& unit) { return isMoving(unit); });
-}
-
-} // namespace
-
 glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time) {
     glm::dmat4 product(1);
     for (const MatrixStep& step : steps) {
@@ -112,7 +111,7 @@ glm::mat4 modelMatrix(const Model& model, double time) {
     constexpr std::array directions{axisX, axisY, axisZ};
     const glm::dvec3 angles = glm::dvec3(model.rotation) + glm::dvec3(model.spin) * time;
     glm::dmat4 matrix = glm::translate(glm::dmat4(1), glm::dvec3(model.position));
-    for (const int axis : axesOf(model.rotationOrder))
+    for (const int axis : rotationAxes(model.rotationOrder))
         matrix *= rotation(angles[axis], directions[static_cast<std::size_t>(axis)]);
     return glm::scale(matrix, glm::dvec3(model.scale) * double{model.size});
 }

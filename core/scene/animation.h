@@ -4,6 +4,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
 #include <span>
 
 namespace texplorer {
@@ -17,6 +18,9 @@ namespace texplorer {
 /// translate(position) * the three rotations in the model's order * scale(size * scale), angles at
 /// rotation + spin * time.
 [[nodiscard]] glm::mat4 modelMatrix(const Model& model, double time);
+
+/// The axes of its rotations, 0 to 2 for x to z, as glRotate is called: the last one turns the model first.
+[[nodiscard]] std::array<int, 3> rotationAxes(RotationOrder order);
 
 [[nodiscard]] glm::mat4 viewMatrix(const View& view);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int nTexColors = 8;
 
 /// 4 * nTexColors elements.
-constexpr std::array<GLubyte, 4 * nTexColors> lineTexArray{
+constexpr std::array<GLubyte, std::size_t{4} * nTexColors> lineTexArray{
     255, 0, 0,   255, 255, 255, 0,   255, 0,   255, 0,   255, 0, 255, 255, 255, // red, yellow, green, cyan
     0,   0, 255, 255, 255, 0,   255, 255, 255, 255, 255, 255, 0, 0,   0,   255, // blue, magenta, white, black
 };

@@ -1,6 +1,8 @@
 #include "app/ui/model/commands.h"
 
+#include "app/ui/model/model_commands.h"
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
 #include "core/scene/initial_like.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
@@ -62,6 +64,8 @@ std::vector<std::string> idleParts(const Scene& scene) {
         if (targetOf(scene, i) == Target::Texture1D)
             parts.push_back(path + keyOf<&Texture::wrapT>());
     }
+    for (std::size_t m = 0; m < scene.models.size(); ++m)
+        parts.push_back(elementOf<&Scene::models>(m)); // which model_commands.h has
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         if (!scene.passes[p].enabled) {
             parts.push_back(elementOf<&Scene::passes>(p));
@@ -77,6 +81,8 @@ std::vector<std::string> idleParts(const Scene& scene) {
             }
             if (unit.envMode != EnvMode::Combine)
                 parts.push_back(fmt::format("{}.{}.", path, keyOf<&Unit::combine>()));
+            for (std::size_t i = 0; i < unit.matrix.size(); ++i)
+                parts.push_back(fmt::format("{}.{}", path, elementOf<&Unit::matrix>(i))); // likewise
             for (const auto& [state, key] : generatedCoordinates) {
                 if (!(unit.*state).enabled)
                     parts.push_back(fmt::format("{}.{}.", path, key()));
@@ -174,6 +180,32 @@ std::vector<Command> cameraOf(const View& view, std::vector<Command> calls) {
     return camera;
 }
 
+/// After the block of each unit, or of its pass: the steps of its texture matrix. After those of a pass:
+/// which models it draws, where it names them.
+void addSteps(const Scene& scene, std::vector<std::vector<Command>>& blocks) {
+    const auto insertAfter = [&](const std::string& owner, std::vector<Command> block) {
+        const auto last = std::find_if(blocks.rbegin(), blocks.rend(), [&](const auto& each) {
+            return each.front().text.starts_with(owner);
+        });
+        blocks.insert(last.base(), std::move(block));
+    };
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const Pass& pass = scene.passes[p];
+        const std::string path = elementOf<&Scene::passes>(p);
+        for (std::size_t u = 0; u < maxUnits && pass.enabled; ++u) {
+            const std::string unit = fmt::format("{}.{}", path, elementOf<&Pass::units>(u));
+            for (std::size_t i = 0; i < pass.units[u].matrix.size() && pass.units[u].enabled; ++i)
+                insertAfter(unit, stepCommands(pass.units[u].matrix[i],
+                                               fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i))));
+        }
+        std::string names;
+        for (const std::size_t model : drawnModels(scene, pass))
+            names += (names.empty() ? "" : ", ") + elementOf<&Scene::models>(model);
+        if (!pass.models.empty() && !names.empty())
+            insertAfter(path, {{Command::Kind::Heading, fmt::format("{} draws {}", path, names), {}, false}});
+    }
+}
+
 } // namespace
 
 std::vector<Command> commandsOf(const Scene& scene) {
@@ -206,6 +238,11 @@ std::vector<Command> commandsOf(const Scene& scene) {
         else
             block.push_back(std::move(command));
     });
+    addSteps(scene, blocks);
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        if (isDrawn(scene, m))
+            blocks.push_back(modelCommands(scene, m));
+    }
     for (std::vector<Command>& block : blocks) {
         if (block.front().text == keyOf<&Scene::view>())
             block = cameraOf(scene.view, std::move(block));
