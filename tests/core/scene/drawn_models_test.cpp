@@ -1,0 +1,139 @@
+#include "core/scene/drawn_models.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::drawn_models_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Four models, of which the second one is invisible.
+class DrawnModels : public testing::Test {
+protected:
+    DrawnModels() {
+        scene.models.resize(4);
+        scene.models[1].visible = false;
+    }
+    [[nodiscard]] Pass& pass() { return scene.passes[0]; }
+
+    Scene scene;
+};
+
+TEST_F(DrawnModels, AreAllWhereThePassNamesNone) {
+    EXPECT_THAT(drawnModels(scene, pass()), ElementsAre(0, 2, 3));
+}
+
+TEST_F(DrawnModels, AreThoseThatThePassNamesInItsOrder) {
+    pass().models = {3, 1, 0};
+    EXPECT_THAT(drawnModels(scene, pass()), ElementsAre(3, 0));
+    pass().models = {1};
+    EXPECT_THAT(drawnModels(scene, pass()), IsEmpty());
+}
+
+TEST_F(DrawnModels, AreNoneWhereThePassIsOff) {
+    pass().enabled = false;
+    EXPECT_THAT(drawnModels(scene, pass()), IsEmpty());
+    pass().models = {0};
+    EXPECT_THAT(drawnModels(scene, pass()), IsEmpty());
+}
+
+// A scene that nobody has checked.
+TEST_F(DrawnModels, AreNotThoseThatThereAreNot) {
+    pass().models = {4, -1, 2, 1000};
+    EXPECT_THAT(drawnModels(scene, pass()), ElementsAre(2));
+}
+
+TEST_F(DrawnModels, AreDrawnByAnyPass) {
+    pass().models = {0};
+    scene.passes.emplace_back().models = {1, 2};
+    scene.passes.emplace_back().models = {3};
+    scene.passes[2].enabled = false;
+    EXPECT_TRUE(isDrawn(scene, 0));
+    EXPECT_FALSE(isDrawn(scene, 1)) << "invisible";
+    EXPECT_TRUE(isDrawn(scene, 2));
+    EXPECT_FALSE(isDrawn(scene, 3)) << "by a pass alone that is off";
+    EXPECT_FALSE(isDrawn(scene, 4));
+    EXPECT_TRUE(drawsAnything(scene, scene.passes[0]));
+    EXPECT_TRUE(drawsAnything(scene, scene.passes[1]));
+    EXPECT_FALSE(drawsAnything(scene, scene.passes[2]));
+    scene.passes[1].models = {1};
+    EXPECT_FALSE(drawsAnything(scene, scene.passes[1]));
+    scene.models.clear();
+    EXPECT_FALSE(drawsAnything(scene, scene.passes[0]));
+}
+
+/// A pass for each way of naming models.
+class NamedModels : public testing::Test {
+protected:
+    NamedModels() {
+        scene.models.resize(4);
+        scene.passes.resize(4);
+        scene.passes[1].models = {2};
+        scene.passes[2].models = {3, 1, 2};
+        scene.passes[3].models = {0};
+    }
+    Scene scene;
+};
+
+TEST_F(NamedModels, StayThemselvesWhenOneIsRemoved) {
+    modelRemoved(scene, 1);
+    EXPECT_THAT(scene.passes[0].models, IsEmpty());
+    EXPECT_THAT(scene.passes[1].models, ElementsAre(1));
+    EXPECT_THAT(scene.passes[2].models, ElementsAre(2, 1));
+    EXPECT_THAT(scene.passes[3].models, ElementsAre(0));
+    for (const Pass& pass : scene.passes)
+        EXPECT_TRUE(pass.enabled);
+}
+
+// An empty list names all of them, which is something else.
+TEST_F(NamedModels, LeaveAPassOffThatNamedTheRemovedOneAlone) {
+    modelRemoved(scene, 2);
+    EXPECT_TRUE(scene.passes[0].enabled);
+    EXPECT_FALSE(scene.passes[1].enabled);
+    EXPECT_THAT(scene.passes[1].models, IsEmpty());
+    EXPECT_TRUE(scene.passes[2].enabled);
+    EXPECT_THAT(scene.passes[2].models, ElementsAre(2, 1));
+}
+
+TEST_F(NamedModels, StayThemselvesWhenOneIsPutIn) {
+    modelInserted(scene, 2);
+    EXPECT_THAT(scene.passes[0].models, IsEmpty());
+    EXPECT_THAT(scene.passes[1].models, ElementsAre(3));
+    EXPECT_THAT(scene.passes[2].models, ElementsAre(4, 1, 3));
+    EXPECT_THAT(scene.passes[3].models, ElementsAre(0));
+}
+
+TEST_F(NamedModels, StayThemselvesWhenTwoChangePlaces) {
+    modelsSwapped(scene, 1, 2);
+    EXPECT_THAT(scene.passes[0].models, IsEmpty());
+    EXPECT_THAT(scene.passes[1].models, ElementsAre(1));
+    EXPECT_THAT(scene.passes[2].models, ElementsAre(3, 2, 1));
+    EXPECT_THAT(scene.passes[3].models, ElementsAre(0));
+}
+
+TEST_F(NamedModels, AreJoinedByOneThatAllPassesShallDraw) {
+    drawEverywhere(scene, 3);
+    EXPECT_THAT(scene.passes[0].models, IsEmpty());
+    EXPECT_THAT(scene.passes[1].models, ElementsAre(2, 3));
+    EXPECT_THAT(scene.passes[2].models, ElementsAre(3, 1, 2));
+    EXPECT_THAT(scene.passes[3].models, ElementsAre(0, 3));
+}
+
+TEST_F(NamedModels, AreAsTheyWereAfterBoth) {
+    const std::vector<Pass> before = scene.passes;
+    modelInserted(scene, 0);
+    modelRemoved(scene, 0);
+    EXPECT_EQ(scene.passes, before);
+    modelsSwapped(scene, 0, 3);
+    modelsSwapped(scene, 3, 0);
+    EXPECT_EQ(scene.passes, before);
+}
+
+TEST(NameOfAModel, IsItsOwnOrItsShapes) {
+    EXPECT_EQ(nameOf(Model{.shape = Shape::PartialDisk}), "Partial disk");
+    EXPECT_EQ(nameOf(Model{.name = "Roof", .shape = Shape::Mesh}), "Roof");
+}
+
+} // namespace
+} // namespace texplorer::drawn_models_test
