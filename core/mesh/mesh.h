@@ -39,7 +39,7 @@ static_assert(shapeRows.size() == 9);
 
 struct Vertex {
     glm::vec3 position;
-    glm::vec3 normal;   ///< unit length, outwards
+    glm::vec3 normal;   ///< unit length, outwards; 0 where a mesh of its own gives none
     glm::vec4 texCoord; ///< s, t, r, q: what the mesh gives unless the scene says otherwise
     glm::vec4 color{1}; ///< where the mesh has colours
 
@@ -96,6 +96,14 @@ struct ShapeOptions {
 /// south pole (y = -1) and 1 at the north pole. Its vertices lie in rows of slices + 1 from the south pole
 /// up; its faces are the stacks. Its triangles come as gluSphere draws them with texture coordinates: from
 /// the north pole down, and westwards around the axis, with as many points at each pole as there are slices.
+///
+/// The cylinder is gluCylinder's, turned as the sphere: from y = -1, with radius 1, to y = 1, with the top
+/// radius; its s is the sphere's, its t 0 at the base and 1 at the top. (GLU's manual has s grow the other
+/// way around; its library doesn't.) The disks are gluDisk's and gluPartialDisk's with radius 1: in the plane
+/// z = 0, facing +z, the picture flat on them; rows go from the rim inwards, and the middle has as many
+/// vertices as the rim. A negative sweep goes the other way around; one beyond 360 degrees is a whole turn.
+/// The torus has a ring of radius 1 around the y axis; its s goes around as the sphere's, its t around the
+/// tube: 0 at the hole, 0.25 below, 0.5 outside.
 [[nodiscard]] Mesh makeMesh(const ShapeOptions& options);
 
 /// How many vertices makeMesh gives, without making it.

@@ -14,7 +14,7 @@ void drawEarth(int width, int height, GLint filter) {
     glClearColor(0, 0, 0.02F, 1);
     glEnable(GL_DEPTH_TEST);
 
-    const Picture& map = pattern("uv-template");
+    const Picture& map = pattern("planet");
     GLuint texName = 0;
     glGenTextures(1, &texName);
     glBindTexture(GL_TEXTURE_2D, texName);

@@ -100,8 +100,8 @@ NeheTextures loadGLTextures() {
     for (const GLenum scale : std::array<GLenum, 3>{GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE})
         glPixelTransferf(scale, 1);
 
-    made.glLogo = makeNeheTexture(pattern("tree"), GL_RGBA8);
-    made.multiLogo = makeNeheTexture(pattern("tree"), GL_RGBA8);
+    made.glLogo = makeNeheTexture(pattern("logo-opengl"), GL_RGBA8);
+    made.multiLogo = makeNeheTexture(pattern("logo-multitexture"), GL_RGBA8);
     return made;
 }
 

@@ -16,6 +16,10 @@ Image drawPattern(Pattern pattern) {
         return drawBrick();
     case Pattern::BrickHeight:
         return drawBrickHeight();
+    case Pattern::BrickBump:
+        return drawBrickBump();
+    case Pattern::BrickBumpInverse:
+        return drawBrickBumpInverse();
     case Pattern::ColorLine:
         return drawColorLine();
     case Pattern::Tree:
@@ -26,6 +30,14 @@ Image drawPattern(Pattern pattern) {
         return drawMarble();
     case Pattern::CubeFaces:
         return drawCubeFaces();
+    case Pattern::Planet:
+        return drawPlanet();
+    case Pattern::MirrorBall:
+        return drawMirrorBall();
+    case Pattern::LogoOpenGl:
+        return drawLogoOpenGl();
+    case Pattern::LogoMultitexture:
+        return drawLogoMultitexture();
     }
     return drawChecker();
 }

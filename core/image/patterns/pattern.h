@@ -13,11 +13,17 @@ enum class Pattern : std::uint32_t {
     UvTemplate,
     Brick,
     BrickHeight,
+    BrickBump,
+    BrickBumpInverse,
     ColorLine,
     Tree,
     MipColors,
     Marble,
     CubeFaces,
+    Planet,
+    MirrorBall,
+    LogoOpenGl,
+    LogoMultitexture,
 };
 
 inline constexpr std::array patternRows{
@@ -30,6 +36,10 @@ inline constexpr std::array patternRows{
     row(Pattern::Brick, "brick", "Brick wall", "Bricks with mortar; it tiles without a seam."),
     row(Pattern::BrickHeight, "brick-height", "Brick height map",
         "The heights of the brick wall as grey: white stands out, black lies deep."),
+    row(Pattern::BrickBump, "brick-bump", "Brick bump map",
+        "The heights of the brick wall at half their brightness, as an embossed wall adds them."),
+    row(Pattern::BrickBumpInverse, "brick-bump-inverse", "Brick bump map, inverse",
+        "What the bump map lacks to grey: shifted a little and added, it leaves the relief."),
     row(Pattern::ColorLine, "color-line", "Colour line",
         "Eight colours in a row: a one-dimensional texture."),
     row(Pattern::Tree, "tree", "Tree",
@@ -40,6 +50,13 @@ inline constexpr std::array patternRows{
         "A block of veined marble, 32 x 32 x 32 texels: for 3D textures."),
     row(Pattern::CubeFaces, "cube-faces", "Cube faces",
         "Six named faces, each with a colour of its own, as an unfolded cube: for cube maps."),
+    row(Pattern::Planet, "planet", "Planet", "A map of seas and lands from pole to pole: for a sphere."),
+    row(Pattern::MirrorBall, "mirror-ball", "Mirror ball",
+        "Sky and sand as a mirror ball shows them: for GL_SPHERE_MAP."),
+    row(Pattern::LogoOpenGl, "logo-opengl", "OpenGL plate",
+        "A plate with the word OpenGL that one half sees through: for blending."),
+    row(Pattern::LogoMultitexture, "logo-multitexture", "Multitexture plate",
+        "Another plate, for what is drawn with several texture units."),
 };
 
 template<>
@@ -47,7 +64,7 @@ struct EnumTable<Pattern> {
     static constexpr std::span<const EnumRow> rows = patternRows;
 };
 
-static_assert(patternRows.size() == 10);
+static_assert(patternRows.size() == 16);
 
 /// The base level of a pattern as Rgba8. The same bytes at every call, on every machine.
 [[nodiscard]] Image drawPattern(Pattern pattern);

@@ -11,10 +11,16 @@ namespace texplorer {
 [[nodiscard]] Image drawUvTemplate();
 [[nodiscard]] Image drawBrick();
 [[nodiscard]] Image drawBrickHeight();
+[[nodiscard]] Image drawBrickBump();
+[[nodiscard]] Image drawBrickBumpInverse();
 [[nodiscard]] Image drawColorLine();
 [[nodiscard]] Image drawTree();
 [[nodiscard]] Image drawMipColors();
 [[nodiscard]] Image drawMarble();
 [[nodiscard]] Image drawCubeFaces();
+[[nodiscard]] Image drawPlanet();
+[[nodiscard]] Image drawMirrorBall();
+[[nodiscard]] Image drawLogoOpenGl();
+[[nodiscard]] Image drawLogoMultitexture();
 
 } // namespace texplorer

@@ -55,6 +55,17 @@ std::pair<std::int64_t, std::int64_t> pixelsAlong(Place from, Place to, bool xMa
     return {first, last};
 }
 
+/// How far along the line a position is, 0 to 1, by x and by y: equation 3.5. The pixels of a wide line's
+/// column are copies of one another (section 3.4.2), so there only the longer axis counts.
+glm::dvec2 gradientOf(glm::dvec2 direction, bool wide, bool xMajor) {
+    const double length = glm::dot(direction, direction);
+    if (length == 0)
+        return glm::dvec2(0);
+    if (!wide)
+        return direction / length;
+    return xMajor ? glm::dvec2(1 / direction.x, 0) : glm::dvec2(0, 1 / direction.y);
+}
+
 /// What is interpolated is that of one corner, and changes by `gradient` times the difference to the other.
 void setPlanes(Triangle& line, const Corner& from, const Corner& to, glm::dvec2 gradient,
                const PassState& pass) {
@@ -142,8 +153,7 @@ std::optional<Triangle> setUpLine(const ShadedVertex& from, const ShadedVertex& 
     if (!cutToViewport(line, viewport))
         return std::nullopt;
     const glm::dvec2 direction = b.window - a.window;
-    const double length = glm::dot(direction, direction);
-    setPlanes(line, a, b, length > 0 ? direction / length : glm::dvec2(0), pass);
+    setPlanes(line, a, b, gradientOf(direction, pixels > 1, xMajor), pass);
     return line;
 }
 

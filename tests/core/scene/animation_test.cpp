@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 namespace texplorer::animation_test {
 namespace {
 
@@ -26,6 +29,11 @@ MatrixStep scale(glm::vec3 amount, glm::vec3 rate = {}) {
 }
 MatrixStep rotate(glm::vec3 axis, float angle, float angleRate = 0) {
     return {MatrixOp::Rotate, axis, {}, angle, angleRate};
+}
+
+/// 1 to 16, as glMultMatrixf takes them.
+MatrixStep numbers(MatrixOp op) {
+    return {.op = op, .matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}};
 }
 
 struct MatrixCase {
@@ -92,6 +100,44 @@ INSTANTIATE_TEST_SUITE_P(
                    {translate({0.5F, 0.5F, 0}), rotate({0, 0, 1}, 90), translate({-0.5F, -0.5F, 0})},
                    0,
                    {{{0, -1, 0, 1}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}},
+        // The same by a pivot.
+        MatrixCase{"TurnAboutAPivot",
+                   {{.op = MatrixOp::Rotate, .amount = {0, 0, 1}, .angle = 90, .pivot = {0.5F, 0.5F, 0}}},
+                   0,
+                   {{{0, -1, 0, 1}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}},
+        // x -> 2 (x - 0.5) + 0.5, y -> 3 (y + 1) - 1, z -> 4 (z - 2) + 2
+        MatrixCase{"ScaleAboutAPivot",
+                   {{.op = MatrixOp::Scale, .amount = {2, 3, 4}, .pivot = {0.5F, -1, 2}}},
+                   0,
+                   {{{2, 0, 0, -0.5F}, {0, 3, 0, 2}, {0, 0, 4, -6}, {0, 0, 0, 1}}}},
+        MatrixCase{"TranslateHasNoPivot",
+                   {{.op = MatrixOp::Translate, .amount = {1, 0, 0}, .pivot = {5, 6, 7}}},
+                   0,
+                   {{{1, 0, 0, 1}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}},
+        // Four numbers are a column.
+        MatrixCase{"Multiply",
+                   {numbers(MatrixOp::Multiply)},
+                   0,
+                   {{{1, 5, 9, 13}, {2, 6, 10, 14}, {3, 7, 11, 15}, {4, 8, 12, 16}}}},
+        // Each row and so many of the last one.
+        MatrixCase{"TranslateThenMultiply",
+                   {translate({1, 2, 3}), numbers(MatrixOp::Multiply)},
+                   0,
+                   {{{5, 13, 21, 29}, {10, 22, 34, 46}, {15, 31, 47, 63}, {4, 8, 12, 16}}}},
+        MatrixCase{"Load",
+                   {translate({1, 2, 3}), scale({7, 8, 9}), numbers(MatrixOp::Load)},
+                   0,
+                   {{{1, 5, 9, 13}, {2, 6, 10, 14}, {3, 7, 11, 15}, {4, 8, 12, 16}}}},
+        // The last column and the first one.
+        MatrixCase{"LoadThenTranslate",
+                   {scale({7, 8, 9}), numbers(MatrixOp::Load), translate({1, 0, 0})},
+                   0,
+                   {{{1, 5, 9, 14}, {2, 6, 10, 16}, {3, 7, 11, 18}, {4, 8, 12, 20}}}},
+        MatrixCase{
+            "NumbersDoNotMove",
+            {{.op = MatrixOp::Load, .amount = {1, 2, 3}, .rate = {4, 5, 6}, .angle = 7, .angleRate = 8}},
+            9,
+            {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}},
         // 10 000 000 turns and a quarter: an angle in float would be off by degrees.
         MatrixCase{"LongTime",
                    {rotate({0, 0, 1}, 0, 360)},
@@ -108,6 +154,74 @@ TEST(ModelMatrix, ScalesThenTurnsAboutXThenYThenZThenMoves) {
     expectMatrix(modelMatrix(model, 0), {{{0, 2, 0, 5}, {0, 0, -2, 6}, {-2, 0, 0, 7}, {0, 0, 0, 1}}});
 }
 
+struct OrderCase {
+    RotationOrder order;
+    OnPaper expected;
+};
+class RotationOrders : public testing::TestWithParam<OrderCase> {};
+
+// Quarter turns: about x (x, y, z) -> (x, -z, y), about y (z, y, -x), about z (-y, x, z).
+TEST_P(RotationOrders, AreProductsOnPaper) {
+    Model model;
+    model.rotation = {90, 90, 90};
+    model.rotationOrder = GetParam().order;
+    expectMatrix(modelMatrix(model, 0), GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RotationOrders,
+    testing::Values(
+        // x first: (x, -z, y), then y: (y, -z, -x), then z
+        OrderCase{RotationOrder::Zyx, {{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1}}}},
+        // y first: (z, y, -x), then x: (z, x, y), then z
+        OrderCase{RotationOrder::Zxy, {{{-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}}},
+        // x first: (x, -z, y), then z: (z, x, y), then y
+        OrderCase{RotationOrder::Yzx, {{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}}}},
+        // z first: (-y, x, z), then x: (-y, -z, x), then y
+        OrderCase{RotationOrder::Yxz, {{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}}},
+        // y first: (z, y, -x), then z: (-y, z, -x), then x
+        OrderCase{RotationOrder::Xzy, {{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}},
+        // z first: (-y, x, z), then y: (z, x, y), then x
+        OrderCase{RotationOrder::Xyz, {{{0, 0, 1, 0}, {0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 1}}}}),
+    [](const auto& test) { return std::string(rowOf(test.param.order).name); });
+
+TEST(OrdersOfRotation, HaveAProductEach) {
+    // One that two orders share would tell nothing.
+    std::set<std::array<int, 3>> images;
+    Model model;
+    model.rotation = {90, 90, 90};
+    for (const EnumRow& row : rotationOrderRows) {
+        model.rotationOrder = static_cast<RotationOrder>(row.value);
+        const glm::vec4 image = modelMatrix(model, 0) * glm::vec4(1, 2, 3, 1);
+        images.insert({static_cast<int>(image.x), static_cast<int>(image.y), static_cast<int>(image.z)});
+    }
+    EXPECT_EQ(images.size(), rotationOrderRows.size());
+}
+
+// Before it turns: what was its x axis is twice as long, and points along y.
+TEST(ModelMatrix, ScalesEachAxisOfTheModel) {
+    Model model;
+    model.size = 0.5F;
+    model.scale = {2, 3, 4};
+    model.rotation = {0, 0, 90};
+    model.position = {5, 6, 7};
+    expectMatrix(modelMatrix(model, 0), {{{0, -1.5F, 0, 5}, {1, 0, 0, 6}, {0, 0, 2, 7}, {0, 0, 0, 1}}});
+}
+
+TEST(ModelViewMatrix, OfAModelBeforeTheEyeIsItsOwn) {
+    View view;
+    view.distance = 6;
+    view.azimuth = 90; // from (6, 0, 0): (x, y, z) -> (-z, y, x - 6)
+    Model model;
+    model.position = {1, 2, 3};
+    model.spin = {0, 0, 30};
+    expectMatrix(modelViewMatrix(view, model, 3),
+                 {{{0, 0, -1, -3}, {1, 0, 0, 2}, {0, -1, 0, -5}, {0, 0, 0, 1}}});
+    model.attachment = Attachment::Eye;
+    expectMatrix(modelViewMatrix(view, model, 3),
+                 {{{0, -1, 0, 1}, {1, 0, 0, 2}, {0, 0, 1, 3}, {0, 0, 0, 1}}});
+}
+
 TEST(ModelMatrix, SpinGrowsWithTime) {
     Model model;
     model.rotation = {0, 0, 30};
@@ -121,6 +235,17 @@ TEST(ViewMatrix, LooksAlongMinusZFromItsDistance) {
     view.distance = 6;
     view.target = {1, 2, 3};
     expectMatrix(viewMatrix(view), {{{1, 0, 0, -1}, {0, 1, 0, -2}, {0, 0, 1, -9}, {0, 0, 0, 1}}});
+}
+
+// The camera turns clockwise, so that the world turns the other way: what was above is to the left.
+TEST(ViewMatrix, RollsAboutTheLineOfSight) {
+    View view;
+    view.distance = 6;
+    view.roll = 90;
+    expectMatrix(viewMatrix(view), {{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, -6}, {0, 0, 0, 1}}});
+    // After it has gone up: (x, y, z) -> (x, -z, y), and then (z, x, y)
+    view.elevation = 90;
+    expectMatrix(viewMatrix(view), {{{0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, -6}, {0, 0, 0, 1}}});
 }
 
 struct Orbit {
@@ -200,8 +325,32 @@ TEST(IsAnimated, CountsWhatOneSees) {
     EXPECT_FALSE(isAnimated(moving));
     moving.passes[0].units[0].matrix[0].rate = {0.1F, 0, 0};
     EXPECT_TRUE(isAnimated(moving));
+    for (const MatrixOp op : {MatrixOp::Multiply, MatrixOp::Load}) {
+        moving.passes[0].units[0].matrix[0].op = op; // which have no rate
+        EXPECT_FALSE(isAnimated(moving));
+    }
+    moving.passes[0].units[0].matrix[0].op = MatrixOp::Scale;
+    EXPECT_TRUE(isAnimated(moving));
     moving.passes[0].units[0].enabled = false;
     EXPECT_FALSE(isAnimated(moving));
+}
+
+TEST(IsAnimated, CountsTheModelsThatAPassNames) {
+    Scene scene = defaultScene();
+    scene.models[1].spin.y = 10;
+    scene.passes[0].models = {0};
+    EXPECT_FALSE(isAnimated(scene));
+    scene.passes[0].models = {0, 1};
+    EXPECT_TRUE(isAnimated(scene));
+    scene.passes[0].enabled = false;
+    EXPECT_FALSE(isAnimated(scene));
+
+    scene.passes[0].enabled = true;
+    scene.passes[0].models = {0};
+    scene.passes[0].units[0].matrix = {rotate({0, 0, 1}, 0, 10)};
+    EXPECT_TRUE(isAnimated(scene));
+    scene.models[0].visible = false; // so that nothing shows the texture
+    EXPECT_FALSE(isAnimated(scene));
 }
 
 } // namespace

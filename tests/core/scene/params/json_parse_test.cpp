@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "/models/0/texCoords0",
                 "expected 4 coordinates, one for each vertex of the quad, or none; found 24"},
         Refusal{"EndlessTexCoords", R"({"models": [{"texCoords0": [)" + repeat("[0,0]", 1000000, ","),
-                "/models/0/texCoords0/66049", "expected at most 66049 coordinates, found more"},
+                "/models/0/texCoords0/66049", "expected at most 66049 elements, found more"},
         Refusal{"TexCoordOfOne", R"({"models": [{"texCoords0": [[0, 0], [1]]}]})", "/models/0/texCoords0/1",
                 "expected an array of 2 to 4 numbers, found 1"},
         Refusal{"TexCoordOfFive", R"({"models": [{"texCoords0": [[0, 0, 0, 1, 1]]}]})",
@@ -206,6 +206,131 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{
             "NoTextures", R"({"textures": []})", "/passes/0/units/0/texture",
             "an enabled unit needs a texture that exists: it asks for number 0, the scene has 0 textures"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// A scene whose only model has this mesh.
+std::string meshOf(const std::string& members) {
+    return R"({"models": [{"shape": "mesh", "mesh": {)" + members + "}}]}";
+}
+std::string twoPositionsAnd(const std::string& members) {
+    return meshOf(R"("positions": [[0, 0, 0], [1, 0, 0]], )" + members);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, RefusedScenes,
+    testing::Values(
+        Refusal{"ManyPositions", meshOf(R"("positions": [)" + repeat("[0,0,0]", 65537, ",") + "]"),
+                "/models/0/mesh/positions/65536", "expected at most 65536 elements, found more"},
+        Refusal{"EndlessNormals", R"({"models": [{"mesh": {"normals": [)" + repeat("[0,0,1]", 1000000, ","),
+                "/models/0/mesh/normals/65536", "expected at most 65536 elements, found more"},
+        Refusal{"EndlessIndices", R"({"models": [{"mesh": {"indices": [)" + repeat("0", 1000000, ","),
+                "/models/0/mesh/indices/262144", "expected at most 262144 elements, found more"},
+        Refusal{"NoSuchPosition", twoPositionsAnd(R"("indices": [0, 1, 2, 3])"), "/models/0/mesh/indices/2",
+                "expected the number of a position, the mesh has 2; found 2"},
+        Refusal{"IndexWithoutPositions", meshOf(R"("indices": [0])"), "/models/0/mesh/indices/0",
+                "expected the number of a position, the mesh has 0; found 0"},
+        Refusal{"NegativeIndex", twoPositionsAnd(R"("indices": [0, -1])"), "/models/0/mesh/indices/1",
+                "expected a whole number, found -1"},
+        Refusal{"FractionForAnIndex", twoPositionsAnd(R"("indices": [0.5])"), "/models/0/mesh/indices/0",
+                "expected a whole number, found 0.5"},
+        Refusal{"IndexThatFitsNoInt", twoPositionsAnd(R"("indices": [4294967296])"),
+                "/models/0/mesh/indices/0", "expected a whole number, found 4294967296"},
+        Refusal{"IndexBeyondAnyMesh", twoPositionsAnd(R"("indices": [0, 65536])"), "/models/0/mesh/indices",
+                "expected whole numbers, each from 0 to 65535, found 65536"},
+        Refusal{"TextForAnIndex", twoPositionsAnd(R"("indices": ["0"])"), "/models/0/mesh/indices/0",
+                R"(expected a whole number, found "0")"},
+        Refusal{"ArrayForAnIndex", twoPositionsAnd(R"("indices": [[0]])"), "/models/0/mesh/indices/0",
+                "expected a whole number, found an array"},
+        Refusal{"OverflowForAnIndex", twoPositionsAnd(R"("indices": [1e999])"), "/models/0/mesh/indices/0",
+                "expected a whole number, found 1e999"},
+        Refusal{"NumberForIndices", twoPositionsAnd(R"("indices": 1)"), "/models/0/mesh/indices",
+                "expected whole numbers, each from 0 to 65535, found 1"},
+        Refusal{"FewNormals", twoPositionsAnd(R"("normals": [[0, 0, 1]])"), "/models/0/mesh/normals",
+                "expected 2, one for each position, or none; found 1"},
+        Refusal{"ManyColors", twoPositionsAnd(R"("colors": [[0, 0, 0], [0, 0, 0], [0, 0, 0]])"),
+                "/models/0/mesh/colors", "expected 2, one for each position, or none; found 3"},
+        Refusal{"FewCoordinatesOfAMeshThatIsNotShown", R"({"models": [{"mesh": {"texCoords": [[0, 0]]}}]})",
+                "/models/0/mesh/texCoords", "expected 0, one for each position, or none; found 1"},
+        Refusal{"FewCoordinatesOfAUnit",
+                R"({"models": [{"shape": "mesh", "mesh": {"positions": [[0, 0, 0], [1, 0, 0]]},
+                    "texCoords2": [[0, 0]]}]})",
+                "/models/0/texCoords2",
+                "expected 2 coordinates, one for each vertex of the mesh, or none; found 1"},
+        Refusal{"PositionOverflow", meshOf(R"("positions": [[0, 1e999, 0]])"), "/models/0/mesh/positions/0/1",
+                "expected a number, found 1e999"},
+        Refusal{"PositionBeyondAFloat", meshOf(R"("positions": [[0, 0, -1e39]])"),
+                "/models/0/mesh/positions/0/2", "expected a number, found -1e39"},
+        Refusal{"PositionNan", R"({"models": [{"mesh": {"positions": [[NaN, 0, 0]]}}]})", "line 1, column 41",
+                "expected a value, found what is no part of JSON"},
+        Refusal{"PositionNull", meshOf(R"("positions": [[0, null, 0]])"), "/models/0/mesh/positions/0/1",
+                "expected a number, found null"},
+        Refusal{"PositionOfTwo", meshOf(R"("positions": [[0, 0, 0], [0, 0]])"), "/models/0/mesh/positions/1",
+                "expected an array of 3 numbers, found 2"},
+        Refusal{"PositionOfFour", meshOf(R"("positions": [[0, 0, 0, 1]])"), "/models/0/mesh/positions/0/3",
+                "expected 3 finite numbers for each vertex, found more than 3"},
+        Refusal{"PositionNumber", meshOf(R"("positions": [0, 0, 0])"), "/models/0/mesh/positions/0",
+                "expected an array of 3 numbers, found 0"},
+        Refusal{"ColorOutOfRange", twoPositionsAnd(R"("colors": [[0, 0, 0], [0, 1.5, 0, 1]])"),
+                "/models/0/mesh/colors",
+                "expected 3 or 4 numbers (red, green, blue, alpha) for each vertex, each from 0 to 1, found "
+                "1.5 at vertex 1"},
+        Refusal{"ColorOfTwo", twoPositionsAnd(R"("colors": [[0, 0]])"), "/models/0/mesh/colors/0",
+                "expected an array of 3 to 4 numbers, found 2"},
+        Refusal{"PrimitiveTypo", meshOf(R"("primitive": "GL_TRIANGLE")"), "/models/0/mesh/primitive",
+                "expected one of GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, "},
+        Refusal{"ArrayForAMesh", R"({"models": [{"mesh": []}]})", "/models/0/mesh",
+                "expected an object, found an array"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// A scene with one step of a texture matrix that has so many numbers.
+std::string matrixOf(std::size_t count, const std::string& number = "1") {
+    return R"({"passes": [{"units": [{"matrix": [{"matrix": [)" + repeat(number, count, ", ") + "]}]}]}]}";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, RefusedScenes,
+    testing::Values(
+        Refusal{"NamesNone", R"({"passes": [{"models": []}]})", "/passes/0/models",
+                "expected whole numbers, each from 0 to 15, found an empty array; a pass that doesn't name "
+                "its models draws all"},
+        Refusal{"NamesOneThatThereIsNot", R"({"models": [{}], "passes": [{}, {"models": [0, 1]}]})",
+                "/passes/1/models/1", "there is no model 1, the scene has 1 model"},
+        Refusal{"NamesOneOfNone", R"({"models": [], "passes": [{"models": [0]}]})", "/passes/0/models/0",
+                "there is no model 0, the scene has 0 models"},
+        Refusal{"NamesOneTwice", R"({"models": [{}, {}], "passes": [{"models": [1, 0, 1]}]})",
+                "/passes/0/models/2", "expected each model once, found 1 twice"},
+        Refusal{"NamesOneBeyondAny", R"({"passes": [{"models": [16]}]})", "/passes/0/models",
+                "expected whole numbers, each from 0 to 15, found 16"},
+        Refusal{"NamesTooMany", R"({"passes": [{"models": [)" + repeat("0", 17, ",") + "]}]}",
+                "/passes/0/models/16", "expected at most 16 elements, found more"},
+        Refusal{"NamesByText", R"({"passes": [{"models": ["cube"]}]})", "/passes/0/models/0",
+                R"(expected a whole number, found "cube")"},
+        Refusal{"LineWidth", R"({"models": [{"lineWidth": 0}]})", "/models/0/lineWidth",
+                "expected a number from 0.5 to 64 pixels, found 0"},
+        Refusal{"PointSize", R"({"models": [{"pointSize": 65}]})", "/models/0/pointSize",
+                "expected a number from 0.5 to 64 pixels, found 65"},
+        Refusal{"Scale", R"({"models": [{"scale": [1, 0, 1]}]})", "/models/0/scale",
+                "expected 3 numbers, each from 0.01 to 100, found 0"},
+        Refusal{"RotationOrder", R"({"models": [{"rotationOrder": "xyx"}]})", "/models/0/rotationOrder",
+                "expected one of zyx, zxy, yzx, yxz, xzy, xyz, found"},
+        Refusal{"ShadingOfOneModel", R"({"models": [{"material": {"shadeModel": "GL_FLAT"}}]})",
+                "/models/0/material/shadeModel", "unknown key; "},
+        Refusal{"NameWithZeroByte", R"({"models": [{"name": "a\u0000b"}]})", "/models/0/name",
+                "expected UTF-8 text of at most 4096 bytes, found a zero byte in it"},
+        Refusal{"NumberForAName", R"({"passes": [{"name": 1}]})", "/passes/0/name",
+                "expected UTF-8 text of at most 4096 bytes, found 1"},
+        Refusal{"MatrixTooShort", matrixOf(15), "/passes/0/units/0/matrix/0/matrix",
+                "expected 16 numbers, each from -1e+06 to 1e+06, found 15"},
+        Refusal{"MatrixTooLong", matrixOf(17), "/passes/0/units/0/matrix/0/matrix/16",
+                "expected 16 numbers, each from -1e+06 to 1e+06, found more than 16"},
+        Refusal{"MatrixOutOfRange", matrixOf(16, "2e6"), "/passes/0/units/0/matrix/0/matrix",
+                "expected 16 numbers, each from -1e+06 to 1e+06, found 2e+06"},
+        Refusal{"MatrixOfColumns", matrixOf(4, "[1, 0, 0, 0]"), "/passes/0/units/0/matrix/0/matrix/0",
+                "expected a number, found an array"},
+        Refusal{"MatrixOfText", matrixOf(1, R"("1")"), "/passes/0/units/0/matrix/0/matrix/0",
+                R"(expected a number, found "1")"},
+        Refusal{"EmbossTooDeep", R"({"passes": [{"units": [{"emboss": {"depth": 2}}]}]})",
+                "/passes/0/units/0/emboss/depth", "expected a number from -1 to 1, found 2"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(ParseScene, AFileLargerThanTheLimitIsNotLookedAt) {
@@ -245,6 +370,53 @@ TEST(ParseScene, OrderOfKeysDoesNotMatter) {
     ASSERT_TRUE(scene) << describe(scene.error());
     EXPECT_EQ(scene->models[0].texCoords[0],
               (TexCoords{{0, 0, 0, 1}, {1, 0, 2, 1}, {1, 1, 2, 3}, {0, 1, 0, 1}}));
+}
+
+TEST(ParseScene, TakesVerticesOfTheirOwn) {
+    const auto scene = parseScene(R"({"models": [{"mesh": {
+        "indices": [2, 1, 0.0, 1],
+        "colors": [[0, 0.5, 1], [1, 1, 1, 0.25], [0, 0, 0]],
+        "texCoords": [[0, 1], [2, 3, 4], [5, 6, 7, 8]],
+        "normals": [],
+        "positions": [[0, 0, 0], [1e30, -2, 3], [-0.0, 1e-45, 0.1]],
+        "primitive": "GL_LINE_STRIP"}, "shape": "mesh"}]})");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    MeshData expected;
+    expected.primitive = Primitive::LineStrip;
+    expected.positions = {{0, 0, 0}, {1e30F, -2, 3}, {-0.0F, 1e-45F, 0.1F}};
+    expected.colors = {{0, 0.5F, 1, 1}, {1, 1, 1, 0.25F}, {0, 0, 0, 1}};
+    expected.texCoords = {{0, 1, 0, 1}, {2, 3, 4, 1}, {5, 6, 7, 8}};
+    expected.indices = {2, 1, 0, 1};
+    EXPECT_EQ(scene->models[0].mesh, expected);
+    EXPECT_EQ(scene->models[0].shape, Shape::Mesh);
+}
+
+TEST(ParseScene, TakesTheModelsOfAPassInTheirOrder) {
+    const auto scene = parseScene(R"({"passes": [{"models": [2, 0]}, {}], "models": [{}, {}, {}]})");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_THAT(scene->passes[0].models, testing::ElementsAre(2, 0));
+    EXPECT_THAT(scene->passes[1].models, testing::IsEmpty());
+}
+
+TEST(ParseScene, TakesAMatrixColumnByColumn) {
+    const auto scene = parseScene(R"({"passes": [{"units": [{"matrix": [{"op": "load",
+        "matrix": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]}]}]}]})");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    const MatrixStep& step = scene->passes[0].units[0].matrix.at(0);
+    EXPECT_EQ(step.op, MatrixOp::Load);
+    EXPECT_EQ(step.matrix[0], glm::vec4(1, 2, 3, 4));
+    EXPECT_EQ(step.matrix[3], glm::vec4(13, 14, 15, 16));
+}
+
+TEST(ParseScene, TakesAMaterialOfAModel) {
+    const auto scene = parseScene(R"({"models": [{"ownMaterial": true, "material": {
+        "colorMaterial": false, "emission": [0.5, 0.25, 0, 1]}}]})");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    Material expected;
+    expected.colorMaterial = false;
+    expected.emission = {0.5F, 0.25F, 0, 1};
+    EXPECT_TRUE(scene->models[0].ownMaterial);
+    EXPECT_EQ(scene->models[0].material, expected);
 }
 
 TEST(ParseScene, NumbersAreRoundedOnceToTheNearestFloat) {
