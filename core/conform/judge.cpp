@@ -3,6 +3,8 @@
 #include "core/conform/lambda_range.h"
 #include "core/reference/sampling/lod.h"
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include <algorithm>
 
 namespace texplorer::conform {
@@ -34,7 +36,12 @@ Scene moved(Scene scene, const ImageSource& images, glm::vec3 texels) {
         glm::vec3 size = baseSizeOf(texture, unit.target, images);
         if (unit.target == Target::CubeMap) // all three are components of a direction
             size = glm::vec3(size.x);
-        if (unit.matrix.size() < maxMatrixSteps)
+        // A step that loads a matrix makes void what stands before it.
+        const auto load = std::find_if(unit.matrix.rbegin(), unit.matrix.rend(),
+                                       [](const MatrixStep& step) { return step.op == MatrixOp::Load; });
+        if (load != unit.matrix.rend())
+            load->matrix = glm::translate(glm::mat4(1), texels / size) * load->matrix;
+        else if (unit.matrix.size() < maxMatrixSteps)
             unit.matrix.insert(unit.matrix.begin(), {.op = MatrixOp::Translate, .amount = texels / size});
     });
     return scene;

@@ -41,12 +41,16 @@ TEST_P(Patterns, HaveTheirSizeAndAreTheSameEachTime) {
     EXPECT_EQ(image, drawPattern(GetParam().pattern));
 }
 
-TEST_P(Patterns, AreOpaqueExceptTheTree) {
+bool isCutOut(Pattern pattern) {
+    return pattern == Pattern::Tree || pattern == Pattern::LogoOpenGl || pattern == Pattern::LogoMultitexture;
+}
+
+TEST_P(Patterns, AreOpaqueExceptForWhatIsCutOut) {
     const Image image = drawPattern(GetParam().pattern);
     std::set<int> alphas;
     for (std::size_t i = 3; i < image.pixels.size(); i += 4)
         alphas.insert(std::to_integer<int>(image.pixels[i]));
-    if (GetParam().pattern == Pattern::Tree)
+    if (isCutOut(GetParam().pattern))
         EXPECT_THAT(alphas, testing::IsSupersetOf({0, 255}));
     else
         EXPECT_THAT(alphas, testing::ElementsAre(255));
@@ -58,11 +62,17 @@ constexpr Extents allPatterns[] = {
     {"UvTemplate", Pattern::UvTemplate, 512, 512, 1},
     {"Brick", Pattern::Brick, 256, 256, 1},
     {"BrickHeight", Pattern::BrickHeight, 256, 256, 1},
+    {"BrickBump", Pattern::BrickBump, 256, 256, 1},
+    {"BrickBumpInverse", Pattern::BrickBumpInverse, 256, 256, 1},
     {"ColorLine", Pattern::ColorLine, 8, 1, 1},
     {"Tree", Pattern::Tree, 256, 256, 1},
     {"MipColors", Pattern::MipColors, 128, 128, 1},
     {"Marble", Pattern::Marble, 32, 32, 32},
     {"CubeFaces", Pattern::CubeFaces, 512, 384, 1},
+    {"Planet", Pattern::Planet, 512, 256, 1},
+    {"MirrorBall", Pattern::MirrorBall, 256, 256, 1},
+    {"LogoOpenGl", Pattern::LogoOpenGl, 128, 64, 1},
+    {"LogoMultitexture", Pattern::LogoMultitexture, 128, 64, 1},
 };
 static_assert(std::size(allPatterns) == patternRows.size());
 
@@ -93,6 +103,35 @@ TEST(Checkerboards, AreThoseOfTheProgrammingGuide) {
         EXPECT_EQ(texel(checker, at.j, at.i), (Rgba{at.checker, at.checker, at.checker, 255}));
         EXPECT_EQ(texel(red, at.j, at.i), (Rgba{at.red, 0, 0, 255}));
     }
+}
+
+/// The two halves of an embossed wall: what glPixelTransfer with a scale of 0.5 makes of the heights, and of
+/// 255 minus them. Unmoved, they add up to a level grey.
+TEST(BrickBumps, AreHalvesThatAddUpToGrey) {
+    const Image height = drawPattern(Pattern::BrickHeight);
+    const Image bump = drawPattern(Pattern::BrickBump);
+    const Image inverse = drawPattern(Pattern::BrickBumpInverse);
+    for (int y = 0; y < height.height; y += 5) {
+        for (int x = 0; x < height.width; x += 3) {
+            const int h = texel(height, x, y)[0];
+            EXPECT_NEAR(texel(bump, x, y)[0], h / 2.0, 0.51);
+            EXPECT_NEAR(texel(inverse, x, y)[0], (255 - h) / 2.0, 0.51);
+        }
+    }
+}
+
+/// Around a sphere the left edge lies beside the right one.
+TEST(Planet, HasNoSeam) {
+    const Image planet = drawPattern(Pattern::Planet);
+    int most = 0;
+    int within = 0;
+    for (int y = 0; y < planet.height; ++y) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            most = std::max(most, std::abs(texel(planet, 0, y)[c] - texel(planet, planet.width - 1, y)[c]));
+            within = std::max(within, std::abs(texel(planet, 101, y)[c] - texel(planet, 100, y)[c]));
+        }
+    }
+    EXPECT_LE(most, within + 24) << "no further apart than neighbours elsewhere";
 }
 
 TEST(ColorLine, HasEightDifferentColors) {

@@ -209,17 +209,17 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 /// A scene whose only model has this mesh.
-std::string meshOf(const std::string& members) {
+std::string sceneOfMesh(const std::string& members) {
     return R"({"models": [{"shape": "mesh", "mesh": {)" + members + "}}]}";
 }
 std::string twoPositionsAnd(const std::string& members) {
-    return meshOf(R"("positions": [[0, 0, 0], [1, 0, 0]], )" + members);
+    return sceneOfMesh(R"("positions": [[0, 0, 0], [1, 0, 0]], )" + members);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Meshes, RefusedScenes,
     testing::Values(
-        Refusal{"ManyPositions", meshOf(R"("positions": [)" + repeat("[0,0,0]", 65537, ",") + "]"),
+        Refusal{"ManyPositions", sceneOfMesh(R"("positions": [)" + repeat("[0,0,0]", 65537, ",") + "]"),
                 "/models/0/mesh/positions/65536", "expected at most 65536 elements, found more"},
         Refusal{"EndlessNormals", R"({"models": [{"mesh": {"normals": [)" + repeat("[0,0,1]", 1000000, ","),
                 "/models/0/mesh/normals/65536", "expected at most 65536 elements, found more"},
@@ -227,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "/models/0/mesh/indices/262144", "expected at most 262144 elements, found more"},
         Refusal{"NoSuchPosition", twoPositionsAnd(R"("indices": [0, 1, 2, 3])"), "/models/0/mesh/indices/2",
                 "expected the number of a position, the mesh has 2; found 2"},
-        Refusal{"IndexWithoutPositions", meshOf(R"("indices": [0])"), "/models/0/mesh/indices/0",
+        Refusal{"IndexWithoutPositions", sceneOfMesh(R"("indices": [0])"), "/models/0/mesh/indices/0",
                 "expected the number of a position, the mesh has 0; found 0"},
         Refusal{"NegativeIndex", twoPositionsAnd(R"("indices": [0, -1])"), "/models/0/mesh/indices/1",
                 "expected a whole number, found -1"},
@@ -256,19 +256,20 @@ INSTANTIATE_TEST_SUITE_P(
                     "texCoords2": [[0, 0]]}]})",
                 "/models/0/texCoords2",
                 "expected 2 coordinates, one for each vertex of the mesh, or none; found 1"},
-        Refusal{"PositionOverflow", meshOf(R"("positions": [[0, 1e999, 0]])"), "/models/0/mesh/positions/0/1",
-                "expected a number, found 1e999"},
-        Refusal{"PositionBeyondAFloat", meshOf(R"("positions": [[0, 0, -1e39]])"),
+        Refusal{"PositionOverflow", sceneOfMesh(R"("positions": [[0, 1e999, 0]])"),
+                "/models/0/mesh/positions/0/1", "expected a number, found 1e999"},
+        Refusal{"PositionBeyondAFloat", sceneOfMesh(R"("positions": [[0, 0, -1e39]])"),
                 "/models/0/mesh/positions/0/2", "expected a number, found -1e39"},
-        Refusal{"PositionNan", R"({"models": [{"mesh": {"positions": [[NaN, 0, 0]]}}]})", "line 1, column 41",
+        Refusal{"PositionNan", R"({"models": [{"mesh": {"positions": [[NaN, 0, 0]]}}]})", "line 1, column 38",
                 "expected a value, found what is no part of JSON"},
-        Refusal{"PositionNull", meshOf(R"("positions": [[0, null, 0]])"), "/models/0/mesh/positions/0/1",
+        Refusal{"PositionNull", sceneOfMesh(R"("positions": [[0, null, 0]])"), "/models/0/mesh/positions/0/1",
                 "expected a number, found null"},
-        Refusal{"PositionOfTwo", meshOf(R"("positions": [[0, 0, 0], [0, 0]])"), "/models/0/mesh/positions/1",
-                "expected an array of 3 numbers, found 2"},
-        Refusal{"PositionOfFour", meshOf(R"("positions": [[0, 0, 0, 1]])"), "/models/0/mesh/positions/0/3",
+        Refusal{"PositionOfTwo", sceneOfMesh(R"("positions": [[0, 0, 0], [0, 0]])"),
+                "/models/0/mesh/positions/1", "expected an array of 3 numbers, found 2"},
+        Refusal{"PositionOfFour", sceneOfMesh(R"("positions": [[0, 0, 0, 1]])"),
+                "/models/0/mesh/positions/0/3",
                 "expected 3 finite numbers for each vertex, found more than 3"},
-        Refusal{"PositionNumber", meshOf(R"("positions": [0, 0, 0])"), "/models/0/mesh/positions/0",
+        Refusal{"PositionNumber", sceneOfMesh(R"("positions": [0, 0, 0])"), "/models/0/mesh/positions/0",
                 "expected an array of 3 numbers, found 0"},
         Refusal{"ColorOutOfRange", twoPositionsAnd(R"("colors": [[0, 0, 0], [0, 1.5, 0, 1]])"),
                 "/models/0/mesh/colors",
@@ -276,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "1.5 at vertex 1"},
         Refusal{"ColorOfTwo", twoPositionsAnd(R"("colors": [[0, 0]])"), "/models/0/mesh/colors/0",
                 "expected an array of 3 to 4 numbers, found 2"},
-        Refusal{"PrimitiveTypo", meshOf(R"("primitive": "GL_TRIANGLE")"), "/models/0/mesh/primitive",
+        Refusal{"PrimitiveTypo", sceneOfMesh(R"("primitive": "GL_TRIANGLE")"), "/models/0/mesh/primitive",
                 "expected one of GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, "},
         Refusal{"ArrayForAMesh", R"({"models": [{"mesh": []}]})", "/models/0/mesh",
                 "expected an object, found an array"}),

@@ -1,5 +1,5 @@
-#include "core/scene/params/json.h"
 #include "core/scene/model_mesh.h"
+#include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +23,7 @@ TEST(WriteScene, ReadsLikeThis) {
   "view": {
     "azimuth": 0,
     "elevation": 0,
+    "roll": 0,
     "distance": 6,
     "target": [0, 0, 0],
     "projection": "perspective",
@@ -41,20 +42,36 @@ TEST(WriteScene, ReadsLikeThis) {
   },
   "material": {
     "color": [1, 1, 1, 1],
+    "colorMaterial": true,
+    "ambient": [0.2, 0.2, 0.2, 1],
+    "diffuse": [0.8, 0.8, 0.8, 1],
     "specular": [0, 0, 0, 1],
+    "emission": [0, 0, 0, 1],
     "shininess": 0,
     "shadeModel": "GL_SMOOTH"
   },
   "models": [
     {
+      "name": "",
       "shape": "quad",
       "visible": true,
       "slices": 32,
       "stacks": 16,
+      "topRadius": 1,
+      "innerRadius": 0,
+      "tubeRadius": 0.4,
+      "startAngle": 0,
+      "sweepAngle": 270,
+      "lineWidth": 1,
+      "pointSize": 1,
       "position": [0, 0, 0],
       "rotation": [0, 0, 0],
+      "rotationOrder": "zyx",
       "spin": [0, 0, 0],
       "size": 1,
+      "scale": [1, 1, 1],
+      "attachment": "world",
+      "ownMaterial": false,
       "texCoords1": [
         [0, 0],
         [1, 0, 0.5],
@@ -100,6 +117,7 @@ TEST(WriteScene, ReadsLikeThis) {
   "passes": [
     {
       "enabled": true,
+      "name": "",
       "lighting": false,
       "depthTest": false,
       "depthFunc": "GL_LESS",
@@ -153,6 +171,80 @@ TEST(WriteScene, LeavesOutTheStateOfAUnitThatNobodyTouched) {
     EXPECT_EQ(parseScene(text).value(), scene);
 }
 
+// Of a model: what nobody has touched of its own material and mesh is left out.
+TEST(WriteScene, WritesVerticesAMatrixAndTheModelsOfAPassLikeThis) {
+    Scene scene;
+    scene.models = {Model{.name = "a \"b\"", .shape = Shape::Mesh}, Model{}};
+    scene.models[0].mesh = {.primitive = Primitive::LineLoop,
+                            .positions = {{0, 0.5F, -0.0F}, {1, 1e-45F, 3e38F}},
+                            .colors = {{0, 0.5F, 1, 1}, {0, 0, 0, 0.25F}},
+                            .texCoords = {{0, 1, 0, 1}, {0, 1, 0, 2}},
+                            .indices = {1, 0, 1}};
+    scene.models[1].material.shininess = 8;
+    scene.passes[0].models = {1, 0};
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Load}};
+    const std::string text = writeScene(scene);
+    for (const char* expected : {R"(
+      "mesh": {
+        "primitive": "GL_LINE_LOOP",
+        "positions": [
+          [0, 0.5, -0.0],
+          [1, 1e-45, 3e+38]
+        ],
+        "colors": [
+          [0, 0.5, 1],
+          [0, 0, 0, 0.25]
+        ],
+        "texCoords": [
+          [0, 1],
+          [0, 1, 0, 2]
+        ],
+        "indices": [1, 0, 1]
+      }
+    },
+)",
+                                 R"(
+      "material": {
+        "color": [1, 1, 1, 1],
+        "colorMaterial": true,
+        "ambient": [0.2, 0.2, 0.2, 1],
+        "diffuse": [0.8, 0.8, 0.8, 1],
+        "specular": [0, 0, 0, 1],
+        "emission": [0, 0, 0, 1],
+        "shininess": 8
+      }
+    }
+)",
+                                 R"(
+      "models": [1, 0],
+)",
+                                 R"(
+              "op": "load",
+)",
+                                 R"(
+              "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+)"})
+        EXPECT_NE(text.find(expected), std::string::npos) << expected << "in\n" << text;
+    EXPECT_EQ(parseScene(text).value(), scene);
+}
+
+TEST(WriteScene, LeavesOutListsThatDoNotFitTheirMesh) {
+    Scene scene;
+    scene.models = {Model{.shape = Shape::Mesh}};
+    MeshData& mesh = scene.models[0].mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}};
+    mesh.normals = {{0, 0, 1}};
+    mesh.colors.resize(3);
+    mesh.texCoords.resize(1);
+    mesh.indices = {0, 2};
+    const std::string text = writeScene(scene);
+    for (const char* key : {"normals", "colors", "texCoords", "indices"})
+        EXPECT_EQ(text.find(key), std::string::npos) << key;
+    const Scene read = parseScene(text).value();
+    EXPECT_EQ(read.models[0].mesh.positions, mesh.positions);
+    EXPECT_TRUE(read.models[0].mesh.indices.empty());
+}
+
 TEST(WriteScene, LeavesOutCoordinatesThatDoNotFitTheirMesh) {
     Scene scene;
     scene.models = {Model{.shape = Shape::Sphere}};
@@ -177,6 +269,15 @@ public:
         Scene scene;
         fill(sceneTable(), &scene);
         // What the tables don't know of each other.
+        for (Model& model : scene.models)
+            if (below(3) == 0)
+                fit(model.mesh);
+        for (Pass& pass : scene.passes)
+            for (std::size_t i = 0; i < scene.models.size(); ++i)
+                if (below(2) == 0)
+                    pass.models.insert(pass.models.begin() +
+                                           static_cast<std::ptrdiff_t>(below(pass.models.size() + 1)),
+                                       static_cast<int>(i));
         for (Model& model : scene.models)
             for (TexCoords& coords : model.texCoords)
                 if (below(2) == 0)
@@ -208,6 +309,29 @@ private:
         return std::clamp(range.min + part * (range.max - range.min), range.min, range.max);
     }
 
+    void fit(MeshData& mesh) {
+        const std::size_t count = below(9);
+        const auto fill = [&](auto& list, const auto& make) {
+            for (std::size_t i = 0; i < count; ++i)
+                list.push_back(make());
+        };
+        const auto point = [&] { return glm::vec3(anyFloat(), anyFloat(), anyFloat()); };
+        const auto share = [&] { return in({0, 1, 0.1F, {}}); };
+        fill(mesh.positions, point);
+        if (below(2) == 0)
+            fill(mesh.normals, point);
+        if (below(2) == 0)
+            fill(mesh.colors,
+                 [&] { return glm::vec4(share(), share(), share(), below(2) == 0 ? 1 : share()); });
+        if (below(2) == 0)
+            fill(mesh.texCoords, [&] {
+                return glm::vec4(anyFloat(), anyFloat(), below(2) == 0 ? 0 : anyFloat(),
+                                 below(2) == 0 ? 1 : anyFloat());
+            });
+        for (std::size_t i = below(20); count > 0 && i > 0; --i)
+            mesh.indices.push_back(static_cast<int>(below(count)));
+    }
+
     Value value(const ParamRow& row) {
         switch (row.kind) {
         case Kind::Bool:
@@ -233,8 +357,19 @@ private:
                 text += pieces[below(pieces.size())];
             return text;
         }
+        case Kind::Matrix: {
+            glm::mat4 matrix;
+            for (int i = 0; i < 16; ++i)
+                matrix[i / 4][i % 4] = in(row.range);
+            return matrix;
+        }
+        case Kind::PointList:
+            return std::vector<glm::vec3>{};
+        case Kind::ColorList:
         case Kind::TexCoordList:
             return TexCoords{};
+        case Kind::IndexList:
+            return std::vector<int>{};
         }
         return {};
     }

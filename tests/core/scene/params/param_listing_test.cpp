@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cctype>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -44,7 +45,7 @@ TEST(ListParams, HasEveryParameterOnceWithItsHelpAndEveryChoice) {
     }
     const auto paths = allPaths();
     EXPECT_EQ(listed, std::multiset<std::string>(paths.begin(), paths.end()));
-    EXPECT_EQ(paths.size(), 112U);
+    EXPECT_EQ(paths.size(), 149U);
     EXPECT_TRUE(text.ends_with("\n"));
     EXPECT_FALSE(text.ends_with("\n\n"));
 }
@@ -58,6 +59,12 @@ TEST(ListParams, ReadsLikeThis) {
     EXPECT_THAT(text, HasSubstr("\n    Accepts a number from 1 to 16.\n"));
     EXPECT_THAT(text, HasSubstr("\n    glDepthFunc({})\n"));
     EXPECT_THAT(text, HasSubstr("\n    One vertex is models[].texCoords0[].\n"));
+    EXPECT_THAT(text, HasSubstr("\npasses[].units[].matrix[].matrix = 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1\n"));
+    EXPECT_THAT(text, HasSubstr("\n    Accepts 16 numbers, each from -1e+06 to 1e+06.\n"));
+    EXPECT_THAT(text, HasSubstr("\npasses[].models\n"));
+    EXPECT_THAT(text, HasSubstr("\n    Accepts whole numbers, each from 0 to 15.\n"));
+    EXPECT_THAT(text, HasSubstr("\nmodels[].mesh.positions\n"));
+    EXPECT_THAT(text, HasSubstr("\n    Accepts 3 finite numbers for each vertex.\n"));
 }
 
 TEST(ListParamsJson, HasEveryParameterOnceWithAllThatItsRowSays) {
@@ -71,8 +78,9 @@ TEST(ListParamsJson, HasEveryParameterOnceWithAllThatItsRowSays) {
             EXPECT_TRUE(param.at(key).is_string()) << path;
         const std::string kind = param.at("kind");
         EXPECT_EQ(param.contains("choices"), kind == "enum") << path;
-        EXPECT_EQ(param.contains("range"),
-                  (std::set<std::string>{"int", "float", "vec3", "vec4", "color"}).contains(kind))
+        EXPECT_EQ(param.contains("range"), (std::set<std::string>{"int", "float", "vec3", "vec4", "color",
+                                                                  "matrix", "colors", "indices"})
+                                               .contains(kind))
             << path;
     }
     const auto paths = allPaths();
@@ -96,9 +104,26 @@ TEST(ListParamsJson, HasShortNumbersAndTypedDefaults) {
     EXPECT_EQ(find("textures[].wrapS").at("choices").size(), 5U);
     EXPECT_EQ(find("view.fieldOfView").at("range").at("unit"), "deg");
     EXPECT_EQ(find("passes[].units[].matrix[].rate").at("kind"), "vec3");
+    EXPECT_EQ(find("passes[].units[].matrix[].matrix").at("default"),
+              nlohmann::json({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(find("passes[].models").at("default"), nlohmann::json::array());
+    EXPECT_EQ(find("models[].material.ambient").at("default"), nlohmann::json({0.2, 0.2, 0.2, 1}));
     EXPECT_EQ(json.at("lists").size(), 5U);
     EXPECT_EQ(json.at("lists")[4].at("path"), "passes[].units[].matrix[]");
     EXPECT_EQ(json.at("lists")[4].at("maxCount"), 32);
+}
+
+TEST(ListParamsJson, NamesEveryKind) {
+    const auto json = nlohmann::json::parse(listParamsJson());
+    std::map<std::string, std::string> kinds; // with a row that has it
+    for (const auto& param : json.at("parameters"))
+        kinds.emplace(param.at("kind"), param.at("path"));
+    EXPECT_EQ(kinds.size(), 13U);
+    EXPECT_EQ(kinds["points"], "models[].mesh.positions");
+    EXPECT_EQ(kinds["colors"], "models[].mesh.colors");
+    EXPECT_EQ(kinds["indices"], "models[].mesh.indices");
+    EXPECT_EQ(kinds["matrix"], "passes[].units[].matrix[].matrix");
+    EXPECT_EQ(kinds["text"], "models[].name");
 }
 
 TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {

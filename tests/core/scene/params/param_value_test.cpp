@@ -73,7 +73,37 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"TextNotUtf8", textureTable, "file", "a\xff.png",
                 "expected UTF-8 text of at most 4096 bytes, found bytes that are not UTF-8"},
         Refusal{"TexCoordOfOneNumber", modelTable, "texCoords0", "0,0;1",
-                R"(expected 2 to 4 finite numbers for each vertex, found "0,0;1")"}),
+                R"(expected 2 to 4 finite numbers for each vertex, found "0,0;1")"},
+        Refusal{"PointOfTwoNumbers", meshTable, "positions", "0,0,0;1,2",
+                R"(expected 3 finite numbers for each vertex, found "0,0,0;1,2")"},
+        Refusal{"PointOfFourNumbers", meshTable, "normals", "0,0,0,1",
+                R"(expected 3 finite numbers for each vertex, found "0,0,0,1")"},
+        Refusal{"PointThatIsNone", meshTable, "positions", "0,0,nan",
+                R"(expected 3 finite numbers for each vertex, found "0,0,nan")"},
+        Refusal{"NoPoint", meshTable, "positions", ";",
+                R"(expected 3 finite numbers for each vertex, found ";")"},
+        Refusal{"ColorOfTwoNumbers", meshTable, "colors", "0,0,0;1,1",
+                R"(expected 3 or 4 numbers (red, green, blue, alpha) for each vertex, each from 0 to 1, )"
+                R"(found "0,0,0;1,1")"},
+        Refusal{"ColorOutOfRange", meshTable, "colors", "0,0,0;0,0,-1,1",
+                "expected 3 or 4 numbers (red, green, blue, alpha) for each vertex, each from 0 to 1, found "
+                "-1 at vertex 1"},
+        Refusal{"IndexFraction", meshTable, "indices", "0,1.5",
+                R"(expected whole numbers, each from 0 to 65535, found "0,1.5")"},
+        Refusal{"IndexNegative", meshTable, "indices", "0,-1",
+                "expected whole numbers, each from 0 to 65535, found -1"},
+        Refusal{"IndexMissing", meshTable, "indices", "0,,1",
+                R"(expected whole numbers, each from 0 to 65535, found "0,,1")"},
+        Refusal{"ModelBeyondAny", passTable, "models", "16",
+                "expected whole numbers, each from 0 to 15, found 16"},
+        Refusal{"TooManyModels", passTable, "models", "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0",
+                "expected at most 16 elements, found 17"},
+        Refusal{"MatrixOfFifteen", matrixStepTable, "matrix", "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0",
+                R"(expected 16 numbers, each from -1e+06 to 1e+06, found "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0")"},
+        Refusal{"MatrixEmpty", matrixStepTable, "matrix", "",
+                R"(expected 16 numbers, each from -1e+06 to 1e+06, found "")"},
+        Refusal{"MatrixOutOfRange", matrixStepTable, "matrix", "1,0,0,0,0,1,0,0,0,0,1,0,0,0,2e6,1",
+                "expected 16 numbers, each from -1e+06 to 1e+06, found 2e+06"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(ParamValue, FloatsAreTheShortestThatReadBackExactly) {
@@ -103,12 +133,54 @@ TEST(ParamValue, MissingTexCoordComponentsAreZeroAndOne) {
     EXPECT_EQ(std::get<TexCoords>(list.value()), (TexCoords{{0.5F, 1, 0, 1}, {2, 3, 4, 1}, {5, 6, 7, 8}}));
 }
 
+TEST(ParamValue, PointsAndColorsOfVerticesReadBack) {
+    const ParamRow& positions = *findParam(meshTable(), "positions");
+    const std::vector<glm::vec3> points{{0, 0.5F, -1}, {1e-45F, 3e38F, 1.0F / 3}};
+    EXPECT_EQ(formatValue(positions, points), "0,0.5,-1;1e-45,3e+38,0.33333334");
+    EXPECT_EQ(
+        std::get<std::vector<glm::vec3>>(parseValue(positions, " 0, 0.5,-1 ;1e-45,3e38,0.33333334").value()),
+        points);
+    EXPECT_TRUE(std::get<std::vector<glm::vec3>>(parseValue(positions, "").value()).empty());
+
+    // An alpha of 1 is left out.
+    const ParamRow& colors = *findParam(meshTable(), "colors");
+    const std::vector<glm::vec4> given{{0, 0.5F, 1, 1}, {1, 0, 0, 0}};
+    EXPECT_EQ(formatValue(colors, given), "0,0.5,1;1,0,0,0");
+    EXPECT_EQ(std::get<std::vector<glm::vec4>>(parseValue(colors, "0,0.5,1,1;1,0,0,0").value()), given);
+    EXPECT_EQ(std::get<std::vector<glm::vec4>>(parseValue(colors, "0,0.5,1;1,0,0,0").value()), given);
+}
+
+TEST(ParamValue, IndicesReadBack) {
+    const ParamRow& indices = *findParam(meshTable(), "indices");
+    EXPECT_EQ(formatValue(indices, std::vector<int>{0, 65535, 7, 7}), "0,65535,7,7");
+    EXPECT_EQ(std::get<std::vector<int>>(parseValue(indices, " 0, 65535,7 ,7").value()),
+              (std::vector<int>{0, 65535, 7, 7}));
+    EXPECT_EQ(formatValue(indices, std::vector<int>{}), "");
+    EXPECT_TRUE(std::get<std::vector<int>>(parseValue(indices, " ").value()).empty());
+}
+
+// As OpenGL takes them: the offset is in the last four.
+TEST(ParamValue, MatricesReadBackColumnByColumn) {
+    const ParamRow& row = *findParam(matrixStepTable(), "matrix");
+    glm::mat4 matrix(1);
+    matrix[3] = {0.1F, 2, 3, 1};
+    matrix[0].y = -1;
+    EXPECT_EQ(formatValue(row, matrix), "1,-1,0,0,0,1,0,0,0,0,1,0,0.1,2,3,1");
+    EXPECT_EQ(std::get<glm::mat4>(parseValue(row, "1, -1, 0, 0, 0,1,0,0,0,0,1,0,0.1,2,3,1").value()), matrix);
+}
+
 TEST(ParamValue, AValueOfAnotherKindIsRefused) {
     EXPECT_FALSE(checkValue(texture("maxLod"), 1));
     EXPECT_FALSE(checkValue(texture("magFilter"), 0x2600));
     EXPECT_FALSE(checkValue(texture("magFilter"), EnumValue{0x2700}));
     EXPECT_FALSE(checkValue(texture("maxLod"), std::numeric_limits<float>::quiet_NaN()));
     EXPECT_FALSE(checkValue(*findParam(modelTable(), "texCoords0"), TexCoords{{0, INFINITY, 0, 1}}));
+    EXPECT_FALSE(checkValue(*findParam(meshTable(), "positions"), TexCoords{{0, 0, 0, 1}}));
+    EXPECT_FALSE(checkValue(*findParam(meshTable(), "positions"), std::vector<glm::vec3>{{0, NAN, 0}}));
+    EXPECT_FALSE(checkValue(*findParam(meshTable(), "colors"), std::vector<glm::vec4>{{0, NAN, 0, 1}}));
+    EXPECT_FALSE(checkValue(*findParam(meshTable(), "indices"), 1));
+    EXPECT_FALSE(checkValue(*findParam(matrixStepTable(), "matrix"), glm::vec4(1)));
+    EXPECT_FALSE(checkValue(*findParam(matrixStepTable(), "matrix"), glm::mat4(NAN)));
 }
 
 } // namespace

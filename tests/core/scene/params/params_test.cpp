@@ -14,10 +14,13 @@ namespace {
 
 using Params = std::map<std::string, std::string>;
 
+constexpr std::size_t fullCount = 24; ///< vertices of the cube, and of the mesh that fullScene has
+
 /// A scene in which every row of every table occurs.
 Scene fullScene() {
     Scene scene;
     scene.models.resize(1);
+    scene.models[0].mesh.positions.resize(fullCount);
     scene.textures.resize(1);
     for (Unit& unit : scene.passes.front().units)
         unit.matrix.resize(1);
@@ -55,8 +58,20 @@ std::vector<Value> valuesOf(const ParamRow& row) {
     }
     case Kind::Text:
         return {std::string("textures/wood.bmp"), std::string()};
+    case Kind::Matrix: {
+        glm::mat4 mixed(min);
+        mixed[0] = glm::vec4(max, 0.25F, 1e-7F, 1);
+        return {glm::mat4(glm::vec4(min), glm::vec4(max), glm::vec4(0), glm::vec4(1)), mixed};
+    }
+    case Kind::PointList:
+        return {std::vector(fullCount, glm::vec3(1e-7F, -2, 3e38F)), std::vector<glm::vec3>{}};
+    case Kind::ColorList:
+        return {std::vector(fullCount, glm::vec4(0.25F, 1e-7F, 0, 1)),
+                std::vector(fullCount, glm::vec4(max, min, min, min)), std::vector<glm::vec4>{}};
     case Kind::TexCoordList:
-        return {TexCoords(24, glm::vec4(0.25F, 1e-7F, 0, 1)), TexCoords{}};
+        return {TexCoords(fullCount, glm::vec4(0.25F, 1e-7F, 0, 1)), TexCoords{}};
+    case Kind::IndexList: // the first one of anything exists
+        return {std::vector<int>{0}, std::vector<int>{}};
     }
     return {};
 }
@@ -134,7 +149,8 @@ TEST_P(ParamTables, CallsAreGlCallsWithTheirParenthesesClosed) {
 TEST_P(ParamTables, NumbersHaveARangeAndEnumsHaveChoices) {
     for (const ParamRow& row : table_.params) {
         const bool number = row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 ||
-                            row.kind == Kind::Vec4 || row.kind == Kind::Color;
+                            row.kind == Kind::Vec4 || row.kind == Kind::Color || row.kind == Kind::Matrix ||
+                            row.kind == Kind::ColorList || row.kind == Kind::IndexList;
         if (number) {
             EXPECT_LT(row.range.min, row.range.max) << row.key;
             EXPECT_GT(row.range.step, 0) << row.key;
@@ -144,6 +160,11 @@ TEST_P(ParamTables, NumbersHaveARangeAndEnumsHaveChoices) {
 }
 
 TEST_P(ParamTables, ListsHaveALimit) {
+    for (const ParamRow& row : table_.params) {
+        const bool list = row.kind == Kind::PointList || row.kind == Kind::ColorList ||
+                          row.kind == Kind::TexCoordList || row.kind == Kind::IndexList;
+        EXPECT_EQ(row.maxCount > 0, list) << row.key;
+    }
     for (const ChildRow& child : table_.children) {
         EXPECT_FALSE(child.label.empty()) << child.key;
         EXPECT_LE(child.minCount, child.maxCount) << child.key;
@@ -155,9 +176,10 @@ TEST_P(ParamTables, ListsHaveALimit) {
 INSTANTIATE_TEST_SUITE_P(
     All, ParamTables,
     testing::Values(Table{"Scene", sceneTable}, Table{"View", viewTable}, Table{"Light", lightTable},
-                    Table{"Material", materialTable}, Table{"Model", modelTable},
-                    Table{"Texture", textureTable}, Table{"Pass", passTable}, Table{"Unit", unitTable},
-                    Table{"MatrixStep", matrixStepTable}, Table{"Combine", combineTable},
+                    Table{"Material", materialTable}, Table{"Model", modelTable}, Table{"Mesh", meshTable},
+                    Table{"Emboss", embossTable}, Table{"Texture", textureTable}, Table{"Pass", passTable},
+                    Table{"Unit", unitTable}, Table{"MatrixStep", matrixStepTable},
+                    Table{"Combine", combineTable},
                     Table{"TexGenS", []() -> const StructTable& { return texGenTable(0); }},
                     Table{"TexGenT", []() -> const StructTable& { return texGenTable(1); }},
                     Table{"TexGenR", []() -> const StructTable& { return texGenTable(2); }},
@@ -174,12 +196,12 @@ TEST(Params, EveryDefaultIsAccepted) {
 
 TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     Scene scene = fullScene();
-    scene.models[0].shape = Shape::Cube; // 24 vertices, as many as valuesOf gives
+    scene.models[0].shape = Shape::Cube; // as many vertices as valuesOf gives
     std::vector<std::pair<std::string, const ParamRow*>> rows;
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(), 8U + 7 + 4 + 12 + 28 + 10 + 4 * (6 + 16 + 4 * 4 + 5));
+    ASSERT_EQ(rows.size(), 9U + 7 + 8 + (24 + 7 + 6) + 28 + 12 + 4 * (6 + 16 + 4 * 4 + 3 + 7));
 
     for (const auto& [path, row] : rows) {
         for (const Value& value : valuesOf(*row)) {
@@ -199,6 +221,42 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
             EXPECT_EQ(changed == scene, paramsOf(changed) == paramsOf(scene)) << path;
         }
     }
+}
+
+// Shading is the whole scene's.
+TEST(Params, TheMaterialOfAModelHasAllRowsButShading) {
+    const StructTable& scenes = materialTable();
+    const StructTable& models = modelMaterialTable();
+    EXPECT_EQ(models.name, scenes.name);
+    ASSERT_EQ(models.params.size() + 1, scenes.params.size());
+    for (const ParamRow& row : models.params)
+        EXPECT_EQ(&row, findParam(scenes, row.key)) << row.key;
+    EXPECT_EQ(findParam(models, "shadeModel"), nullptr);
+}
+
+TEST(Params, AMemberThatIsOneStructIsReset) {
+    Model model;
+    const ChildRow& mesh = *findChild(modelTable(), "mesh");
+    EXPECT_FALSE(mesh.indexed);
+    EXPECT_TRUE(mesh.isDefault(&model, 0));
+    model.mesh.indices = {1};
+    EXPECT_FALSE(mesh.isDefault(&model, 0));
+    EXPECT_EQ(mesh.at(&model, 0), &model.mesh);
+    mesh.resize(&model, 0);
+    EXPECT_EQ(model, Model{});
+}
+
+// What is longer than a row says is no value of it.
+TEST(Params, ListsAreNoLongerThanTheirLimit) {
+    const ParamRow& models = *findParam(passTable(), "models");
+    EXPECT_TRUE(checkValue(models, std::vector<int>(maxModels, 0)));
+    EXPECT_FALSE(checkValue(models, std::vector<int>(maxModels + 1, 0)));
+    const ParamRow& positions = *findParam(meshTable(), "positions");
+    EXPECT_TRUE(checkValue(positions, std::vector<glm::vec3>(maxMeshVertices)));
+    const auto longer = checkValue(positions, std::vector<glm::vec3>(maxMeshVertices + 1));
+    ASSERT_FALSE(longer);
+    EXPECT_EQ(longer.error().code, ErrorCode::TooLarge);
+    EXPECT_EQ(longer.error().message, "expected at most 65536 elements, found 65537");
 }
 
 TEST(Params, ListsGrowWithDefaultsAndFixedArraysAreReset) {
