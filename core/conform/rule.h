@@ -140,10 +140,12 @@ inline constexpr Rule lines{
     0.998,
     Tolerance::TexelEdge,
     0.999,
-    0.99,
+    0.98,
     "Which pixels a line covers is said for exact ends; they are snapped to 1/256 of a pixel "
     "(GL_SUBPIXEL_BITS). Where a side of it, or of the diamond that it ends in, passes a pixel's centre as "
-    "near, there is a pixel more or less (OpenGL 2.1, sections 3.4.1 and 3.4.2)."};
+    "near, there is a pixel more or less (OpenGL 2.1, sections 3.4.1 and 3.4.2). Along a line of one pixel Mesa "
+    "interpolates by its longer axis, while equation 3.5 projects the centre of the pixel on it: a quarter of "
+    "a pixel at most."};
 
 inline constexpr Rule lastBit{
     "last-bit",

@@ -84,6 +84,8 @@ Scene lines(int number, Dice& state, Dice& values) {
     scene.material.shadeModel = state.any<ShadeModel>();
     Model& model = scene.models[0];
     model.lineWidth = static_cast<float>(values.of(widths));
+    if (textured) // a quarter of a pixel is a texel there: see rules::lines
+        model.lineWidth = std::max(model.lineWidth, 3.0F);
     model.pointSize = static_cast<float>(1 + values.below(7));
     model.mesh = {.primitive = primitive};
     for (int i = 0; i < 12; ++i) {

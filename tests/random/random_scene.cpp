@@ -276,8 +276,7 @@ void takeAwayWhatDiffers(Scene& scene) {
         setQ(model.mesh.texCoords);
         model.pointSize = std::round(model.pointSize);
         const int width = reference::roundedSize(model.lineWidth);
-        if (width % 2 == 0)
-            model.lineWidth = static_cast<float>(width - 1);
+        model.lineWidth = static_cast<float>(std::max(3, width - (width % 2 == 0 ? 1 : 0)));
         if (drawsAPartTwice(model)) {
             model.mesh.primitive = Primitive::Points;
             model.mesh.indices.clear();

@@ -56,6 +56,7 @@ TEST(RandomScene, ThatIsComparableHasNoneOfWhatDiffers) {
             continue;
         for (const Model& model : random.scene.models) {
             meshes += model.shape == Shape::Mesh ? 1 : 0;
+            EXPECT_GE(model.lineWidth, 3) << number;
             EXPECT_EQ(std::lround(model.lineWidth) % 2, 1) << number;
             EXPECT_EQ(model.pointSize, std::round(model.pointSize)) << number;
             EXPECT_FALSE(drawsAPartTwice(model)) << number;

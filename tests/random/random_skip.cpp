@@ -1,6 +1,7 @@
 #include "tests/random/random_skip.h"
 
 #include "core/conform/skip.h"
+#include "core/reference/raster/triangle.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 
@@ -57,6 +58,13 @@ bool anyDrawn(const Scene& scene, auto condition) {
     });
 }
 
+bool hasThinLines(const Model& model) {
+    const Primitive primitive = model.mesh.primitive;
+    const bool lines = primitive == Primitive::Lines || primitive == Primitive::LineStrip ||
+                       primitive == Primitive::LineLoop;
+    return model.shape == Shape::Mesh && lines && reference::roundedSize(model.lineWidth) == 1;
+}
+
 /// Whether a point's size is so near to half a pixel that it is rounded either way.
 bool isHalfAPoint(const Model& model) {
     const float fraction = model.pointSize - std::floor(model.pointSize);
@@ -92,6 +100,14 @@ constexpr std::array rows{
             return each.pair.has(RendererKind::Reference) && anyDrawn(each.random.scene, drawsAPartTwice);
         },
         "a part that is drawn twice, from another corner on, is as deep as before but for its last bit"},
+    RandomSkip{
+        "thin-lines",
+        [](const Comparison& each) {
+            return each.pair.has(RendererKind::Reference) && each.driver.name.starts_with("llvmpipe") &&
+                   anyDrawn(each.random.scene, hasThinLines);
+        },
+        "along a line of one pixel llvmpipe interpolates by its longer axis, while equation 3.5 of "
+        "OpenGL 2.1 projects the centre of the pixel on it: the sweep has thin lines without textures"},
     RandomSkip{"half-points",
                [](const Comparison& each) {
                    return each.pair.has(RendererKind::Reference) && anyDrawn(each.random.scene, isHalfAPoint);

@@ -288,14 +288,12 @@ Value listOf(Kind kind, const std::vector<glm::vec4>& elements) {
 }
 
 std::size_t listSize(const Value& value) {
-    return std::visit(
-        [](const auto& held) -> std::size_t {
-            if constexpr (requires { held.resize(0); } && !std::is_same_v<decltype(held), const std::string&>)
-                return held.size();
-            else
-                return 0;
-        },
-        value);
+    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&value))
+        return points->size();
+    if (const auto* vectors = std::get_if<std::vector<glm::vec4>>(&value))
+        return vectors->size();
+    const auto* indices = std::get_if<std::vector<int>>(&value);
+    return indices ? indices->size() : 0;
 }
 
 bool isList(Kind kind) {

@@ -156,6 +156,142 @@ TEST(Probe, GeneratesAndTransformsCoordinates) {
     }
 }
 
+// The light stands to the right: (0.6, 0, 0.8). s grows to the right, too, and t upwards.
+TEST(Probe, MovesCoordinatesTowardsTheLight) {
+    Flat flat;
+    flat.scene.light.position = {3, 0, 4, 0};
+    Unit& unit = flat.scene.passes[0].units[0];
+    EXPECT_FALSE(flat.unit(3, 0).embosses);
+    EXPECT_TRUE(isNear(flat.unit(3, 0).pixel.embossed, {0.875F, 0.125F, 0, 1}));
+    unit.emboss = {true, 0.1F, LightCarrier::Inverse};
+    unit.matrix = {{.op = MatrixOp::Translate, .amount = {0, 0.5F, 0}}};
+    UnitExplanation found = flat.unit(3, 0);
+    EXPECT_TRUE(found.embosses);
+    EXPECT_TRUE(isNear(found.pixel.given, {0.875F, 0.125F, 0, 1}));
+    EXPECT_TRUE(isNear(found.pixel.embossed, {0.935F, 0.125F, 0, 1}));
+    EXPECT_TRUE(isNear(found.pixel.generated, {0.935F, 0.125F, 0, 1}));
+    EXPECT_TRUE(isNear(found.pixel.transformed, {0.935F, 0.625F, 0, 1}));
+    EXPECT_NEAR(found.coords.s, 0.935F, 1e-5F);
+    // What is generated takes the place of what was moved.
+    unit.texGenS = {true, TexGenMode::ObjectLinear, {2, 0, 0, 3}, {}};
+    found = flat.unit(3, 0);
+    EXPECT_TRUE(isNear(found.pixel.embossed, {0.935F, 0.125F, 0, 1}));
+    EXPECT_TRUE(isNear(found.pixel.generated, {4.5F, 0.125F, 0, 1}));
+}
+
+/// The same with vertices of its own, at the centres of these pixels of 4 x 4.
+struct FlatMesh : Flat {
+    FlatMesh(Primitive primitive, const std::vector<glm::vec2>& pixels) {
+        MeshData& mesh = scene.models[0].mesh;
+        scene.models[0].shape = Shape::Mesh;
+        mesh.primitive = primitive;
+        for (const glm::vec2& pixel : pixels)
+            mesh.positions.emplace_back((pixel + 0.5F) / 2.0F - 1.0F, 0);
+    }
+};
+
+// From pixel 0 to pixel 3: a third of the way at pixel 1.
+TEST(Probe, ExplainsALine) {
+    FlatMesh flat(Primitive::Lines, {{0, 3}, {3, 3}, {0, 1}, {3, 1}});
+    Model& model = flat.scene.models[0];
+    model.mesh.colors = {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 0.25F}};
+    model.mesh.texCoords = {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0.25F, 0, 1}, {3, 0.25F, 0, 1}};
+    const FragmentExplanation fragment = flat.fragment(1, 1);
+    EXPECT_EQ(fragment.shape, Shape::Mesh);
+    EXPECT_EQ(fragment.part, 1U);
+    EXPECT_EQ(fragment.face, "Line 2");
+    EXPECT_TRUE(fragment.coloredVertices);
+    EXPECT_TRUE(isNear(fragment.primary, {2.0F / 3, 1.0F / 3, 0, 0.75F}));
+    ASSERT_EQ(fragment.vertices.size(), 2U);
+    EXPECT_EQ(fragment.vertices[0].vertex, 2U);
+    EXPECT_EQ(fragment.vertices[1].vertex, 3U);
+    EXPECT_NEAR(fragment.vertices[0].weight, 2.0F / 3, 1e-5F);
+    EXPECT_NEAR(fragment.vertices[1].weight, 1.0F / 3, 1e-5F);
+    EXPECT_EQ(fragment.vertices[1].primary, glm::vec4(0, 1, 0, 0.25F));
+    ASSERT_EQ(fragment.units.size(), 1U);
+    ASSERT_EQ(fragment.units[0].vertices.size(), 2U);
+    EXPECT_TRUE(isNear(fragment.units[0].pixel.given, {1, 0.25F, 0, 1}));
+    EXPECT_NEAR(fragment.units[0].derivatives.dx.s, 1, 1e-5F);
+    EXPECT_NEAR(fragment.units[0].derivatives.dy.s, 0, 1e-5F);
+    EXPECT_TRUE(flat.at(3, 1).fragments.empty()) << "it ends in that pixel's diamond";
+    EXPECT_TRUE(flat.at(1, 2).fragments.empty());
+    // Three pixels wide: those above and below are the same.
+    model.lineWidth = 3;
+    EXPECT_EQ(flat.at(1, 2).fragments.size(), 2U) << "both reach it";
+    const FragmentExplanation below = flat.fragment(1, 0);
+    EXPECT_TRUE(isNear(below.primary, {2.0F / 3, 1.0F / 3, 0, 0.75F}));
+    EXPECT_NEAR(below.vertices[0].weight, 2.0F / 3, 1e-5F);
+}
+
+TEST(Probe, ExplainsAPoint) {
+    FlatMesh flat(Primitive::Points, {{0, 0}, {2, 2}});
+    Model& model = flat.scene.models[0];
+    model.mesh.texCoords = {{0, 0, 0, 1}, {0.75F, 0.25F, 0, 1}};
+    model.pointSize = 3;
+    flat.scene.material.color = {0.5F, 0.25F, 1, 1};
+    const FragmentExplanation fragment = flat.fragment(3, 1);
+    EXPECT_EQ(fragment.part, 1U);
+    EXPECT_EQ(fragment.face, "Points");
+    EXPECT_FALSE(fragment.coloredVertices);
+    EXPECT_EQ(fragment.primary, glm::vec4(0.5F, 0.25F, 1, 1));
+    ASSERT_EQ(fragment.vertices.size(), 1U);
+    EXPECT_EQ(fragment.vertices[0].vertex, 1U);
+    EXPECT_FLOAT_EQ(fragment.vertices[0].weight, 1);
+    ASSERT_EQ(fragment.units.size(), 1U);
+    EXPECT_EQ(fragment.units[0].coords, glm::vec3(0.75F, 0.25F, 0));
+    EXPECT_EQ(fragment.units[0].derivatives.dx, glm::vec3(0));
+    EXPECT_EQ(flat.at(1, 1).fragments.size(), 2U) << "both squares";
+}
+
+// 0 1 2, then 2 1 3: the last vertex is the last one of the strip.
+TEST(Probe, SaysWhichPartOfAStripItIs) {
+    const FlatMesh flat(Primitive::TriangleStrip,
+                        {{-0.5F, -0.5F}, {3.5F, -0.5F}, {-0.5F, 3.5F}, {3.5F, 3.5F}});
+    const FragmentExplanation first = flat.fragment(0, 0);
+    EXPECT_EQ(first.part, 0U);
+    const FragmentExplanation second = flat.fragment(3, 3);
+    EXPECT_EQ(second.part, 1U);
+    ASSERT_EQ(second.vertices.size(), 3U);
+    EXPECT_EQ(second.vertices[0].vertex, 2U);
+    EXPECT_EQ(second.vertices[1].vertex, 1U);
+    EXPECT_EQ(second.vertices[2].vertex, 3U);
+}
+
+TEST(Probe, FindsTheModelsThatAPassNames) {
+    Flat flat;
+    flat.scene.models.resize(3, flat.scene.models[0]);
+    flat.scene.passes[0].models = {2, 0};
+    const Explanation found = flat.at(1, 1);
+    ASSERT_EQ(found.fragments.size(), 2U);
+    EXPECT_EQ(found.fragments[0].model, 2);
+    EXPECT_EQ(found.fragments[1].model, 0);
+    flat.scene.models[2].visible = false;
+    EXPECT_EQ(flat.fragment(1, 1).model, 0);
+}
+
+// Of a material of the model's own, which tracks no colour: 0.25 of the scene's ambient light, and what it
+// shines.
+TEST(Probe, TakesTheModelsOwnMaterial) {
+    Flat flat;
+    flat.scene.passes[0].lighting = true;
+    flat.scene.light.position = {0, 0, -1, 0}; // from behind
+    flat.scene.light.modelAmbient = {0.5F, 0.5F, 0.5F, 1};
+    flat.scene.material.emission = {1, 1, 1, 1};
+    Model& model = flat.scene.models[0];
+    model.ownMaterial = true;
+    model.material.colorMaterial = false;
+    model.material.ambient = {0.25F, 0.25F, 0.25F, 1};
+    model.material.diffuse = {1, 1, 1, 0.5F};
+    model.material.emission = {0.5F, 0, 0.125F, 1};
+    const FragmentExplanation fragment = flat.fragment(0, 0);
+    for (const VertexExplanation& vertex : fragment.vertices) {
+        ASSERT_TRUE(vertex.lighting);
+        EXPECT_TRUE(isNear({vertex.lighting->emission, 0}, {0.5F, 0, 0.125F, 0}));
+        EXPECT_TRUE(isNear({vertex.lighting->scene, 0}, {0.125F, 0.125F, 0.125F, 0}));
+    }
+    EXPECT_TRUE(isNear(fragment.primary, {0.625F, 0.125F, 0.25F, 0.5F}));
+}
+
 // The square faces the viewer, and so does the light: n . VP = n . h = 1.
 TEST(Probe, TakesTheLightApart) {
     Flat flat;
@@ -338,6 +474,105 @@ void showOnly(Scene& scene, Shape shape) {
     scene.models[0] = Model{};
     scene.models[0].shape = shape;
 }
+
+/// Eight vertices in two rows, with all that a vertex may have, near to the camera and far away.
+void showMesh(Scene& scene, Primitive primitive) {
+    showOnly(scene, Shape::Mesh);
+    MeshData& mesh = scene.models[0].mesh;
+    mesh.primitive = primitive;
+    for (int i = 0; i < 8; ++i) {
+        const auto at = static_cast<float>(i);
+        mesh.positions.emplace_back(at / 2 - 1.75F, i % 2 == 0 ? -1.5F : 1.25F, at - 4);
+        mesh.normals.emplace_back(at / 8 - 0.5F, 0.25F, 1);
+        mesh.colors.emplace_back(at / 8, 1 - at / 8, i % 2 == 0 ? 0.25F : 1.0F, 1);
+        mesh.texCoords.emplace_back(at / 2, i % 2 == 0 ? 0 : 2, 0, 1 + at / 8);
+    }
+    scene.models[0].lineWidth = 5;
+    scene.models[0].pointSize = 4;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, EveryPixel,
+    testing::Values(Case{"Points",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::Points);
+                             it.models[0].pointSize = 7;
+                         }},
+                    Case{"Lines", [](Scene& it) { showMesh(it, Primitive::Lines); }},
+                    Case{"ThinLines",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::LineLoop);
+                             it.models[0].lineWidth = 1;
+                         }},
+                    Case{"EvenLines",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::LineStrip);
+                             it.models[0].lineWidth = 4;
+                             it.passes[0].lighting = false;
+                         }},
+                    Case{"FlatLines",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::LineLoop);
+                             it.material.shadeModel = ShadeModel::Flat;
+                         }},
+                    Case{"LinesAcrossTheEye",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::LineStrip);
+                             it.view.distance = 1;
+                         }},
+                    Case{"LinesStraightAcross",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::LineStrip);
+                             it.view.perspectiveHint = HintMode::Fastest;
+                         }},
+                    Case{"BlendedPoints",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::Points);
+                             it.models[0].pointSize = 12;
+                             it.passes[0].blend = true;
+                             it.passes[0].blendSrc = BlendFactor::OneMinusDstColor;
+                             it.passes[0].blendDst = BlendFactor::One;
+                         }},
+                    Case{"Fan", [](Scene& it) { showMesh(it, Primitive::TriangleFan); }},
+                    Case{"QuadStrip",
+                         [](Scene& it) {
+                             showMesh(it, Primitive::QuadStrip);
+                             it.material.shadeModel = ShadeModel::Flat;
+                         }},
+                    Case{"Torus", [](Scene& it) { showOnly(it, Shape::Torus); }},
+                    Case{"Cone",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Cylinder);
+                             it.models[0].topRadius = 0;
+                             it.models[0].scale = {1.5F, 1, 0.5F};
+                         }},
+                    Case{"Embossed",
+                         [](Scene& it) {
+                             it.passes[0].units[0].emboss = {true, 0.1F, LightCarrier::Inverse};
+                             it.passes[0].units[1] = it.passes[0].units[0];
+                             it.passes[0].units[1].emboss.carrier = LightCarrier::Transpose;
+                         }},
+                    Case{"Materials",
+                         [](Scene& it) {
+                             it.material.colorMaterial = false;
+                             it.models[1].ownMaterial = true;
+                             it.models[1].material.emission = {0.5F, 0.25F, 0, 1};
+                         }},
+                    Case{"NamedModels",
+                         [](Scene& it) {
+                             it.passes.resize(2, it.passes[0]);
+                             it.passes[0].models = {1};
+                             it.passes[1].models = {1, 0};
+                             it.passes[1].depthFunc = CompareFunc::LessEqual;
+                         }},
+                    Case{"BeforeTheEye",
+                         [](Scene& it) {
+                             it.view.roll = 30;
+                             it.models[0].attachment = Attachment::Eye;
+                             it.models[0].position.z = -5;
+                             it.models[0].rotationOrder = RotationOrder::Xzy;
+                         }}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     All, EveryPixel,

@@ -40,6 +40,18 @@ std::string textOf(void (*change)(Scene& scene)) {
     return text;
 }
 
+/// Two lines through the middle of the picture, or a point there, with colours of their own.
+void showMesh(Scene& scene, Primitive primitive) {
+    Model& model = scene.models[0];
+    model.shape = Shape::Mesh;
+    model.mesh.primitive = primitive;
+    model.mesh.positions = {{-1, 0, 0}, {1, 0, 0}};
+    model.mesh.colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};
+    if (primitive == Primitive::Points)
+        model.mesh.positions[1].x = 0;
+    scene.passes[0].lighting = false;
+}
+
 struct Case {
     const char* name;
     void (*change)(Scene& scene);
@@ -54,6 +66,27 @@ INSTANTIATE_TEST_SUITE_P(
     All, Steps,
     testing::Values(
         Case{"Title", [](Scene&) {}, "Square, Front, triangle 1 (models[0], pass 0): drawn"},
+        Case{"TitleOfALine", [](Scene& it) { showMesh(it, Primitive::Lines); },
+             "Mesh, Line 1, line 0 (models[0], pass 0): drawn\nLine: 50 %, 50 %\nvertex | 0 | 1\n"},
+        Case{"TitleOfAPoint", [](Scene& it) { showMesh(it, Primitive::Points); },
+             "Mesh, Points, point 1 (models[0], pass 0): drawn\nPoint: 100 %\nvertex | 1\n"},
+        Case{"ColorsOfVertices", [](Scene& it) { showMesh(it, Primitive::Lines); },
+             "Lighting is off: the colours of the vertices, interpolated.\nvertex | 0 | 1\n"
+             "colour | 1 0 0 1 | 0 0 1 1\n"},
+        Case{"CoordinatesOfALine", [](Scene& it) { showMesh(it, Primitive::Lines); },
+             "given | s | t | r | q\n  at vertex 0 | 0.0000 | 0.0000 | 0.0000 | 1.0000\n"
+             "  at vertex 1 | 0.0000 | 0.0000 | 0.0000 | 1.0000\n  here"},
+        Case{
+            "Embossed",
+            [](Scene& it) {
+                it.light.position = {3, 0, 4, 0};
+                it.passes[0].units[0].emboss = {true, 0.5F, LightCarrier::Inverse};
+                it.models[0].texCoords[0] = {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}};
+                for (std::size_t i = 0; i < 4; ++i) // the square's own, a quarter as large
+                    it.models[0].texCoords[0][i] =
+                        glm::vec4(i == 1 || i == 2 ? 0.25F : 0.0F, i > 1 ? 0.25F : 0.0F, 0, 1);
+            },
+            "\nmoved towards the light | s | t | r | q\n  at vertex 0 | 0.3000 | 0.0000 | 0.0000 | 1.0000\n"},
         Case{"Flat", [](Scene& it) { it.material.shadeModel = ShadeModel::Flat; }, "Flat shading"},
         Case{"Unlit", [](Scene& it) { it.passes[0].lighting = false; }, "Lighting is off"},
         Case{"Magnified", [](Scene& it) { it.passes[0].units[0].lodBias = -16; },

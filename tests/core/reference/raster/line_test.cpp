@@ -443,6 +443,19 @@ TEST(LineValues, RunFromOneEndToTheOther) {
     }
 }
 
+// Pixel 1, 1 of a line from pixel 0, 0 to 8, 4: (1, 1)(8, 4) / 80 = 0.15. A wide line has copies of one
+// fragment there, all of them an eighth of the way along x.
+TEST(LineValues, AreThoseOfThePlaceNextToThePixel) {
+    Drawing drawing;
+    for (const auto& [width, expected] : {std::pair{1.0F, 0.15F}, std::pair{3.0F, 0.125F}}) {
+        const auto line = setUpLine(vertexAt({0.5F, 0.5F}, 0, 1, wide), vertexAt({8.5F, 4.5F}, 1, 1, wide),
+                                    width, drawing.state, wide, true);
+        ASSERT_TRUE(line);
+        EXPECT_EQ(rowsOf({*line}, wide)[14][1], '#');
+        EXPECT_NEAR(valueAt(line->primary, *line, 1, 1).r, expected, 1e-6F);
+    }
+}
+
 // Equation 3.6: in the middle of the window, between w = 1 and w = 4,
 // (0.5 * 0 / 1 + 0.5 * 1 / 4) / (0.5 / 1 + 0.5 / 4) = 0.125 / 0.625.
 TEST(LineValues, AreThoseOfThePerspective) {

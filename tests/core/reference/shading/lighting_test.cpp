@@ -96,7 +96,7 @@ TEST(AReflectance, IsTheCurrentColorUnderColorMaterial) {
     }
 }
 
-// OpenGL's own material and model, a white light straight ahead: 0.2 * 0.2 + 0.8, as NeHe's lessons have it.
+// OpenGL's own material and model, a white light straight ahead: 0.2 * 0.2 + 0.8.
 TEST(ColorsOfALitVertex, HaveGlsOwnMaterialWithoutColorMaterial) {
     Material material;
     material.colorMaterial = false;
