@@ -126,8 +126,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     textures->keepOnly(scene);
     meshes.beginFrame();
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
-        const std::vector<std::size_t> models = drawnModels(scene, scene.passes[i]);
-        if (models.empty())
+        if (!scene.passes[i].enabled)
             continue;
         const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
@@ -137,7 +136,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             continue;
         std::array<CoordUse, maxUnits> uses{};
         std::ranges::transform(bound, uses.begin(), coordUseOf);
-        for (const std::size_t m : models) {
+        for (const std::size_t m : drawnModels(scene, scene.passes[i])) {
             const Model& model = scene.models[m];
             meshes.bind(scene, scene.passes[i], m, time, uses);
             applyLineAndPoint(model);

@@ -27,27 +27,26 @@ void hiddenModel(const Case& about, Report& report) {
 /// A parameter of a shape, and the shapes that have it.
 struct ShapeRow {
     Key key;
-    std::string_view what;
     std::vector<Shape> shapes;
 };
 
 void otherShape(const Case& about, Report& report) {
     const std::vector round{Shape::Sphere, Shape::Cylinder, Shape::Disk, Shape::PartialDisk, Shape::Torus};
     const std::array rows{
-        ShapeRow{keyOf<&Model::slices>, "slices", round},
-        ShapeRow{keyOf<&Model::stacks>, "stacks", round},
-        ShapeRow{keyOf<&Model::topRadius>, "top radius", {Shape::Cylinder}},
-        ShapeRow{keyOf<&Model::innerRadius>, "inner radius", {Shape::Disk, Shape::PartialDisk}},
-        ShapeRow{keyOf<&Model::tubeRadius>, "tube", {Shape::Torus}},
-        ShapeRow{keyOf<&Model::startAngle>, "start angle", {Shape::PartialDisk}},
-        ShapeRow{keyOf<&Model::sweepAngle>, "sweep angle", {Shape::PartialDisk}},
-        ShapeRow{keyOf<&Model::mesh>, "vertices of its own", {Shape::Mesh}},
+        ShapeRow{keyOf<&Model::slices>, round},
+        ShapeRow{keyOf<&Model::stacks>, round},
+        ShapeRow{keyOf<&Model::topRadius>, {Shape::Cylinder}},
+        ShapeRow{keyOf<&Model::innerRadius>, {Shape::Disk, Shape::PartialDisk}},
+        ShapeRow{keyOf<&Model::tubeRadius>, {Shape::Torus}},
+        ShapeRow{keyOf<&Model::startAngle>, {Shape::PartialDisk}},
+        ShapeRow{keyOf<&Model::sweepAngle>, {Shape::PartialDisk}},
+        ShapeRow{keyOf<&Model::mesh>, {Shape::Mesh}},
     };
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Shape shape = about.scene.models[m].shape;
         for (const ShapeRow& row : rows) {
             if (std::ranges::find(row.shapes, shape) == row.shapes.end())
-                report.add(modelPath(m, row.key()), fmt::format("a {} has no {}", nameOf(shape), row.what));
+                report.add(modelPath(m, row.key()), fmt::format("a {} has none", nameOf(shape)));
         }
     }
 }

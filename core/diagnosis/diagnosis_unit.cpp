@@ -356,7 +356,6 @@ void embossOff(const Case& about, Report& report) {
 /// A parameter of a step, and the operations that read it.
 struct OperationRow {
     Key key;
-    std::string_view what;
     std::span<const MatrixOp> operations;
 };
 constexpr std::array amounts{MatrixOp::Translate, MatrixOp::Rotate, MatrixOp::Scale};
@@ -364,12 +363,9 @@ constexpr std::array angles{MatrixOp::Rotate};
 constexpr std::array pivots{MatrixOp::Rotate, MatrixOp::Scale};
 constexpr std::array matrices{MatrixOp::Multiply, MatrixOp::Load};
 constexpr std::array operationRows{
-    OperationRow{keyOf<&MatrixStep::amount>, "amount", amounts},
-    OperationRow{keyOf<&MatrixStep::rate>, "rate", amounts},
-    OperationRow{keyOf<&MatrixStep::angle>, "angle", angles},
-    OperationRow{keyOf<&MatrixStep::angleRate>, "angle", angles},
-    OperationRow{keyOf<&MatrixStep::pivot>, "pivot", pivots},
-    OperationRow{keyOf<&MatrixStep::matrix>, "matrix", matrices},
+    OperationRow{keyOf<&MatrixStep::amount>, amounts}, OperationRow{keyOf<&MatrixStep::rate>, amounts},
+    OperationRow{keyOf<&MatrixStep::angle>, angles},   OperationRow{keyOf<&MatrixStep::angleRate>, angles},
+    OperationRow{keyOf<&MatrixStep::pivot>, pivots},   OperationRow{keyOf<&MatrixStep::matrix>, matrices},
 };
 
 void otherOperation(const Case& about, Report& report) {
@@ -377,9 +373,12 @@ void otherOperation(const Case& about, Report& report) {
         for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
             const std::string step = fmt::format("{}{}.", path, elementOf<&Unit::matrix>(i));
             for (const OperationRow& row : operationRows) {
-                const MatrixOp op = unit.matrix[i].op;
-                if (std::ranges::find(row.operations, op) == row.operations.end())
-                    report.add(step + row.key(), fmt::format("{} takes no {}", nameOf(op), row.what));
+                if (std::ranges::find(row.operations, unit.matrix[i].op) != row.operations.end())
+                    continue;
+                std::string readers;
+                for (const MatrixOp op : row.operations)
+                    readers += (readers.empty() ? "" : ", ") + nameOf(op);
+                report.add(step + row.key(), fmt::format("only these steps read it: {}", readers));
             }
         }
     });

@@ -1,7 +1,6 @@
 #include "core/reference/sampling/texture_store.h"
 
 #include "core/reference/sampling/completeness.h"
-#include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
 
@@ -67,7 +66,7 @@ void TextureStore::keepOnly(const Scene& scene) {
     std::erase_if(slots_, [&scene](const auto& entry) {
         const auto& [index, target] = entry.first;
         return std::ranges::none_of(scene.passes, [&, index = index, target = target](const Pass& pass) {
-            return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+            return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
                        return unit.enabled && std::cmp_equal(unit.texture, index) && unit.target == target;
                    });
         });

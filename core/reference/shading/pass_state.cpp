@@ -1,7 +1,6 @@
 #include "core/reference/shading/pass_state.h"
 
 #include "core/scene/animation.h"
-#include "core/scene/drawn_models.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -37,8 +36,8 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
         const Pass& pass = scene.passes[i];
         PassState& state = states.emplace_back();
         state.pass = &pass;
-        if (!drawsAnything(scene, pass))
-            continue; // its textures aren't needed
+        if (!pass.enabled)
+            continue;
         state.perspective = scene.view.perspectiveHint != HintMode::Fastest;
         state.flat = scene.material.shadeModel == ShadeModel::Flat;
         state.separateSpecular = pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;

@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(
                 R"(texture[0]: no such parameter; did you mean "textures"?)"},
         Refusal{
             "Unknown", "material.roughness", "1",
-            "material.roughness: no such parameter; expected one of color, specular, shininess, shadeModel"},
+            "material.roughness: no such parameter; expected one of color, colorMaterial, ambient, diffuse, specular, emission, shininess, shadeModel"},
         Refusal{"NoIndex", "textures.minFilter", "GL_LINEAR",
                 "textures: an index is needed, as in textures[0]; the scene has 1"},
         Refusal{"IndexTooLarge", "textures[3].minFilter", "GL_LINEAR",
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                 R"(textures[0: no such parameter; did you mean "textures"?)"},
         Refusal{
             "TooShort", "material", "1",
-            "material: it has parameters of its own; expected one of color, specular, shininess, shadeModel"},
+            "material: it has parameters of its own; expected one of color, colorMaterial, ambient, diffuse, specular, emission, shininess, shadeModel"},
         Refusal{"TooLong", "view.azimuth.degrees", "1",
                 "view.azimuth: it is a value and has no parts, expected the path to end here"},
         Refusal{"Value", "view.azimuth", "north",
@@ -125,7 +125,7 @@ TEST(ParamPath, VisitsInTableOrder) {
     forEachParam(defaultScene(),
                  [&](const std::string& path, const ParamRow&, const Value&) { paths.push_back(path); });
     EXPECT_EQ(paths.front(), "view.azimuth");
-    EXPECT_EQ(paths.back(), "passes[0].units[3].texGenQ.eyePlane");
+    EXPECT_EQ(paths.back(), "passes[0].units[3].emboss.carrier");
     EXPECT_EQ(std::ranges::count(paths, "models[1].texCoords3"), 1);
 }
 
