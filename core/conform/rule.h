@@ -137,9 +137,9 @@ inline constexpr Rule outline{
 inline constexpr Rule lines{
     "lines",
     2,
-    0.998,
+    0.9995,
     Tolerance::TexelEdge,
-    0.999,
+    0.9995,
     0.98,
     "Which pixels a line covers is said for exact ends; they are snapped to 1/256 of a pixel "
     "(GL_SUBPIXEL_BITS). Where a side of it, or of the diamond that it ends in, passes a pixel's centre as "

@@ -133,7 +133,7 @@ Scene quadrics(int number, Dice& state, Dice& values) {
     Scene scene = litSurface(shape, state, values);
     Model& model = scene.models[0];
     model.slices = 3 + values.below(30);
-    model.stacks = 2 + values.below(15);
+    model.stacks = 3 + values.below(14); // a torus of two is flat, and lies on itself
     model.topRadius = extreme ? 0 : values.number(0.2F, 1.2F);
     model.innerRadius = extreme ? 0 : values.number(0.1F, 0.8F);
     model.tubeRadius = extreme ? 0.05F : values.number(0.1F, 0.6F);

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <fcntl.h>
 #include <map>
 #include <memory>
 #include <spawn.h>
@@ -31,14 +32,13 @@ public:
     explicit Driver(const char* gallium) {
         int toChild[2];
         int fromChild[2];
-        if (pipe(toChild) != 0 || pipe(fromChild) != 0)
+        // Another driver's process that held an end of these would keep this one from ever reaching the end.
+        if (pipe2(toChild, O_CLOEXEC) != 0 || pipe2(fromChild, O_CLOEXEC) != 0)
             return;
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, toChild[0], 0);
         posix_spawn_file_actions_adddup2(&actions, fromChild[1], 1);
-        for (const int end : {toChild[0], toChild[1], fromChild[0], fromChild[1]})
-            posix_spawn_file_actions_addclose(&actions, end);
 
         std::string program = DRIVER_FRAMES;
         char* arguments[] = {program.data(), nullptr};
@@ -116,6 +116,8 @@ void driverFrame(benchmark::State& state, const char* gallium, const char* scene
 void frameReference(benchmark::State& state, const Scene& scene, unsigned threads) {
     reference::ReferenceRenderer renderer;
     const reference::DrawRequest request{scene, {}, 0, frameWidth, frameHeight};
+    static_cast<void>(
+        renderer.draw(request, {.threads = threads})); // a first time: textures, as the drivers have
     for (auto _ : state) {
         const auto drawn = renderer.draw(request, {.threads = threads});
         if (!drawn || !drawn->problems.empty())

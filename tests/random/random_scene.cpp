@@ -277,7 +277,10 @@ void takeAwayWhatDiffers(Scene& scene) {
         model.pointSize = std::round(model.pointSize);
         const int width = reference::roundedSize(model.lineWidth);
         model.lineWidth = static_cast<float>(std::max(3, width - (width % 2 == 0 ? 1 : 0)));
-        if (drawsAPartTwice(model)) {
+        if (drawsAPartTwice(model) && model.shape == Shape::Torus) {
+            model.stacks = minStacks + 1;
+            model.texCoords = {}; // which don't fit any more
+        } else if (drawsAPartTwice(model)) {
             model.mesh.primitive = Primitive::Points;
             model.mesh.indices.clear();
         }

@@ -88,6 +88,10 @@ TEST(RandomScenes, DrawSomePartsTwice) {
     EXPECT_TRUE(drawsAPartTwice(model));
     model.mesh.indices = {0, 1, 2};
     EXPECT_FALSE(drawsAPartTwice(model));
+    model.shape = Shape::Torus;
+    EXPECT_FALSE(drawsAPartTwice(model));
+    model.stacks = 2;
+    EXPECT_TRUE(drawsAPartTwice(model));
 }
 
 TEST(RandomScene, WithoutFilesHasPatternsAlone) {

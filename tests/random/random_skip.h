@@ -45,7 +45,8 @@ struct Skipped {
 /// anisotropy.
 [[nodiscard]] bool isEndless(const RandomScene& random, const conform::Driver& driver);
 
-/// Whether a mesh has the same triangle, line or point twice, as random indices may have it.
+/// Whether a mesh has the same triangle, line or point twice, as random indices may have it, or a torus is
+/// flat and lies on itself.
 [[nodiscard]] bool drawsAPartTwice(const Model& model);
 
 /// The reason that belongs to a skip's name.
