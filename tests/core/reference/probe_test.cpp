@@ -482,7 +482,7 @@ void showMesh(Scene& scene, Primitive primitive) {
     mesh.primitive = primitive;
     for (int i = 0; i < 8; ++i) {
         const auto at = static_cast<float>(i);
-        mesh.positions.emplace_back(at / 2 - 1.75F, i % 2 == 0 ? -1.5F : 1.25F, at - 4);
+        mesh.positions.emplace_back(at / 2 - 1.75F, i % 2 == 0 ? -1.5F : 1.25F, 2 - at / 2);
         mesh.normals.emplace_back(at / 8 - 0.5F, 0.25F, 1);
         mesh.colors.emplace_back(at / 8, 1 - at / 8, i % 2 == 0 ? 0.25F : 1.0F, 1);
         mesh.texCoords.emplace_back(at / 2, i % 2 == 0 ? 0 : 2, 0, 1 + at / 8);
