@@ -94,7 +94,8 @@ void applyMaterial(const Material& material) {
     glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, glm::value_ptr(material.emission));
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, material.shininess);
     if (material.colorMaterial) {
-        // The mode first: enabling copies the current colour at once into what the mode names (section 2.14.3).
+        // The mode first: enabling copies the current colour at once into what the mode names
+        // (section 2.14.3).
         glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
         glColor4fv(glm::value_ptr(material.color));
         glEnable(GL_COLOR_MATERIAL);

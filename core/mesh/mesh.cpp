@@ -19,8 +19,9 @@ constexpr float maxRadius = 1000;
 int clampSlices(int slices) {
     return std::clamp(slices, minSlices, maxSubdivision);
 }
-int clampStacks(int stacks) {
-    return std::clamp(stacks, minStacks, maxSubdivision);
+int clampStacks(Shape shape, int stacks) {
+    const int least = shape == Shape::Torus ? 3 : minStacks; // a tube of two sides is flat
+    return std::clamp(stacks, least, maxSubdivision);
 }
 float clampRadius(float radius, float greatest) {
     return std::fmin(std::fmax(radius, 0.0F), greatest); // what is no number becomes 0
@@ -32,7 +33,7 @@ float finiteAngle(float degrees) {
 ShapeOptions withinLimits(const ShapeOptions& options) {
     return {.shape = options.shape,
             .slices = clampSlices(options.slices),
-            .stacks = clampStacks(options.stacks),
+            .stacks = clampStacks(options.shape, options.stacks),
             .topRadius = clampRadius(options.topRadius, maxRadius),
             .innerRadius = clampRadius(options.innerRadius, 1),
             .tubeRadius = clampRadius(options.tubeRadius, maxRadius),
@@ -147,7 +148,7 @@ std::size_t vertexCount(const ShapeOptions& options) {
     case Shape::PartialDisk:
     case Shape::Torus:
         return static_cast<std::size_t>(clampSlices(options.slices) + 1) *
-               static_cast<std::size_t>(clampStacks(options.stacks) + 1);
+               static_cast<std::size_t>(clampStacks(options.shape, options.stacks) + 1);
     case Shape::Quad:
     case Shape::Floor:
         return 4;

@@ -78,9 +78,10 @@ inline constexpr int maxSubdivision = 256;
 /// What a shape is made from. Each number counts for the shapes that it names.
 struct ShapeOptions {
     Shape shape = Shape::Cube;
-    int slices = 32;     ///< around the axis: sphere, cylinder, disks, torus; 3 to 256
-    int stacks = 16;     ///< sphere, cylinder: along the axis; disks: rings; torus: around its tube; 2 to 256
-    float topRadius = 1; ///< cylinder
+    int slices = 32; ///< around the axis: sphere, cylinder, disks, torus; 3 to 256
+    int stacks =
+        16; ///< sphere, cylinder: along the axis; disks: rings; torus: around its tube, at least 3; 2 to 256
+    float topRadius = 1;     ///< cylinder
     float innerRadius = 0;   ///< disks: of the hole, 0 to 1
     float tubeRadius = 0.4F; ///< torus
     float startAngle = 0;    ///< partial disk: degrees from +y towards +x

@@ -18,7 +18,7 @@ struct MeshData {
     std::vector<glm::vec3> normals{};   ///< of any length above 0; empty: +z, as glNormal begins with
     std::vector<glm::vec4> colors{};    ///< takes the place of glColor; empty: glColor
     std::vector<glm::vec4> texCoords{}; ///< s, t, r, q for every unit; empty: (0, 0, 0, 1), as glTexCoord
-    std::vector<int> indices{};         ///< the vertices in the order in which they are drawn; empty: as given
+    std::vector<int> indices{}; ///< the vertices in the order in which they are drawn; empty: as given
 
     bool operator==(const MeshData&) const = default;
 };

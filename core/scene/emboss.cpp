@@ -26,8 +26,11 @@ std::vector<Tangents> tangentsOf(const Mesh& mesh, const TexCoords& coords) {
         const glm::vec3 origin = mesh.vertices[corners[0]].position;
         const glm::vec3 ab = mesh.vertices[corners[1]].position - origin;
         const glm::vec3 ac = mesh.vertices[corners[2]].position - origin;
-        const glm::vec2 abCoords = glm::vec2(coords[corners[1]]) - glm::vec2(coords[corners[0]]);
-        const glm::vec2 acCoords = glm::vec2(coords[corners[2]]) - glm::vec2(coords[corners[0]]);
+        const auto placeOf = [&](std::uint32_t corner) {
+            return glm::vec2(coords[corner]) / coords[corner].q;
+        };
+        const glm::vec2 abCoords = placeOf(corners[1]) - placeOf(corners[0]);
+        const glm::vec2 acCoords = placeOf(corners[2]) - placeOf(corners[0]);
         const float area = abCoords.s * acCoords.t - abCoords.t * acCoords.s;
         if (area == 0 || !std::isfinite(area))
             continue; // s and t say no direction here

@@ -71,12 +71,13 @@ INSTANTIATE_TEST_SUITE_P(
                  scene.passes[0].units[0].target = Target::Texture3D;
              },
              "textures[0]: 16 x 2 x 1 texels exceed the driver's 15 for GL_TEXTURE_3D; drawn without it"},
-        Case{"GlErrorOfTheMaterial",
-             [](Scene& scene, Caps&) {
-                 scene.passes[0].units[0].enabled = false;
-                 scene.material.shininess = 200;
-             },
-             "models[0]: glMaterial, glLineWidth, glPointSize: GL_INVALID_VALUE (A number is out of range.)"}),
+        Case{
+            "GlErrorOfTheMaterial",
+            [](Scene& scene, Caps&) {
+                scene.passes[0].units[0].enabled = false;
+                scene.material.shininess = 200;
+            },
+            "models[0]: glMaterial, glLineWidth, glPointSize: GL_INVALID_VALUE (A number is out of range.)"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 class Problems : public RenderTest {};

@@ -43,7 +43,8 @@ void forEachCorner(const Scene& scene, double time, Visit visit) {
 } // namespace
 
 void orbit(View& view, float dx, float dy) {
-    // Beyond a pole the camera hangs upside down: what goes around the axis goes the other way in the picture.
+    // Beyond a pole the camera hangs upside down: what goes around the axis goes the other way in the
+    // picture.
     const float sideways = std::abs(view.elevation) > 90 ? -dx : dx;
     view.azimuth = std::remainder(view.azimuth - sideways * degreesPerPixel, 360.0F);
     view.elevation = std::remainder(view.elevation + dy * degreesPerPixel, 360.0F);

@@ -105,6 +105,11 @@ Step primaryStep(const FragmentExplanation& fragment) {
         perCorner("= primary, clamped", fragment,
                   [](const auto& v) { return vectorText(glm::vec3(v.primary)); }),
     };
+    const bool emits = std::ranges::any_of(
+        fragment.vertices, [](const VertexExplanation& v) { return v.lighting->emission != glm::vec3(0); });
+    if (emits)
+        step.rows.insert(step.rows.begin() + 3,
+                         perCorner("emission", fragment, term(&LightingTerms::emission)));
     step.rows.push_back({fragment.flat ? "Flat shading: the colour of the last vertex."
                                        : "Smooth shading: interpolated between the vertices."});
     if (fragment.separateSpecular)
