@@ -94,7 +94,7 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
     }
     const auto fragments = stepsOf(explanation);
     if (fragments.empty())
-        text += "\nNo triangle covers it: it shows the background.\n";
+        text += "\nNothing covers it: it shows the background.\n";
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         text += fmt::format("\nfragment {} of {}: {}: {}\n", i + 1, fragments.size(), fragments[i].title,
                             fragments[i].outcome);

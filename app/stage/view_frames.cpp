@@ -47,8 +47,10 @@ void ViewFrames::addProblems(const std::vector<std::string>& problems) {
 
 ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
     ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true};
-    Result<view::Frame> frame = graphics_.draw(kind, ui::shownScene(session), session.document.images,
-                                               session.window.playback.time, size, session.services.levels);
+    Scene stepped;
+    Result<view::Frame> frame =
+        graphics_.draw(kind, ui::shownScene(session, stepped), session.document.images,
+                       session.window.playback.time, size, session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;
@@ -72,8 +74,9 @@ ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view
 }
 
 ui::ViewFrame ViewFrames::drawReference(ui::Session& session, view::Size size) {
+    Scene stepped;
     const reference::DrawWorker::Frame& picture = session.services.reference.frame(
-        {ui::shownScene(session), session.document.images, session.window.playback.time, size.width,
+        {ui::shownScene(session, stepped), session.document.images, session.window.playback.time, size.width,
          size.height, session.window.view.anisotropy});
     const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,

@@ -17,7 +17,7 @@ bool isBlack(const glm::vec4& color) {
     return color.r == 0 && color.g == 0 && color.b == 0;
 }
 
-/// The materials of the models that are drawn lit, each once; of a scene that draws none, its own.
+/// The materials of the models that are drawn, each once; of a scene that draws none, its own.
 std::vector<const Material*> materialsOf(const Scene& scene) {
     std::vector<const Material*> found;
     for (const Pass& pass : scene.passes) {
@@ -58,6 +58,13 @@ bool movesCoordinates(const Scene& scene) {
     });
 }
 
+/// Whether glShadeModel matters without lighting.
+bool hasVertexColors(const Scene& scene) {
+    return std::ranges::any_of(scene.models, [](const Model& model) {
+        return model.shape == Shape::Mesh && !model.mesh.colors.empty();
+    });
+}
+
 void addAll(Report& report, std::initializer_list<Key> paths, const char* reason) {
     for (const Key path : paths)
         report.add(path(), reason);
@@ -95,9 +102,7 @@ void noLight(const Case& about, Report& report) {
                 pathOf<&Scene::material, &Material::specular>, pathOf<&Scene::material, &Material::emission>,
                 pathOf<&Scene::material, &Material::shininess>},
                "no pass has lighting");
-        if (std::ranges::none_of(scene.models, [](const Model& model) {
-                return model.shape == Shape::Mesh && !model.mesh.colors.empty();
-            }))
+        if (!hasVertexColors(scene))
             report.add(pathOf<&Scene::material, &Material::shadeModel>(),
                        "without lighting all vertices have the same colour");
         return;
@@ -113,13 +118,17 @@ void noLight(const Case& about, Report& report) {
                {pathOf<&Scene::light, &Light::ambient>, pathOf<&Scene::light, &Light::diffuse>,
                 pathOf<&Scene::light, &Light::modelAmbient>},
                blocked);
-    if (!shown && !addsHighlight(scene))
-        return addAll(
-            report,
-            {pathOf<&Scene::light, &Light::position>, pathOf<&Scene::light, &Light::specular>,
-             pathOf<&Scene::light, &Light::localViewer>, pathOf<&Scene::material, &Material::specular>,
-             pathOf<&Scene::material, &Material::shininess>, pathOf<&Scene::material, &Material::shadeModel>},
-            blocked);
+    if (!shown && !addsHighlight(scene)) {
+        if (!movesCoordinates(scene))
+            addAll(report, {pathOf<&Scene::light, &Light::position>}, blocked);
+        if (!hasVertexColors(scene))
+            addAll(report, {pathOf<&Scene::material, &Material::shadeModel>}, blocked);
+        return addAll(report,
+                      {pathOf<&Scene::light, &Light::specular>, pathOf<&Scene::light, &Light::localViewer>,
+                       pathOf<&Scene::material, &Material::specular>,
+                       pathOf<&Scene::material, &Material::shininess>},
+                      blocked);
+    }
     if (dull) {
         report.add(isDull(scene) ? pathOf<&Scene::light, &Light::specular>()
                                  : pathOf<&Scene::material, &Material::specular>(),

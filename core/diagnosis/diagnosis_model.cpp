@@ -2,6 +2,7 @@
 
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -82,8 +83,14 @@ void sharedMaterial(const Case& about, Report& report) {
 void emptyMesh(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Model& model = about.scene.models[m];
-        if (model.shape == Shape::Mesh && model.mesh.positions.empty())
-            report.add(modelPath(m, keyOf<&Model::shape>()), "the mesh has no vertices: nothing is drawn");
+        if (model.shape != Shape::Mesh)
+            continue;
+        const Mesh mesh = meshOf(model);
+        if (mesh.triangles.empty() && mesh.lines.empty() && mesh.points.empty())
+            report.add(modelPath(m, keyOf<&Model::shape>()),
+                       model.mesh.positions.empty()
+                           ? "the mesh has no vertices: nothing is drawn"
+                           : "the mesh has too few vertices for its primitive: nothing is drawn");
     }
 }
 

@@ -28,6 +28,14 @@ void passOff(const Case& about, Report& report) {
     }
 }
 
+void emptyPass(const Case& about, Report& report) {
+    forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        if (!pass.models.empty() && !drawsAnything(about.scene, pass))
+            report.add(path + keyOf<&Pass::models>(),
+                       "all models that this pass names are hidden: it draws nothing");
+    });
+}
+
 void nothingPasses(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (pass.alphaTest && pass.alphaFunc == CompareFunc::Never)
@@ -135,10 +143,13 @@ std::string texCoordsPath(std::size_t model, std::size_t unit) {
 void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            const bool on = std::ranges::any_of(
-                about.scene.passes, [&](const Pass& pass) { return pass.enabled && pass.units[u].enabled; });
+            const auto draws = [&](const Pass& pass) {
+                const std::vector<std::size_t> drawn = drawnModels(about.scene, pass);
+                return pass.units[u].enabled && std::ranges::find(drawn, m) != drawn.end();
+            };
+            const bool on = std::ranges::any_of(about.scene.passes, draws);
             const bool ownQ = std::ranges::any_of(about.scene.passes, [&](const Pass& pass) {
-                return pass.enabled && pass.units[u].enabled && !pass.units[u].texGenQ.enabled;
+                return draws(pass) && !pass.units[u].texGenQ.enabled;
             });
             if (!on)
                 continue;
@@ -208,6 +219,7 @@ constexpr std::array passRuleRows{
     Rule{"infinite-coordinate", Severity::Error, infiniteCoordinates},
     Rule{"zero-q-of-vertex", Severity::Warning, zeroQ},
     Rule{"nothing-passes", Severity::Warning, nothingPasses},
+    Rule{"empty-pass", Severity::Warning, emptyPass},
     Rule{"hidden-pass", Severity::Warning, hiddenPass},
     Rule{"no-depth-test", Severity::Warning, noDepthTest},
     Rule{"ignored-hint", Severity::Warning, ignoredHint},

@@ -296,7 +296,7 @@ void drawExplainTab(Session& session, const Pictures& pictures) {
         drawTexelLine(session);
         const auto fragments = reference::stepsOf(*explanation);
         if (fragments.empty())
-            ImGui::TextWrapped("No triangle covers it: it shows the background.");
+            ImGui::TextWrapped("Nothing covers it: it shows the background.");
         const reference::FragmentExplanation* seen = explanation->seen();
         // First what one sees, then the rest in the order of drawing.
         for (std::size_t i = 0; i < fragments.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
+#include "core/scene/params/keys.h"
 
 #include <glm/glm.hpp>
 
@@ -68,8 +69,9 @@ void frameModels(Scene& scene, double time, float aspect) {
         low = glm::min(low, corner);
         high = glm::max(high, corner);
     });
+    const Range& range = findParam(viewTable(), keyOf<&View::target>())->range;
     if (low.x <= high.x)
-        scene.view.target = (low + high) / 2.0F;
+        scene.view.target = glm::clamp(low / 2.0F + high / 2.0F, range.min, range.max);
     fitDistance(scene, time, aspect);
 }
 

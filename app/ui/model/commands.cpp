@@ -194,9 +194,25 @@ void addSteps(const Scene& scene, std::vector<std::vector<Command>>& blocks) {
         const std::string path = elementOf<&Scene::passes>(p);
         for (std::size_t u = 0; u < maxUnits && pass.enabled; ++u) {
             const std::string unit = fmt::format("{}.{}", path, elementOf<&Pass::units>(u));
-            for (std::size_t i = 0; i < pass.units[u].matrix.size() && pass.units[u].enabled; ++i)
-                insertAfter(unit, stepCommands(pass.units[u].matrix[i],
-                                               fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i))));
+            if (!pass.units[u].enabled || pass.units[u].matrix.empty())
+                continue;
+            const auto call = [&](std::string text) {
+                return Command{Command::Kind::Call, std::move(text),
+                               fmt::format("{}.{}", unit, keyOf<&Unit::matrix>()), true};
+            };
+            std::vector<Command> steps;
+            for (std::size_t i = 0; i < pass.units[u].matrix.size(); ++i) {
+                for (Command& each : stepCommands(pass.units[u].matrix[i],
+                                                  fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i)))) {
+                    steps.push_back(std::move(each));
+                    if (steps.size() == 1) // behind the first heading
+                        for (const char* text : {"glMatrixMode(GL_TEXTURE);", "glLoadIdentity();"})
+                            steps.push_back(call(text));
+                }
+            }
+            steps.insert(steps.begin() + 1, call(fmt::format("glActiveTexture(GL_TEXTURE{});", u)));
+            steps.push_back(call("glMatrixMode(GL_MODELVIEW);"));
+            insertAfter(unit, std::move(steps));
         }
         std::string names;
         for (const std::size_t model : drawnModels(scene, pass))

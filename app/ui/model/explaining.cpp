@@ -22,8 +22,9 @@ std::shared_ptr<const Image> lightFrom(const reference::Contributions& found) {
 }
 
 reference::DrawRequest pictureNow(const Session& session, int width, int height) {
+    Scene stepped;
     return {
-        shownScene(session),           session.document.images, session.window.playback.time, width, height,
+        shownScene(session, stepped),  session.document.images, session.window.playback.time, width, height,
         session.window.view.anisotropy};
 }
 

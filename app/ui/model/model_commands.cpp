@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace texplorer::ui {
@@ -49,10 +50,17 @@ void addPlacement(CallList& calls, const Model& model) {
     calls.add(fmt::format("glScalef({})", numbers(scale)), keyOf<&Model::size>(), scale != glm::vec3(1));
 }
 
-void addMaterial(CallList& calls, const Model& model) {
+/// Whether what one model sets would reach the next: then each sets its own.
+bool materialsDiffer(const Scene& scene) {
+    return std::ranges::any_of(scene.models, [](const Model& model) {
+        return model.ownMaterial || (model.shape == Shape::Mesh && !model.mesh.colors.empty());
+    });
+}
+
+void addMaterial(CallList& calls, const Material& material) {
     static const Material initial;
     for (const ParamRow& row : modelMaterialTable().params) {
-        const Value value = row.read(&model.material);
+        const Value value = row.read(&material);
         calls.add(formatCall(row, value), fmt::format("{}.{}", keyOf<&Model::material>(), row.key),
                   value != row.read(&initial));
     }
@@ -122,8 +130,8 @@ std::vector<Command> modelCommands(const Scene& scene, std::size_t index) {
     CallList calls(path, path);
     calls.add("glPushMatrix()");
     addPlacement(calls, model);
-    if (model.ownMaterial)
-        addMaterial(calls, model);
+    if (materialsDiffer(scene))
+        addMaterial(calls, materialOf(scene, model));
     addShape(calls, model);
     calls.add("glPopMatrix()");
     return std::move(calls).take();

@@ -143,6 +143,11 @@ Result<void> saveScene(Session& session, const fs::path& path) {
     const fs::path folder = file.parent_path();
     const Scene scene = rebased(session.document.scene, session.document.images.directory(), folder);
     const std::string text = writeScene(scene);
+    if (text.size() > maxSceneBytes) // and what is there stays
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("the scene takes {} bytes, and no more than {} are read again", text.size(),
+                                maxSceneBytes),
+                    file.string());
     if (Result<void> written = writeFileAtomically(file, viewBytes(text)); !written)
         return written;
     if (absolutePath(session.document.images.directory()) != folder || session.document.file.empty()) {

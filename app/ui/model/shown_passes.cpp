@@ -11,10 +11,13 @@ std::size_t shownPasses(const Session& session) {
     return std::min(count, static_cast<std::size_t>(session.window.selection.pass) + 1);
 }
 
-Scene shownScene(const Session& session) {
-    Scene scene = session.document.scene;
-    scene.passes.resize(shownPasses(session));
-    return scene;
+const Scene& shownScene(const Session& session, Scene& stepped) {
+    const std::size_t shown = shownPasses(session);
+    if (shown == session.document.scene.passes.size())
+        return session.document.scene;
+    stepped = session.document.scene;
+    stepped.passes.resize(shown);
+    return stepped;
 }
 
 } // namespace texplorer::ui

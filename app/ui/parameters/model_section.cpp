@@ -36,7 +36,9 @@ void addModel(Session& session) {
     if (chosen < scene.models.size()) {
         model = scene.models[chosen];
         model.visible = true;
-        model.position.x += 2.5F * model.size * model.scale.x;
+        const Range& range = findParam(modelTable(), keyOf<&Model::position>())->range;
+        model.position.x =
+            std::clamp(model.position.x + 2.5F * model.size * model.scale.x, range.min, range.max);
         at = chosen + 1;
     }
     scene.models.insert(scene.models.begin() + static_cast<std::ptrdiff_t>(at), model);

@@ -4,6 +4,8 @@
 #include "core/scene/drawn_models.h"
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -15,20 +17,33 @@ Model* firstOf(Scene& scene, Shape shape) {
     return found == scene.models.end() ? nullptr : &*found;
 }
 
+/// Takes models away, from the last one on, until there is room for one of each shape.
+void makeRoom(Scene& scene, std::span<const Shape> shapes) {
+    const auto isWanted = [&](const Model& model) {
+        return std::ranges::find(shapes, model.shape) != shapes.end();
+    };
+    const auto missing = static_cast<std::size_t>(
+        std::ranges::count_if(shapes, [&](Shape shape) { return firstOf(scene, shape) == nullptr; }));
+    for (std::size_t i = scene.models.size(); i-- > 0 && scene.models.size() + missing > maxModels;) {
+        if (isWanted(scene.models[i]))
+            continue;
+        scene.models.erase(scene.models.begin() + static_cast<std::ptrdiff_t>(i));
+        modelRemoved(scene, i);
+    }
+}
+
 void reveal(Scene& scene, Shape shape) {
     if (!firstOf(scene, shape)) {
-        if (scene.models.size() >= maxModels) {
-            scene.models.pop_back();
-            modelRemoved(scene, scene.models.size());
-        }
         Model model;
         model.shape = shape;
         if (shape == Shape::Sphere)
             model.size = 1.25F;
         scene.models.push_back(model);
-        drawEverywhere(scene, scene.models.size() - 1);
     }
-    firstOf(scene, shape)->visible = true;
+    Model* model = firstOf(scene, shape);
+    model->visible = true;
+    if (const auto index = static_cast<std::size_t>(model - scene.models.data()); !isDrawn(scene, index))
+        drawEverywhere(scene, index);
 }
 
 Shape shapeOf(Show show) {
@@ -49,6 +64,9 @@ Shape shapeOf(Show show) {
 void showOnly(Scene& scene, Show show, double time, float aspect) {
     for (Model& model : scene.models)
         model.visible = false;
+    const std::vector<Shape> shapes =
+        show == Show::CubeAndSphere ? std::vector{Shape::Cube, Shape::Sphere} : std::vector{shapeOf(show)};
+    makeRoom(scene, shapes);
     reveal(scene, shapeOf(show));
     if (show == Show::CubeAndSphere) {
         reveal(scene, Shape::Sphere);
@@ -78,9 +96,9 @@ void showOnly(Scene& scene, Show show, double time, float aspect) {
 
 std::optional<Show> shownNow(const Scene& scene) {
     std::vector<Shape> shapes;
-    for (const Model& model : scene.models) {
-        if (model.visible)
-            shapes.push_back(model.shape);
+    for (std::size_t i = 0; i < scene.models.size(); ++i) {
+        if (isDrawn(scene, i))
+            shapes.push_back(scene.models[i].shape);
     }
     std::ranges::sort(shapes);
     if (shapes == std::vector{Shape::Cube, Shape::Sphere})

@@ -54,6 +54,11 @@ void resetEverything(Session& session) {
         for (Unit& unit : pass.units)
             unit = Unit{.enabled = unit.enabled, .target = unit.target, .texture = unit.texture};
     }
+    for (Model& model : scene.models) {
+        model.ownMaterial = false;
+        model.material = {};
+        model.lineWidth = model.pointSize = 1;
+    }
     scene.light = {};
     scene.material = {};
     sealEdit(session);

@@ -39,9 +39,11 @@ constexpr std::array modelRows{
     param<&Model::slices>("slices", "Shape", "Slices", "",
                           "How many strips a round shape has around its axis.",
                           {minSlices, maxSubdivision, 0.2F, {}}),
-    param<&Model::stacks>("stacks", "Shape", "Stacks", "",
-                          "How many rings a round shape has: from pole to pole, or from the rim inwards.",
-                          {minStacks, maxSubdivision, 0.2F, {}}),
+    param<&Model::stacks>(
+        "stacks", "Shape", "Stacks", "",
+        "How many rings a round shape has: along its axis, around a torus's tube, or from a disk's rim "
+        "inwards.",
+        {minStacks, maxSubdivision, 0.2F, {}}),
     param<&Model::topRadius>("topRadius", "Shape", "Top radius", "",
                              "Of a cylinder, whose base has the radius 1; 0 makes a cone.",
                              {0, 10, 0.01F, {}}),

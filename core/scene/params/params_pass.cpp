@@ -13,8 +13,8 @@ constexpr std::array passRows{
     param<&Pass::name>("name", "Pass", "Name", "", "What it is called in lists. It changes nothing else."),
     list<&Pass::models>(
         "models", "Pass", "Models", "",
-        "Which models this pass draws, counted from 0 and in this order. An empty list: all of them.",
-        maxModels, {0, static_cast<float>(maxModels - 1), 1, {}}),
+        "Which models this pass draws, counted from 0 and in this order. No list: all of them.", maxModels,
+        {0, static_cast<float>(maxModels - 1), 1, {}}),
     param<&Pass::lighting>(
         "lighting", "Lighting", "Lighting", "glEnable(GL_LIGHTING)",
         "Whether light 0 decides the fragment's colour. Without it the colour is glColor alone."),

@@ -72,7 +72,7 @@ class Probe(Texshot):
     def test_where_nothing_is_drawn_it_says_so(self):
         said = self.succeeds("probe", self.scene, "--size", "8x8", "--at", "0,0", "--no-gl",
                              "--set", "models[0].size=0.5", "--set", "view.background=0,0.5,1,1")
-        self.assertIn(b"No triangle covers it: it shows the background", said)
+        self.assertIn(b"Nothing covers it: it shows the background", said)
         self.assertIn(b"reference  0 128 255", said)
 
     def test_a_texel_is_found_in_the_pixels_that_read_it(self):

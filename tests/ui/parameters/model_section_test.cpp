@@ -151,7 +151,8 @@ TEST_F(ModelSection, StepsThroughThePasses) {
     EXPECT_EQ(shownPasses(*session), 1U);
     press("pass:1");
     EXPECT_EQ(shownPasses(*session), 2U);
-    EXPECT_EQ(shownScene(*session).passes.size(), 2U);
+    Scene stepped;
+    EXPECT_EQ(shownScene(*session, stepped).passes.size(), 2U);
     EXPECT_EQ(this->scene().passes.size(), 3U) << "the scene itself stays as it is";
     press("step through passes");
     EXPECT_EQ(shownPasses(*session), 3U);
