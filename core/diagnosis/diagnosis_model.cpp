@@ -2,7 +2,6 @@
 
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/scene/drawn_models.h"
-#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -80,15 +79,33 @@ void sharedMaterial(const Case& about, Report& report) {
     }
 }
 
+/// How many vertices the first part of a primitive takes (section 2.6.1).
+std::size_t leastVertices(Primitive primitive) {
+    switch (primitive) {
+    case Primitive::Points:
+        return 1;
+    case Primitive::Lines:
+    case Primitive::LineLoop:
+    case Primitive::LineStrip:
+        return 2;
+    case Primitive::Quads:
+    case Primitive::QuadStrip:
+        return 4;
+    default:
+        return 3;
+    }
+}
+
 void emptyMesh(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Model& model = about.scene.models[m];
         if (model.shape != Shape::Mesh)
             continue;
-        const Mesh mesh = meshOf(model);
-        if (mesh.triangles.empty() && mesh.lines.empty() && mesh.points.empty())
+        const MeshData& mesh = model.mesh;
+        const std::size_t given = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
+        if (given < leastVertices(mesh.primitive))
             report.add(modelPath(m, keyOf<&Model::shape>()),
-                       model.mesh.positions.empty()
+                       mesh.positions.empty()
                            ? "the mesh has no vertices: nothing is drawn"
                            : "the mesh has too few vertices for its primitive: nothing is drawn");
     }

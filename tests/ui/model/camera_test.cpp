@@ -2,7 +2,9 @@
 #include "app/ui/view/show.h"
 #include "core/mesh/mesh.h"
 #include "core/scene/animation.h"
+#include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
+#include "core/scene/params/json.h"
 
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
@@ -63,6 +65,32 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Fit,
                                          Case{"Orthographic", 1.3F, Projection::Orthographic},
                                          Case{"NarrowOrthographic", 0.5F, Projection::Orthographic}),
                          [](const auto& test) { return test.param.name; });
+
+TEST(Show, MakesRoomAmongAsManyModelsAsThereMayBe) {
+    Scene scene = defaultScene();
+    scene.models.assign(maxModels, Model{.shape = Shape::Quad});
+    scene.passes[0].models = {0, static_cast<int>(maxModels) - 1};
+    showOnly(scene, Show::CubeAndSphere, 0, 1);
+    EXPECT_EQ(scene.models.size(), maxModels);
+    EXPECT_EQ(shownNow(scene), Show::CubeAndSphere);
+}
+
+/// Whatever the passes named before.
+TEST(Show, WhatIsShownIsDrawn) {
+    Scene scene = defaultScene();
+    scene.passes[0].models = {0};
+    showOnly(scene, Show::Sphere, 0, 1);
+    EXPECT_TRUE(isDrawn(scene, 1));
+    EXPECT_EQ(shownNow(scene), Show::Sphere);
+}
+
+TEST(Camera, AimsNoFurtherThanAFileMaySay) {
+    Scene scene = defaultScene();
+    scene.models.assign(1, Model{.shape = Shape::Mesh});
+    scene.models[0].mesh.positions = {{0, 0, 0}, {1e5F, 0, 0}, {3e38F, 3e38F, 0}};
+    frameModels(scene, 0, 1);
+    EXPECT_TRUE(parseScene(writeScene(scene)));
+}
 
 TEST(Camera, GoesOverThePolesAndKeepsItsAnglesInRange) {
     View view;

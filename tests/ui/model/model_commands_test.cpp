@@ -100,6 +100,8 @@ TEST(ModelCommands, SetAnOwnMaterial) {
     EXPECT_THAT(texts(modelCommands(scene, 0)), Not(Contains("glEnable(GL_COLOR_MATERIAL);")));
     scene.models[0].ownMaterial = true;
     EXPECT_THAT(texts(modelCommands(scene, 0)), Contains("glEnable(GL_COLOR_MATERIAL);"));
+    EXPECT_THAT(texts(modelCommands(scene, 1)), Contains("glEnable(GL_COLOR_MATERIAL);"))
+        << "or it would have that of the model before";
 }
 
 TEST(StepCommands, MakeTheTextureMatrix) {
@@ -130,6 +132,11 @@ TEST(Commands, NameTheModelsOfAPassAndFollowItsUnits) {
     EXPECT_THAT(all, Contains("passes[0].units[0].matrix[0]"));
     EXPECT_LT(at("passes[0].units[0]"), at("passes[0].units[0].matrix[0]"));
     EXPECT_LT(at("passes[0].units[0].matrix[0]"), at("passes[1].units[0]"));
+    EXPECT_LT(at("passes[0].units[0].matrix[0]"), at("glActiveTexture(GL_TEXTURE0);"));
+    EXPECT_LT(at("glActiveTexture(GL_TEXTURE0);"), at("glMatrixMode(GL_TEXTURE);"));
+    EXPECT_LT(at("glMatrixMode(GL_TEXTURE);"), at("glTranslatef(0.5, 0, 0);"));
+    const auto step = std::ranges::find(all, "glTranslatef(0.5, 0, 0);");
+    EXPECT_NE(std::find(step, all.end(), "glMatrixMode(GL_MODELVIEW);"), all.end()) << "models come next";
     EXPECT_LT(at("passes[1] draws models[1], models[0]"), at("models[0]"));
     scene.models[1].visible = false;
     EXPECT_THAT(texts(commandsOf(scene)), Not(Contains("models[1]"))) << "nothing draws it";

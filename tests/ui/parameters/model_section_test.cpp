@@ -55,6 +55,15 @@ TEST_F(ModelSection, AddsAModelLikeTheChosenOneBesideIt) {
     EXPECT_THAT(scene().passes[1].models, ElementsAre(2, 0));
 }
 
+TEST_F(ModelSection, StaysWhereAFileCanSayIt) {
+    Scene scene = three();
+    scene.models[0].size = 100;
+    scene.models[0].scale.x = 100;
+    startWith(scene, "Model");
+    press("add model");
+    EXPECT_EQ(this->scene().models[1].position.x, 1000);
+}
+
 TEST_F(ModelSection, ReordersModelsAndPassesGoOnNamingTheSame) {
     startWith(three(), "Model");
     press("model down");
