@@ -2,6 +2,7 @@
 
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -51,23 +52,12 @@ void otherShape(const Case& about, Report& report) {
     }
 }
 
-bool hasLines(const Model& model) {
-    const Primitive primitive = model.mesh.primitive;
-    return model.shape == Shape::Mesh &&
-           (primitive == Primitive::Lines || primitive == Primitive::LineStrip ||
-            primitive == Primitive::LineLoop);
-}
-
-bool hasPoints(const Model& model) {
-    return model.shape == Shape::Mesh && model.mesh.primitive == Primitive::Points;
-}
-
 void otherPrimitive(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Model& model = about.scene.models[m];
-        if (!hasLines(model))
+        if (partCorners(model) != 2)
             report.add(modelPath(m, keyOf<&Model::lineWidth>()), "it has no lines");
-        if (!hasPoints(model))
+        if (partCorners(model) != 1)
             report.add(modelPath(m, keyOf<&Model::pointSize>()), "it has no points");
     }
 }
@@ -81,19 +71,8 @@ void sharedMaterial(const Case& about, Report& report) {
 
 /// How many vertices the first part of a primitive takes (section 2.6.1).
 std::size_t leastVertices(Primitive primitive) {
-    switch (primitive) {
-    case Primitive::Points:
-        return 1;
-    case Primitive::Lines:
-    case Primitive::LineLoop:
-    case Primitive::LineStrip:
-        return 2;
-    case Primitive::Quads:
-    case Primitive::QuadStrip:
-        return 4;
-    default:
-        return 3;
-    }
+    const bool quads = primitive == Primitive::Quads || primitive == Primitive::QuadStrip;
+    return quads ? 4 : static_cast<std::size_t>(partCorners(primitive));
 }
 
 void emptyMesh(const Case& about, Report& report) {

@@ -2,6 +2,7 @@
 
 #include "core/diagnosis/diagnosis_rules.h"
 #include "core/scene/drawn_models.h"
+#include "core/scene/model_mesh.h"
 
 #include <fmt/core.h>
 
@@ -74,9 +75,8 @@ void hiddenPass(const Case& about, Report& report) {
 
 /// Lines, points, or triangles in one plane of constant z.
 bool isFlat(const MeshData& mesh) {
-    const bool thin = mesh.primitive == Primitive::Points || mesh.primitive == Primitive::Lines ||
-                      mesh.primitive == Primitive::LineStrip || mesh.primitive == Primitive::LineLoop;
-    return thin || std::ranges::all_of(mesh.positions, [&](const glm::vec3& position) {
+    return partCorners(mesh.primitive) < 3 ||
+           std::ranges::all_of(mesh.positions, [&](const glm::vec3& position) {
                return position.z == mesh.positions.front().z;
            });
 }

@@ -15,6 +15,23 @@ std::size_t vertexCountOf(const Model& model) {
     return model.shape == Shape::Mesh ? model.mesh.positions.size() : vertexCount(shapeOptions(model));
 }
 
+int partCorners(Primitive primitive) {
+    switch (primitive) {
+    case Primitive::Points:
+        return 1;
+    case Primitive::Lines:
+    case Primitive::LineLoop:
+    case Primitive::LineStrip:
+        return 2;
+    default:
+        return 3;
+    }
+}
+
+int partCorners(const Model& model) {
+    return model.shape == Shape::Mesh ? partCorners(model.mesh.primitive) : 3;
+}
+
 bool isClosed(const Model& model) {
     return model.shape == Shape::Cube || model.shape == Shape::Sphere || model.shape == Shape::Torus;
 }

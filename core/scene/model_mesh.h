@@ -13,6 +13,12 @@ namespace texplorer {
 /// What the shape is made from.
 [[nodiscard]] ShapeOptions shapeOptions(const Model& model);
 
+/// How many corners the parts of a primitive have: 1 of points, 2 of lines, 3 of all that become triangles.
+[[nodiscard]] int partCorners(Primitive primitive);
+
+/// The same of what a model is drawn as.
+[[nodiscard]] int partCorners(const Model& model);
+
 /// Whether one can't see the inner side of its faces.
 [[nodiscard]] bool isClosed(const Model& model);
 

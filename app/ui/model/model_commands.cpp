@@ -68,13 +68,11 @@ void addMaterial(CallList& calls, const Material& material) {
 
 void addVertices(CallList& calls, const Model& model) {
     const MeshData& mesh = model.mesh;
-    const Mesh made = meshOf(model);
-    if (!made.lines.empty())
-        calls.add(fmt::format("glLineWidth({})", formatNumber(model.lineWidth)), keyOf<&Model::lineWidth>(),
-                  model.lineWidth != 1);
-    if (!made.points.empty())
-        calls.add(fmt::format("glPointSize({})", formatNumber(model.pointSize)), keyOf<&Model::pointSize>(),
-                  model.pointSize != 1);
+    static const Model initial;
+    const Key size = partCorners(model) == 2 ? Key(keyOf<&Model::lineWidth>) : keyOf<&Model::pointSize>;
+    const ParamRow& row = *findParam(modelTable(), size());
+    if (partCorners(model) < 3)
+        calls.add(formatCall(row, row.read(&model)), size(), row.read(&model) != row.read(&initial));
     const std::string_view primitive = rowOf(mesh.primitive).name;
     calls.add(mesh.indices.empty() ? fmt::format("glDrawArrays({}, 0, {})", primitive, mesh.positions.size())
                                    : fmt::format("glDrawElements({}, {}, GL_UNSIGNED_INT, indices)",
