@@ -34,7 +34,7 @@ std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const Prepa
     if (!levels)
         return nullptr;
     const SharedSurface& base = levels->levels.front().surface;
-    return std::make_shared<const Image>(render::asRgba8(toImage(*base), request.settings.internalFormat));
+    return std::make_shared<const Image>(render::asRgba8(toImage(*base), baseFormat(request.settings.internalFormat)));
 }
 
 } // namespace

@@ -42,7 +42,7 @@ public:
         for (int i = 0; i < maxUnits; ++i) {
             const auto at = static_cast<std::size_t>(i);
             if (textures[at].name != 0)
-                applyUnit(i, scene.passes[pass].units[at], textures[at], time);
+                applyUnit(i, scene.passes[pass].units[at], textures[at], time, scene.light);
             else if (i < textureUnits_)
                 switchUnitOff(i);
             errors.check(fmt::format("passes[{}].units[{}]: glTexEnv, glTexGen", pass, i));

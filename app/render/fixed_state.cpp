@@ -121,7 +121,8 @@ void switchUnitOff(int index) {
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
 }
 
-void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time) {
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time,
+               const Light& light) {
     switchUnitOff(index); // a pass before this one may have used another target, which could take precedence
     const auto target = static_cast<GLenum>(unit.target);
     glBindTexture(target, texture.name);
@@ -139,7 +140,7 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
         glTranslatef(0, 1, 0);
         glScalef(1, -1, 1);
     }
-    glMultMatrixf(glm::value_ptr(textureMatrix(unit.matrix, time)));
+    glMultMatrixf(glm::value_ptr(textureMatrix(unit.matrix, time, light)));
 }
 
 } // namespace texplorer::render

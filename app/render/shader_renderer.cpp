@@ -69,7 +69,7 @@ glm::mat4 flippedMatrix() {
 }
 
 void setUnit(const ShaderProgram& program, int index, const Unit& unit, const SampledUnit& sampled,
-             const BoundTexture& texture, double time) {
+             const BoundTexture& texture, double time, const Light& light) {
     const std::string number = std::to_string(index);
     program.set("texture" + number, index);
     program.set("environmentColor" + number, glm::clamp(unit.envColor, 0.0F, 1.0F));
@@ -79,7 +79,7 @@ void setUnit(const ShaderProgram& program, int index, const Unit& unit, const Sa
     setTexGen(program, fmt::format("plane{}r", number), unit.texGenR);
     setTexGen(program, fmt::format("plane{}q", number), unit.texGenQ);
     if (hasTextureMatrix(unit, sampled)) {
-        const glm::mat4 matrix = textureMatrix(unit.matrix, time);
+        const glm::mat4 matrix = textureMatrix(unit.matrix, time, light);
         program.set("textureMatrix" + number,
                     sampled.lateFlip == LateFlip::Matrix ? flippedMatrix() * matrix : matrix);
     }
@@ -127,7 +127,7 @@ public:
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
             glBindTexture(static_cast<GLenum>(unit.target), textures[at].name);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it adds to the shader's
-            setUnit(*program_, i, unit, *units[at], textures[at], time);
+            setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);
         }
         errors.check(where + ": glUniform");
         return true;

@@ -12,22 +12,23 @@ namespace texplorer::render {
 namespace {
 
 /// A sized format, so that what is stored has eight bits a component on every driver (table 3.16).
-GLint sizedFormat(BaseFormat format) {
+GLint sizedFormat(InternalFormat format) {
     switch (format) {
-    case BaseFormat::Alpha:
+    case InternalFormat::Alpha:
         return GL_ALPHA8;
-    case BaseFormat::Luminance:
+    case InternalFormat::Luminance:
         return GL_LUMINANCE8;
-    case BaseFormat::LuminanceAlpha:
+    case InternalFormat::LuminanceAlpha:
         return GL_LUMINANCE8_ALPHA8;
-    case BaseFormat::Intensity:
+    case InternalFormat::Intensity:
         return GL_INTENSITY8;
-    case BaseFormat::Rgb:
+    case InternalFormat::Rgb:
         return GL_RGB8;
-    case BaseFormat::Rgba:
+    case InternalFormat::Rgba:
         return GL_RGBA8;
+    default:
+        return static_cast<GLint>(format);
     }
-    return GL_RGBA8;
 }
 
 GLenum pixelFormat(PixelFormat format) {
@@ -155,7 +156,7 @@ TextureObject::TextureObject(Target target)
     : handle_(TextureHandle::create())
     , target_(static_cast<GLenum>(target)) {}
 
-TextureObject::TextureObject(Target target, BaseFormat format, const TextureLevels& levels,
+TextureObject::TextureObject(Target target, InternalFormat format, const TextureLevels& levels,
                              std::string_view where, GlErrors& errors)
     : TextureObject(target) {
     UploadCursor cursor{format, 0, 0};

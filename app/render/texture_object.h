@@ -12,9 +12,9 @@ namespace texplorer::render {
 
 /// How far an upload has got.
 struct UploadCursor {
-    BaseFormat format = BaseFormat::Rgba; ///< of levels that are pixels
-    std::size_t level = 0;                ///< index of the next one
-    int row = 0;                          ///< the next one of it; the next slice for a volume
+    InternalFormat format = InternalFormat::Rgba; ///< of levels that are pixels
+    std::size_t level = 0;                        ///< index of the next one
+    int row = 0;                                  ///< the next one of it; the next slice for a volume
 };
 
 /// A GL texture object: images that never change, and parameters that follow a Texture of the scene.
@@ -27,8 +27,8 @@ public:
 
     /// Uploads every level to a new texture object: blocks as they are, pixels with 8 bits a component of
     /// `format`, or compressed by the driver where the levels ask for it. GL errors are reported as `where`.
-    TextureObject(Target target, BaseFormat format, const TextureLevels& levels, std::string_view where,
-                  GlErrors& errors);
+    TextureObject(Target target, InternalFormat format, const TextureLevels& levels,
+                  std::string_view where, GlErrors& errors);
 
     /// Uploads about `bytes` more of the levels; driver's compression counts for its slowness. True where all
     /// are there. `levels` must be the same with every call.

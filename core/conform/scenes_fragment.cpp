@@ -80,7 +80,7 @@ constexpr std::array definedDecals{BaseFormat::Rgb, BaseFormat::Rgba};
 void setEnvironment(Unit& unit, Texture& texture, Dice& state) {
     unit.envMode = state.any<EnvMode>();
     texture.internalFormat =
-        unit.envMode == EnvMode::Decal ? state.of(definedDecals) : state.any<BaseFormat>();
+        internalFormat(unit.envMode == EnvMode::Decal ? state.of(definedDecals) : state.any<BaseFormat>());
 }
 
 } // namespace
@@ -89,7 +89,7 @@ Scene environment(int number, Dice& state, Dice& values) {
     Scene scene = texturedQuad(state.of(coloredSources), values);
     Unit& unit = scene.passes[0].units[0];
     unit.envMode = pick<EnvMode>(number);
-    scene.textures[0].internalFormat = pick<BaseFormat>(number);
+    scene.textures[0].internalFormat = internalFormat(pick<BaseFormat>(number));
     unit.envColor = values.color();
     return scene;
 }

@@ -47,7 +47,7 @@ constexpr std::array skipRows{
         [](const Scene& scene, const Pair&, const Driver&) {
             return anyUnit(scene, [](const Unit& unit, const Texture& texture) {
                 return unit.envMode == EnvMode::Decal && !isCompressed(texture) &&
-                       !isDefinedDecal(texture.internalFormat);
+                       !isDefinedDecal(baseFormat(texture.internalFormat));
             });
         },
         "GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.21)"},

@@ -40,7 +40,7 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
 
 TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
                     const DriverFacts& driver) {
-    TargetFacts facts{target, planLevels(texture, image, target), {}, {}, texture.internalFormat};
+    TargetFacts facts{target, planLevels(texture, image, target), {}, {}, baseFormat(texture.internalFormat)};
     // Completeness asks for extents alone: these levels have no texels.
     reference::SampledTexture sampled;
     sampled.target = target;

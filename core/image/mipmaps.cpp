@@ -213,6 +213,7 @@ MipChain mipLevelsAbove(MipPolicy policy, const Image& base, const MipOptions& o
         return levelsAbove(base, flatLevel);
     case MipPolicy::None:
     case MipPolicy::FromFile:
+    case MipPolicy::Given:
         break;
     }
     return {};

@@ -6,7 +6,7 @@
 
 namespace texplorer {
 
-enum class MipPolicy : std::uint32_t { None, FromFile, Generated, Colored, Missing };
+enum class MipPolicy : std::uint32_t { None, FromFile, Generated, Colored, Missing, Given };
 
 inline constexpr std::array mipPolicyRows{
     row(MipPolicy::None, "none", "None",
@@ -23,6 +23,9 @@ inline constexpr std::array mipPolicyRows{
     row(MipPolicy::Missing, "missing", "One is missing",
         "The generated levels without one in the middle: incomplete for every filter with mipmaps, a common "
         "mistake."),
+    row(MipPolicy::Given, "given", "One by one",
+        "A picture of its own for each level, as many as there are: one that is missing, or has not half the "
+        "size of the one before it, makes the texture incomplete."),
 };
 
 template<>
@@ -30,7 +33,7 @@ struct EnumTable<MipPolicy> {
     static constexpr std::span<const EnumRow> rows = mipPolicyRows;
 };
 
-static_assert(mipPolicyRows.size() == 5);
+static_assert(mipPolicyRows.size() == 6);
 
 /// How many levels a complete chain has: floor(log2(largest extent)) + 1 (OpenGL 2.1, section 3.8.8).
 [[nodiscard]] int mipLevelCount(int width, int height, int depth = 1);
@@ -42,8 +45,8 @@ static_assert(mipPolicyRows.size() == 5);
 /// An empty base gives an empty chain.
 [[nodiscard]] MipChain buildMipChain(Image base, const MipOptions& options = {});
 
-/// The chain that a policy makes of a base image: the base alone (None, and FromFile, for a picture is one
-/// level), the generated chain (Missing too: the upload leaves out `missingLevel`), or flat
+/// The chain that a policy makes of a base image: the base alone (None, and FromFile and Given, for a picture
+/// is one level), the generated chain (Missing too: the upload leaves out `missingLevel`), or flat
 /// mipColor(level) above the base.
 [[nodiscard]] MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options = {});
 

@@ -47,7 +47,10 @@ glm::dmat4 aboutPivot(const glm::dmat4& matrix, glm::dvec3 pivot) {
     return glm::translate(glm::dmat4(1), pivot) * matrix * glm::translate(glm::dmat4(1), -pivot);
 }
 
-glm::dmat4 stepMatrix(const MatrixStep& step, double time) {
+/// From clip coordinates to 0 to 1 times w: what glViewport and glDepthRange do to a picture.
+constexpr glm::dmat4 toPicture{{0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
+
+glm::dmat4 stepMatrix(const MatrixStep& step, double time, const Light& light) {
     const glm::dvec3 amount = glm::dvec3(step.amount) + glm::dvec3(step.rate) * time;
     switch (step.op) {
     case MatrixOp::Translate:
@@ -59,12 +62,16 @@ glm::dmat4 stepMatrix(const MatrixStep& step, double time) {
     case MatrixOp::Multiply:
     case MatrixOp::Load:
         return glm::dmat4(step.matrix);
+    case MatrixOp::Projector: {
+        const auto [view, projection] = lightView(light);
+        return toPicture * projection * view;
+    }
     }
     return glm::dmat4(1);
 }
 
 bool isMoving(const MatrixStep& step) {
-    if (step.op == MatrixOp::Multiply || step.op == MatrixOp::Load)
+    if (step.op == MatrixOp::Multiply || step.op == MatrixOp::Load || step.op == MatrixOp::Projector)
         return false;
     return step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0);
 }
@@ -98,13 +105,40 @@ std::array<int, 3> rotationAxes(RotationOrder order) {
     return {2, 1, 0};
 }
 
-glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time) {
+glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time, const Light& light) {
     glm::dmat4 product(1);
     for (const MatrixStep& step : steps) {
-        const glm::dmat4 matrix = stepMatrix(step, time);
+        const glm::dmat4 matrix = stepMatrix(step, time, light);
         product = step.op == MatrixOp::Load ? matrix : product * matrix;
     }
     return product;
+}
+
+LightView lightView(const Light& light) {
+    const Projector& projector = light.projector;
+    const glm::dvec3 target(projector.target);
+    const double nearest = projector.nearest;
+    const double farthest = std::max(double{projector.farthest}, nearest * 1.001);
+    const double middle = (nearest + farthest) / 2;
+    const double slope = std::tan(glm::radians(double{projector.fieldOfView}) / 2);
+    const glm::dvec3 place(light.position);
+    const bool parallel = light.position.w == 0;
+
+    glm::dvec3 backwards = parallel ? place : place / double{light.position.w} - target;
+    const double length = glm::length(backwards);
+    backwards = length > 0 ? backwards / length : axisZ;
+    const glm::dvec3 eye = target + backwards * (parallel ? middle : length);
+    // Upwards is upwards for the eye, too, but for a light above or below its target.
+    const bool vertical = std::abs(backwards.y) > 0.999;
+    const glm::dvec3 right = glm::normalize(glm::cross(vertical ? -axisZ : axisY, backwards));
+    const glm::dvec3 up = glm::cross(backwards, right);
+
+    const glm::dmat4 turn = glm::transpose(
+        glm::dmat4{{right, 0}, {up, 0}, {backwards, 0}, {0, 0, 0, 1}});
+    const double extent = slope * (parallel ? middle : nearest);
+    return {glm::translate(turn, -eye),
+            parallel ? glm::ortho(-extent, extent, -extent, extent, nearest, farthest)
+                     : glm::frustum(-extent, extent, -extent, extent, nearest, farthest)};
 }
 
 glm::mat4 modelMatrix(const Model& model, double time) {

@@ -13,7 +13,16 @@ namespace texplorer {
 
 /// GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
 /// section 2.11.2). A step that loads a matrix makes those before it void.
-[[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time);
+/// `light` gives what MatrixOp::Projector multiplies by.
+[[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time, const Light& light);
+
+/// What the light sees: its modelview matrix, which starts from eye coordinates, and its projection, whose
+/// picture is square. Both are finite whatever the light is: one in its target looks along -z.
+struct LightView {
+    glm::dmat4 view;
+    glm::dmat4 projection;
+};
+[[nodiscard]] LightView lightView(const Light& light);
 
 /// translate(position) * the three rotations in the model's order * scale(size * scale), angles at
 /// rotation + spin * time.

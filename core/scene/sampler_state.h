@@ -1,13 +1,15 @@
 #pragma once
 
+#include "core/gl/depth_texture.h"
+#include "core/gl/fragment.h"
 #include "core/gl/sampling.h"
 
 #include <glm/vec4.hpp>
 
 namespace texplorer {
 
-/// How a texture object is read: the part of glTexParameter's state that filters and wraps (OpenGL 2.1,
-/// section 3.8.4, with GL_TEXTURE_MAX_ANISOTROPY_EXT). The initial values are GL's.
+/// How a texture object is read: the part of glTexParameter's state that filters, wraps and compares (OpenGL
+/// 2.1, section 3.8.4, with GL_TEXTURE_MAX_ANISOTROPY_EXT). The initial values are GL's.
 struct SamplerState {
     MagFilter magFilter = MagFilter::Linear;
     MinFilter minFilter = MinFilter::NearestMipmapLinear;
@@ -21,6 +23,9 @@ struct SamplerState {
     float maxLod = 1000;
     float lodBias = 0; ///< the unit has one of its own, which is added
     float maxAnisotropy = 1;
+    CompareMode compareMode = CompareMode::None; ///< of depth textures, as the next two
+    CompareFunc compareFunc = CompareFunc::LessEqual;
+    DepthMode depthMode = DepthMode::Luminance;
 
     /// Of s, t and r: 0 to 2.
     [[nodiscard]] constexpr Wrap wrap(int axis) const {

@@ -7,12 +7,15 @@
 
 #include "core/gl/combine.h"
 #include "core/gl/environment.h"
+#include "core/gl/fog.h"
 #include "core/gl/fragment.h"
 #include "core/gl/hint.h"
+#include "core/gl/internal_format.h"
 #include "core/gl/sampling.h"
 #include "core/gl/tex_gen.h"
 #include "core/image/mipmaps.h"
 #include "core/image/patterns/pattern.h"
+#include "core/image/preparation.h"
 #include "core/image/transparency.h"
 #include "core/mesh/mesh_data.h"
 #include "core/scene/sampler_state.h"
@@ -33,10 +36,12 @@ inline constexpr std::size_t maxModels = 16;
 inline constexpr std::size_t maxTextures = 64;
 inline constexpr std::size_t maxPasses = 8;
 inline constexpr std::size_t maxMatrixSteps = 32;
+inline constexpr std::size_t maxGivenLevels = 15; ///< beside the base level
+inline constexpr std::size_t maxImageSteps = 16;
 
 enum class Projection : std::uint32_t { Perspective, Orthographic };
-enum class SourceKind : std::uint32_t { Pattern, File };
-enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale, Multiply, Load };
+enum class SourceKind : std::uint32_t { Pattern, File, LightDepth };
+enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale, Multiply, Load, Projector };
 enum class RotationOrder : std::uint32_t { Zyx, Zxy, Yzx, Yxz, Xzy, Xyz };
 enum class Attachment : std::uint32_t { World, Eye };
 enum class LightCarrier : std::uint32_t { Inverse, Transpose };
@@ -56,6 +61,18 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
+/// What the light sees, as a slide projector or a camera in its place would: a square picture around the line
+/// from the light to `target`. A light that is a direction sees in parallel, from half way between nearest
+/// and farthest, what the angle shows there.
+struct Projector {
+    glm::vec3 target{0, 0, -6}; ///< in eye coordinates
+    float fieldOfView = 45;     ///< degrees, both ways
+    float nearest = 1;          ///< distances between which depths are told apart
+    float farthest = 20;
+
+    bool operator==(const Projector&) const = default;
+};
+
 /// GL_LIGHT0 and the light model. The position is in eye coordinates (the light travels with the camera).
 struct Light {
     glm::vec4 position{0, 0, 1, 0}; ///< w = 0: a direction towards the light
@@ -65,6 +82,8 @@ struct Light {
     glm::vec4 modelAmbient{0.2F, 0.2F, 0.2F, 1};
     ColorControl colorControl = ColorControl::Single;
     bool localViewer = false;
+    bool twoSide = false; ///< faces that look away are lit by the opposite normal
+    Projector projector{};
 
     bool operator==(const Light&) const = default;
 };
@@ -114,16 +133,39 @@ struct Model {
     bool operator==(const Model&) const = default;
 };
 
+/// The picture of one mip level.
+struct GivenLevel {
+    SourceKind source = SourceKind::Pattern; ///< no depths from the light
+    Pattern pattern = Pattern::Checker;      ///< scaled to the level's size
+    std::string file{};                      ///< as it is, whatever its size
+
+    bool operator==(const GivenLevel&) const = default;
+};
+
+/// One thing that is done to a texture's picture before it is uploaded, to all its levels.
+struct ImageStep {
+    ImageOp op = ImageOp::Scale;
+    glm::vec4 factor{1};                     ///< for Scale
+    glm::vec4 bias{0};                       ///< for Scale
+    float amount = 1;                        ///< for Sharpen
+    SourceKind source = SourceKind::Pattern; ///< for AlphaFrom, as the next two; no depths from the light
+    Pattern pattern = Pattern::Checker;
+    std::string file{};
+
+    bool operator==(const ImageStep&) const = default;
+};
+
 /// A texture object: its images and glTexParameter state.
 struct Texture : SamplerState {
     SourceKind source = SourceKind::Pattern;
     Pattern pattern = Pattern::Checker;
-    std::string file{}; ///< path of an image; relative to the scene file
+    std::string file{};  ///< path of an image; relative to the scene file
+    int depthSize = 256; ///< texels on each side, of depths from the light
     FlipMode flip = FlipMode::Blocks;
     Transparency transparency = Transparency::File;
-    glm::vec4 stencilColor{0, 0, 0, 1};           ///< for Transparency::Stencil; its alpha says nothing
-    BaseFormat internalFormat = BaseFormat::Rgba; ///< of a texture that is not compressed
-    int border = 0;                               ///< 0 or 1: glTexImage's; see core/image/border.h
+    glm::vec4 stencilColor{0, 0, 0, 1}; ///< for Transparency::Stencil; its alpha says nothing
+    InternalFormat internalFormat = InternalFormat::Rgba; ///< of a texture that is not compressed
+    int border = 0; ///< 0 or 1: glTexImage's; see core/image/border.h
     Compression compression = Compression::FromFile;
     CompressedFormat compressedFormat = CompressedFormat::Dxt1;
     EncodeQuality compressionQuality = EncodeQuality::Normal; ///< for Compression::Cached
@@ -132,12 +174,14 @@ struct Texture : SamplerState {
     bool mipGamma = false;
     NpotPolicy npot = NpotPolicy::Keep;
     float priority = 1;
+    std::vector<GivenLevel> levels{};     ///< 1, 2, 3, …: for MipPolicy::Given
+    std::vector<ImageStep> preparation{}; ///< in this order, before everything else but decoding
 
     bool operator==(const Texture&) const = default;
 };
 
 /// One glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
-/// change.
+/// change; or the light's view, which multiplies.
 struct MatrixStep {
     MatrixOp op = MatrixOp::Translate;
     glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0
@@ -190,6 +234,18 @@ struct Unit {
     bool operator==(const Unit&) const = default;
 };
 
+/// glFog: what of a fragment's colour the distance leaves (OpenGL 2.1, section 3.10).
+struct Fog {
+    bool enabled = false;
+    FogMode mode = FogMode::Exp;
+    float density = 1; ///< for both exponential modes
+    float start = 0;   ///< for Linear: distances from the eye's plane
+    float end = 1;
+    glm::vec4 color{0, 0, 0, 0}; ///< its alpha says nothing
+
+    bool operator==(const Fog&) const = default;
+};
+
 /// One time that models are drawn.
 struct Pass {
     bool enabled = true; ///< off: nothing is drawn, and nothing else of it counts
@@ -204,6 +260,8 @@ struct Pass {
     bool blend = false;
     BlendFactor blendSrc = BlendFactor::One;
     BlendFactor blendDst = BlendFactor::Zero;
+    bool seamlessCubeMap = false; ///< GL_TEXTURE_CUBE_MAP_SEAMLESS
+    Fog fog{};
     std::array<Unit, maxUnits> units{};
 
     bool operator==(const Pass&) const = default;
@@ -229,6 +287,8 @@ inline constexpr std::array projectionRows{
 inline constexpr std::array sourceKindRows{
     row(SourceKind::Pattern, "pattern", "Built-in pattern", "An image that Texplorer draws itself."),
     row(SourceKind::File, "file", "Image file", "An image that is read from a file."),
+    row(SourceKind::LightDepth, "light-depth", "Depths from the light",
+        "How far away from the light each point is that it sees: a shadow map, drawn anew with every frame."),
 };
 
 inline constexpr std::array matrixOpRows{
@@ -239,6 +299,9 @@ inline constexpr std::array matrixOpRows{
     row(MatrixOp::Multiply, "multiply", "Multiply", "Multiplies by 16 numbers (glMultMatrixf)."),
     row(MatrixOp::Load, "load", "Load",
         "Puts 16 numbers in the place of all that the steps before it made (glLoadMatrixf)."),
+    row(MatrixOp::Projector, "projector", "Light's view",
+        "From eye coordinates to the light's picture: s and t from 0 to 1 across it, r its depth. With "
+        "coordinates that are generated in eye space, the light projects the image as a slide."),
 };
 
 inline constexpr std::array rotationOrderRows{
@@ -272,6 +335,8 @@ template<>
 struct EnumTable<SourceKind> {
     static constexpr std::span<const EnumRow> rows = sourceKindRows;
 };
+/// Of a level's picture and of alpha's: from a pattern or a file.
+inline constexpr std::span<const EnumRow> pictureSourceRows = std::span(sourceKindRows).first(2);
 template<>
 struct EnumTable<MatrixOp> {
     static constexpr std::span<const EnumRow> rows = matrixOpRows;
@@ -289,7 +354,7 @@ struct EnumTable<LightCarrier> {
     static constexpr std::span<const EnumRow> rows = lightCarrierRows;
 };
 
-static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 2 && matrixOpRows.size() == 5 &&
+static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 3 && matrixOpRows.size() == 6 &&
               rotationOrderRows.size() == 6 && attachmentRows.size() == 2 && lightCarrierRows.size() == 2);
 
 /// What Texplorer starts with: a cube and a sphere side by side, lit, with the checkerboard, trilinear.

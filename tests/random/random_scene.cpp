@@ -313,7 +313,7 @@ void takeAwayWhatDiffers(Scene& scene) {
                     *source = CombineSource::Texture;
             }
             if (unit.envMode == EnvMode::Decal)
-                texture.internalFormat = BaseFormat::Rgba;
+                texture.internalFormat = InternalFormat::Rgba;
             if (unit.target == Target::CubeMap)
                 texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
         }

@@ -176,7 +176,7 @@ std::vector<Scene> variants() {
     scenes[12].light.colorControl = ColorControl::SeparateSpecular;
     scenes[13].light.colorControl = ColorControl::SeparateSpecular;
     scenes[13].light.specular = {0, 0, 0, 1};
-    scenes[14].textures[0].internalFormat = BaseFormat::Luminance;
+    scenes[14].textures[0].internalFormat = InternalFormat::Luminance;
     scenes[14].passes[0].lighting = false;
     scenes[15].models[0].visible = false;
     scenes[15].models[0].shape = Shape::Sphere;
@@ -270,7 +270,7 @@ TEST_F(PrimaryColorOnTheDriver, HasAnEffectWhereTheDiagnosisSaysSo) {
             Scene scene = texturedScene();
             mode.edit(scene.passes[0].units[0]);
             scene.passes[0].units[0].envColor = {0.4F, 0.8F, 0.2F, 0.6F};
-            scene.textures[0].internalFormat = static_cast<BaseFormat>(format.value);
+            scene.textures[0].internalFormat = static_cast<InternalFormat>(format.value);
             scene.material.color = untextured;
             const auto findings = diagnose(scene, images);
             const bool idle = idleReasonOf(findings, "material.color") != nullptr;

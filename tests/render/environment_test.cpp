@@ -19,7 +19,7 @@ TEST_P(Environment, GivesTheNumberOfTheTable) {
     images.put("image", plainImage(1, 1, texel));
     Scene scene = texturedScene();
     scene.material.color = EnvironmentCase::fragment;
-    scene.textures[0].internalFormat = GetParam().format;
+    scene.textures[0].internalFormat = internalFormat(GetParam().format);
     scene.passes[0].units[0].envMode = GetParam().mode;
     scene.passes[0].units[0].envColor = EnvironmentCase::environment;
     const glm::vec4 found = onlyColor(scene);

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                     EditCase{"UnitsTexture", [](Scene& s) { s.passes[0].units[0].texture = 1; }},
                     EditCase{"Pattern", [](Scene& s) { s.textures[0].source = SourceKind::Pattern; }},
                     EditCase{"InternalFormat",
-                             [](Scene& s) { s.textures[0].internalFormat = BaseFormat::Luminance; }},
+                             [](Scene& s) { s.textures[0].internalFormat = InternalFormat::Luminance; }},
                     EditCase{"MinFilterWithoutMips",
                              [](Scene& s) { s.textures[0].minFilter = MinFilter::LinearMipmapLinear; }},
                     EditCase{"MipPolicy",

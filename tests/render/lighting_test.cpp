@@ -31,7 +31,7 @@ protected:
         Scene scene = texturedScene();
         scene.passes[0].lighting = true;
         scene.passes[0].units[0].envMode = EnvMode::Modulate;
-        scene.textures[0].internalFormat = BaseFormat::Rgb;
+        scene.textures[0].internalFormat = InternalFormat::Rgb;
         scene.material.color = {0.5F, 0.25F, 1, 0.8F};
         scene.material.specular = {0.3F, 0.2F, 0.1F, 1};
         scene.material.shininess = GetParam().shininess;

@@ -46,9 +46,9 @@ TEST_P(UploadInParts, IsWhatAnUploadAtOnceIs) {
     const auto levels = prepareLevels(texture, textureOf(part.image, {}), part.target);
     ASSERT_TRUE(levels.has_value());
     GlErrors errors;
-    const TextureObject atOnce(part.target, BaseFormat::Rgb, *levels, "at once", errors);
+    const TextureObject atOnce(part.target, InternalFormat::Rgb, *levels, "at once", errors);
     TextureObject inParts(part.target);
-    UploadCursor cursor{BaseFormat::Rgb, 0, 0};
+    UploadCursor cursor{InternalFormat::Rgb, 0, 0};
     int calls = 1;
     while (!inParts.upload(*levels, cursor, part.bytes, "in parts", errors))
         ++calls;

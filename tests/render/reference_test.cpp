@@ -142,7 +142,7 @@ TEST_F(Reference, AgreesOnEveryEnvironmentAndBaseFormat) {
         for (const EnumRow& format : baseFormatRows) {
             SCOPED_TRACE(std::string(mode.name) + " " + std::string(format.name));
             scene.passes[0].units[0].envMode = static_cast<EnvMode>(mode.value);
-            scene.textures[0].internalFormat = static_cast<BaseFormat>(format.value);
+            scene.textures[0].internalFormat = static_cast<InternalFormat>(format.value);
             agree(scene, 0, 1, 4);
         }
     }
@@ -166,7 +166,7 @@ TEST_F(Reference, AgreesOnEveryWrapModeOnFlatQuads) {
 
 TEST_F(Reference, BlendsTwoPassesAndTestsAlpha) {
     Scene scene = defaultScene();
-    scene.textures[0].internalFormat = BaseFormat::Alpha;
+    scene.textures[0].internalFormat = InternalFormat::Alpha;
     scene.textures[0].pattern = Pattern::Tree;
     scene.textures[0].minFilter = MinFilter::Nearest;
     scene.textures[0].magFilter = MagFilter::Nearest;

@@ -129,7 +129,7 @@ Scene anyScene(unsigned seed) {
     for (int i = 0; i < units; ++i) {
         Texture& texture = scene.textures[static_cast<std::size_t>(i)];
         texture.pattern = dice.any<Pattern>();
-        texture.internalFormat = dice.any<BaseFormat>();
+        texture.internalFormat = internalFormat(dice.any<BaseFormat>());
         texture.minFilter = dice.any<MinFilter>();
         texture.magFilter = dice.any<MagFilter>();
         texture.wrapS = dice.any<Wrap>();

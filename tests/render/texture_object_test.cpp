@@ -18,7 +18,7 @@ protected:
         Texture texture;
         texture.mipmaps = mipmaps;
         return TextureObject(
-            GetParam(), BaseFormat::Rgba,
+            GetParam(), InternalFormat::Rgba,
             *prepareLevels(texture, textureOf(plainImage(8, 8, {10, 20, 30, 40}), {}), GetParam()), "test",
             errors);
     }
@@ -125,7 +125,7 @@ class TextureFormat : public RenderTest, public testing::WithParamInterface<Form
 
 TEST_P(TextureFormat, StoresEightBitsOfWhatTheBaseFormatHas) {
     GlErrors errors;
-    const TextureObject object(Target::Texture2D, GetParam().format,
+    const TextureObject object(Target::Texture2D, internalFormat(GetParam().format),
                                *prepareLevels({}, textureOf(plainImage(2, 2, {1, 2, 3, 4}), {})), "test",
                                errors);
     glBindTexture(GL_TEXTURE_2D, object.name());

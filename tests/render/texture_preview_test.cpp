@@ -36,7 +36,7 @@ TEST_P(Preview, HasTheComponentsOfItsInternalFormat) {
     Texture texture;
     texture.source = SourceKind::File;
     texture.file = "pixel";
-    texture.internalFormat = GetParam().format;
+    texture.internalFormat = internalFormat(GetParam().format);
 
     TexturePreview preview;
     const unsigned name = preview.show(texture, images);

@@ -96,7 +96,7 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
                                       std::vector<std::string>& notes, const std::stop_token& stop) {
     SampledTexture sampled;
     sampled.target = target;
-    sampled.format = texture.internalFormat;
+    sampled.format = baseFormat(texture.internalFormat);
     for (const TextureLevel& each : levels.levels) {
         Level& level = sampled.levelToFill(each.number, each.face);
         const auto* blocks = std::get_if<BlockImage>(&*each.surface);
@@ -107,7 +107,7 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
         }
         const Image& image = std::get<Image>(*each.surface);
         if (!levels.driverFormat) {
-            level = levelOf(image, texture.internalFormat, target, levels.border);
+            level = levelOf(image, baseFormat(texture.internalFormat), target, levels.border);
             continue;
         }
         const Result<BlockImage> encoded =
@@ -125,10 +125,10 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
     return sampled;
 }
 
-SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, Target target) {
+SampledTexture shapeOf(const TextureLevels& levels, InternalFormat internalFormat, Target target) {
     SampledTexture shape;
     shape.target = target;
-    shape.format = levels.driverFormat ? baseFormat(*levels.driverFormat) : internalFormat;
+    shape.format = levels.driverFormat ? baseFormat(*levels.driverFormat) : baseFormat(internalFormat);
     for (const auto& [number, surface, face] : levels.levels) {
         const int both = 2 * levels.border;
         shape.levelToFill(number, face) = {.width = widthOf(surface) - both,

@@ -65,6 +65,7 @@ struct SampledTexture : SamplerState {
 /// The base internal format of a compressed format (table 3.17 and the extensions' own tables). The formats
 /// of one and two channels have the red and green of RGB, and nothing else.
 [[nodiscard]] BaseFormat baseFormat(BlockFormat format);
+using texplorer::baseFormat;
 
 /// Table 3.6: a pixel as RGBA, 0 to 1, before the internal format takes its part.
 [[nodiscard]] glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel);
@@ -83,7 +84,7 @@ struct SampledTexture : SamplerState {
 
 /// The same without parameters and without texels: the extents alone, enough to say whether a texture is
 /// complete. `internalFormat` is that of levels that are not compressed.
-[[nodiscard]] SampledTexture shapeOf(const TextureLevels& levels, BaseFormat internalFormat, Target target);
+[[nodiscard]] SampledTexture shapeOf(const TextureLevels& levels, InternalFormat internalFormat, Target target);
 
 /// The parameters alone; `lastLevel` is TextureLevels'.
 void setParameters(SampledTexture& sampled, const SamplerState& given, int lastLevel);

@@ -10,7 +10,8 @@ namespace texplorer::reference {
 
 namespace {
 
-UnitState unitState(const Unit& unit, const StoredTexture& stored, double time, AnisotropyMethod anisotropy) {
+UnitState unitState(const Unit& unit, const StoredTexture& stored, double time, const Light& light,
+                    AnisotropyMethod anisotropy) {
     UnitState state;
     state.texture = stored.complete ? &stored.sampled : nullptr;
     state.unit = &unit;
@@ -21,7 +22,7 @@ UnitState unitState(const Unit& unit, const StoredTexture& stored, double time, 
         state.sampler = FastSampler(*state.texture, state.sampling);
     if (stored.lateFlip == LateFlip::Matrix)
         state.matrix = glm::scale(glm::translate(glm::mat4(1), {0, 1, 0}), {1, -1, 1});
-    state.matrix *= textureMatrix(unit.matrix, time);
+    state.matrix *= textureMatrix(unit.matrix, time, light);
     state.flipsCoordinates = stored.lateFlip == LateFlip::Coordinates;
     return state;
 }
@@ -55,7 +56,7 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
                                                         unit.target, images, work, problems);
             if (!stored)
                 continue;
-            state.units[u] = unitState(unit, *stored, time, anisotropy);
+            state.units[u] = unitState(unit, *stored, time, scene.light, anisotropy);
             const SampledTexture* texture = state.units[u].texture;
             if (!texture)
                 continue;

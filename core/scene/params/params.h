@@ -102,12 +102,16 @@ struct StructTable {
 [[nodiscard]] const StructTable& sceneTable();
 [[nodiscard]] const StructTable& viewTable();
 [[nodiscard]] const StructTable& lightTable();
+[[nodiscard]] const StructTable& projectorTable();
 [[nodiscard]] const StructTable& materialTable();
 [[nodiscard]] const StructTable& modelTable();
 [[nodiscard]] const StructTable& modelMaterialTable(); ///< of one model: without what is the scene's
 [[nodiscard]] const StructTable& meshTable();
 [[nodiscard]] const StructTable& textureTable();
+[[nodiscard]] const StructTable& givenLevelTable();
+[[nodiscard]] const StructTable& imageStepTable();
 [[nodiscard]] const StructTable& passTable();
+[[nodiscard]] const StructTable& fogTable();
 [[nodiscard]] const StructTable& unitTable();
 [[nodiscard]] const StructTable& matrixStepTable();
 [[nodiscard]] const StructTable& combineTable();

@@ -31,8 +31,25 @@ constexpr std::array lightRows{
         "localViewer", "Light model", "Local viewer", "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, {})",
         "Highlights follow the real direction to the eye instead of one that is the same "
         "for the whole scene."),
+    param<&Light::twoSide>(
+        "twoSide", "Light model", "Two sides", "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, {})",
+        "Faces that look away from the eye are lit with the opposite normal, as the inside of a cup."),
 };
-static_assert(lightRows.size() == 7 && lightRows.size() == build::memberCount<Light>());
+
+constexpr std::array projectorRows{
+    param<&Projector::target>("target", "Projector", "Target", "",
+                              "The point that the light looks at, in eye coordinates.",
+                              {-1000, 1000, 0.01F, {}}),
+    param<&Projector::fieldOfView>("fieldOfView", "Projector", "Field of view", "",
+                                   "How wide the light's square picture is, from edge to edge.",
+                                   {1, 160, 0.25F, "deg"}),
+    param<&Projector::nearest>("nearest", "Projector", "Near", "",
+                               "The distance from the light whose depth is 0.", {0.001F, 1000, 0.01F, {}}),
+    param<&Projector::farthest>("farthest", "Projector", "Far", "",
+                                "The distance from the light whose depth is 1; beyond the near one.",
+                                {0.001F, 10000, 0.05F, {}}),
+};
+static_assert(projectorRows.size() == 4 && projectorRows.size() == build::memberCount<Projector>());
 
 constexpr std::array materialRows{
     color<&Material::color>(
@@ -68,7 +85,16 @@ static_assert(materialRows.size() == 8 && materialRows.size() == build::memberCo
 } // namespace
 
 const StructTable& lightTable() {
-    static const StructTable table{"Light", lightRows, {}};
+    static const std::array children{
+        build::single<&Light::projector>("projector", "Projector", projectorTable()),
+    };
+    static_assert(lightRows.size() == 8 && lightRows.size() + children.size() == build::memberCount<Light>());
+    static const StructTable table{"Light", lightRows, children};
+    return table;
+}
+
+const StructTable& projectorTable() {
+    static const StructTable table{"Projector", projectorRows, {}};
     return table;
 }
 

@@ -3,6 +3,7 @@
 namespace texplorer {
 namespace {
 
+using build::color;
 using build::list;
 using build::param;
 
@@ -34,16 +35,43 @@ constexpr std::array passRows{
                            "What the new fragment is multiplied by before both are added."),
     param<&Pass::blendDst>("blendDst", "Blending", "Destination factor", "glBlendFunc(blendSrc, {})",
                            "What the stored colour is multiplied by before both are added."),
+    param<&Pass::seamlessCubeMap>(
+        "seamlessCubeMap", "Cube maps", "Seamless cube maps", "glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)",
+        "Whether linear filtering goes on across the edges of a cube map's faces, instead of ending at each "
+        "(OpenGL 3.2)."),
 };
+
+constexpr std::array fogRows{
+    param<&Fog::enabled>("enabled", "Fog", "Fog", "glEnable(GL_FOG)",
+                         "Whether colours fade with the distance, after texturing."),
+    param<&Fog::mode>("mode", "Fog", "Mode", "glFogi(GL_FOG_MODE, {})", "How fog thickens with the distance."),
+    param<&Fog::density>("density", "Fog", "Density", "glFogf(GL_FOG_DENSITY, {})",
+                         "How thick exponential fog is: at a distance of 1 / density a third is left.",
+                         {0, 1000, 0.005F, {}}),
+    param<&Fog::start>("start", "Fog", "Start", "glFogf(GL_FOG_START, {})",
+                       "The distance from the eye at which linear fog begins.", {-1000, 1000, 0.02F, {}}),
+    param<&Fog::end>("end", "Fog", "End", "glFogf(GL_FOG_END, {})",
+                     "The distance from the eye at which linear fog hides everything.",
+                     {-1000, 1000, 0.02F, {}}),
+    color<&Fog::color>("color", "Fog", "Fog colour", "glFogfv(GL_FOG_COLOR, {})",
+                       "What colours fade to: usually the background's. Its alpha says nothing."),
+};
+static_assert(fogRows.size() == 6 && fogRows.size() == build::memberCount<Fog>());
 
 } // namespace
 
 const StructTable& passTable() {
     static const std::array children{
+        build::single<&Pass::fog>("fog", "Fog", fogTable()),
         build::many<&Pass::units>("units", "Unit", unitTable(), maxUnits, maxUnits),
     };
-    static_assert(passRows.size() == 12 && passRows.size() + children.size() == build::memberCount<Pass>());
+    static_assert(passRows.size() == 13 && passRows.size() + children.size() == build::memberCount<Pass>());
     static const StructTable table{"Pass", passRows, children};
+    return table;
+}
+
+const StructTable& fogTable() {
+    static const StructTable table{"Fog", fogRows, {}};
     return table;
 }
 

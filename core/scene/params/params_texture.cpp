@@ -13,6 +13,10 @@ constexpr std::array textureRows{
                              "Which built-in image, where that is the source."),
     param<&Texture::file>("file", "Image", "File", "",
                           "The path of an image, relative to the scene file, where a file is the source."),
+    param<&Texture::depthSize>("depthSize", "Image", "Size of the light's picture", "",
+                               "How many texels the light's picture has on each side, where depths from the "
+                               "light are the source: few make shadows jagged.",
+                               {1, 2048, 1, "texels"}),
     param<&Texture::flip>(
         "flip", "Image", "Flip", "",
         "How a picture whose file begins at the top gets upright: OpenGL's first row is the "
@@ -94,18 +98,78 @@ constexpr std::array textureRows{
         "How long and thin the sampled patch may be. Above 1, surfaces that are seen at a "
         "slant stay sharp (GL_EXT_texture_filter_anisotropic).",
         {1, 16, 0.05F, {}}),
+    param<&Texture::compareMode>(
+        "compareMode", "Depth", "Compare mode", "glTexParameteri({target}, GL_TEXTURE_COMPARE_MODE, {})",
+        "Of a depth texture: whether a sample is a depth, or says how r compares with it."),
+    param<&Texture::compareFunc>(
+        "compareFunc", "Depth", "Compare function", "glTexParameteri({target}, GL_TEXTURE_COMPARE_FUNC, {})",
+        "Of a depth texture: what r has to be, compared with the stored depth, to give 1."),
+    param<&Texture::depthMode>(
+        "depthMode", "Depth", "Depth as", "glTexParameteri({target}, GL_DEPTH_TEXTURE_MODE, {})",
+        "Of a depth texture: which components the depth, or the result of comparing, becomes."),
     param<&Texture::priority>(
         "priority", "Residency", "Priority", "glTexParameterf({target}, GL_TEXTURE_PRIORITY, {})",
         "How much the texture wants to stay in fast memory. No pixel changes by it.", {0, 1, 0.005F, {}}),
 };
-// The sampler state is one member of the texture, its base, and has a row for each of its own.
-static_assert(textureRows.size() == 28 &&
-              textureRows.size() == build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
+static_assert(textureRows.size() == 32);
+
+constexpr ParamRow pictureSource(ParamRow row) {
+    row.choices = pictureSourceRows;
+    return row;
+}
+
+constexpr std::array givenLevelRows{
+    pictureSource(param<&GivenLevel::source>("source", "Level", "Source", "",
+                                             "Whether this level's image is built in or read from a file.")),
+    param<&GivenLevel::pattern>("pattern", "Level", "Pattern", "",
+                                "Which built-in image, scaled to the level's size."),
+    param<&GivenLevel::file>(
+        "file", "Level", "File", "",
+        "The path of an image, relative to the scene file. It should have half the size of the level before."),
+};
+static_assert(givenLevelRows.size() == 3 && givenLevelRows.size() == build::memberCount<GivenLevel>());
+
+constexpr std::array imageStepRows{
+    param<&ImageStep::op>("op", "Step", "Operation", "", "What this step does to the image."),
+    param<&ImageStep::factor>("factor", "Step", "Factor", "",
+                              "What red, green, blue and alpha are multiplied by (GL_RED_SCALE and so on).",
+                              {-16, 16, 0.01F, {}}),
+    param<&ImageStep::bias>("bias", "Step", "Bias", "",
+                            "What is added to red, green, blue and alpha afterwards (GL_RED_BIAS and so on).",
+                            {-16, 16, 0.01F, {}}),
+    param<&ImageStep::amount>("amount", "Step", "Amount", "", "How strongly it sharpens; 0 changes nothing.",
+                              {0, 8, 0.01F, {}}),
+    pictureSource(
+        param<&ImageStep::source>("source", "Step", "Alpha's source", "",
+                                  "Whether the picture whose luminance becomes alpha is built in or a file.")),
+    param<&ImageStep::pattern>("pattern", "Step", "Alpha's pattern", "",
+                               "Which built-in image becomes alpha."),
+    param<&ImageStep::file>("file", "Step", "Alpha's file", "",
+                            "The path of the image that becomes alpha, relative to the scene file."),
+};
+static_assert(imageStepRows.size() == 7 && imageStepRows.size() == build::memberCount<ImageStep>());
 
 } // namespace
 
 const StructTable& textureTable() {
-    static const StructTable table{"Texture", textureRows, {}};
+    static const std::array children{
+        build::many<&Texture::levels>("levels", "Level", givenLevelTable(), 0, maxGivenLevels),
+        build::many<&Texture::preparation>("preparation", "Image step", imageStepTable(), 0, maxImageSteps),
+    };
+    // The sampler state is one member of the texture, its base, and has a row for each of its own.
+    static_assert(textureRows.size() + children.size() ==
+                  build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
+    static const StructTable table{"Texture", textureRows, children};
+    return table;
+}
+
+const StructTable& givenLevelTable() {
+    static const StructTable table{"Level", givenLevelRows, {}};
+    return table;
+}
+
+const StructTable& imageStepTable() {
+    static const StructTable table{"ImageStep", imageStepRows, {}};
     return table;
 }
 

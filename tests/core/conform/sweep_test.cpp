@@ -489,8 +489,8 @@ const Wrong wrongs[] = {
     {"IntensityAsLuminance", "environment",
      [](Scene& s) {
          eachTexture(s, [](Texture& t) {
-             if (t.internalFormat == BaseFormat::Intensity)
-                 t.internalFormat = BaseFormat::Luminance;
+             if (t.internalFormat == InternalFormat::Intensity)
+                 t.internalFormat = InternalFormat::Luminance;
          });
      },
      nullptr, 144},

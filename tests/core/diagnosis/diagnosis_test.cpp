@@ -298,12 +298,12 @@ INSTANTIATE_TEST_SUITE_P(
             "GL_LUMINANCE texture",
             [](Stage& s) {
                 s.unit().envMode = EnvMode::Decal;
-                s.texture().internalFormat = BaseFormat::Luminance;
+                s.texture().internalFormat = InternalFormat::Luminance;
             }},
         Row{"DecalOfIntensity", "undefined-decal", Warning, "passes[0].units[0].envMode", "GL_INTENSITY",
             [](Stage& s) {
                 s.unit().envMode = EnvMode::Decal;
-                s.texture().internalFormat = BaseFormat::Intensity;
+                s.texture().internalFormat = InternalFormat::Intensity;
             },
             [](Stage& s) { s.texture().compression = Compression::Driver; }},
         Row{"CrossbarOfAUnitThatIsOff", "undefined-crossbar", Warning,
@@ -339,9 +339,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"EnvColorOfAlphaBlend", "env-color", Hint, "passes[0].units[0].envColor", "GL_BLEND",
             [](Stage& s) {
                 s.unit().envMode = EnvMode::Blend;
-                s.texture().internalFormat = BaseFormat::Alpha;
+                s.texture().internalFormat = InternalFormat::Alpha;
             },
-            [](Stage& s) { s.texture().internalFormat = BaseFormat::Luminance; }},
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Luminance; }},
         Row{"EnvColorOfCombine", "env-color", Hint, "passes[0].units[0].envColor", "GL_COMBINE",
             [](Stage& s) { s.combine(); }, [](Stage& s) { s.combine().rgb = CombineRgb::Interpolate; }},
         Row{"LodBias", "lod-bias", Hint, "passes[0].units[0].lodBias", "no mipmaps",
@@ -377,7 +377,7 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit(1).enabled = true;
                 s.unit(1).envMode = EnvMode::Replace;
             },
-            [](Stage& s) { s.texture().internalFormat = BaseFormat::Rgb; }},
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Rgb; }},
         Row{"OverruledUnlessAsked", "overruled-unit", Hint, "passes[0].units[0]", "unit 1",
             [](Stage& s) {
                 s.unit(1).enabled = true;
@@ -516,7 +516,7 @@ INSTANTIATE_TEST_SUITE_P(
             }},
         Row{"ColorUnderReplace", "color", Hint, "material.color", "nothing of the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
-            [](Stage& s) { s.texture().internalFormat = BaseFormat::Luminance; }}, // its alpha stays
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Luminance; }}, // its alpha stays
         Row{"ColorUnderReplaceOfOnePass", "color", Hint, "material.color", "nothing of the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) {
@@ -529,9 +529,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"LightingUnderReplaceOfLuminance", "lighting", Hint, "passes[0].lighting", "primary colour",
             [](Stage& s) {
                 s.unit().envMode = EnvMode::Replace;
-                s.texture().internalFormat = BaseFormat::Luminance;
+                s.texture().internalFormat = InternalFormat::Luminance;
             },
-            [](Stage& s) { s.texture().internalFormat = BaseFormat::Alpha; }},
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Alpha; }},
         Row{"SpecularUnderReplace", "light", Hint, "material.specular", "nothing of the primary colour",
             [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
             [](Stage& s) { s.scene.light.colorControl = ColorControl::SeparateSpecular; }},

@@ -360,7 +360,7 @@ TEST(Probe, Blends) {
     pass.blendSrc = BlendFactor::SrcAlpha;
     pass.blendDst = BlendFactor::OneMinusSrcAlpha;
     flat.scene.view.background = {1, 1, 1, 1};
-    flat.scene.textures[0].internalFormat = BaseFormat::Intensity;
+    flat.scene.textures[0].internalFormat = InternalFormat::Intensity;
     const BlendExplanation blend = flat.fragment(0, 0).blend;
     EXPECT_TRUE(isNear(blend.source, glm::vec4(0.175F)));
     EXPECT_TRUE(isNear(blend.sourceWeight, glm::vec4(0.175F)));
@@ -634,7 +634,7 @@ INSTANTIATE_TEST_SUITE_P(
                          }},
                     Case{"AlphaTest",
                          [](Scene& it) {
-                             it.textures[0].internalFormat = BaseFormat::Intensity;
+                             it.textures[0].internalFormat = InternalFormat::Intensity;
                              it.passes[0].alphaTest = true;
                              it.passes[0].alphaFunc = CompareFunc::Greater;
                              it.passes[0].alphaRef = 0.6F;

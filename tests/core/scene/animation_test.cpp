@@ -46,7 +46,7 @@ struct MatrixCase {
 class TextureMatrix : public testing::TestWithParam<MatrixCase> {};
 
 TEST_P(TextureMatrix, IsTheProductOnPaper) {
-    expectMatrix(textureMatrix(GetParam().steps, GetParam().time), GetParam().expected);
+    expectMatrix(textureMatrix(GetParam().steps, GetParam().time, Light{}), GetParam().expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(

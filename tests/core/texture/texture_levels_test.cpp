@@ -366,7 +366,7 @@ TEST(ImageSettings, IgnoreSamplingAndNothingElse) {
     Texture made;
     made.flip = FlipMode::None;
     made.mipGamma = true;
-    made.internalFormat = BaseFormat::Rgb;
+    made.internalFormat = InternalFormat::Rgb;
     EXPECT_EQ(imageSettings(made), made);
 }
 

@@ -117,7 +117,7 @@ TEST(StepCommands, MakeTheTextureMatrix) {
         glm::mat4 made(1);
         for (const MatrixStep& step : unit.matrix)
             made = multiplied(made, stepCommands(step, "step"));
-        EXPECT_LT(farthest(made, textureMatrix(unit.matrix, 0)), 1e-5F) << loads;
+        EXPECT_LT(farthest(made, textureMatrix(unit.matrix, 0, Light{})), 1e-5F) << loads;
     }
 }
 

@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Decal",
              [](Scene& it) {
                  it.passes[0].units[0].envMode = EnvMode::Decal;
-                 it.textures[0].internalFormat = BaseFormat::Luminance;
+                 it.textures[0].internalFormat = InternalFormat::Luminance;
              },
              "GL_DECAL is undefined for GL_LUMINANCE: the incoming colour is passed on."},
         Case{"Combine",

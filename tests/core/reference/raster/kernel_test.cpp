@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"AlphaTested",
              [](Scene& it) {
                  it.textures[0].pattern = Pattern::Tree;
-                 it.textures[0].internalFormat = BaseFormat::Alpha;
+                 it.textures[0].internalFormat = InternalFormat::Alpha;
                  it.passes[0].alphaTest = true;
                  it.passes[0].alphaFunc = CompareFunc::Greater;
                  it.passes[0].alphaRef = 0.5F;
@@ -160,7 +160,7 @@ TEST(Kernel, GivesTheBytesOfTheLiteralOneInEveryEnvironment) {
         for (const EnumRow& format : baseFormatRows) {
             SCOPED_TRACE(std::string(mode.name) + " " + std::string(format.name));
             unit.envMode = static_cast<EnvMode>(mode.value);
-            scene.textures[0].internalFormat = static_cast<BaseFormat>(format.value);
+            scene.textures[0].internalFormat = static_cast<InternalFormat>(format.value);
             expectTheSame(scene);
         }
     }

@@ -56,7 +56,7 @@ TEST(LevelOf, CountsTheBorderApart) {
 
 TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     Texture texture;
-    texture.internalFormat = F::Luminance;
+    texture.internalFormat = InternalFormat::Luminance;
     texture.borderColor = {2, 0.5F, -1, 0.25F};
     texture.wrapT = Wrap::Clamp;
     texture.minFilter = MinFilter::Linear;
@@ -91,7 +91,7 @@ TEST(SampledTexture, DecompressesBlocksAndSaysWhatStandsInForTheDriver) {
     levels.levels = {{0, block}};
     std::vector<std::string> notes;
     Texture texture;
-    texture.internalFormat = F::Alpha; // says nothing about a compressed texture
+    texture.internalFormat = InternalFormat::Alpha; // says nothing about a compressed texture
     const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Rgb);
     EXPECT_TRUE(isNear(sampled.level(0)->texels[5], {1, 0, 0, 1}));
