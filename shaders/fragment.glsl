@@ -11,6 +11,13 @@ flat in vec4 primaryColor;
 //@ inputs GL_SMOOTH GL_FASTEST
 // Interpolated between the vertices, times w: over w they are linear in the window, without perspective.
 in vec4 primaryColorTimesW;
+//@ back input GL_SMOOTH
+in vec4 backPrimaryColor;
+//@ back input GL_FLAT
+flat in vec4 backPrimaryColor;
+//@ back input GL_SMOOTH GL_FASTEST
+in vec4 backPrimaryColorTimesW;
+//@ w input
 in float w;
 //@ secondary input GL_SMOOTH
 in vec3 secondaryColor;
@@ -18,12 +25,22 @@ in vec3 secondaryColor;
 in vec3 secondaryColorTimesW;
 //@ secondary input GL_FLAT
 flat in vec3 secondaryColor;
+//@ back secondary input GL_SMOOTH
+in vec3 backSecondaryColor;
+//@ back secondary input GL_FLAT
+flat in vec3 backSecondaryColor;
+//@ back secondary input GL_SMOOTH GL_FASTEST
+in vec3 backSecondaryColorTimesW;
 //@ coordinate input
 in vec4 texCoordUNIT;
 //@ sampler GL_TEXTURE_1D
 uniform sampler1D textureUNIT;
 //@ sampler GL_TEXTURE_2D
 uniform sampler2D textureUNIT;
+//@ sampler GL_TEXTURE_1D GL_COMPARE_R_TO_TEXTURE
+uniform sampler1DShadow textureUNIT;
+//@ sampler GL_TEXTURE_2D GL_COMPARE_R_TO_TEXTURE
+uniform sampler2DShadow textureUNIT;
 //@ sampler GL_TEXTURE_3D
 uniform sampler3D textureUNIT;
 //@ sampler GL_TEXTURE_CUBE_MAP
@@ -43,6 +60,20 @@ void main() {
     vec4 texelUNIT = textureProj(textureUNIT, texCoordUNIT); // divides by q
 //@ lookup with bias
     vec4 texelUNIT = textureProj(textureUNIT, texCoordUNIT, lodBiasUNIT); // divides by q
+//@ lookup of a depth
+    float depthUNIT = textureProj(textureUNIT, texCoordUNIT).r; // divides by q
+//@ lookup of a depth with bias
+    float depthUNIT = textureProj(textureUNIT, texCoordUNIT, lodBiasUNIT).r; // divides by q
+//@ lookup that compares
+    float depthUNIT = textureProj(textureUNIT, texCoordUNIT); // r / q with each depth: 1 where it passes
+//@ lookup that compares with bias
+    float depthUNIT = textureProj(textureUNIT, texCoordUNIT, lodBiasUNIT); // r / q with each depth
+//@ depth as GL_LUMINANCE
+    vec4 texelUNIT = vec4(vec3(depthUNIT), 1.0); // GL_DEPTH_TEXTURE_MODE
+//@ depth as GL_INTENSITY
+    vec4 texelUNIT = vec4(depthUNIT); // GL_DEPTH_TEXTURE_MODE
+//@ depth as GL_ALPHA
+    vec4 texelUNIT = vec4(0.0, 0.0, 0.0, depthUNIT); // GL_DEPTH_TEXTURE_MODE
 //@ lookup of a direction
     vec4 texelUNIT = texture(textureUNIT, texCoordUNIT.stp / texCoordUNIT.q); // of the face that it hits
 //@ lookup of a direction with bias
@@ -53,6 +84,14 @@ void main() {
     vec4 primaryColor = primaryColorTimesW / w;
 //@ secondary color without perspective
     vec3 secondaryColor = secondaryColorTimesW / w;
+//@ primary color of the side
+    vec4 primaryColor = gl_FrontFacing ? primaryColor : backPrimaryColor; // GL_LIGHT_MODEL_TWO_SIDE
+//@ secondary color of the side
+    vec3 secondaryColor = gl_FrontFacing ? secondaryColor : backSecondaryColor;
+//@ primary color of the side without perspective
+    vec4 primaryColor = (gl_FrontFacing ? primaryColorTimesW : backPrimaryColorTimesW) / w;
+//@ secondary color of the side without perspective
+    vec3 secondaryColor = (gl_FrontFacing ? secondaryColorTimesW : backSecondaryColorTimesW) / w;
 //@ color sum
 
     // Section 3.9: the highlight is added after texturing.

@@ -45,3 +45,15 @@ uniform vec3 materialEmission;
     // The highlight waits until texturing is done.
     primaryColor = clamp(vec4(lit, reflectance.a), 0.0, 1.0);
     secondaryColor = clamp(specular, 0.0, 1.0);
+//@ begin back
+
+    // GL_LIGHT_MODEL_TWO_SIDE: the same with the opposite normal, for faces that are seen from behind.
+    {
+    vec3 eyeNormal = -eyeNormal;
+//@ back GL_SINGLE_COLOR
+    backPrimaryColor = clamp(vec4(lit + specular, reflectance.a), 0.0, 1.0);
+//@ back GL_SEPARATE_SPECULAR_COLOR
+    backPrimaryColor = clamp(vec4(lit, reflectance.a), 0.0, 1.0);
+    backSecondaryColor = clamp(specular, 0.0, 1.0);
+//@ end back
+    }

@@ -35,6 +35,14 @@ flat out vec4 primaryColor;
 invariant gl_Position; // a second pass hits exactly the depth of the first
 vec4 primaryColor;
 out vec4 primaryColorTimesW;
+//@ back output GL_SMOOTH
+out vec4 backPrimaryColor;
+//@ back output GL_FLAT
+flat out vec4 backPrimaryColor;
+//@ back output GL_SMOOTH GL_FASTEST
+vec4 backPrimaryColor;
+out vec4 backPrimaryColorTimesW;
+//@ w output
 out float w;
 //@ secondary output GL_SMOOTH
 out vec3 secondaryColor;
@@ -43,6 +51,13 @@ vec3 secondaryColor;
 out vec3 secondaryColorTimesW;
 //@ secondary output GL_FLAT
 flat out vec3 secondaryColor;
+//@ back secondary output GL_SMOOTH
+out vec3 backSecondaryColor;
+//@ back secondary output GL_SMOOTH GL_FASTEST
+vec3 backSecondaryColor;
+out vec3 backSecondaryColorTimesW;
+//@ back secondary output GL_FLAT
+flat out vec3 backSecondaryColor;
 //@ coordinate output
 out vec4 texCoordUNIT;
 //@ direction
@@ -72,11 +87,16 @@ void main() {
     texCoordUNIT = coordUNIT;
 //@ coordinate without perspective
     texCoordUNIT *= gl_Position.w; // and q with it: linear in the window, without perspective
-//@ colors without perspective
+//@ w
 
     w = gl_Position.w;
+//@ colors without perspective
     primaryColorTimesW = primaryColor * w;
 //@ secondary color without perspective
     secondaryColorTimesW = secondaryColor * w;
+//@ back color without perspective
+    backPrimaryColorTimesW = backPrimaryColor * w;
+//@ back secondary color without perspective
+    backSecondaryColorTimesW = backSecondaryColor * w;
 //@ end
 }

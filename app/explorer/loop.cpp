@@ -65,8 +65,8 @@ void rest(Window& window, std::optional<double> wake, double last) {
 } // namespace
 
 Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::filesystem::path>& files,
-                     const std::filesystem::path& shaders) {
-    const auto graphics = opengl::createWindowGraphics({shaders, Window::wake});
+                     const std::filesystem::path& shaders, const view::Pretence& pretence) {
+    const auto graphics = opengl::createWindowGraphics({shaders, Window::wake}, pretence);
     if (!graphics)
         return fail(graphics.error());
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());

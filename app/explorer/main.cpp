@@ -31,18 +31,18 @@ int complain(const std::string& sentence) {
 }
 
 int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& paths,
-         const std::string& shaders) {
+         const std::string& shaders, const view::Pretence& pretence) {
     const std::string title = ui::windowTitle({defaultScene(), ImageSource{}});
     Result<explorer::Window> window = explorer::Window::open(startSize, title);
     if (!window)
         return complain(describe(window.error()) + "; " + withoutWindow);
-    const Result<void> ended = explorer::runLoop(*window, signals, paths, shaders);
+    const Result<void> ended = explorer::runLoop(*window, signals, paths, shaders, pretence);
     if (!ended)
         return complain(describe(ended.error()) + "; " + withoutWindow);
     return 0;
 }
 
-int run(const std::vector<std::string>& files, const std::string& shaders) {
+int run(const std::vector<std::string>& files, const std::string& shaders, const view::Pretence& pretence) {
     const std::vector<std::filesystem::path> paths(files.begin(), files.end());
     const std::vector<Error> refused = ui::checkArguments(paths);
     for (const Error& each : refused)
@@ -50,7 +50,7 @@ int run(const std::vector<std::string>& files, const std::string& shaders) {
     if (!paths.empty() && refused.size() == paths.size())
         return failure;
     explorer::Signals signals; // before any other thread
-    const int status = show(signals, paths, shaders);
+    const int status = show(signals, paths, shaders, pretence);
     if (signals.received() != 0)
         explorer::endBy(signals.received());
     return status;
@@ -81,14 +81,21 @@ int main(int argc, char** argv) {
         "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
         "at once. Without it: those that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    std::vector<std::string> pretended;
+    line.option("--pretend", pretended, view::pretenceHelp(), {.value = "WORDS", .oneEach = true});
     try {
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);
         if (!answer) {
             complain(describe(answer.error()));
             return wrongCall;
         }
-        if (!*answer)
-            return run(files, shaders);
+        if (!*answer) {
+            const Result<view::Pretence> pretence = view::Pretence::parse(pretended);
+            if (pretence)
+                return run(files, shaders, *pretence);
+            complain(describe(pretence.error()));
+            return wrongCall;
+        }
         const Result<void> printed = writeStandardOutput(viewBytes(**answer));
         return printed ? 0 : complain(describe(printed.error()));
     } catch (const std::bad_alloc&) {

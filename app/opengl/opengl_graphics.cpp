@@ -20,11 +20,13 @@ const PanelBackend fixedBackend{[] { ImGui_ImplOpenGL2_Init(); },
 
 } // namespace
 
-Result<std::unique_ptr<OpenGlGraphics>> OpenGlGraphics::create(render::ShaderOptions shaders) {
+Result<std::unique_ptr<OpenGlGraphics>> OpenGlGraphics::create(render::ShaderOptions shaders,
+                                                               const view::Pretence& pretence) {
     Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
-    return std::unique_ptr<OpenGlGraphics>(new OpenGlGraphics(std::move(*capabilities), std::move(shaders)));
+    return std::unique_ptr<OpenGlGraphics>(
+        new OpenGlGraphics(pretence.of(std::move(*capabilities)), std::move(shaders)));
 }
 
 OpenGlGraphics::OpenGlGraphics(view::Capabilities capabilities, render::ShaderOptions shaders)

@@ -3,6 +3,7 @@
 #include "app/opengl/context_graphics.h"
 #include "app/render/shader_renderer.h"
 #include "app/render/texture_preview.h"
+#include "app/view/pretence.h"
 
 #include <map>
 
@@ -13,8 +14,10 @@ namespace texplorer::opengl {
 /// current, on its thread, and must be destroyed before that. A renderer is made when it is first asked for.
 class OpenGlGraphics final : public ContextGraphics {
 public:
-    /// `shaders` are for the shader renderer. The error says what the driver lacks.
-    [[nodiscard]] static Result<std::unique_ptr<OpenGlGraphics>> create(render::ShaderOptions shaders = {});
+    /// `shaders` are for the shader renderer, `pretence` is taken from what the driver has. The error says
+    /// what the driver lacks.
+    [[nodiscard]] static Result<std::unique_ptr<OpenGlGraphics>> create(render::ShaderOptions shaders = {},
+                                                                        const view::Pretence& pretence = {});
 
     [[nodiscard]] const view::Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] const view::OfferedRenderers& renderers() const override { return offered_; }

@@ -8,8 +8,9 @@
 
 namespace texplorer::opengl {
 
-Result<std::unique_ptr<stage::Graphics>> createWindowGraphics(render::ShaderOptions shaders) {
-    Result<std::unique_ptr<OpenGlGraphics>> whole = OpenGlGraphics::create(std::move(shaders));
+Result<std::unique_ptr<stage::Graphics>> createWindowGraphics(render::ShaderOptions shaders,
+                                                              const view::Pretence& pretence) {
+    Result<std::unique_ptr<OpenGlGraphics>> whole = OpenGlGraphics::create(std::move(shaders), pretence);
     if (whole)
         return std::move(*whole);
     if (render::hasFixedFunctions())

@@ -19,6 +19,7 @@ constexpr std::array neededFramebuffers{"GL_VERSION_3_0", "GL_ARB_framebuffer_ob
 constexpr const char* anisotropy = "GL_EXT_texture_filter_anisotropic";
 constexpr const char* s3tc = "GL_EXT_texture_compression_s3tc";
 constexpr std::array rgtc{"GL_VERSION_3_0", "GL_ARB_texture_compression_rgtc"};
+constexpr std::array seamlessCubeMaps{"GL_VERSION_3_2", "GL_ARB_seamless_cube_map"};
 
 /// GLEW wants all of a string's names; any one of ours is enough.
 bool has(const char* name) {
@@ -101,6 +102,8 @@ Result<view::Capabilities> loadCapabilities() {
 
     capabilities.s3tc = has(s3tc);
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
+    capabilities.seamlessCubeMaps = std::ranges::any_of(seamlessCubeMaps, has);
+    capabilities.shaders = has("GL_VERSION_3_3");
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);
     capabilities.maxCubeMapSize = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);

@@ -45,7 +45,7 @@ public:
                 applyUnit(i, scene.passes[pass].units[at], textures[at], time, scene.light);
             else if (i < textureUnits_)
                 switchUnitOff(i);
-            errors.check(fmt::format("passes[{}].units[{}]: glTexEnv, glTexGen", pass, i));
+            errors.check([&] { return fmt::format("passes[{}].units[{}]: glTexEnv, glTexGen", pass, i); });
         }
         glMatrixMode(GL_MODELVIEW);
         return true;

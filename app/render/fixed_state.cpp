@@ -59,6 +59,17 @@ void applyCombine(const Combine& combine) {
     setEnv(GL_ALPHA_SCALE, combine.alphaScale);
 }
 
+void applyFog(const Fog& fog) {
+    glFogi(GL_FOG_MODE, static_cast<GLint>(fog.mode));
+    glFogf(GL_FOG_DENSITY, fog.density);
+    glFogf(GL_FOG_START, fog.start);
+    glFogf(GL_FOG_END, fog.end);
+    glFogfv(GL_FOG_COLOR, glm::value_ptr(fog.color));
+}
+
+/// t becomes what r is.
+constexpr glm::mat4 rAsT{1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1};
+
 void applyTexGen(const GeneratedCoordinate& row, const TexGen& generated) {
     setEnabled(row.enable, generated.enabled);
     if (!generated.enabled)
@@ -74,7 +85,7 @@ void applyLight(const Light& light) {
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(light.modelAmbient));
     glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, static_cast<GLint>(light.colorControl));
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, light.localViewer ? 1 : 0);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, light.twoSide ? 1 : 0);
 
     glLightfv(GL_LIGHT0, GL_POSITION, glm::value_ptr(light.position));
     glLightfv(GL_LIGHT0, GL_AMBIENT, glm::value_ptr(light.ambient));
@@ -111,6 +122,9 @@ void applyFixedPass(const Pass& pass) {
     setEnabled(GL_LIGHTING, pass.lighting);
     setEnabled(GL_ALPHA_TEST, pass.alphaTest);
     glAlphaFunc(static_cast<GLenum>(pass.alphaFunc), pass.alphaRef);
+    setEnabled(GL_FOG, pass.fog.enabled);
+    if (pass.fog.enabled)
+        applyFog(pass.fog);
 }
 
 void switchUnitOff(int index) {
@@ -136,6 +150,8 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
         applyTexGen(row, unit.*row.state);
     glMatrixMode(GL_TEXTURE);
     glLoadIdentity();
+    if (texture.compares && unit.target == Target::Texture1D)
+        glMultMatrixf(glm::value_ptr(rAsT)); // which Mesa 22.3 compares; a line asks for t otherwise never
     if (texture.lateFlip == LateFlip::Matrix) {
         glTranslatef(0, 1, 0);
         glScalef(1, -1, 1);

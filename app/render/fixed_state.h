@@ -14,7 +14,7 @@ void applyLight(const Light& light);
 /// The material and the current colour.
 void applyMaterial(const Material& material);
 
-/// Lighting on or off and the alpha test.
+/// Lighting on or off, the alpha test and fog.
 void applyFixedPass(const Pass& pass);
 
 /// The texture bound to one unit, its environment and its matrix at `time`; with LateFlip::Matrix the matrix

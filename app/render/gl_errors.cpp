@@ -28,13 +28,17 @@ unsigned currentGlError() {
 }
 
 bool GlErrors::check(std::string_view where, unsigned (*getError)()) {
+    return check([&] { return std::string(where); }, getError);
+}
+
+bool GlErrors::check(const std::function<std::string()>& where, unsigned (*getError)()) {
     bool clean = true;
     for (int flag = 0; flag < mostFlags; ++flag) {
         const unsigned error = getError();
         if (error == GL_NO_ERROR)
             break;
         clean = false;
-        add(fmt::format("{}: {}", where, nameOf(error)));
+        add(fmt::format("{}: {}", where(), nameOf(error)));
         if (error == static_cast<unsigned>(GlError::ContextLost))
             break;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,8 @@ public:
     /// "textures[0]: glTexImage2D" gives "textures[0]: glTexImage2D: GL_INVALID_VALUE (A number is out of
     /// range.)". True where there was none. Ends even where a driver reports an error for ever.
     bool check(std::string_view where, unsigned (*getError)() = currentGlError);
+    /// The same; the name is asked for where there was an error.
+    bool check(const std::function<std::string()>& where, unsigned (*getError)() = currentGlError);
 
     void add(std::string sentence);
     void add(const std::vector<std::string>& sentences);

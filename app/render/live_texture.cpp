@@ -1,5 +1,7 @@
 #include "app/render/live_texture.h"
 
+#include "core/image/power_of_two.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -41,6 +43,8 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
 void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities,
                          LevelsSource* source, std::string_view where) {
     cancelled_ = false;
+    if (request.settings.source == SourceKind::LightDepth) // another with every frame, maybe: at once or never
+        source = nullptr;
     giveBack(source); // a frame later: to read them takes its time, as the last part of an upload does
     if (shown_ == request)
         return next_.reset();
@@ -49,7 +53,7 @@ void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities*
         std::shared_ptr<const PreparedLevels> levels =
             source ? source->prepare(request)
                    : std::make_shared<const PreparedLevels>(
-                         prepareLevels(request.settings, request.image, request.target));
+                         prepareLevels(request.settings, request.pictures, request.target));
         if (!levels)
             return;
         begin(request, std::move(levels), capabilities, where);
@@ -94,6 +98,13 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
             return refuse(request, where,
                           fmt::format("{} texels exceed the driver's {} for {}",
                                       extents(base, request.target), limit, rowOf(request.target).name));
+        const int rim = 2 * (*levels)->border;
+        if (!capabilities->nonPowerOfTwo &&
+            !arePowersOfTwo(widthOf(base) - rim, std::max(1, heightOf(base) - rim),
+                            std::max(1, depthOf(base) - rim)))
+            return refuse(request, where,
+                          extents(base, request.target) + " texels: the driver takes powers of two only (no "
+                                                          "GL_ARB_texture_non_power_of_two)");
         if (const std::string lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
             errors.add(fmt::format("{}: {}", where, lack));
             TextureLevels pixels = **levels;
@@ -102,7 +113,6 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
         }
     }
     next_.emplace(Next{request, std::move(levels), TextureObject(request.target), {}, std::move(errors)});
-    next_->cursor.format = request.settings.internalFormat;
 }
 
 /// The next levels take the place of those that were shown.
@@ -117,7 +127,7 @@ void LiveTexture::finish() {
         return blocks &&
                (blocks->format == BlockFormat::Bc4Signed || blocks->format == BlockFormat::Bc5Signed);
     });
-    shape_ = reference::shapeOf(levels, next.request.settings.internalFormat, next.request.target);
+    shape_ = reference::shapeOf(levels, next.request.target);
     object_ = std::move(next.object);
     errors_ = std::move(next.errors);
     shown_ = next.request;

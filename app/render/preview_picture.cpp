@@ -20,8 +20,11 @@ Texture baseSettings(const Texture& texture) {
     settings.compressedFormat = CompressedFormat::Dxt1;
     settings.compressionQuality = EncodeQuality::Normal;
     settings.mipmaps = MipPolicy::None;
+    settings.levels.clear();
     settings.mipFilter = MipFilter::Box;
     settings.mipGamma = false;
+    if (factsOf(texture.internalFormat).encoding != Encoding::Linear)
+        settings.internalFormat = internalFormat(baseFormat(texture.internalFormat));
     return settings;
 }
 
@@ -66,7 +69,9 @@ TextureImage thinned(const TextureImage& image) {
 } // namespace
 
 std::optional<LevelsRequest> PreviewPicture::request(const Texture& texture, const ImageSource& images) {
-    std::shared_ptr<const TextureImage> image = images.find(texture);
+    TexturePictures pictures = images.picturesOf(texture);
+    pictures.levels.clear();
+    std::shared_ptr<const TextureImage>& image = pictures.base;
     if (!image)
         return std::nullopt;
     const bool isCube = image->faces == cubeFaceCount;
@@ -77,7 +82,7 @@ std::optional<LevelsRequest> PreviewPicture::request(const Texture& texture, con
         }
         image = shown_;
     }
-    return LevelsRequest{std::move(image), baseSettings(texture), Target::Texture2D};
+    return LevelsRequest{std::move(pictures), baseSettings(texture), Target::Texture2D};
 }
 
 } // namespace texplorer::render

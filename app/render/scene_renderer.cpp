@@ -22,12 +22,15 @@ namespace texplorer::render {
 
 namespace {
 
-view::Size largestPicture(const view::Capabilities& capabilities) {
+/// The driver's own limit, whatever its textures are pretended to be held to.
+view::Size largestPicture() {
     std::array<GLint, 2> viewport{};
     GLint renderbuffer = 0;
+    GLint texture = 0;
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
-    const int limit = std::min(renderbuffer, capabilities.maxTextureSize);
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    const int limit = std::min(renderbuffer, texture);
     return {std::min(limit, viewport[0]), std::min(limit, viewport[1])};
 }
 
@@ -43,11 +46,12 @@ struct SceneRenderer::State {
     State(const view::Capabilities& given, std::unique_ptr<Pipeline> chosen)
         : capabilities(given)
         , pipeline(std::move(chosen))
-        , limit(largestPicture(given))
+        , limit(largestPicture())
         , textures(std::make_shared<TextureCache>(given))
         , meshes(pipeline->vertexInput()) {}
 
     void drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size);
+    void applySeamlessCubeMap(const Pass& pass, const std::string& where);
     BoundTextures texturesOf(const Scene& scene, std::size_t passIndex, const ImageSource& images);
     BoundTexture textureOf(const Scene& scene, const Unit& unit, int unitIndex, const std::string& where,
                            const ImageSource& images);
@@ -96,7 +100,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
         state.errors.check("glPushAttrib");
         if (const Result<void> bound = state.target.bind(size); !bound)
             return fail(bound.error());
-        state.drawScene(scene, images, time, size);
+        state.drawScene(scene, state.textures->withLightDepths(images, scene, time), time, size);
         state.remember(scene, time, size);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's images and meshes");
@@ -130,7 +134,8 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             continue;
         const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
-        errors.check(where + ": glDepthFunc, glBlendFunc");
+        errors.check([&] { return where + ": glDepthFunc, glBlendFunc"; });
+        applySeamlessCubeMap(scene.passes[i], where);
         const BoundTextures bound = texturesOf(scene, i, images);
         if (!pipeline->beginPass(scene, i, bound, time, errors))
             continue;
@@ -141,11 +146,21 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             meshes.bind(scene, scene.passes[i], m, time, uses);
             applyLineAndPoint(model);
             pipeline->placeModel(scene, model, meshes.hasColors(), modelViewMatrix(scene.view, model, time));
-            errors.check(fmt::format("models[{}]: glMaterial, glLineWidth, glPointSize", m));
+            errors.check([&] { return fmt::format("models[{}]: glMaterial, glLineWidth, glPointSize", m); });
             meshes.draw();
         }
-        errors.check(where + ": glDrawRangeElements");
+        errors.check([&] { return where + ": glDrawRangeElements"; });
     }
+}
+
+/// Nothing is said of a pass without cube maps: it doesn't matter there.
+void SceneRenderer::State::applySeamlessCubeMap(const Pass& pass, const std::string& where) {
+    if (capabilities.seamlessCubeMaps)
+        return (pass.seamlessCubeMap ? glEnable : glDisable)(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    const bool matters = std::ranges::any_of(
+        pass.units, [](const Unit& unit) { return unit.enabled && unit.target == Target::CubeMap; });
+    if (pass.seamlessCubeMap && matters)
+        errors.add(where + ": the driver has no seamless cube maps; drawn without");
 }
 
 void SceneRenderer::State::remember(const Scene& scene, double time, view::Size size) {
@@ -171,8 +186,8 @@ BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t p
 BoundTexture SceneRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
                                              const std::string& where, const ImageSource& images) {
     if (unitIndex >= capabilities.textureUnits) {
-        errors.add(fmt::format("{}: the driver has {} texture units; drawn without this one", where,
-                               capabilities.textureUnits));
+        errors.add(fmt::format("{}: the driver has {} texture unit{}; drawn without this one", where,
+                               capabilities.textureUnits, capabilities.textureUnits == 1 ? "" : "s"));
         return {};
     }
     if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {

@@ -29,13 +29,14 @@ SampledUnits sampledUnits(const BoundTextures& textures) {
     SampledUnits units;
     std::ranges::transform(textures, units.begin(), [](const BoundTexture& texture) {
         return texture.name != 0
-                   ? std::optional(SampledUnit{texture.format, texture.lateFlip, texture.hasNegative})
+                   ? std::optional(SampledUnit{texture.format, texture.lateFlip, texture.hasNegative,
+                                               texture.hasDepths, texture.compares})
                    : std::nullopt;
     });
     return units;
 }
 
-/// The light and the alpha test: what is the same for every model and unit.
+/// The light, the fog and the alpha test: what is the same for every model and unit.
 void setPass(const ShaderProgram& program, const Scene& scene, const Pass& pass) {
     const Light& light = scene.light;
     program.set("lightPosition", light.position);
@@ -43,6 +44,10 @@ void setPass(const ShaderProgram& program, const Scene& scene, const Pass& pass)
     program.set("lightDiffuse", glm::vec3(light.diffuse));
     program.set("lightSpecular", glm::vec3(light.specular));
     program.set("modelAmbient", glm::vec3(light.modelAmbient));
+    program.set("fogColor", glm::clamp(glm::vec3(pass.fog.color), 0.0F, 1.0F));
+    program.set("fogDensity", pass.fog.density);
+    program.set("fogStart", pass.fog.start);
+    program.set("fogEnd", pass.fog.end);
     program.set("alphaReference", std::round(std::clamp(pass.alphaRef, 0.0F, 1.0F) * 255));
 }
 
@@ -129,7 +134,7 @@ public:
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it adds to the shader's
             setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);
         }
-        errors.check(where + ": glUniform");
+        errors.check([&] { return where + ": glUniform"; });
         return true;
     }
 
@@ -231,10 +236,11 @@ Result<ShaderRenderer> ShaderRenderer::create(const view::Capabilities& capabili
 
 view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities) {
     view::OfferedRenderers offered;
-    if (!GLEW_VERSION_3_3)
+    if (!capabilities.shaders)
         offered.withhold(RendererKind::Shader,
-                         "the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL " +
-                             capabilities.version);
+                         "the shader renderer needs OpenGL 3.3 with GLSL 3.30, " +
+                             (GLEW_VERSION_3_3 ? "which --pretend takes away"
+                                               : "the driver has OpenGL " + capabilities.version));
     return offered;
 }
 

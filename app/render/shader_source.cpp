@@ -106,9 +106,16 @@ struct Plan {
     [[nodiscard]] bool affineColors() const {
         return affine() && scene.material.shadeModel == ShadeModel::Smooth;
     }
+    /// Whether there is something that the rasteriser must not divide by w: see vertex.glsl.
+    [[nodiscard]] bool needsW() const { return affineColors() || (affine() && pass.fog.enabled); }
+    [[nodiscard]] bool twoSided() const { return pass.lighting && scene.light.twoSide; }
     [[nodiscard]] std::string shading() const {
         const std::string name = nameOf(scene.material.shadeModel);
         return affineColors() ? fmt::format("{} {}", name, nameOf(HintMode::Fastest)) : name;
+    }
+    /// A piece about the fog's distance.
+    [[nodiscard]] std::string fogPiece(const std::string& name) const {
+        return affine() ? fmt::format("{} {}", name, nameOf(HintMode::Fastest)) : name;
     }
 
     /// Whether glColor is all that lighting needs of the materials, but for the highlight.
@@ -132,9 +139,17 @@ void writeLighting(Writer& body, const Plan& plan) {
     const Light& light = plan.scene.light;
     body.add("lighting", light.position.w == 0 ? "directional light" : "positional light");
     body.add("lighting", light.localViewer ? "local viewer" : "infinite viewer");
+    const std::string reflectance = plan.colorsAreMaterials() ? "color material" : "material";
     body.add("lighting", "terms");
-    body.add("lighting", plan.colorsAreMaterials() ? "color material" : "material");
+    body.add("lighting", reflectance);
     body.add("lighting", nameOf(light.colorControl));
+    if (!plan.twoSided())
+        return;
+    body.add("lighting", "begin back");
+    body.add("lighting", "terms");
+    body.add("lighting", reflectance);
+    body.add("lighting", "back " + nameOf(light.colorControl));
+    body.add("lighting", "end back");
 }
 
 void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled, const std::string& index) {
@@ -162,10 +177,18 @@ Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& piec
         if (plan.affine()) // `noperspective` would say it, but Mesa 22.3 goes wrong where it clips
             body.add("vertex", "coordinate without perspective", {{"UNIT", index}});
     });
+    if (plan.needsW())
+        body.add("vertex", "w");
     if (plan.affineColors())
         body.add("vertex", "colors without perspective");
     if (plan.affineColors() && plan.separateSpecular())
         body.add("vertex", "secondary color without perspective");
+    if (plan.affineColors() && plan.twoSided())
+        body.add("vertex", "back color without perspective");
+    if (plan.affineColors() && plan.twoSided() && plan.separateSpecular())
+        body.add("vertex", "back secondary color without perspective");
+    if (plan.pass.fog.enabled)
+        body.add("fog", plan.fogPiece("distance"));
     body.add("vertex", "end");
 
     Writer stage(pieces);
@@ -197,6 +220,14 @@ Result<view::StageSource> vertexStage(const Plan& plan, const ShaderPieces& piec
     stage.add("vertex", "outputs " + plan.shading());
     if (plan.separateSpecular())
         stage.add("vertex", "secondary output " + plan.shading());
+    if (plan.twoSided())
+        stage.add("vertex", "back output " + plan.shading());
+    if (plan.twoSided() && plan.separateSpecular())
+        stage.add("vertex", "back secondary output " + plan.shading());
+    if (plan.needsW())
+        stage.add("vertex", "w output");
+    if (plan.pass.fog.enabled)
+        stage.add("fog", plan.fogPiece("output"));
     plan.forEachUnit([&](const Unit&, const SampledUnit&, const std::string& index) {
         stage.add("vertex", "coordinate output", {{"UNIT", index}});
     });
@@ -280,18 +311,32 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
         body.add("combine", "undefined", {{"UNIT", index}});
 }
 
+/// The primary or secondary colour, where it isn't an input as it stands.
+void writeVaryingColor(Writer& body, const Plan& plan, const std::string& which) {
+    if (plan.twoSided() || plan.affineColors())
+        body.add("fragment", fmt::format("{} color{}{}", which, plan.twoSided() ? " of the side" : "",
+                                         plan.affineColors() ? " without perspective" : ""));
+}
+
+/// The piece that reads the texture.
+std::string lookupOf(const Unit& unit, const SampledUnit& sampled) {
+    if (sampled.compares)
+        return "lookup that compares";
+    if (sampled.hasDepths)
+        return "lookup of a depth";
+    return unit.target == Target::CubeMap ? "lookup of a direction" : "lookup";
+}
+
 Result<view::StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
     Writer body(pieces);
     // All texels first: with crossbar a unit may ask for the texel of a later one.
-    plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
-        const bool direction = unit.target == Target::CubeMap;
-        body.add("fragment",
-                 std::string("lookup") + (direction ? " of a direction" : "") +
-                     (unit.lodBias == 0 ? "" : " with bias"),
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+        body.add("fragment", lookupOf(unit, sampled) + (unit.lodBias == 0 ? "" : " with bias"),
                  {{"UNIT", index}});
+        if (sampled.hasDepths)
+            body.add("fragment", "depth as " + nameOf(sampled.format), {{"UNIT", index}});
     });
-    if (plan.affineColors())
-        body.add("fragment", "primary color without perspective");
+    writeVaryingColor(body, plan, "primary");
     body.add("fragment", "primary color");
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         if (unit.envMode == EnvMode::Combine)
@@ -302,10 +347,16 @@ Result<view::StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pi
         if (sampled.hasNegative && unit.envMode != EnvMode::Combine)
             body.add("environment", "signed");
     });
-    if (plan.affineColors() && plan.separateSpecular())
-        body.add("fragment", "secondary color without perspective");
-    if (plan.separateSpecular())
+    if (plan.separateSpecular()) {
+        writeVaryingColor(body, plan, "secondary");
         body.add("fragment", "color sum");
+    }
+    const Fog& fog = plan.pass.fog;
+    if (fog.enabled) {
+        body.add("fog", plan.fogPiece("begin"));
+        body.add("fog", nameOf(fog.mode));
+        body.add("fog", "end");
+    }
     const bool tested = plan.pass.alphaTest && plan.pass.alphaFunc != CompareFunc::Always;
     if (tested) {
         body.add("fragment", "alpha test");
@@ -318,15 +369,28 @@ Result<view::StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pi
     stage.add("fragment", "inputs " + plan.shading());
     if (plan.separateSpecular())
         stage.add("fragment", "secondary input " + plan.shading());
-    plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
+    if (plan.twoSided())
+        stage.add("fragment", "back input " + plan.shading());
+    if (plan.twoSided() && plan.separateSpecular())
+        stage.add("fragment", "back secondary input " + plan.shading());
+    if (plan.needsW())
+        stage.add("fragment", "w input");
+    if (fog.enabled)
+        stage.add("fog", plan.fogPiece("input"));
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         const std::vector<Substitution> names{{"UNIT", index}};
         stage.add("fragment", "coordinate input", names);
-        stage.add("fragment", "sampler " + nameOf(unit.target), names);
+        const std::string sampler = "sampler " + nameOf(unit.target);
+        stage.add("fragment",
+                  sampled.compares ? fmt::format("{} {}", sampler, nameOf(CompareMode::RToTexture)) : sampler,
+                  names);
         if (unit.lodBias != 0)
             stage.add("fragment", "bias", names);
         if (body.mentions("environmentColor" + index))
             stage.add("fragment", "environment color", names);
     });
+    if (fog.enabled)
+        stage.add("fog", "uniforms " + nameOf(fog.mode));
     if (tested)
         stage.add("fragment", "alpha reference");
     stage.add("fragment", "outputs");

@@ -21,6 +21,8 @@ struct SampledUnit {
     BaseFormat format = BaseFormat::Rgba;
     LateFlip lateFlip = LateFlip::None;
     bool hasNegative = false; ///< its format is signed
+    bool hasDepths = false;   ///< and no colours: `format` is what they become
+    bool compares = false;    ///< r with its depths
 };
 
 /// None where a unit takes no part: it is off, or its texture is missing or incomplete (section 3.8.10).

@@ -96,6 +96,9 @@ bool hasVertexArrays() {
 bool hasSamplers() {
     return glBindSampler != nullptr && (GLEW_VERSION_3_3 || GLEW_ARB_sampler_objects);
 }
+bool hasSeamlessCubeMaps() {
+    return GLEW_VERSION_3_2 || GLEW_ARB_seamless_cube_map;
+}
 bool hasProvokingVertex() {
     return glProvokingVertex != nullptr && (GLEW_VERSION_3_2 || GLEW_ARB_provoking_vertex);
 }
@@ -128,6 +131,8 @@ void StateGuard::save() {
     clientActiveTexture_ = integer(GL_CLIENT_ACTIVE_TEXTURE);
     activeTexture_ = integer(GL_ACTIVE_TEXTURE);
     colorSum_ = glIsEnabled(GL_COLOR_SUM) == GL_TRUE;
+    fogSource_ = integer(GL_FOG_COORD_SRC);
+    seamless_ = hasSeamlessCubeMaps() && glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) == GL_TRUE;
     if (hasVertexArrays())
         vertexArray_ = integer(GL_VERTEX_ARRAY_BINDING);
     if (hasProvokingVertex())
@@ -177,6 +182,8 @@ void StateGuard::setInitialValues() const {
         glDisable(GL_FRAGMENT_PROGRAM_ARB);
     if (hasProvokingVertex())
         glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    if (hasSeamlessCubeMaps())
+        glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 
     for (std::size_t i = 0; i < units_.size(); ++i) {
         glActiveTexture(unitEnum(i));
@@ -194,6 +201,7 @@ void StateGuard::setInitialValues() const {
 
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glFrontFace(GL_CCW);
+    glFogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);
     glDepthRange(0, 1);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -230,8 +238,11 @@ StateGuard::~StateGuard() {
         glPopClientAttrib();
     if (pushed_)
         glPopAttrib();
-    if (colorSum_) // which Mesa 22.3 does not put back
+    if (hasSeamlessCubeMaps()) // none of these three does Mesa 22.3 put back
+        (seamless_ ? glEnable : glDisable)(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (colorSum_)
         glEnable(GL_COLOR_SUM);
+    glFogi(GL_FOG_COORD_SRC, fogSource_);
 
     for (std::size_t i = 0; i < units_.size(); ++i) {
         glActiveTexture(unitEnum(i));

@@ -43,6 +43,8 @@ private:
     GLint clientActiveTexture_ = GL_TEXTURE0;
     GLint provokingVertex_ = 0;
     bool colorSum_ = false;
+    GLint fogSource_ = 0;
+    bool seamless_ = false; // cube maps
     glm::mat4 projection_{1};
     glm::mat4 modelView_{1};
     std::vector<UnitState> units_; // of the fixed-function pipeline

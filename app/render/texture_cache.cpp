@@ -23,15 +23,15 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
                                    const ImageSource& images, LevelsSource* levels, GlErrors& errors) {
     const Texture& texture = scene.textures[index];
     const std::string where = fmt::format("textures[{}]", index);
-    std::shared_ptr<const TextureImage> image = images.find(texture);
-    if (!image || !hasPixels(*image)) {
+    TexturePictures pictures = images.picturesOf(texture);
+    if (!pictures.base || !hasPixels(*pictures.base)) {
         errors.add(fmt::format("{}: {}; drawn without it", where,
                                texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded"));
         return {};
     }
 
     LiveTexture& slot = slots_[{index, target}];
-    const LevelsRequest request{std::move(image), imageSettings(texture), target};
+    const LevelsRequest request{std::move(pictures), imageSettings(texture), target};
     const bool wasThere = slot.shows(request);
     slot.follow(request, &capabilities_, levels, where);
     if (!wasThere && slot.shows(request))
@@ -49,8 +49,14 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     for (const std::string_view sentence : applied.heldBack)
         errors.add(fmt::format("{}: {}", where, sentence));
     slot.object().apply(applied.texture, capabilities_.maxAnisotropy, where, errors);
-    return {slot.object().name(), slot.lateFlip(), slot.shape().format, slot.hasNegative(),
-            applied.texture.lodBias};
+    const bool hasDepths = isDepth(slot.shape().internalFormat);
+    return {slot.object().name(),
+            slot.lateFlip(),
+            hasDepths ? baseFormat(texture.depthMode) : slot.shape().format,
+            slot.hasNegative(),
+            applied.texture.lodBias,
+            hasDepths,
+            hasDepths && texture.compareMode == CompareMode::RToTexture};
 }
 
 const TextureObject* TextureCache::find(std::size_t index, Target target) const {

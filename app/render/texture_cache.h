@@ -4,6 +4,7 @@
 #include "app/render/gl_errors.h"
 #include "app/render/live_texture.h"
 #include "app/view/driver_facts.h"
+#include "core/reference/light_depth.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 
@@ -19,6 +20,8 @@ struct BoundTexture {
     BaseFormat format = BaseFormat::Rgba; ///< the base internal format, which the environment asks for
     bool hasNegative = false;             ///< its format is signed
     float lodBias = 0;                    ///< of the texture object
+    bool hasDepths = false;               ///< and no colours
+    bool compares = false;                ///< r with its depths
 };
 
 /// The LOD bias that a unit is given beside that of its texture object. Below equation 3.18 OpenGL limits
@@ -41,6 +44,11 @@ public:
     [[nodiscard]] BoundTexture prepare(const Scene& scene, std::size_t index, Target target,
                                        const ImageSource& images, LevelsSource* levels, GlErrors& errors);
 
+    /// The images with what the light sees: the same ones for all that have this cache.
+    [[nodiscard]] ImageSource withLightDepths(const ImageSource& images, const Scene& scene, double time) {
+        return lightDepths_.addedTo(images, scene, time);
+    }
+
     /// What `prepare` made last, or nullptr.
     [[nodiscard]] const TextureObject* find(std::size_t index, Target target) const;
 
@@ -56,6 +64,7 @@ public:
 private:
     view::Capabilities capabilities_;
     DriverFacts facts_;
+    reference::LightDepths lightDepths_;
     std::map<std::pair<std::size_t, Target>, LiveTexture> slots_;
     std::uint64_t revision_ = 0;
 };

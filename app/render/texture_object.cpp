@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 
@@ -11,24 +12,23 @@ namespace texplorer::render {
 
 namespace {
 
-/// A sized format, so that what is stored has eight bits a component on every driver (table 3.16).
+/// A format and the sized one by which the driver is asked for it.
+struct Sized {
+    InternalFormat format;
+    GLint name;
+};
+constexpr std::array sizedFormats{
+    Sized{InternalFormat::Alpha, GL_ALPHA8},         Sized{InternalFormat::Luminance, GL_LUMINANCE8},
+    Sized{InternalFormat::Intensity, GL_INTENSITY8}, Sized{InternalFormat::LuminanceAlpha, GL_LUMINANCE8_ALPHA8},
+    Sized{InternalFormat::Rgb, GL_RGB8},             Sized{InternalFormat::Rgba, GL_RGBA8},
+};
+
+/// Eight bits a component on every driver (table 3.16) where the name alone leaves their number open. A format
+/// of few bits is asked for by its own name, whose numbers the pixels have already: a driver with more bits
+/// stores the same.
 GLint sizedFormat(InternalFormat format) {
-    switch (format) {
-    case InternalFormat::Alpha:
-        return GL_ALPHA8;
-    case InternalFormat::Luminance:
-        return GL_LUMINANCE8;
-    case InternalFormat::LuminanceAlpha:
-        return GL_LUMINANCE8_ALPHA8;
-    case InternalFormat::Intensity:
-        return GL_INTENSITY8;
-    case InternalFormat::Rgb:
-        return GL_RGB8;
-    case InternalFormat::Rgba:
-        return GL_RGBA8;
-    default:
-        return static_cast<GLint>(format);
-    }
+    const auto* found = std::ranges::find(sizedFormats, format, &Sized::format);
+    return found == sizedFormats.end() ? static_cast<GLint>(format) : found->name;
 }
 
 GLenum pixelFormat(PixelFormat format) {
@@ -43,8 +43,14 @@ GLenum pixelFormat(PixelFormat format) {
         return GL_RGB;
     case PixelFormat::Rgba8:
         return GL_RGBA;
+    case PixelFormat::Depth32:
+        return GL_DEPTH_COMPONENT;
     }
     return GL_RGBA;
+}
+
+GLenum pixelType(PixelFormat format) {
+    return format == PixelFormat::Depth32 ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE;
 }
 
 /// How many times slower the driver compresses than it copies.
@@ -61,18 +67,18 @@ const char* uploadImage(Target target, const TextureLevel& level, GLint stored, 
                         const std::byte* pixels) {
     const Image& image = std::get<Image>(*level.surface);
     const GLenum given = pixelFormat(image.format);
+    const GLenum type = pixelType(image.format);
     const GLenum aim = imageTarget(target, level.face);
     switch (axesOf(target)) {
     case 1:
-        glTexImage1D(aim, level.number, stored, image.width, border, given, GL_UNSIGNED_BYTE, pixels);
+        glTexImage1D(aim, level.number, stored, image.width, border, given, type, pixels);
         return "glTexImage1D";
     case 2:
-        glTexImage2D(aim, level.number, stored, image.width, image.height, border, given, GL_UNSIGNED_BYTE,
-                     pixels);
+        glTexImage2D(aim, level.number, stored, image.width, image.height, border, given, type, pixels);
         return "glTexImage2D";
     default:
         glTexImage3D(aim, level.number, stored, image.width, image.height, image.depth, border, given,
-                     GL_UNSIGNED_BYTE, pixels);
+                     type, pixels);
         return "glTexImage3D";
     }
 }
@@ -81,13 +87,14 @@ const char* uploadImage(Target target, const TextureLevel& level, GLint stored, 
 const char* uploadRows(Target target, const TextureLevel& level, int first, int count) {
     const Image& image = std::get<Image>(*level.surface);
     const GLenum given = pixelFormat(image.format);
+    const GLenum type = pixelType(image.format);
     const GLenum aim = imageTarget(target, level.face);
     if (target == Target::Texture3D) {
         glTexSubImage3D(aim, level.number, 0, 0, first, image.width, image.height, count, given,
-                        GL_UNSIGNED_BYTE, image.pixels.data() + image.offset(0, 0, first));
+                        type, image.pixels.data() + image.offset(0, 0, first));
         return "glTexSubImage3D";
     }
-    glTexSubImage2D(aim, level.number, 0, first, image.width, count, given, GL_UNSIGNED_BYTE,
+    glTexSubImage2D(aim, level.number, 0, first, image.width, count, given, type,
                     image.pixels.data() + image.offset(0, first, 0));
     return "glTexSubImage2D";
 }
@@ -101,9 +108,18 @@ const char* uploadBlocks(Target target, const TextureLevel& level) {
 }
 
 /// Whether OpenGL takes it at all: faces that aren't square are an error, without which the texture is just
-/// as incomplete.
-bool isAccepted(Target target, const Surface& surface) {
-    return target != Target::CubeMap || widthOf(surface) == heightOf(surface);
+/// as incomplete. So are levels whose base would be too large (OpenGL 2.1, section 3.8.1).
+bool isAccepted(Target target, const TextureLevel& level, int border) {
+    const Surface& surface = level.surface;
+    if (target == Target::CubeMap && widthOf(surface) != heightOf(surface))
+        return false;
+    GLint most = 0;
+    glGetIntegerv(target == Target::Texture3D ? GL_MAX_3D_TEXTURE_SIZE
+                  : target == Target::CubeMap ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                              : GL_MAX_TEXTURE_SIZE,
+                  &most);
+    const int extent = std::max({widthOf(surface), heightOf(surface), depthOf(surface)}) - 2 * border;
+    return level.number == 0 || extent <= most >> level.number;
 }
 
 /// The levels of a texture that is bound, or of one of its faces.
@@ -120,9 +136,10 @@ Result<void> readImages(GLenum aim, int face, int mostLevels, std::vector<Textur
         const int height = ask(level, GL_TEXTURE_HEIGHT);
         const int depth = ask(level, GL_TEXTURE_DEPTH);
         if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE) {
-            Image image =
-                Image::uninitialised(PixelFormat::Rgba8, width, std::max(height, 1), std::max(depth, 1));
-            glGetTexImage(aim, level, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+            const PixelFormat format =
+                ask(level, GL_TEXTURE_DEPTH_SIZE) > 0 ? PixelFormat::Depth32 : PixelFormat::Rgba8;
+            Image image = Image::uninitialised(format, width, std::max(height, 1), std::max(depth, 1));
+            glGetTexImage(aim, level, pixelFormat(format), pixelType(format), image.pixels.data());
             levels.push_back({level, std::move(image), face});
             continue;
         }
@@ -156,17 +173,17 @@ TextureObject::TextureObject(Target target)
     : handle_(TextureHandle::create())
     , target_(static_cast<GLenum>(target)) {}
 
-TextureObject::TextureObject(Target target, InternalFormat format, const TextureLevels& levels,
-                             std::string_view where, GlErrors& errors)
+TextureObject::TextureObject(Target target, const TextureLevels& levels, std::string_view where,
+                             GlErrors& errors)
     : TextureObject(target) {
-    UploadCursor cursor{format, 0, 0};
+    UploadCursor cursor;
     static_cast<void>(upload(levels, cursor, std::numeric_limits<std::size_t>::max(), where, errors));
 }
 
 bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, std::size_t bytes,
                            std::string_view where, GlErrors& errors) {
     const auto target = static_cast<Target>(target_);
-    const GLint stored = levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(cursor.format);
+    const GLint stored = levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(levels.internalFormat);
     const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
@@ -174,7 +191,7 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
         glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, levels.levels.back().number);
     while (left > 0 && cursor.level < levels.levels.size()) {
         const TextureLevel& level = levels.levels[cursor.level];
-        if (!isAccepted(target, level.surface)) {
+        if (!isAccepted(target, level, levels.border)) {
             ++cursor.level;
             continue;
         }
@@ -228,6 +245,9 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     glTexParameterf(target_, GL_TEXTURE_MIN_LOD, texture.minLod);
     glTexParameterf(target_, GL_TEXTURE_MAX_LOD, texture.maxLod);
     glTexParameterf(target_, GL_TEXTURE_LOD_BIAS, texture.lodBias);
+    glTexParameteri(target_, GL_TEXTURE_COMPARE_MODE, enumerant(texture.compareMode));
+    glTexParameteri(target_, GL_TEXTURE_COMPARE_FUNC, enumerant(texture.compareFunc));
+    glTexParameteri(target_, GL_DEPTH_TEXTURE_MODE, enumerant(texture.depthMode));
     glTexParameterf(target_, GL_TEXTURE_PRIORITY, texture.priority);
     if (maxAnisotropy > 1) // else the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,

@@ -12,9 +12,8 @@ namespace texplorer::render {
 
 /// How far an upload has got.
 struct UploadCursor {
-    InternalFormat format = InternalFormat::Rgba; ///< of levels that are pixels
-    std::size_t level = 0;                        ///< index of the next one
-    int row = 0;                                  ///< the next one of it; the next slice for a volume
+    std::size_t level = 0; ///< index of the next one
+    int row = 0;           ///< the next one of it; the next slice for a volume
 };
 
 /// A GL texture object: images that never change, and parameters that follow a Texture of the scene.
@@ -25,10 +24,10 @@ public:
     /// One without levels yet, for `upload`.
     explicit TextureObject(Target target);
 
-    /// Uploads every level to a new texture object: blocks as they are, pixels with 8 bits a component of
-    /// `format`, or compressed by the driver where the levels ask for it. GL errors are reported as `where`.
-    TextureObject(Target target, InternalFormat format, const TextureLevels& levels,
-                  std::string_view where, GlErrors& errors);
+    /// Uploads every level to a new texture object: blocks as they are, pixels with the bits of the levels'
+    /// internal format, or compressed by the driver where the levels ask for it. GL errors are reported as
+    /// `where`.
+    TextureObject(Target target, const TextureLevels& levels, std::string_view where, GlErrors& errors);
 
     /// Uploads about `bytes` more of the levels; driver's compression counts for its slowness. True where all
     /// are there. `levels` must be the same with every call.
@@ -41,8 +40,8 @@ public:
 
     [[nodiscard]] GLuint name() const { return handle_.name(); }
 
-    /// The levels as the driver holds them: blocks where they are compressed, else Rgba8; those that are
-    /// missing are left out. Binds the texture.
+    /// The levels as the driver holds them: blocks where they are compressed, Depth32 of depths, else Rgba8;
+    /// those that are missing are left out. Binds the texture.
     [[nodiscard]] Result<std::vector<TextureLevel>> read() const;
 
 private:

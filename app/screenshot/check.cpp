@@ -20,7 +20,7 @@ struct Options {
 /// What has the value that OpenGL or Texplorer starts with was set by nobody: that it has no effect is no
 /// news. A texture that isn't shown is news even so: its scene has less than one thinks.
 bool isWorthSaying(const Finding& finding, const Scene& scene, const Scene& initial) {
-    if (finding.severity <= Severity::Warning || finding.rule == "texture-not-shown")
+    if (finding.severity <= Severity::Note || finding.rule == "texture-not-shown")
         return true;
     const auto isSetTo = [](const Scene& start, const std::string& path, const std::string& value) {
         const Result<std::string> its = getParam(start, path);
@@ -45,7 +45,7 @@ std::vector<Finding> worthSaying(const std::vector<Finding>& findings, const Sce
                          [&](const Finding& each) { return isWorthSaying(each, scene, initial); });
     std::vector<Finding> said;
     std::ranges::copy_if(kept, std::back_inserter(said), [&](const Finding& each) {
-        return each.severity <= Severity::Warning || std::ranges::none_of(kept, [&](const Finding& whole) {
+        return each.severity <= Severity::Note || std::ranges::none_of(kept, [&](const Finding& whole) {
                    return whole.severity >= Severity::Hint && whole.path.size() < each.path.size() &&
                           isPartOf(each.path, whole.path);
                });
@@ -61,12 +61,10 @@ struct Note {
 
 std::vector<Note> notesOf(const OpenedScene& opened) {
     std::vector<Note> notes;
-    for (std::size_t i = 0; i < opened.scene.textures.size(); ++i) {
-        const Texture& texture = opened.scene.textures[i];
-        const auto image = texture.source == SourceKind::File ? opened.images.find(texture) : nullptr;
+    for (const FileName& name : fileNamesOf(opened.scene)) {
+        const auto image = name.used ? opened.images.contentOf(name.file) : nullptr;
         for (const std::string& sentence : image ? image->notes : std::vector<std::string>())
-            notes.push_back(
-                {fmt::format("textures[{}].file", i), fmt::format("{}: {}", texture.file, sentence)});
+            notes.push_back({name.path, fmt::format("{}: {}", name.file, sentence)});
     }
     return notes;
 }
@@ -125,12 +123,12 @@ ExitCode check(const Options& options) {
             options.json && code == failure ? print(asJson({}, {}, describe(error))) : Result<void>();
         return printed ? complain(error, code) : complain(printed.error());
     }
-    const std::vector<std::optional<Error>> reasons = opened->images.loadOutlines(opened->scene);
+    const std::vector<Error> reasons = opened->images.loadOutlines(opened->scene);
     std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
-    for (std::size_t i = 0; i < reasons.size(); ++i) {
+    for (const Error& reason : reasons) {
         for (Finding& each : findings) {
-            if (reasons[i] && each.path == reasons[i]->where)
-                each.sentence = reasons[i]->message;
+            if (each.path == reason.where)
+                each.sentence = reason.message;
         }
     }
     const std::vector<Note> notes = notesOf(*opened);

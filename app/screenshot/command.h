@@ -28,6 +28,7 @@ void addFlip(CommandLine& line);
 void addCompress(CommandLine& line);
 void addConform(CommandLine& line);
 void addConvert(CommandLine& line);
+void addTexture(CommandLine& line);
 
 /// Prints "texshot: …" on standard error, a printable line, and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);

@@ -26,6 +26,7 @@ struct ConformOptions {
     std::vector<std::string> features;
     std::string folder;
     std::string shaders;
+    std::vector<std::string> pretended;
     unsigned seed = 1;
     int scenes = 0; // 0: as many as the features have
     bool json = false;
@@ -73,8 +74,8 @@ std::string quoted(const std::string& word) {
 }
 
 /// What makes the same report again, wherever it is typed.
-std::string commandOf(const ConformOptions& options, const conform::Selection& selection,
-                      const std::string& settings) {
+std::string commandOf(const ConformOptions& options, const view::Pretence& pretence,
+                      const conform::Selection& selection, const std::string& settings) {
     const std::size_t equals = settings.find('=') + 1;
     std::string command =
         fmt::format("{}{} texshot conform --seed {} --scenes {}", settings.substr(0, equals),
@@ -88,6 +89,7 @@ std::string commandOf(const ConformOptions& options, const conform::Selection& s
     add("--renderer", options.renderer);
     add("--against", options.against);
     add("--shaders", options.shaders);
+    add("--pretend", pretence.text());
     return command;
 }
 
@@ -198,6 +200,9 @@ ExitCode conformTo(const ConformOptions& options) {
         std::ranges::any_of(*pairs, [](const conform::Pair& pair) { return pair.has(RendererKind::Shader); });
     if (options.shadersOption->isGiven() && !shaders)
         return refuseUnused("--shaders", "it is for the shader renderer, which is not compared");
+    const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
+    if (!pretence)
+        return complain(pretence.error(), wrongCall);
     const Result<conform::Selection> selection = selectionOf(options);
     if (!selection)
         return complain(selection.error(), wrongCall);
@@ -207,7 +212,7 @@ ExitCode conformTo(const ConformOptions& options) {
     }
 
     const std::string settings = askMesaForPrecision();
-    const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders);
+    const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders, *pretence);
     if (!studio)
         return complain(studio.error());
     const Result<std::vector<conform::Pair>> possible = drawable(*pairs, (*studio)->renderers());
@@ -229,7 +234,8 @@ ExitCode conformTo(const ConformOptions& options) {
         return complainInterrupted();
     if (!report)
         return complain(report.error());
-    report->origin = {"texshot " TEXPLORER_VERSION, commandOf(options, *selection, settings), now()};
+    report->origin = {"texshot " TEXPLORER_VERSION, commandOf(options, *pretence, *selection, settings),
+                      now()};
 
     if (!options.folder.empty()) {
         if (const Result<void> written = writeFolder(options.folder, *report); !written)
@@ -273,6 +279,9 @@ void addConform(CommandLine& line) {
         "The folder of the shader renderer's files. Without it: those that the program was built "
         "with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    command.option("--pretend", options->pretended,
+                   view::pretenceHelp() + " What can't be compared then is skipped, and counted.",
+                   {.value = "WORDS", .oneEach = true});
     command.flag("--json", options->json, "The report as JSON, for programs.");
     for (const Option& option : command.options())
         options->notListing.push_back(&option);

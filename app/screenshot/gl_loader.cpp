@@ -35,12 +35,13 @@ Result<Shot> draw(const ShotRequest& request) {
     return shot;
 }
 
-Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders) {
+Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders,
+                                           const view::Pretence& pretence) {
     const Result<StudioEntry> entry = findEntry<StudioEntry>(studioEntryName);
     if (!entry)
         return fail(entry.error());
     Result<std::unique_ptr<Studio>> studio;
-    (*entry)(shaders, studio);
+    (*entry)(shaders, pretence, studio);
     return studio;
 }
 

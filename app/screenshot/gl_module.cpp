@@ -42,7 +42,8 @@ Result<Shot> drawScene(const ShotRequest& request) {
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     if (!context)
         return fail(context.error());
-    const Result<view::Capabilities> capabilities = render::loadCapabilities();
+    const Result<view::Capabilities> capabilities =
+        render::loadCapabilities().map([&](view::Capabilities found) { return request.pretence.of(found); });
     if (!capabilities)
         return fail(capabilities.error());
     Result<render::SceneRenderer> renderer =
@@ -68,7 +69,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(request.size);
     if (!context)
         return fail(context.error());
-    const auto graphics = opengl::OpenGlGraphics::create({request.shaders, {}});
+    const auto graphics = opengl::OpenGlGraphics::create({request.shaders, {}}, request.pretence);
     if (!graphics)
         return fail(graphics.error());
 
@@ -122,7 +123,10 @@ public:
         , shaders_(std::move(shaders)) {}
 
     conform::Driver driver() const override {
-        return {capabilities_.renderer, capabilities_.version, {}, view::driverFacts(capabilities_)};
+        std::string version = capabilities_.version;
+        if (!capabilities_.pretending.empty())
+            version += ", pretending " + capabilities_.pretending;
+        return {capabilities_.renderer, std::move(version), {}, view::driverFacts(capabilities_)};
     }
 
     view::OfferedRenderers renderers() const override { return render::offeredRenderers(capabilities_); }
@@ -155,14 +159,16 @@ private:
     std::map<RendererKind, render::SceneRenderer> renderers_;
 };
 
-Result<std::unique_ptr<Studio>> openOsmesaStudio(const std::filesystem::path& shaders) {
+Result<std::unique_ptr<Studio>> openOsmesaStudio(const std::filesystem::path& shaders,
+                                                 const view::Pretence& pretence) {
     Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
     if (!context)
         return fail(context.error());
     Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
-    return std::make_unique<OsmesaStudio>(std::move(*context), std::move(*capabilities), shaders);
+    return std::make_unique<OsmesaStudio>(std::move(*context), pretence.of(std::move(*capabilities)),
+                                          shaders);
 }
 
 } // namespace
@@ -177,8 +183,8 @@ texshotDraw(const texplorer::screenshot::ShotRequest& request,
 }
 
 extern "C" [[gnu::visibility("default")]] void
-texshotStudio(const std::filesystem::path& shaders,
+texshotStudio(const std::filesystem::path& shaders, const texplorer::view::Pretence& pretence,
               texplorer::Result<std::unique_ptr<texplorer::screenshot::Studio>>& studio) {
     texplorer::render::setUpDriverCache();
-    studio = texplorer::screenshot::openOsmesaStudio(shaders);
+    studio = texplorer::screenshot::openOsmesaStudio(shaders, pretence);
 }

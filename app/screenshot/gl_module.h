@@ -6,6 +6,7 @@
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/sections.h"
 #include "app/view/offered_renderers.h"
+#include "app/view/pretence.h"
 #include "app/view/size.h"
 #include "core/base/result.h"
 #include "core/conform/pair.h"
@@ -42,6 +43,7 @@ struct ShotRequest {
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
     std::optional<ui::Section> section{}; ///< of the window's parameters, to scroll to
     LevelWork levels{};                   ///< how textures are compressed at run time
+    view::Pretence pretence{};            ///< what the driver is treated as lacking
 
     /// Of the reference.
     [[nodiscard]] reference::DrawRequest drawRequest() const {
@@ -72,13 +74,15 @@ public:
 /// The module's entry points, found by these names.
 using DrawEntry = void (*)(const ShotRequest& request, Result<Shot>& shot);
 inline constexpr const char* drawEntryName = "texshotDraw";
-using StudioEntry = void (*)(const std::filesystem::path& shaders, Result<std::unique_ptr<Studio>>& studio);
+using StudioEntry = void (*)(const std::filesystem::path& shaders, const view::Pretence& pretence,
+                             Result<std::unique_ptr<Studio>>& studio);
 inline constexpr const char* studioEntryName = "texshotStudio";
 
 /// Loads the module beside this program and draws. The error says where the module was looked for.
 [[nodiscard]] Result<Shot> draw(const ShotRequest& request);
 
-/// Loads the module and opens a studio. `shaders` as in ShotRequest.
-[[nodiscard]] Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders);
+/// Loads the module and opens a studio. `shaders` and `pretence` as in ShotRequest.
+[[nodiscard]] Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders,
+                                                         const view::Pretence& pretence);
 
 } // namespace texplorer::screenshot

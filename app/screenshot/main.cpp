@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
         "\"texshot COMMAND --help\" explains each command.",
         sceneImageBytesText()));
     for (const auto add : {addShot, addProbe, addCheck, addConform, addParams, addDecode, addInfo, addConvert,
-                           addFlip, addCompress})
+                           addFlip, addCompress, addTexture})
         add(line);
 
     try {

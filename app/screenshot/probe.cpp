@@ -24,6 +24,7 @@ struct ProbeOptions {
     const Option* passOption = nullptr;
     bool json = false;
     bool withoutGl = false;
+    std::vector<std::string> pretended;
 };
 
 Result<reference::PixelPlace> parsePlace(std::string_view text, view::Size size) {
@@ -115,6 +116,11 @@ ExitCode probe(const ProbeOptions& options) {
         return refuseUnused("--pass", "it is for --texel; --at explains every pass");
     if (options.withoutGl && options.at.empty())
         return refuseUnused("--no-gl", "it is for --at; --texel doesn't ask OpenGL");
+    const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
+    if (!pretence)
+        return complain(pretence.error(), wrongCall);
+    if (!options.pretended.empty() && (options.withoutGl || options.at.empty()))
+        return refuseUnused("--pretend", "it is about the driver, which only --at asks, without --no-gl");
     const Result<view::Size> size = parsePictureSize(options.picture.size);
     if (!size)
         return complain(size.error(), wrongCall);
@@ -134,6 +140,7 @@ ExitCode probe(const ProbeOptions& options) {
     request.time = *time;
     request.size = *size;
     request.anisotropy = *anisotropy;
+    request.pretence = *pretence;
     request.levels.cache = BlockCache::ofUser();
     if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(options.scene, loaded.error()));
@@ -165,6 +172,8 @@ void addProbe(CommandLine& line) {
     command.flag(
         "--no-gl", options->withoutGl,
         "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
+    command.option("--pretend", options->pretended, view::pretenceHelp(),
+                   {.value = "WORDS", .oneEach = true});
     command.onCall([options] { return probe(*options); });
 }
 

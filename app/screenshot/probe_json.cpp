@@ -1,6 +1,7 @@
 #include "app/screenshot/probe_report.h"
 #include "core/reference/explain/explanation_steps.h"
 #include "core/reference/explain/sampling_steps.h"
+#include "core/reference/explain/stored_texel.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -94,16 +95,27 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
     for (const WrappedCoordinate& each : sample.wrapped)
         wrapped.push_back({{"level", each.level},
                            {"axis", std::string(1, "str"[each.axis])},
-                           {"wrap", nameOf(unit.sampler.wrap(each.axis))},
+                           {"wrap", nameOf(each.wrap)},
                            {"given", each.given},
                            {"texels", each.texels}});
     Json& taps = json["taps"] = Json::array();
-    for (const Tap& tap : sample.taps)
-        taps.push_back({{"level", tap.level},
-                        {"index", listOf(tap.index)},
-                        {"weight", tap.weight},
-                        {"color", listOf(tap.color)},
-                        {"border", tap.border}});
+    for (const Tap& tap : sample.taps) {
+        Json entry{{"level", tap.level},
+                   {"index", listOf(tap.index)},
+                   {"weight", tap.weight},
+                   {"color", listOf(tap.color)},
+                   {"border", tap.border}};
+        const auto stored = storedTexel(unit.internalFormat, tap.color);
+        if (stored && !tap.border)
+            entry["stored"] = {{"numbers", stored->numbers}, {"largest", stored->largest}};
+        if (isDepth(unit.internalFormat))
+            entry["depth"] = tap.depth;
+        taps.push_back(std::move(entry));
+    }
+    if (sample.cube) {
+        json["face"] = rowOf(cubeFaceAt(sample.cube->face)).label;
+        json["seamless"] = sample.seamless;
+    }
     json["color"] = listOf(sample.color);
     return json;
 }
@@ -121,6 +133,7 @@ Json jsonOf(const UnitExplanation& unit) {
               {"texture", unit.texture},
               {"target", nameOf(unit.target)},
               {"baseFormat", nameOf(unit.format)},
+              {"internalFormat", nameOf(unit.internalFormat)},
               {"generates",
                Json::array({unit.generates[0], unit.generates[1], unit.generates[2], unit.generates[3]})},
               {"atVertices", arrayOf(unit.vertices)},
@@ -130,6 +143,11 @@ Json jsonOf(const UnitExplanation& unit) {
               {"perPixelY", listOf(unit.derivatives.dy)},
               {"magFilter", nameOf(unit.sampler.magFilter)},
               {"minFilter", nameOf(unit.sampler.minFilter)}};
+    if (isDepth(unit.internalFormat)) {
+        json["compareMode"] = nameOf(unit.sampler.compareMode);
+        json["compareFunc"] = nameOf(unit.sampler.compareFunc);
+        json["depthMode"] = nameOf(unit.sampler.depthMode);
+    }
     json["sample"] = jsonOf(unit.sample, unit);
     json["environment"] = {{"mode", nameOf(unit.mode)},
                            {"previous", listOf(unit.inputs.previous)},
@@ -165,6 +183,17 @@ Json jsonOf(const BlendExplanation& blend) {
             {"result", listOf(blend.result)}};
 }
 
+Json jsonOf(const std::optional<FogExplanation>& fog) {
+    if (!fog)
+        return {{"enabled", false}};
+    return {{"enabled", true},
+            {"mode", nameOf(fog->state.mode)},
+            {"distance", fog->distance},
+            {"equation", jsonOf(fog->equation)},
+            {"factor", fog->factor},
+            {"fogColor", listOf(fog->state.color)}};
+}
+
 Json jsonOf(const FragmentExplanation& fragment) {
     constexpr std::array partNames{"point", "line", "triangle"};
     constexpr std::array outcomes{"drawn", "failed the alpha test", "failed the depth test"};
@@ -179,6 +208,8 @@ Json jsonOf(const FragmentExplanation& fragment) {
               {"vertices", arrayOf(fragment.vertices)},
               {"lighting", fragment.lighting},
               {"flat", fragment.flat},
+              {"twoSided", fragment.twoSided},
+              {"fromBehind", fragment.fromBehind},
               {"primary", listOf(fragment.primary)}};
     Json& units = json["units"] = Json::array();
     for (const UnitExplanation& unit : fragment.units)
@@ -189,6 +220,8 @@ Json jsonOf(const FragmentExplanation& fragment) {
     json["textured"] = listOf(fragment.textured);
     json["separateSpecular"] = fragment.separateSpecular;
     json["secondary"] = listOf(fragment.secondary);
+    json["summed"] = listOf(fragment.summed);
+    json["fog"] = jsonOf(fragment.fog);
     json["color"] = listOf(fragment.color);
     json["alphaTest"] = jsonOf(fragment.alphaTest);
     json["depth"] = fragment.depth;

@@ -33,6 +33,7 @@ struct ShotOptions {
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string compared;
     std::string shaders;
+    std::vector<std::string> pretended;
     std::string out;
     const Option* rendererOption = nullptr;
     const Option* shadersOption = nullptr;
@@ -139,6 +140,11 @@ ExitCode shoot(const ShotOptions& options) {
         return refuseUnused("--anisotropy", "OpenGL's driver decides, only the reference has a choice");
     if (options.shadersOption->isGiven() && !options.window && *renderer != RendererKind::Shader)
         return refuseUnused("--shaders", "it is for --renderer shader and --ui");
+    const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
+    if (!pretence)
+        return complain(pretence.error(), wrongCall);
+    if (!options.pretended.empty() && !options.window && *renderer == RendererKind::Reference)
+        return refuseUnused("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
     if (options.rendererOption->isGiven() && !options.compared.empty())
         return refuseUnused("--renderer", "--compare names the renderers");
 
@@ -173,6 +179,7 @@ ExitCode shoot(const ShotOptions& options) {
     if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(options.scene, loaded.error()));
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
+    request.pretence = *pretence;
     request.levels.cache = BlockCache::ofUser();
     if (std::ranges::find(request.scene.textures, Compression::Cached, &Texture::compression) !=
         request.scene.textures.end()) {
@@ -234,6 +241,8 @@ void addShot(CommandLine& line) {
                         "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
                         "of shaders/. Without it: those that the program was built with.",
                         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    command.option("--pretend", options->pretended, view::pretenceHelp(),
+                   {.value = "WORDS", .oneEach = true});
     command.option(
         "-o,--out", options->out,
         fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG.",

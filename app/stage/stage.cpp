@@ -93,7 +93,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     state_->frames.draw(session, picture);
     const Texture* bound = ui::boundTexture(std::as_const(session));
     const view::PictureHandle texture =
-        bound ? graphics.showTexture(*bound, session.document.images, session.services.levels)
+        bound ? graphics.showTexture(*bound, state_->frames.images(), session.services.levels)
               : view::PictureHandle::None;
 
     graphics.beginFrame();

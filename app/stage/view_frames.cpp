@@ -10,6 +10,9 @@ namespace texplorer::stage {
 
 void ViewFrames::draw(ui::Session& session, view::Size size) {
     frames_.clear();
+    Scene stepped;
+    images_ = lightDepths_.addedTo(session.document.images, ui::shownScene(session, stepped),
+                                   session.window.playback.time);
     for (const RendererKind kind : ui::shownRenderers(session.window.view)) {
         const auto drawn = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
         if (drawn != frames_.end()) // compared with itself
@@ -49,8 +52,8 @@ ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view
     ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true};
     Scene stepped;
     Result<view::Frame> frame =
-        graphics_.draw(kind, ui::shownScene(session, stepped), session.document.images,
-                       session.window.playback.time, size, session.services.levels);
+        graphics_.draw(kind, ui::shownScene(session, stepped), images_, session.window.playback.time, size,
+                       session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;

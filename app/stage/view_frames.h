@@ -3,6 +3,7 @@
 #include "app/stage/graphics.h"
 #include "app/ui/model/session.h"
 #include "app/ui/model/view_frame.h"
+#include "core/reference/light_depth.h"
 
 #include <array>
 #include <map>
@@ -22,6 +23,9 @@ public:
 
     /// To be called once a frame, before the panels are drawn: the frames are valid until the next call.
     void draw(ui::Session& session, view::Size size);
+
+    /// The scene's images as they were drawn, with what the light sees.
+    [[nodiscard]] const ImageSource& images() const { return images_; }
 
     /// In the order of ui::shownRenderers; never empty after `draw`.
     [[nodiscard]] const std::vector<ui::ViewFrame>& frames() const { return frames_; }
@@ -55,6 +59,8 @@ private:
     void compareViews(const ui::ViewSettings& settings);
 
     Graphics& graphics_;
+    reference::LightDepths lightDepths_;
+    ImageSource images_;
     std::map<RendererKind, Pixels> pixels_;
     std::vector<ui::ViewFrame> frames_;
     std::optional<ui::ViewDifference> difference_;

@@ -16,9 +16,10 @@ namespace texplorer::view {
     if (capabilities.maxCubeMapSize > 0)
         facts.maxCubeMapSize = capabilities.maxCubeMapSize;
     facts.maxAnisotropy = capabilities.maxAnisotropy;
-    facts.nonPowerOfTwo = true; // in every OpenGL that Texplorer accepts: since 2.0
+    facts.nonPowerOfTwo = capabilities.nonPowerOfTwo;
     facts.s3tc = capabilities.s3tc;
     facts.rgtc = capabilities.rgtc;
+    facts.seamlessCubeMaps = capabilities.seamlessCubeMaps;
     facts.textureBorders = capabilities.textureBorders;
     return facts;
 }

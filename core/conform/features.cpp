@@ -17,11 +17,15 @@ constexpr std::array rows{
             scenes::lighting, rules::outline, rules::outline},
     Feature{"specular", "separate specular over each environment mode", "3.9", 40, scenes::separateSpecular,
             rules::texelEdge, rules::lastBit},
+    Feature{"two-sided", "open shapes from both sides, shade models, colour control", "2.14.1", 48,
+            scenes::twoSided, rules::outline, rules::outline},
+    Feature{"fog", "modes, projections, densities and ranges, lit or not", "3.10", 64, scenes::fog,
+            rules::outline, rules::outline},
     Feature{"lines", "points and lines of every primitive, odd widths, colours, textures", "3.3, 3.4", 72,
             scenes::lines, rules::lines, rules::outline},
     Feature{"meshes", "every other primitive: normals, colours, indices, flat and smooth", "2.6.1", 72,
             scenes::meshes, rules::outline, rules::outline},
-    Feature{"quadrics", "cylinders, cones, disks, parts of disks, tori", "3.5.1", 48, scenes::quadrics,
+    Feature{"quadrics", "cylinders, cones, disks, parts of disks, tori, teapots", "3.5.1", 48, scenes::quadrics,
             rules::outline, rules::outline},
     Feature{"materials", "colour material or not, ambient, diffuse, emission, one for each model", "2.14.3",
             48, scenes::materials, rules::outline, rules::outline},
@@ -29,6 +33,12 @@ constexpr std::array rows{
             "2.11.2", 48, scenes::placement, rules::outline, rules::outline},
     Feature{"environment", "modes x base formats", "3.8.13", 144, scenes::environment, rules::exact,
             rules::exact},
+    Feature{"internal-formats", "formats of few bits and of sRGB x filters x wrap modes", "3.8.1", 112,
+            scenes::internalFormats, rules::texelEdge, rules::exact},
+    Feature{"preparation", "one to three operations on the image before its levels are made", "3.6.4", 72,
+            scenes::preparation, rules::exact, rules::exact},
+    Feature{"depth-textures", "compare functions x depth modes, bits, filters, 1D and 2D; r beyond 0 and 1",
+            "3.8.14", 96, scenes::depthTextures, rules::texelEdge, rules::exact},
     Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 112,
             scenes::combine, rules::exact, rules::exact},
     Feature{"units", "two to four units of any mode, format and texture", "3.8.13", 72, scenes::units,
@@ -43,8 +53,10 @@ constexpr std::array rows{
             scenes::mappedTexGen, rules::texelEdgeOnQuads, rules::lastBit},
     Feature{"texgen-shapes", "every mode on every shape", "2.11.4", 64, scenes::texGenOnShapes,
             rules::texelEdge, rules::lastBit},
-    Feature{"matrix", "texture matrix: pairs of steps, pivots, and a q for each vertex", "2.11.2", 100,
+    Feature{"matrix", "texture matrix: pairs of steps, pivots, and a q for each vertex", "2.11.2", 144,
             scenes::matrix, rules::texelEdgeOnQuads, rules::lastBit},
+    Feature{"projector", "the light's view in the matrix: slides and shadows x wrap x filters x shapes",
+            "2.11.2, 3.8.14", 80, scenes::projector, rules::texelEdge, rules::lastBit},
     Feature{"emboss", "coordinates that follow the light, by either matrix, at a place or not", "2.7", 48,
             scenes::emboss, rules::texelEdge, rules::lastBit},
     Feature{"nearest", "GL_NEAREST x wrap x shapes", "3.8.8", 72, scenes::nearest, rules::texelEdge,
@@ -70,6 +82,8 @@ constexpr std::array rows{
             rules::texelEdge, rules::lastBit},
     Feature{"cube-map", "reflection and normal maps on shapes, wrap modes, nearest and linear", "3.8.6", 64,
             scenes::cubeMap, rules::texelEdge, rules::lastBit},
+    Feature{"seamless", "cube maps of few texels, filtered across their edges x wrap modes x filters",
+            "ARB_seamless_cube_map", 64, scenes::seamless, rules::levelBlend, rules::lastBit},
     Feature{"border", "images with a border x wrap x filters", "3.8.1", 32, scenes::border, rules::texelEdge,
             rules::exact},
     Feature{"hint", "coordinates straight across the window x wrap x shapes", "5.6", 24, scenes::hint,
@@ -78,6 +92,8 @@ constexpr std::array rows{
             scenes::compression, rules::blocks, rules::exact},
     Feature{"incomplete", "mip levels that are missing x filters", "3.8.10", 32, scenes::incomplete,
             rules::exact, rules::exact},
+    Feature{"given-levels", "a picture for each level: complete, too few, of another size x filters",
+            "3.8.10", 72, scenes::givenLevels, rules::foreignLevels, rules::exact},
     Feature{"alpha-test", "functions and references", "4.1.4", 64, scenes::alphaTest, rules::exact,
             rules::exact},
     Feature{"blend", "factors of source x destination", "4.1.8", 80, scenes::blend, rules::exact,
@@ -95,7 +111,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 38 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 46 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

@@ -69,8 +69,7 @@ float log2OfBits(float value) {
 } // namespace
 
 glm::vec3 baseSizeOf(const Texture& texture, Target target, const ImageSource& images) {
-    const auto image = images.find(texture);
-    const LevelPlan plan = image ? planLevels(texture, *image, target) : LevelPlan{};
+    const LevelPlan plan = planLevels(texture, images.picturesOf(texture), target);
     for (const PlannedLevel& level : plan.levels) {
         if (level.number == texture.baseLevel)
             return {level.width, level.height, level.depth};

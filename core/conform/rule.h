@@ -112,6 +112,16 @@ inline constexpr Rule levelBlend{
     "Because "
     "of that one, 96 % have to be within the bound and not 99 %."};
 
+inline constexpr Rule foreignLevels{
+    "foreign-levels",
+    2,
+    0.88,
+    Tolerance::Lambda,
+    0.9995,
+    0.99,
+    "As between two levels that are made of each other, but here neighbours have nothing in common: the same "
+    "error of lambda moves a colour further, and only 88 % have to be within the bound."};
+
 inline constexpr Rule ellipse{
     "ellipse",
     16,

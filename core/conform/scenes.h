@@ -12,6 +12,8 @@ Scene coverage(int number, Dice& state, Dice& values);
 Scene depth(int number, Dice& state, Dice& values);
 Scene lighting(int number, Dice& state, Dice& values);
 Scene separateSpecular(int number, Dice& state, Dice& values);
+Scene twoSided(int number, Dice& state, Dice& values);
+Scene fog(int number, Dice& state, Dice& values);
 
 // Models: what they are made of, and where they are.
 Scene lines(int number, Dice& state, Dice& values);
@@ -28,6 +30,7 @@ Scene linearTexGen(int number, Dice& state, Dice& values);
 Scene mappedTexGen(int number, Dice& state, Dice& values);
 Scene texGenOnShapes(int number, Dice& state, Dice& values);
 Scene matrix(int number, Dice& state, Dice& values);
+Scene projector(int number, Dice& state, Dice& values);
 
 // How it is filtered.
 Scene nearest(int number, Dice& state, Dice& values);
@@ -41,12 +44,17 @@ Scene levelSettings(int number, Dice& state, Dice& values);
 Scene anisotropy(int number, Dice& state, Dice& values);
 Scene targets(int number, Dice& state, Dice& values);
 Scene cubeMap(int number, Dice& state, Dice& values);
+Scene seamless(int number, Dice& state, Dice& values);
 Scene border(int number, Dice& state, Dice& values);
 Scene hint(int number, Dice& state, Dice& values);
 Scene compression(int number, Dice& state, Dice& values);
 Scene incomplete(int number, Dice& state, Dice& values);
+Scene givenLevels(int number, Dice& state, Dice& values);
 
 // What becomes of the texel.
+Scene internalFormats(int number, Dice& state, Dice& values);
+Scene depthTextures(int number, Dice& state, Dice& values);
+Scene preparation(int number, Dice& state, Dice& values);
 Scene environment(int number, Dice& state, Dice& values);
 Scene combine(int number, Dice& state, Dice& values);
 Scene units(int number, Dice& state, Dice& values);

@@ -157,6 +157,33 @@ Scene cubeMap(int number, Dice& state, Dice& values) {
     return scene;
 }
 
+Scene seamless(int number, Dice& state, Dice& values) {
+    constexpr std::array filters{MinFilter::Linear, MinFilter::LinearMipmapLinear,
+                                 MinFilter::LinearMipmapNearest, MinFilter::Nearest};
+    const TexGenMode mode = number % 2 == 0 ? TexGenMode::ReflectionMap : TexGenMode::NormalMap;
+    number /= 2;
+    Scene scene = surface(number % 2 == 0 ? Shape::Sphere : Shape::Cube, values);
+    number /= 2;
+    Texture& texture = scene.textures[0];
+    texture.pattern = Pattern::CubeFaces;
+    texture.minFilter = filters[static_cast<std::size_t>(number) % filters.size()];
+    texture.magFilter = texture.minFilter == MinFilter::Nearest ? MagFilter::Nearest : MagFilter::Linear;
+    texture.mipmaps = MipPolicy::Generated;
+    texture.baseLevel = 3 + number % 5; // 16 texels along an edge to one, so that edges are wide
+    texture.wrapS = state.any<Wrap>(); // which count no more
+    texture.wrapT = state.any<Wrap>();
+    texture.borderColor = values.color();
+    scene.passes[0].seamlessCubeMap = true;
+    Unit& unit = scene.passes[0].units[0];
+    unit.target = Target::CubeMap;
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR})
+        *each = {true, mode, {}, {}};
+    unit.matrix = {{.op = MatrixOp::Rotate, // edges and corners everywhere
+                    .amount = {values.number(0, 1), values.number(0, 1), values.number(0.1F, 1)},
+                    .angle = values.number(0, 360)}};
+    return scene;
+}
+
 Scene border(int number, Dice& state, Dice& values) {
     const Wrap s = pick<Wrap>(number);
     const bool linear = number % 2 == 1;
@@ -200,6 +227,31 @@ Scene incomplete(int number, Dice& state, Dice& values) {
     scene.textures[0].baseLevel = 0;
     scene.textures[0].mipmaps = number % 2 == 0 ? MipPolicy::None : MipPolicy::Missing;
     scene.textures[0].minFilter = mipmapFilters[static_cast<std::size_t>(number / 2) % mipmapFilters.size()];
+    return scene;
+}
+
+Scene givenLevels(int number, Dice& state, Dice& values) {
+    // Complete, with too few levels that are read, with too few that aren't, with one of another size.
+    enum class Chain : std::uint8_t { Complete, Short, Limited, WrongSize };
+    constexpr std::array chains{Chain::Complete, Chain::Complete, Chain::Limited, Chain::Short,
+                                Chain::Complete, Chain::WrongSize};
+    constexpr int full = 8; // levels above a base of 256 texels
+    const auto turn = static_cast<std::size_t>(number);
+    const Chain chain = chains[turn % chains.size()];
+    Scene scene = filtered(number, state.any<MagFilter>(), state.of(mipmapFilters), state, values);
+    Texture& texture = scene.textures[0];
+    texture.pattern = Pattern::Brick;
+    texture.mipmaps = MipPolicy::Given;
+    const int count = chain == Chain::Short || chain == Chain::Limited ? 1 + values.below(full - 1) : full;
+    for (int level = 0; level < count; ++level)
+        texture.levels.push_back({.pattern = values.any<Pattern>()});
+    if (chain == Chain::Limited)
+        texture.maxLevel = count;
+    if (chain == Chain::WrongSize) { // 64 x 64 texels
+        GivenLevel& wrong = texture.levels[static_cast<std::size_t>(values.below(full) & ~1)];
+        wrong.source = SourceKind::File;
+        wrong.file = madeFiles[0].name;
+    }
     return scene;
 }
 

@@ -2,6 +2,7 @@
 #include "core/conform/surfaces.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace texplorer::conform::scenes {
 
@@ -83,7 +84,86 @@ void setEnvironment(Unit& unit, Texture& texture, Dice& state) {
         internalFormat(unit.envMode == EnvMode::Decal ? state.of(definedDecals) : state.any<BaseFormat>());
 }
 
+/// Those whose numbers aren't 255ths of a colour.
+constexpr auto unusualFormats = [] {
+    constexpr auto isOne = [](const FormatFacts& facts) {
+        return hasFewBits(facts.format) || isSrgb(facts.format);
+    };
+    std::array<InternalFormat, std::ranges::count_if(formatFacts, isOne)> formats{};
+    std::ranges::transform(formatFacts | std::views::filter(isOne), formats.begin(), &FormatFacts::format);
+    return formats;
+}();
+
 } // namespace
+
+Scene internalFormats(int number, Dice& state, Dice& values) {
+    const auto format = static_cast<std::size_t>(number) % unusualFormats.size();
+    const bool linear = static_cast<std::size_t>(number) / unusualFormats.size() % 2 == 1;
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    Texture& texture = scene.textures[0];
+    texture.internalFormat = unusualFormats[format];
+    texture.magFilter = linear ? MagFilter::Linear : MagFilter::Nearest;
+    texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+    texture.wrapS = state.any<Wrap>();
+    texture.wrapT = state.any<Wrap>();
+    texture.borderColor = values.color(); // which has all its bits, and no curve
+    return scene;
+}
+
+Scene preparation(int number, Dice& state, Dice& values) {
+    const auto first = pick<ImageOp>(number);
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    std::vector<ImageStep>& steps = scene.textures[0].preparation;
+    for (int left = 1 + number % 3; left > 0; --left) {
+        ImageStep step{.op = steps.empty() ? first : values.any<ImageOp>()};
+        for (int i = 0; i < 4; ++i) {
+            step.factor[i] = values.number(-1, 2);
+            step.bias[i] = values.number(-0.5F, 1);
+        }
+        step.amount = values.number(0, 3);
+        step.pattern = values.any<Pattern>();
+        steps.push_back(step);
+    }
+    return scene;
+}
+
+Scene depthTextures(int number, Dice& state, Dice& values) {
+    // Depths of 0 and 1 can be met exactly: r beyond them is clamped. Of the others none is.
+    constexpr Source ofZeroAndOne{Pattern::Checker, 0, 64, 64};
+    constexpr std::array askForEquals{CompareFunc::Equal, CompareFunc::NotEqual, CompareFunc::LessEqual,
+                                      CompareFunc::GreaterEqual};
+    constexpr std::array ends{-0.25F, 0.0F, 0.5F, 1.0F, 1.25F};
+    const CompareFunc function = pick<CompareFunc>(number);
+    const DepthMode mode = pick<DepthMode>(number);
+    const bool meets = std::ranges::find(askForEquals, function) != askForEquals.end();
+    Scene scene = texturedQuad(meets && !state.chance(3) ? ofZeroAndOne : state.of(coloredSources), values);
+    Texture& texture = scene.textures[0];
+    texture.internalFormat =
+        state.chance(2) ? InternalFormat::DepthComponent24 : InternalFormat::DepthComponent16;
+    texture.compareMode = state.chance(6) ? CompareMode::None : CompareMode::RToTexture;
+    texture.compareFunc = function;
+    texture.depthMode = mode;
+    const bool linear = state.chance(2);
+    texture.magFilter = linear ? MagFilter::Linear : MagFilter::Nearest;
+    texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+    texture.wrapS = state.any<Wrap>();
+    texture.wrapT = state.any<Wrap>();
+    texture.borderColor = values.color();
+    Unit& unit = scene.passes[0].units[0];
+    unit.target = state.chance(4) ? Target::Texture1D : Target::Texture2D;
+    unit.envMode = state.chance(2) ? EnvMode::Modulate : EnvMode::Replace;
+    // Along one axis r runs through fractions of powers of two, which no other 255th is.
+    const float first = values.of(ends);
+    const float last = values.of(ends);
+    const bool across = values.chance(2);
+    const Mesh quad = makeMesh({Shape::Quad});
+    TexCoords& coords = scene.models[0].texCoords[0];
+    for (std::size_t i = 0; i < coords.size(); ++i) {
+        const glm::vec3& place = quad.vertices[i].position;
+        coords[i].p = (across ? place.x : place.y) > 0 ? last : first;
+    }
+    return scene;
+}
 
 Scene environment(int number, Dice& state, Dice& values) {
     Scene scene = texturedQuad(state.of(coloredSources), values);

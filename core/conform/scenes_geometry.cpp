@@ -1,6 +1,8 @@
 #include "core/conform/scenes.h"
 #include "core/conform/surfaces.h"
 
+#include <utility>
+
 namespace texplorer::conform::scenes {
 
 Scene coverage(int number, Dice& /*state*/, Dice& values) {
@@ -50,6 +52,50 @@ Scene separateSpecular(int number, Dice& state, Dice& values) {
     scene.passes[0].units[0].envMode = pick<EnvMode>(number);
     scene.light.colorControl = ColorControl::SeparateSpecular;
     setLight(scene, values);
+    return scene;
+}
+
+Scene twoSided(int number, Dice& state, Dice& values) {
+    constexpr std::array shapes{Shape::Quad, Shape::Cylinder, Shape::Mesh, Shape::PartialDisk, Shape::Torus};
+    const ColorControl control = pick<ColorControl>(number);
+    const ShadeModel shading = pick<ShadeModel>(number);
+    Scene scene = surface(shapes[static_cast<std::size_t>(number) % shapes.size()], values);
+    scene.passes[0].units[0].enabled = false;
+    scene.material.shadeModel = shading;
+    scene.light.colorControl = control;
+    scene.light.twoSide = true;
+    scene.light.localViewer = state.chance(2);
+    scene.light.position.w = state.chance(2) ? 1.0F : 0.0F;
+    setLight(scene, values);
+    Model& model = scene.models[0];
+    model.rotation = {values.number(0, 360), values.number(0, 360), values.number(0, 360)};
+    if (values.chance(2)) { // mirrored: what was its front is seen from behind
+        for (glm::vec3& position : model.mesh.positions)
+            position.x = -position.x;
+    }
+    return scene;
+}
+
+Scene fog(int number, Dice& state, Dice& values) {
+    constexpr std::array shapes{Shape::Cube, Shape::Floor, Shape::Sphere, Shape::Mesh, Shape::Torus};
+    const FogMode mode = pick<FogMode>(number);
+    const Projection projection = pick<Projection>(number);
+    Scene scene = surface(shapes[static_cast<std::size_t>(number) % shapes.size()], values);
+    scene.view.projection = projection;
+    Pass& pass = scene.passes[0];
+    pass.units[0].enabled = false;
+    if (state.chance(2)) {
+        scene.light.colorControl = state.any<ColorControl>();
+        setLight(scene, values);
+    }
+    pass.fog = {true,
+                mode,
+                values.number(0, 0.5F),
+                values.number(0, 4),
+                values.number(4.5F, 12),
+                values.color()};
+    if (values.chance(6)) // clear where it is far
+        std::swap(pass.fog.start, pass.fog.end);
     return scene;
 }
 

@@ -143,4 +143,41 @@ Scene matrix(int number, Dice& state, Dice& values) {
     return scene;
 }
 
+Scene projector(int number, Dice& state, Dice& values) {
+    constexpr std::array shapes{Shape::Sphere, Shape::Cube, Shape::Torus, Shape::Mesh, Shape::Cylinder};
+    const bool shadows = number % 2 == 0;
+    const bool parallel = number / 2 % 2 == 0;
+    Scene scene = surface(shapes[static_cast<std::size_t>(number / 4) % shapes.size()], values);
+    scene.models.push_back(scene.models[0]); // which one of them may hide from the light
+    scene.models[0].position = {values.number(-1, 0), values.number(-1, 0), values.number(-1, 0)};
+    scene.models[1].position = {values.number(0, 1), values.number(0, 1), values.number(0, 1)};
+    Light& light = scene.light;
+    light.position = {values.number(-2, 2), values.number(-2, 2), 1, parallel ? 0.0F : 1.0F};
+    light.projector = {{0, 0, -scene.view.distance}, values.number(30, 60), 0.5F, 10};
+    Texture& texture = scene.textures[0];
+    texture.mipmaps = MipPolicy::None;
+    texture.magFilter = state.chance(2) ? MagFilter::Linear : MagFilter::Nearest;
+    texture.minFilter = texture.magFilter == MagFilter::Linear ? MinFilter::Linear : MinFilter::Nearest;
+    texture.wrapS = state.any<Wrap>();
+    texture.wrapT = state.any<Wrap>();
+    texture.borderColor = values.color();
+    Unit& unit = scene.passes[0].units[0];
+    if (shadows) {
+        texture.source = SourceKind::LightDepth;
+        texture.depthSize = state.chance(2) ? 64 : 100;
+        texture.internalFormat =
+            state.chance(2) ? InternalFormat::DepthComponent24 : InternalFormat::DepthComponent16;
+        texture.compareMode = CompareMode::RToTexture;
+        unit.matrix = {{.op = MatrixOp::Translate, .amount = {0, 0, -0.02F}}};
+    }
+    unit.matrix.push_back({.op = MatrixOp::Projector});
+    int axis = 0;
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR, &unit.texGenQ}) {
+        glm::vec4 plane(0);
+        plane[axis++] = 1;
+        *each = {true, TexGenMode::EyeLinear, {}, plane};
+    }
+    return scene;
+}
+
 } // namespace texplorer::conform::scenes

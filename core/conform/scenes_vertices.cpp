@@ -127,7 +127,8 @@ Scene meshes(int number, Dice& state, Dice& values) {
 }
 
 Scene quadrics(int number, Dice& state, Dice& values) {
-    constexpr std::array shapes{Shape::Cylinder, Shape::Disk, Shape::PartialDisk, Shape::Torus};
+    constexpr std::array shapes{Shape::Cylinder, Shape::Disk, Shape::PartialDisk, Shape::Torus,
+                                Shape::Teapot};
     const Shape shape = shapes[static_cast<std::size_t>(number) % shapes.size()];
     const bool extreme = number / static_cast<int>(shapes.size()) % 3 == 2; // a cone, no hole, a thin ring
     Scene scene = litSurface(shape, state, values);

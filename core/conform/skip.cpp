@@ -1,8 +1,11 @@
 #include "core/conform/skip.h"
 
+#include "core/conform/made_files.h"
+#include "core/image/power_of_two.h"
 #include "core/reference/raster/triangle.h"
 #include "core/reference/sampling/lod.h"
 #include "core/scene/drawn_models.h"
+#include "core/texture/level_plan.h"
 
 #include <algorithm>
 #include <array>
@@ -15,15 +18,32 @@ bool isDefinedDecal(BaseFormat format) {
     return format == BaseFormat::Rgb || format == BaseFormat::Rgba;
 }
 
+bool anyUnit(const Scene& scene, const Pass& pass, auto condition) {
+    return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+               const auto texture =
+                   static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
+               return unit.enabled && texture < scene.textures.size() &&
+                      condition(unit, scene.textures[texture]);
+           });
+}
+
 bool anyUnit(const Scene& scene, auto condition) {
-    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                   const auto texture =
-                       static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
-                   return unit.enabled && texture < scene.textures.size() &&
-                          condition(unit, scene.textures[texture]);
-               });
-    });
+    return std::ranges::any_of(scene.passes,
+                               [&](const Pass& pass) { return anyUnit(scene, pass, condition); });
+}
+
+/// The first level that OpenGL is given.
+PlannedLevel firstLevel(const Unit& unit, const Texture& texture) {
+    const LevelPlan plan = planLevels(texture, madeImages().picturesOf(texture), unit.target);
+    return plan.levels.empty() ? PlannedLevel{.width = 1, .height = 1, .depth = 1} : plan.levels.front();
+}
+
+bool isTooLarge(const Unit& unit, const Texture& texture, const DriverFacts& driver) {
+    const PlannedLevel level = firstLevel(unit, texture);
+    const int limit = unit.target == Target::Texture3D ? driver.max3DTextureSize
+                      : unit.target == Target::CubeMap ? driver.maxCubeMapSize
+                                                       : driver.maxTextureSize;
+    return std::max({level.width, level.height, level.depth}) > limit;
 }
 
 constexpr bool isCompressed(const Texture& texture) {
@@ -124,14 +144,46 @@ constexpr std::array skipRows{
     Skip{"cube-wrap",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
-                    anyUnit(scene, [](const Unit& unit, const Texture& texture) {
-                        return unit.target == Target::CubeMap && isLinearAnywhere(texture) &&
-                               (texture.wrapS != Wrap::ClampToEdge || texture.wrapT != Wrap::ClampToEdge);
+                    std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+                        return !pass.seamlessCubeMap &&
+                               anyUnit(scene, pass, [](const Unit& unit, const Texture& texture) {
+                                   return unit.target == Target::CubeMap && isLinearAnywhere(texture) &&
+                                          (texture.wrapS != Wrap::ClampToEdge ||
+                                           texture.wrapT != Wrap::ClampToEdge);
+                               });
                     });
          },
          "llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; "
          "the "
          "specification wraps on the face as on any picture (OpenGL 2.1, section 3.8.6)"},
+    Skip{"no-seamless-cube-maps",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && !driver.facts.seamlessCubeMaps &&
+                    std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+                        return pass.seamlessCubeMap &&
+                               anyUnit(scene, pass, [](const Unit& unit, const Texture&) {
+                                   return unit.target == Target::CubeMap;
+                               });
+                    });
+         },
+         "the driver has neither OpenGL 3.2 nor GL_ARB_seamless_cube_map"},
+    Skip{"too-large",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) &&
+                    anyUnit(scene, [&](const Unit& unit, const Texture& texture) {
+                        return isTooLarge(unit, texture, driver.facts);
+                    });
+         },
+         "the driver's largest texture is smaller"},
+    Skip{"no-npot",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Reference) && !driver.facts.nonPowerOfTwo &&
+                    anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                        const PlannedLevel level = firstLevel(unit, texture);
+                        return !arePowersOfTwo(level.width, level.height, level.depth);
+                    });
+         },
+         "the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)"},
     Skip{"even-lines",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
@@ -143,6 +195,24 @@ constexpr std::array skipRows{
          },
          "llvmpipe asks in which diamonds a line ends as it is given; the specification moves one of even "
          "width by half a pixel before (OpenGL 2.1, section 3.4.2)"},
+    Skip{"sum-in-fog",
+         [](const Scene& scene, const Pair& pair, const Driver& driver) {
+             return pair.has(RendererKind::Fixed) && driver.name.starts_with("llvmpipe") &&
+                    scene.light.colorControl == ColorControl::SeparateSpecular &&
+                    std::ranges::any_of(scene.passes, [](const Pass& pass) {
+                        return pass.enabled && pass.lighting && pass.fog.enabled;
+                    });
+         },
+         "Mesa's fixed function clamps the colour sum after the fog; the specification does before (OpenGL "
+         "2.1, section 3.9)"},
+    Skip{"fog-without-length",
+         [](const Scene& scene, const Pair& pair, const Driver&) {
+             return pair.has(RendererKind::Fixed) && std::ranges::any_of(scene.passes, [](const Pass& pass) {
+                        return pass.enabled && pass.fog.enabled && pass.fog.mode == FogMode::Linear &&
+                               pass.fog.start == pass.fog.end;
+                    });
+         },
+         "linear fog that ends where it starts divides by 0 (OpenGL 2.1, section 3.10)"},
     Skip{"too-few-units",
          [](const Scene& scene, const Pair&, const Driver& driver) {
              return std::ranges::any_of(scene.passes, [&](const Pass& pass) {

@@ -38,9 +38,9 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
     return fmt::format("{}.{}.", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(unit));
 }
 
-TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
+TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures,
                     const DriverFacts& driver) {
-    TargetFacts facts{target, planLevels(texture, image, target), {}, {}, baseFormat(texture.internalFormat)};
+    TargetFacts facts{target, planLevels(texture, pictures, target), {}, {}, baseFormat(texture.internalFormat)};
     // Completeness asks for extents alone: these levels have no texels.
     reference::SampledTexture sampled;
     sampled.target = target;
@@ -50,7 +50,9 @@ TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& i
                                 face) = {each.width, each.height, each.depth, facts.plan.border, {}};
     }
     if (facts.plan.blocks)
-        facts.format = reference::baseFormat(*facts.plan.blocks);
+        facts.format = baseFormat(*facts.plan.blocks);
+    else if (isDepth(texture.internalFormat))
+        facts.format = baseFormat(texture.depthMode);
     sampled.format = facts.format;
     AppliedTexture applied = appliedTexture(texture, std::move(sampled), facts.plan.lastLevel, driver);
     facts.completeness = std::move(applied.completeness);
@@ -65,21 +67,25 @@ std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images,
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Texture& texture = scene.textures[i];
         TextureFacts& facts = all[i];
-        facts.image = images.find(texture);
+        facts.pictures = images.picturesOf(texture);
+        facts.image = facts.pictures.base;
         if (facts.image && (facts.image->surfaces.empty() || byteCount(facts.image->surfaces.front()) == 0))
             facts.image = nullptr;
         const auto binds = [&](const Unit& unit) { return unit.texture == static_cast<int>(i); };
-        forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
-            facts.shown |= binds(unit) && unit.enabled;
+        bool seamless = driver.seamlessCubeMaps;
+        forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t p) {
+            if (!binds(unit) || !unit.enabled)
+                return;
+            facts.shown = true;
+            seamless = seamless && unit.target == Target::CubeMap && scene.passes[p].seamlessCubeMap;
         });
-        static const TextureImage none;
-        const TextureImage& image = facts.image ? *facts.image : none;
+        facts.seamless = facts.shown && seamless;
         forEachUnit(scene, [&](const Unit& unit, const std::string&, std::size_t) {
             if (binds(unit) && unit.enabled == facts.shown && !facts.hasTarget(unit.target))
-                facts.targets.push_back(factsAs(unit.target, texture, image, driver));
+                facts.targets.push_back(factsAs(unit.target, texture, facts.pictures, driver));
         });
         if (facts.targets.empty())
-            facts.targets.push_back(factsAs(Target::Texture2D, texture, image, driver));
+            facts.targets.push_back(factsAs(Target::Texture2D, texture, facts.pictures, driver));
     }
     return all;
 }
@@ -92,8 +98,9 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     const Case about{scene, driver, factsOf(scene, images, driver)};
     std::vector<Finding> findings;
     Report report(findings);
-    for (const std::span<const Rule> rules : {textureRules(), unitRules(), combineRules(), passRules(),
-                                              modelRules(), lightRules(), textureEffectRules()}) {
+    for (const std::span<const Rule> rules :
+         {textureRules(), formatRules(), unitRules(), combineRules(), passRules(), modelRules(), lightRules(), sideRules(),
+          fogRules(), depthRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);
@@ -120,7 +127,7 @@ bool isPartOf(std::string_view path, std::string_view whole) {
 
 const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path) {
     const auto found = std::ranges::find_if(findings, [&](const Finding& each) {
-        return each.severity <= Severity::Warning && isPartOf(each.path, path);
+        return each.severity <= Severity::Note && isPartOf(each.path, path);
     });
     return found == findings.end() ? nullptr : &*found;
 }

@@ -23,18 +23,21 @@ struct DriverFacts {
     bool nonPowerOfTwo = true;
     bool s3tc = true;
     bool rgtc = true;
+    bool seamlessCubeMaps = true;
     bool textureBorders = true; ///< a border of texels stays with its image
 
     bool operator==(const DriverFacts&) const = default;
 };
 
-enum class Severity : std::uint32_t { Error, Warning, Hint, Unused };
+enum class Severity : std::uint32_t { Error, Warning, Note, Hint, Unused };
 
 inline constexpr std::array severityRows{
     row(Severity::Error, "error", "Error",
         "Something that the scene asks for isn't there: it is drawn without it."),
     row(Severity::Warning, "warning", "Warning",
         "OpenGL leaves the result undefined, or does otherwise than one would think."),
+    row(Severity::Note, "note", "Worth knowing",
+        "Nothing is wrong: the setting does what it is for, and that is what one sees."),
     row(Severity::Hint, "hint", "No effect", "The setting changes no pixel as the others are at present."),
     row(Severity::Unused, "unused", "Not used",
         "The setting belongs to a choice that isn't made: a panel need not show it."),
@@ -43,7 +46,7 @@ template<>
 struct EnumTable<Severity> {
     static constexpr std::span<const EnumRow> rows = severityRows;
 };
-static_assert(severityRows.size() == 4);
+static_assert(severityRows.size() == 5);
 
 /// One value to set, as setParam takes it.
 struct Assignment {
@@ -69,8 +72,8 @@ struct Finding {
     bool reportedByRenderer = false;
 };
 
-/// Everything that there is to say, errors first, then warnings, hints and what is unused; each kind in the
-/// order of the rules. Reads no file: a texture whose file `images` doesn't hold counts as missing. Never
+/// Everything that there is to say, errors first, then warnings, notes, hints and what is unused; each kind in
+/// the order of the rules. Reads no file: a texture whose file `images` doesn't hold counts as missing. Never
 /// fails, whatever the scene holds.
 [[nodiscard]] std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images,
                                             const DriverFacts& driver = {});
@@ -81,8 +84,8 @@ struct Finding {
 /// Whether `path` is that of `whole`, a parameter or a struct, or of something in it.
 [[nodiscard]] bool isPartOf(std::string_view path, std::string_view whole);
 
-/// The first finding about a parameter: an error or a warning about itself or about something in it; or a
-/// hint or what is unused, about itself or a struct that it is part of, unless the fix sets it. nullptr:
+/// The first finding about a parameter: an error, a warning or a note about itself or about something in it; or
+/// a hint or what is unused, about itself or a struct that it is part of, unless the fix sets it. nullptr:
 /// none.
 [[nodiscard]] const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path);
 [[nodiscard]] const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path);

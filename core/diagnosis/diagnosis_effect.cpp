@@ -29,6 +29,8 @@ bool showsBorder(const Texture& texture, Wrap wrap) {
 std::string noFlip(const Texture& texture, const TextureFacts& facts) {
     if (texture.source == SourceKind::Pattern)
         return "a built-in pattern is upright";
+    if (texture.source == SourceKind::LightDepth)
+        return "what the light sees is upright";
     const auto isCube = [](const TargetFacts& each) { return each.target == Target::CubeMap; };
     if (std::ranges::any_of(facts.targets, isCube)) // whose rows begin at the top
         return facts.image && facts.image->fileTopFirst && std::ranges::all_of(facts.targets, isCube)
@@ -42,7 +44,7 @@ std::string noFlip(const Texture& texture, const TextureFacts& facts) {
 std::string noInternalFormat(const Texture&, const TextureFacts& facts) {
     const bool compressed = std::ranges::all_of(
         facts.targets, [](const TargetFacts& each) { return each.plan.blocks.has_value(); });
-    return compressed ? "a compressed texture has a format of its own" : "";
+    return compressed ? "a compressed texture has a format of its own; one of depths is not compressed" : "";
 }
 
 std::string noScaling(const Texture&, const TextureFacts& facts) {
@@ -53,7 +55,15 @@ std::string noScaling(const Texture&, const TextureFacts& facts) {
                                                                         : "";
 }
 
-std::string noWrapT(const Texture&, const TextureFacts& facts) {
+std::string noWrapS(const Texture&, const TextureFacts& facts) {
+    return facts.seamless
+               ? "a seamless cube map goes on across the edges of its faces, whatever the wrap modes"
+               : "";
+}
+
+std::string noWrapT(const Texture& texture, const TextureFacts& facts) {
+    if (facts.seamless)
+        return noWrapS(texture, facts);
     const bool line = std::ranges::all_of(
         facts.targets, [](const TargetFacts& each) { return each.target == Target::Texture1D; });
     return line ? "a 1D texture has only s" : "";
@@ -66,6 +76,8 @@ std::string noWrapR(const Texture&, const TextureFacts& facts) {
 }
 
 std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
+    if (facts.seamless)
+        return "a seamless cube map shows no border";
     const bool shown = showsBorder(texture, texture.wrapS) ||
                        (showsBorder(texture, texture.wrapT) && noWrapT(texture, facts).empty()) ||
                        (showsBorder(texture, texture.wrapR) && facts.hasTarget(Target::Texture3D));
@@ -96,9 +108,36 @@ std::string noLod(const Texture& texture, const TextureFacts&) {
     return same ? nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same" : "";
 }
 
+bool isDepthTexture(const Texture& texture) {
+    return isDepth(texture.internalFormat);
+}
+
+std::string noCompression(const Texture& texture, const TextureFacts&) {
+    return isDepthTexture(texture) ? "OpenGL has no compressed depth textures" : "";
+}
+
+std::string noTransparency(const Texture& texture, const TextureFacts&) {
+    return isDepthTexture(texture) ? "a depth texture has no alpha of its own" : "";
+}
+
+std::string noComparing(const Texture& texture, const TextureFacts&) {
+    return isDepthTexture(texture) ? "" : nameOf(texture.internalFormat) + " holds no depths";
+}
+
+std::string noCompareFunc(const Texture& texture, const TextureFacts& facts) {
+    const bool compares = texture.compareMode == CompareMode::RToTexture;
+    return compares ? noComparing(texture, facts) : "nothing is compared: " + nameOf(texture.compareMode);
+}
+
 constexpr std::array settings{
+    Setting{keyOf<&Texture::compression>, noCompression},
+    Setting{keyOf<&Texture::transparency>, noTransparency},
+    Setting{keyOf<&Texture::compareMode>, noComparing},
+    Setting{keyOf<&Texture::compareFunc>, noCompareFunc},
+    Setting{keyOf<&Texture::depthMode>, noComparing},
     Setting{keyOf<&Texture::flip>, noFlip},        Setting{keyOf<&Texture::internalFormat>, noInternalFormat},
     Setting{keyOf<&Texture::npot>, noScaling},     Setting{keyOf<&Texture::wrapT>, noWrapT},
+    Setting{keyOf<&Texture::wrapS>, noWrapS},
     Setting{keyOf<&Texture::wrapR>, noWrapR},      Setting{keyOf<&Texture::borderColor>, noBorderColor},
     Setting{keyOf<&Texture::border>, noBorder},    Setting{keyOf<&Texture::mipFilter>, noMipmaps},
     Setting{keyOf<&Texture::mipGamma>, noMipmaps}, Setting{keyOf<&Texture::maxLevel>, noMipmaps},
@@ -159,6 +198,54 @@ void notShown(const Case& about, Report& report) {
     }
 }
 
+/// Levels that are given where others are taken.
+void levelsUnread(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        if (texture.levels.empty() || texture.mipmaps == MipPolicy::Given)
+            continue;
+        const std::string path = elementOf<&Scene::textures>(i) + ".";
+        const std::string given = nameOf(MipPolicy::Given);
+        report.add(path + keyOf<&Texture::levels>(),
+                   fmt::format("these levels are not read with mipmaps={}", nameOf(texture.mipmaps)),
+                   Fix{"Read them", {{path + keyOf<&Texture::mipmaps>(), given}}});
+    }
+}
+
+bool makesAlpha(const ImageStep& step) {
+    return step.op == ImageOp::AlphaFrom || step.op == ImageOp::LuminanceToAlpha;
+}
+
+/// Why an alpha that a step makes is lost; empty: it isn't.
+std::string lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_t step) {
+    const auto later = texture.preparation.begin() + static_cast<std::ptrdiff_t>(step) + 1;
+    if (std::any_of(later, texture.preparation.end(), makesAlpha))
+        return "a later step makes another alpha";
+    if (texture.transparency != Transparency::File && texture.transparency != Transparency::Alpha)
+        return fmt::format("transparency={} makes another alpha", nameOf(texture.transparency));
+    const auto isWithout = [](const TargetFacts& each) {
+        return !each.plan.blocks && (each.format == BaseFormat::Rgb || each.format == BaseFormat::Luminance);
+    };
+    if (std::ranges::all_of(facts.targets, isWithout))
+        return nameOf(texture.internalFormat) + " keeps no alpha";
+    return {};
+}
+
+void alphaLost(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        for (std::size_t step = 0; step < texture.preparation.size(); ++step) {
+            if (!makesAlpha(texture.preparation[step]))
+                continue;
+            std::string reason = lostAlpha(texture, about.textures[i], step);
+            if (!reason.empty())
+                report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i),
+                                       elementOf<&Texture::preparation>(step)),
+                           std::move(reason));
+        }
+    }
+}
+
 /// What belongs to another choice than the one that is made.
 void unused(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
@@ -170,6 +257,8 @@ void unused(const Case& about, Report& report) {
         };
         unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), nameOf(texture.source));
         unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), nameOf(texture.source));
+        unless(texture.source == SourceKind::LightDepth, keyOf<&Texture::depthSize>(),
+               nameOf(texture.source));
         unless(texture.transparency == Transparency::Stencil, keyOf<&Texture::stencilColor>(),
                nameOf(texture.transparency));
         const bool cached = texture.compression == Compression::Cached;
@@ -181,6 +270,27 @@ void unused(const Case& about, Report& report) {
         unless(averages, keyOf<&Texture::mipFilter>(), nameOf(texture.mipmaps));
         unless(averages, keyOf<&Texture::mipGamma>(), nameOf(texture.mipmaps));
         unless(texture.mipmaps != MipPolicy::FromFile, keyOf<&Texture::npot>(), nameOf(texture.mipmaps));
+        for (std::size_t k = 0; k < texture.levels.size(); ++k) {
+            const GivenLevel& level = texture.levels[k];
+            const std::string owner = elementOf<&Texture::levels>(k) + ".";
+            const bool isFile = level.source == SourceKind::File;
+            unless(!isFile, owner + keyOf<&GivenLevel::pattern>(), nameOf(level.source));
+            unless(isFile, owner + keyOf<&GivenLevel::file>(), nameOf(level.source));
+        }
+        for (std::size_t k = 0; k < texture.preparation.size(); ++k) {
+            const ImageStep& step = texture.preparation[k];
+            const std::string owner = elementOf<&Texture::preparation>(k) + ".";
+            const bool asks = step.op == ImageOp::AlphaFrom;
+            const bool isFile = step.source == SourceKind::File;
+            unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::factor>(), nameOf(step.op));
+            unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::bias>(), nameOf(step.op));
+            unless(step.op == ImageOp::Sharpen, owner + keyOf<&ImageStep::amount>(), nameOf(step.op));
+            unless(asks, owner + keyOf<&ImageStep::source>(), nameOf(step.op));
+            unless(asks && !isFile, owner + keyOf<&ImageStep::pattern>(),
+                   asks ? nameOf(step.source) : nameOf(step.op));
+            unless(asks && isFile, owner + keyOf<&ImageStep::file>(),
+                   asks ? nameOf(step.source) : nameOf(step.op));
+        }
     }
 }
 
@@ -188,6 +298,8 @@ constexpr std::array effectRuleRows{
     Rule{"texture-setting", Severity::Hint, noEffect},
     Rule{"own-border", Severity::Hint, ownBorder},
     Rule{"texture-not-shown", Severity::Hint, notShown},
+    Rule{"levels-not-read", Severity::Hint, levelsUnread},
+    Rule{"lost-alpha", Severity::Hint, alphaLost},
     Rule{"other-texture-choice", Severity::Unused, unused},
 };
 

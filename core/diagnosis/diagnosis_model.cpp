@@ -32,7 +32,8 @@ struct ShapeRow {
 };
 
 void otherShape(const Case& about, Report& report) {
-    const std::vector round{Shape::Sphere, Shape::Cylinder, Shape::Disk, Shape::PartialDisk, Shape::Torus};
+    const std::vector round{Shape::Sphere,      Shape::Cylinder, Shape::Disk,
+                                   Shape::PartialDisk, Shape::Torus,    Shape::Teapot};
     const std::array rows{
         ShapeRow{keyOf<&Model::slices>, round},
         ShapeRow{keyOf<&Model::stacks>, round},

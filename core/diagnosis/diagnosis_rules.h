@@ -27,8 +27,10 @@ struct TargetFacts {
 
 /// What the rules ask about a texture again and again.
 struct TextureFacts {
-    std::shared_ptr<const TextureImage> image; ///< nullptr: not loaded
+    TexturePictures pictures;
+    std::shared_ptr<const TextureImage> image; ///< the base's; nullptr: not loaded
     bool shown = false;                        ///< by a unit that is on
+    bool seamless = false;                     ///< all of these show a seamless cube map
     /// The targets of the units that are on and show it; where there are none, of those that are off.
     std::vector<TargetFacts> targets;
 
@@ -37,7 +39,7 @@ struct TextureFacts {
 };
 
 /// What `texture` is as one target takes it. Whether it is complete is no driver's concern.
-[[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TextureImage& image,
+[[nodiscard]] TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures,
                                   const DriverFacts& driver = {});
 
 struct Case {
@@ -85,12 +87,19 @@ struct Rule {
 };
 
 [[nodiscard]] std::span<const Rule> textureRules();       ///< what is wrong with textures
+[[nodiscard]] std::span<const Rule> formatRules();        ///< what internal formats do to colours
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< which of their settings do nothing
 [[nodiscard]] std::span<const Rule> unitRules();
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
 [[nodiscard]] std::span<const Rule> modelRules();
 [[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
+[[nodiscard]] std::span<const Rule> sideRules();  ///< front and back
+[[nodiscard]] std::span<const Rule> fogRules();
+[[nodiscard]] std::span<const Rule> depthRules(); ///< and the light's view
+
+/// Whether a texture shows what the light sees, or is projected by it.
+[[nodiscard]] bool usesLightView(const Scene& scene);
 
 /// "passes[0].units[1]."
 [[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit);

@@ -21,7 +21,15 @@ void forEachTexture(const Case& about, Visit visit) {
 
 /// What names the image.
 Key imageKey(const Texture& texture) {
-    return texture.source == SourceKind::File ? keyOf<&Texture::file> : keyOf<&Texture::pattern>;
+    switch (texture.source) {
+    case SourceKind::Pattern:
+        break;
+    case SourceKind::File:
+        return keyOf<&Texture::file>;
+    case SourceKind::LightDepth:
+        return keyOf<&Texture::depthSize>;
+    }
+    return keyOf<&Texture::pattern>;
 }
 
 void missingFile(const Case& about, Report& report) {
@@ -31,6 +39,27 @@ void missingFile(const Case& about, Report& report) {
         report.add(path + keyOf<&Texture::file>(), texture.file.empty()
                                                        ? "the texture wants an image file, but names none"
                                                        : texture.file + " can't be found or read");
+    });
+}
+
+/// The same of levels that are given one by one, and of steps of the preparation.
+void missingPart(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        const auto add = [&](const std::string& part, const std::string& file, std::string_view effect) {
+            report.add(fmt::format("{}{}.{}", path, part, keyOf<&Texture::file>()),
+                       fmt::format("{}: {}",
+                                   file.empty() ? "an image file is wanted, but none is named"
+                                                : file + " can't be found or read",
+                                   effect));
+        };
+        for (std::size_t i = 0; i < texture.levels.size() && texture.mipmaps == MipPolicy::Given; ++i) {
+            if (!facts.pictures.level(i))
+                add(elementOf<&Texture::levels>(i), texture.levels[i].file, "there is no such level");
+        }
+        for (std::size_t i = 0; i < texture.preparation.size(); ++i) {
+            if (texture.preparation[i].op == ImageOp::AlphaFrom && !facts.pictures.other(i))
+                add(elementOf<&Texture::preparation>(i), texture.preparation[i].file, "the step is left out");
+        }
     });
 }
 
@@ -57,6 +86,15 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
         begin(texture.maxLevel);
     if (texture.baseLevel > 0)
         begin(0);
+    if (texture.mipmaps == MipPolicy::Given) {
+        for (std::size_t i = 0; i < texture.levels.size(); ++i) {
+            if (texture.levels[i].source == SourceKind::File)
+                add(fmt::format("Put a pattern on level {}", i + 1),
+                    fmt::format("{}.{}", elementOf<&Texture::levels>(i), keyOf<&GivenLevel::source>()),
+                    nameOf(SourceKind::Pattern),
+                    [i](Texture& cured) { cured.levels[i].source = SourceKind::Pattern; });
+        }
+    }
     if (texture.mipmaps != MipPolicy::Generated)
         add("Generate mipmaps", keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
             [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
@@ -76,7 +114,7 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
 std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, const std::string& path) {
     const auto completes = [&](const Texture& cured) {
         return std::ranges::all_of(facts.targets, [&](const TargetFacts& each) {
-            return factsAs(each.target, cured, *facts.image).completeness.complete();
+            return factsAs(each.target, cured, facts.pictures).completeness.complete();
         });
     };
     int lastLevel = 0;
@@ -105,17 +143,34 @@ std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, cons
     return fixes;
 }
 
+/// What names the picture of a level that was given with another size than it has to have: "levels[1].file".
+std::string wrongLevel(const Texture& texture, const reference::Completeness& completeness) {
+    const auto index = static_cast<std::size_t>(completeness.level) - 1; // of the base: beyond all
+    if (texture.mipmaps != MipPolicy::Given || index >= texture.levels.size() ||
+        completeness.rule != reference::CompletenessRule::LevelSize)
+        return {};
+    const bool isFile = texture.levels[index].source == SourceKind::File;
+    return fmt::format("{}.{}", elementOf<&Texture::levels>(index),
+                       isFile ? keyOf<&GivenLevel::file>() : keyOf<&GivenLevel::pattern>());
+}
+
 /// OpenGL 2.1, section 3.8.10.
 void incomplete(const Case& about, Report& report) {
     using Rule = reference::CompletenessRule;
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         if (!facts.image || !facts.shown)
             return;
-        const auto broken = std::ranges::find_if(
-            facts.targets, [](const TargetFacts& each) { return !each.completeness.complete(); });
+        const auto broken = std::ranges::find_if(facts.targets, [&](const TargetFacts& each) {
+            const bool refused = isDepth(texture.internalFormat) && !takesDepths(each.target);
+            return !refused && !each.completeness.complete();
+        });
         if (broken == facts.targets.end())
             return;
         const std::string sentence = broken->completeness.reason + "; drawn as if the unit were off";
+        if (const std::string level = wrongLevel(texture, broken->completeness); !level.empty()) {
+            report.add(path + level, sentence, fixesOf(texture, facts, path));
+            return;
+        }
         Key key = texture.mipmaps == MipPolicy::None ? keyOf<&Texture::minFilter> : keyOf<&Texture::mipmaps>;
         if (broken->completeness.rule == Rule::BaseLevelMissing ||
             broken->completeness.rule == Rule::BaseAboveMaxLevel)
@@ -236,6 +291,7 @@ void lostBorder(const Case& about, Report& report) {
 
 constexpr std::array textureRuleRows{
     Rule{"missing-file", Severity::Error, missingFile, true},
+    Rule{"missing-part", Severity::Error, missingPart, true},
     Rule{"size-limit", Severity::Error, sizeLimit, true},
     Rule{"incomplete", Severity::Warning, incomplete},
     Rule{"lod-range", Severity::Warning, lodRange},

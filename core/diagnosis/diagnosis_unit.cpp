@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -40,13 +41,36 @@ void missingTexture(const Case& about, Report& report) {
     });
 }
 
+/// A pass that blends does what a unit's environment does, where that is a product or a sum.
+std::string insteadOfUnit(EnvMode mode) {
+    struct Row {
+        EnvMode mode;
+        BlendFactor source;
+        BlendFactor destination;
+    };
+    constexpr std::array rows{Row{EnvMode::Modulate, BlendFactor::DstColor, BlendFactor::Zero},
+                              Row{EnvMode::Add, BlendFactor::One, BlendFactor::One},
+                              Row{EnvMode::Decal, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha}};
+    const auto* found = std::ranges::find(rows, mode, &Row::mode);
+    return found == rows.end()
+               ? std::string("more passes, blended, take the place of more units")
+               : fmt::format(
+                     "a pass more that shows its texture alone, blended with {} and {}, does the same",
+                     nameOf(found->source), nameOf(found->destination));
+}
+
 void unitLimit(const Case& about, Report& report) {
     const auto limit = static_cast<std::size_t>(std::max(0, about.driver.textureUnits));
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         for (std::size_t u = limit; u < maxUnits; ++u) {
-            if (about.scene.passes[p].enabled && about.scene.passes[p].units[u].enabled)
-                report.add(unitPath(p, u) + keyOf<&Unit::enabled>(),
-                           fmt::format("the driver has {} texture units: drawn without this one", limit));
+            const Unit& unit = about.scene.passes[p].units[u];
+            if (!about.scene.passes[p].enabled || !unit.enabled)
+                continue;
+            const std::string path = unitPath(p, u) + keyOf<&Unit::enabled>();
+            report.add(path,
+                       fmt::format("the driver has {} texture unit{}: drawn without this one; {}", limit,
+                                   limit == 1 ? "" : "s", insteadOfUnit(unit.envMode)),
+                       Fix{"Switch the unit off", {{path, "false"}}});
         }
     }
 }
@@ -138,28 +162,119 @@ void flatDirection(const Case& about, Report& report) {
     }
 }
 
+bool isLinearSomewhere(const Texture& texture) {
+    return texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
+}
+
+/// Whether coordinates from 0 to 1 reach what is beyond the edge.
+bool leaves(Wrap wrap) {
+    return wrap != Wrap::ClampToEdge && wrap != Wrap::MirroredRepeat;
+}
+
+/// "passes[0].seamlessCubeMap"
+std::string seamlessPath(std::size_t pass) {
+    return fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::seamlessCubeMap>());
+}
+
+/// In every pass that shows the texture.
+Fix acrossEdges(const Case& about, std::size_t texture) {
+    Fix fix{"Filter across the edges", {}};
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string&, std::size_t p) {
+        const Assignment set{seamlessPath(p), "true"};
+        if (unit.enabled && std::cmp_equal(unit.texture, texture) &&
+            std::ranges::find(fix.assignments, set) == fix.assignments.end())
+            fix.assignments.push_back(set);
+    });
+    return fix;
+}
+
 /// Section 3.8.7 wraps s and t of the one face that is hit: GL_REPEAT blends opposite edges.
 void cubeSeams(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         const Texture& texture = about.scene.textures[i];
-        const bool linear = texture.magFilter == MagFilter::Linear || reference::isLinear(texture.minFilter);
-        const auto leaves = [](Wrap wrap) {
-            return wrap != Wrap::ClampToEdge && wrap != Wrap::MirroredRepeat;
-        };
-        if (!about.textures[i].shown || !about.textures[i].hasTarget(Target::CubeMap) || !linear ||
+        const bool linear = isLinearSomewhere(texture);
+        if (!about.textures[i].shown || about.textures[i].seamless ||
+            !about.textures[i].hasTarget(Target::CubeMap) || !linear ||
             (!leaves(texture.wrapS) && !leaves(texture.wrapT)))
             continue;
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         const bool ofS = leaves(texture.wrapS);
         const std::string edge = nameOf(Wrap::ClampToEdge);
+        std::vector<Fix> fixes{
+            {"Clamp to the edges",
+             {{path + keyOf<&Texture::wrapS>(), edge}, {path + keyOf<&Texture::wrapT>(), edge}}}};
+        if (about.driver.seamlessCubeMaps)
+            fixes.push_back(acrossEdges(about, i));
         report.add(
             path + (ofS ? keyOf<&Texture::wrapS>() : keyOf<&Texture::wrapT>()),
             fmt::format(
                 "{} reaches beyond the edge of each face of a cube map, which then shows as a seam; some "
                 "drivers take {} whatever is asked for",
                 nameOf(ofS ? texture.wrapS : texture.wrapT), edge),
-            Fix{"Clamp to the edges",
-                {{path + keyOf<&Texture::wrapS>(), edge}, {path + keyOf<&Texture::wrapT>(), edge}}});
+            std::move(fixes));
+    }
+}
+
+/// The textures that the pass shows as cube maps.
+std::vector<std::size_t> cubeMapsOf(const Case& about, const Pass& pass) {
+    std::vector<std::size_t> maps;
+    for (const Unit& unit : pass.units) {
+        if (about.works(unit) && unit.target == Target::CubeMap)
+            maps.push_back(static_cast<std::size_t>(unit.texture));
+    }
+    return maps;
+}
+
+/// Clamped to its edges, each face blends less and less of a texel towards them: where texels are large one
+/// sees it.
+void cubeEdges(const Case& about, Report& report) {
+    constexpr int few = 16; // texels along an edge: a texel is 6 degrees wide
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        const Pass& pass = about.scene.passes[p];
+        if (!pass.enabled || pass.seamlessCubeMap || !about.driver.seamlessCubeMaps)
+            continue;
+        for (const std::size_t map : cubeMapsOf(about, pass)) {
+            const Texture& texture = about.scene.textures[map];
+            const auto& levels = about.textures[map].as(Target::CubeMap)->plan.levels;
+            const auto base = std::ranges::find(levels, texture.baseLevel, &PlannedLevel::number);
+            if (base == levels.end() || base->width > few || !isLinearSomewhere(texture) ||
+                leaves(texture.wrapS) || leaves(texture.wrapT)) // which is said already
+                continue;
+            report.add(seamlessPath(p),
+                       fmt::format("each face of textures[{}] has {} x {} texels and is filtered on its own: "
+                                   "seams show along the edges of the cube",
+                                   map, base->width, base->height),
+                       acrossEdges(about, map));
+            break;
+        }
+    }
+}
+
+void noSeamlessCubeMaps(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        const Pass& pass = about.scene.passes[p];
+        if (pass.enabled && pass.seamlessCubeMap && !about.driver.seamlessCubeMaps &&
+            std::ranges::any_of(
+                pass.units, [](const Unit& unit) { return unit.enabled && unit.target == Target::CubeMap; }))
+            report.add(seamlessPath(p), "the driver has no seamless cube maps: drawn without",
+                       Fix{"Do without", {{seamlessPath(p), "false"}}});
+    }
+}
+
+void seamlessInVain(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        const Pass& pass = about.scene.passes[p];
+        if (!pass.enabled)
+            continue;
+        const std::vector<std::size_t> maps = cubeMapsOf(about, pass);
+        if (maps.empty())
+            report.add(seamlessPath(p), "no unit of this pass shows a cube map");
+        else if (std::ranges::none_of(maps, [&](std::size_t map) {
+                     const Texture& texture = about.scene.textures[map];
+                     return isLinearSomewhere(texture) || leaves(texture.wrapS) || leaves(texture.wrapT);
+                 }))
+            report.add(seamlessPath(p),
+                       nameOf(MagFilter::Nearest) + " takes one texel, of the face that is hit");
     }
 }
 
@@ -222,6 +337,10 @@ void noLodBias(const Case& about, Report& report) {
     });
 }
 
+bool comparesDepths(const Texture& texture) {
+    return isDepth(texture.internalFormat) && texture.compareMode == CompareMode::RToTexture;
+}
+
 void noGeneration(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         for (const Generated& each : generated) {
@@ -237,7 +356,10 @@ void noGeneration(const Case& about, Report& report) {
                 report.add(own + keyOf<&TexGen::eyePlane>(), reason);
         }
         // Without a matrix that could carry them over, coordinates that the target has not are lost.
-        const int axes = coordinatesOf(unit.target);
+        const bool compares =
+            about.textureOf(unit) &&
+            comparesDepths(about.scene.textures[static_cast<std::size_t>(unit.texture)]);
+        const int axes = compares ? 3 : coordinatesOf(unit.target); // r is compared
         for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
@@ -392,6 +514,9 @@ constexpr std::array unitRuleRows{
     Rule{"zero-q", Severity::Warning, generatedZeroQ},
     Rule{"flat-direction", Severity::Warning, flatDirection},
     Rule{"cube-seams", Severity::Warning, cubeSeams},
+    Rule{"cube-edges", Severity::Note, cubeEdges},
+    Rule{"no-seamless-cube-maps", Severity::Warning, noSeamlessCubeMaps, true},
+    Rule{"seamless-in-vain", Severity::Hint, seamlessInVain},
     Rule{"unit-off", Severity::Hint, unitOff},
     Rule{"matrix-replaced", Severity::Hint, replacedSteps},
     Rule{"no-tangent", Severity::Warning, noTangent},

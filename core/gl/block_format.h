@@ -3,7 +3,7 @@
 // Formats that store 4 x 4 texels in a block of 8 or 16 bytes: EXT_texture_compression_s3tc and
 // ARB_texture_compression_rgtc.
 
-#include "core/gl/enum_row.h"
+#include "core/gl/environment.h"
 
 #include <cstddef>
 
@@ -54,6 +54,12 @@ static_assert(blockFormatRows.size() == 8);
 [[nodiscard]] constexpr bool isS3tc(BlockFormat format) {
     return format == BlockFormat::Dxt1 || format == BlockFormat::Dxt1Alpha || format == BlockFormat::Dxt3 ||
            format == BlockFormat::Dxt5;
+}
+
+/// The base internal format (OpenGL 2.1, table 3.17 and the extensions' own tables). The formats of one and two
+/// channels have the red and green of RGB, and nothing else.
+[[nodiscard]] constexpr BaseFormat baseFormat(BlockFormat format) {
+    return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
 }
 
 /// 8 for DXT1 and BC4, else 16.

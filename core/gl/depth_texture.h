@@ -3,6 +3,7 @@
 // How a texture of depths is read: OpenGL 2.1, section 3.8.14.
 
 #include "core/gl/environment.h"
+#include "core/gl/sampling.h"
 
 namespace texplorer {
 
@@ -17,6 +18,11 @@ enum class DepthMode : std::uint32_t {
 
 [[nodiscard]] constexpr BaseFormat baseFormat(DepthMode mode) {
     return static_cast<BaseFormat>(mode);
+}
+
+/// Section 3.8.1: glTexImage3D and the faces of a cube map have no depth components.
+[[nodiscard]] constexpr bool takesDepths(Target target) {
+    return target == Target::Texture1D || target == Target::Texture2D;
 }
 
 inline constexpr std::array compareModeRows{

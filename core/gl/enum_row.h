@@ -20,6 +20,7 @@ struct EnumRow {
     std::string_view label; ///< what a panel shows
     std::string_view help;  ///< one sentence for a student
     std::string_view since; ///< "1.0", "1.3", or an extension's name; empty for our own words
+    std::string_view group{}; ///< what stands above those of a kind in a long list; empty: a short one
 };
 
 /// Specialised beside every enum: `static constexpr std::span<const EnumRow> rows`.

@@ -80,8 +80,19 @@ inline constexpr std::array formatFacts{
 [[nodiscard]] constexpr BaseFormat baseFormat(InternalFormat format) {
     return factsOf(format).base;
 }
-[[nodiscard]] constexpr bool isDepth(InternalFormat format) {
-    return factsOf(format).encoding == Encoding::Depth;
+/// Whether it keeps fewer bits of a component than an image has.
+[[nodiscard]] constexpr bool hasFewBits(InternalFormat format) {
+    return std::ranges::any_of(factsOf(format).bits, [](int bits) { return bits > 0 && bits < 8; });
+}
+/// As its name says it, in whole bytes; a driver may take more.
+[[nodiscard]] constexpr int bytesPerTexel(InternalFormat format) {
+    int bits = 0;
+    for (const int each : factsOf(format).bits)
+        bits += each;
+    return (bits + 7) / 8;
+}
+[[nodiscard]] constexpr bool isDepth(InternalFormat format) { // asked for every sample
+    return format == InternalFormat::DepthComponent16 || format == InternalFormat::DepthComponent24;
 }
 [[nodiscard]] constexpr bool isSrgb(InternalFormat format) {
     return factsOf(format).encoding == Encoding::Srgb;
@@ -91,42 +102,60 @@ inline constexpr std::array formatFacts{
     return static_cast<InternalFormat>(format);
 }
 
-inline constexpr std::array internalFormatRows{
-    rowOf(BaseFormat::Rgba),
-    rowOf(BaseFormat::Rgb),
-    rowOf(BaseFormat::Luminance),
-    rowOf(BaseFormat::LuminanceAlpha),
-    rowOf(BaseFormat::Intensity),
-    rowOf(BaseFormat::Alpha),
-    row(InternalFormat::Rgb5A1, "GL_RGB5_A1", "RGB5 A1",
-        "32 steps for each colour, and alpha either 0 or 1: 16 bits a texel.", "1.1"),
-    row(InternalFormat::Rgba4, "GL_RGBA4", "RGBA4",
-        "16 steps for each component: 16 bits a texel, and bands where a colour changes slowly.", "1.1"),
-    row(InternalFormat::Rgba2, "GL_RGBA2", "RGBA2", "4 steps for each component: 8 bits a texel.", "1.1"),
-    row(InternalFormat::Rgb5, "GL_RGB5", "RGB5", "32 steps for each colour, no alpha.", "1.1"),
-    row(InternalFormat::Rgb4, "GL_RGB4", "RGB4", "16 steps for each colour, no alpha.", "1.1"),
-    row(InternalFormat::R3G3B2, "GL_R3_G3_B2", "R3 G3 B2",
-        "8 steps for red and green and 4 for blue: 8 bits a texel, and broad bands.", "1.1"),
-    row(InternalFormat::Luminance4, "GL_LUMINANCE4", "Luminance 4", "16 greys.", "1.1"),
-    row(InternalFormat::Luminance4Alpha4, "GL_LUMINANCE4_ALPHA4", "Luminance 4 + alpha 4",
-        "16 greys and 16 steps of alpha: 8 bits a texel.", "1.1"),
-    row(InternalFormat::Intensity4, "GL_INTENSITY4", "Intensity 4", "16 steps, for colour and alpha alike.",
-        "1.1"),
-    row(InternalFormat::Alpha4, "GL_ALPHA4", "Alpha 4", "16 steps of alpha, no colour.", "1.1"),
-    row(InternalFormat::Srgb8Alpha8, "GL_SRGB8_ALPHA8", "sRGB + alpha",
-        "The image's colours are sRGB, as most files' are: they become amounts of light before they are "
-        "filtered. Alpha is as it is.",
-        "2.1"),
-    row(InternalFormat::Srgb8, "GL_SRGB8", "sRGB", "Colours as sRGB, without alpha.", "2.1"),
-    row(InternalFormat::Sluminance8Alpha8, "GL_SLUMINANCE8_ALPHA8", "sLuminance + alpha",
-        "A grey by sRGB's curve, and alpha as it is.", "2.1"),
-    row(InternalFormat::Sluminance8, "GL_SLUMINANCE8", "sLuminance", "A grey by sRGB's curve, without alpha.",
-        "2.1"),
-    row(InternalFormat::DepthComponent16, "GL_DEPTH_COMPONENT16", "Depth, 16 bits",
-        "The image's red is a distance, from 0 (near) to 1 (far), in 65536 steps.", "1.4"),
-    row(InternalFormat::DepthComponent24, "GL_DEPTH_COMPONENT24", "Depth, 24 bits",
-        "The image's red is a distance, from 0 (near) to 1 (far), in some 16.8 million steps.", "1.4"),
-};
+/// What stands above its kind in a list.
+[[nodiscard]] constexpr std::string_view groupOf(InternalFormat format) {
+    switch (factsOf(format).encoding) {
+    case Encoding::Srgb:
+        return "sRGB";
+    case Encoding::Depth:
+        return "Depths";
+    case Encoding::Linear:
+        break;
+    }
+    return hasFewBits(format) ? "Few bits" : "8 bits";
+}
+
+inline constexpr auto internalFormatRows = [] {
+    std::array rows{
+        rowOf(BaseFormat::Rgba),
+        rowOf(BaseFormat::Rgb),
+        rowOf(BaseFormat::Luminance),
+        rowOf(BaseFormat::LuminanceAlpha),
+        rowOf(BaseFormat::Intensity),
+        rowOf(BaseFormat::Alpha),
+        row(InternalFormat::Rgb5A1, "GL_RGB5_A1", "RGB5 A1",
+            "32 steps for each colour, and alpha either 0 or 1: 16 bits a texel.", "1.1"),
+        row(InternalFormat::Rgba4, "GL_RGBA4", "RGBA4",
+            "16 steps for each component: 16 bits a texel, and bands where a colour changes slowly.", "1.1"),
+        row(InternalFormat::Rgba2, "GL_RGBA2", "RGBA2", "4 steps for each component: 8 bits a texel.", "1.1"),
+        row(InternalFormat::Rgb5, "GL_RGB5", "RGB5", "32 steps for each colour, no alpha.", "1.1"),
+        row(InternalFormat::Rgb4, "GL_RGB4", "RGB4", "16 steps for each colour, no alpha.", "1.1"),
+        row(InternalFormat::R3G3B2, "GL_R3_G3_B2", "R3 G3 B2",
+            "8 steps for red and green and 4 for blue: 8 bits a texel, and broad bands.", "1.1"),
+        row(InternalFormat::Luminance4, "GL_LUMINANCE4", "Luminance 4", "16 greys.", "1.1"),
+        row(InternalFormat::Luminance4Alpha4, "GL_LUMINANCE4_ALPHA4", "Luminance 4 + alpha 4",
+            "16 greys and 16 steps of alpha: 8 bits a texel.", "1.1"),
+        row(InternalFormat::Intensity4, "GL_INTENSITY4", "Intensity 4", "16 steps, for colour and alpha alike.",
+            "1.1"),
+        row(InternalFormat::Alpha4, "GL_ALPHA4", "Alpha 4", "16 steps of alpha, no colour.", "1.1"),
+        row(InternalFormat::Srgb8Alpha8, "GL_SRGB8_ALPHA8", "sRGB + alpha",
+            "The image's colours are sRGB, as most files' are: they become amounts of light before they are "
+            "filtered. Alpha is as it is.",
+            "2.1"),
+        row(InternalFormat::Srgb8, "GL_SRGB8", "sRGB", "Colours as sRGB, without alpha.", "2.1"),
+        row(InternalFormat::Sluminance8Alpha8, "GL_SLUMINANCE8_ALPHA8", "sLuminance + alpha",
+            "A grey by sRGB's curve, and alpha as it is.", "2.1"),
+        row(InternalFormat::Sluminance8, "GL_SLUMINANCE8", "sLuminance", "A grey by sRGB's curve, without alpha.",
+            "2.1"),
+        row(InternalFormat::DepthComponent16, "GL_DEPTH_COMPONENT16", "Depth, 16 bits",
+            "The image's red is a distance, from 0 (near) to 1 (far), in 65536 steps.", "1.4"),
+        row(InternalFormat::DepthComponent24, "GL_DEPTH_COMPONENT24", "Depth, 24 bits",
+            "The image's red is a distance, from 0 (near) to 1 (far), in some 16.8 million steps.", "1.4"),
+    };
+    for (EnumRow& each : rows)
+        each.group = groupOf(static_cast<InternalFormat>(each.value));
+    return rows;
+}();
 
 template<>
 struct EnumTable<InternalFormat> {

@@ -1,8 +1,34 @@
 #pragma once
 
+#include "core/image/depth_pixels.h"
 #include "core/image/image.h"
 
+#include <array>
+
 namespace texplorer {
+
+/// A pixel as OpenGL sees it (OpenGL 2.1, table 3.6): missing colours are 0, a missing alpha is 255, luminance
+/// is all three colours. A depth is a grey.
+[[nodiscard]] inline std::array<std::uint8_t, 4> rgbaOf(PixelFormat format, const std::byte* pixel) {
+    const auto value = [pixel](int i) { return std::to_integer<std::uint8_t>(pixel[i]); };
+    switch (format) {
+    case PixelFormat::Alpha8:
+        return {0, 0, 0, value(0)};
+    case PixelFormat::Luminance8:
+        return {value(0), value(0), value(0), 255};
+    case PixelFormat::LuminanceAlpha8:
+        return {value(0), value(0), value(0), value(1)};
+    case PixelFormat::Rgb8:
+        return {value(0), value(1), value(2), 255};
+    case PixelFormat::Rgba8:
+        break;
+    case PixelFormat::Depth32: {
+        const auto grey = static_cast<std::uint8_t>(greyOfDepth(depthAt(pixel)));
+        return {grey, grey, grey, 255};
+    }
+    }
+    return {value(0), value(1), value(2), value(3)};
+}
 
 /// The colours of an Rgba8 image without its alpha, as Rgb8. An image of another format is returned as it is.
 [[nodiscard]] Image withoutAlpha(Image image);

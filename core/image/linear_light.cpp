@@ -16,9 +16,11 @@ double storedOf(double light) {
 
 LinearLight makeTable() {
     LinearLight made;
-    for (std::size_t i = 0; i < made.light.size(); ++i)
-        made.light[i] =
-            static_cast<std::uint16_t>(std::lround(lightOf(static_cast<double>(i) / 255) * 65535));
+    for (std::size_t i = 0; i < made.light.size(); ++i) {
+        const double light = lightOf(static_cast<double>(i) / 255);
+        made.light[i] = static_cast<std::uint16_t>(std::lround(light * 65535));
+        made.exactLight[i] = static_cast<float>(light);
+    }
     made.stored.resize(65536);
     for (std::size_t i = 0; i < made.stored.size(); ++i)
         made.stored[i] =

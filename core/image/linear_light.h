@@ -18,6 +18,7 @@ namespace texplorer {
         return 3;
     case PixelFormat::Luminance8:
     case PixelFormat::Rgb8:
+    case PixelFormat::Depth32:
         break;
     }
     return -1;
@@ -27,6 +28,7 @@ namespace texplorer {
 /// stored value comes back as itself.
 struct LinearLight {
     std::array<std::uint16_t, 256> light{};
+    std::array<float, 256> exactLight{}; ///< 0 to 1
     std::vector<std::uint8_t> stored; ///< 65536, for every amount of light
 
     static const LinearLight& table(); ///< made when it is first asked for

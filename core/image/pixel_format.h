@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace texplorer {
 
-/// Eight bits a component, tightly packed, in this order in memory.
-enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8 };
+/// Eight bits a component, tightly packed, in this order in memory; or one depth of 32 bits, 0 to 1, as the
+/// processor stores it (core/image/depth_pixels.h), which no file holds.
+enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8, Depth32 };
 
 struct PixelFormatRow {
     PixelFormat format;
@@ -22,9 +24,13 @@ inline constexpr std::array pixelFormatRows{
     PixelFormatRow{PixelFormat::LuminanceAlpha8, 2, "luminance and alpha, 8 bits each"},
     PixelFormatRow{PixelFormat::Rgb8, 3, "RGB, 8 bits each"},
     PixelFormatRow{PixelFormat::Rgba8, 4, "RGBA, 8 bits each"},
+    PixelFormatRow{PixelFormat::Depth32, 4, "depth, 32 bits"},
 };
 
-static_assert(pixelFormatRows.size() == 5);
+/// Those of files.
+inline constexpr std::span<const PixelFormatRow> colorFormatRows = std::span(pixelFormatRows).first(5);
+
+static_assert(pixelFormatRows.size() == 6);
 
 /// The rows stand in the order of the enumerators, so a format is its row's index.
 [[nodiscard]] constexpr const PixelFormatRow& rowOf(PixelFormat format) {

@@ -3,6 +3,9 @@
 // What is done to a picture before it becomes a texture.
 
 #include "core/gl/enum_row.h"
+#include "core/image/image.h"
+
+#include <glm/vec4.hpp>
 
 namespace texplorer {
 
@@ -31,5 +34,27 @@ struct EnumTable<ImageOp> {
 };
 
 static_assert(imageOpRows.size() == 6);
+
+/// One operation with what it asks for. Colours are red, green, blue and alpha.
+struct Operation {
+    ImageOp op = ImageOp::Scale;
+    glm::vec4 factor{1};          ///< for Scale
+    glm::vec4 bias{0};            ///< for Scale
+    float amount = 1;             ///< for Sharpen
+    const Image* other = nullptr; ///< for AlphaFrom: whose luminance becomes alpha; of ALPHA, its alpha
+};
+
+/// The image after an operation, in the least format that holds it.
+/// - Scale works as GL's pixel transfer does (OpenGL 2.1, section 3.6.4): on the components that the format
+///   stands for, where missing colours are 0 and a missing alpha is 1; then it clamps to [0, 1] and rounds
+///   to the nearest of 256 values.
+/// - Luminance is (299 red + 587 green + 114 blue) / 1000, rounded.
+/// - AlphaFrom averages the other image over what each texel covers (scaleByCoverage); without one it changes
+///   nothing.
+/// - Sharpen takes each slice for itself, and a neighbour beyond an edge is the nearest texel of it:
+///   c + amount * (c - mean of the eight), rounded and clamped. Alpha stays.
+/// An image of alpha alone has no colours: Invert, Luminance, LuminanceToAlpha and Sharpen return it as it
+/// is. An empty image stays empty.
+[[nodiscard]] Image prepared(Image image, const Operation& operation);
 
 } // namespace texplorer

@@ -1,5 +1,7 @@
 #include "core/image/thumbnail.h"
 
+#include "core/image/depth_pixels.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,6 +29,10 @@ Premultiplied colorOf(PixelFormat format, ByteView pixel) {
         return times(value(0), value(1), value(2), 255);
     case PixelFormat::Rgba8:
         return times(value(0), value(1), value(2), value(3));
+    case PixelFormat::Depth32: {
+        const int grey = greyOfDepth(depthAt(pixel.data()));
+        return times(grey, grey, grey, 255);
+    }
     }
     return {};
 }

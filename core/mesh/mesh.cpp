@@ -21,7 +21,7 @@ int clampSlices(int slices) {
 }
 int clampStacks(Shape shape, int stacks) {
     const int least = shape == Shape::Torus ? 3 : minStacks; // a tube of two sides is flat
-    return std::clamp(stacks, least, maxSubdivision);
+    return std::clamp(stacks, least, shape == Shape::Teapot ? maxTeapotStacks : maxSubdivision);
 }
 float clampRadius(float radius, float greatest) {
     return std::fmin(std::fmax(radius, 0.0F), greatest); // what is no number becomes 0
@@ -63,12 +63,12 @@ void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners) {
         mesh.triangles.push_back(corners[corner]);
 }
 
-void addBandFaces(Mesh& mesh, const char* name, int slices, int stacks) {
+void addBandFaces(Mesh& mesh, const char* name, int slices, int firstRow, int stacks) {
     const auto length = static_cast<std::uint32_t>(slices + 1);
-    for (int row = 0; row < stacks; ++row) {
-        const std::uint32_t lower = static_cast<std::uint32_t>(row) * length;
+    for (int stack = 0; stack < stacks; ++stack) {
+        const std::uint32_t lower = static_cast<std::uint32_t>(firstRow + stack) * length;
         const std::uint32_t upper = lower + length;
-        Face face{fmt::format("{} {}", name, row + 1), {}};
+        Face face{fmt::format("{} {}", name, stack + 1), {}};
         face.vertices.reserve(std::size_t{2} * length);
         for (std::uint32_t i = 0; i < length; ++i)
             face.vertices.push_back(lower + i);
@@ -97,6 +97,25 @@ void addBandQuads(Mesh& mesh, int slices, int row) {
         else
             addTriangle(mesh, corners[1], corners[2], corners[3]);
     }
+}
+
+Mesh turned(std::span<const Ring> rings, int slices) {
+    Mesh mesh;
+    mesh.vertices.reserve(rings.size() * static_cast<std::size_t>(slices + 1));
+    for (std::size_t row = 0; row < rings.size(); ++row) {
+        const Ring& ring = rings[row];
+        const float t = static_cast<float>(row) / static_cast<float>(rings.size() - 1);
+        for (int slice = 0; slice <= slices; ++slice) {
+            const Circle longitude = circleAt(4.0 * slice / slices);
+            const float s = static_cast<float>(slice) / static_cast<float>(slices);
+            mesh.vertices.push_back(
+                {{-ring.radius * longitude.sine, ring.height, -ring.radius * longitude.cosine},
+                 {-ring.normal.x * longitude.sine, ring.normal.y, -ring.normal.x * longitude.cosine},
+                 {s, t, 0, 1}});
+        }
+    }
+    addBandFaces(mesh, "Stack", slices, 0, static_cast<int>(rings.size()) - 1);
+    return mesh;
 }
 
 void addPatch(Mesh& mesh, std::string name, const Patch& patch) {
@@ -132,6 +151,8 @@ Mesh makeMesh(const ShapeOptions& options) {
         return makePartialDisk(limited);
     case Shape::Torus:
         return makeTorus(limited.tubeRadius, limited.slices, limited.stacks);
+    case Shape::Teapot:
+        return makeTeapot(limited.slices, limited.stacks);
     case Shape::Mesh:
         break;
     }
@@ -139,6 +160,8 @@ Mesh makeMesh(const ShapeOptions& options) {
 }
 
 std::size_t vertexCount(const ShapeOptions& options) {
+    const auto rowLength = static_cast<std::size_t>(clampSlices(options.slices) + 1);
+    const auto stacks = static_cast<std::size_t>(clampStacks(options.shape, options.stacks));
     switch (options.shape) {
     case Shape::Cube:
         return 24;
@@ -147,8 +170,9 @@ std::size_t vertexCount(const ShapeOptions& options) {
     case Shape::Disk:
     case Shape::PartialDisk:
     case Shape::Torus:
-        return static_cast<std::size_t>(clampSlices(options.slices) + 1) *
-               static_cast<std::size_t>(clampStacks(options.shape, options.stacks) + 1);
+        return rowLength * (stacks + 1);
+    case Shape::Teapot: // ten rings of patches, in four parts
+        return rowLength * (10 * stacks + 4);
     case Shape::Quad:
     case Shape::Floor:
         return 4;

@@ -11,7 +11,18 @@
 
 namespace texplorer {
 
-enum class Shape : std::uint32_t { Cube, Sphere, Quad, Floor, Cylinder, Disk, PartialDisk, Torus, Mesh };
+enum class Shape : std::uint32_t {
+    Cube,
+    Sphere,
+    Quad,
+    Floor,
+    Cylinder,
+    Disk,
+    PartialDisk,
+    Torus,
+    Teapot,
+    Mesh
+};
 
 inline constexpr std::array shapeRows{
     row(Shape::Cube, "cube", "Cube",
@@ -27,6 +38,8 @@ inline constexpr std::array shapeRows{
     row(Shape::PartialDisk, "partialDisk", "Partial disk",
         "gluPartialDisk: a sector of a disk, from the start angle on, clockwise."),
     row(Shape::Torus, "torus", "Torus", "A ring: s goes around it, t around its tube."),
+    row(Shape::Teapot, "teapot", "Teapot",
+        "M. Newell's, of Bézier patches: the image goes once around its body, lid, handle and spout each."),
     row(Shape::Mesh, "mesh", "Mesh", "Vertices of its own: triangles, quads, lines or points."),
 };
 
@@ -35,7 +48,7 @@ struct EnumTable<Shape> {
     static constexpr std::span<const EnumRow> rows = shapeRows;
 };
 
-static_assert(shapeRows.size() == 9);
+static_assert(shapeRows.size() == 10);
 
 struct Vertex {
     glm::vec3 position;
@@ -74,13 +87,15 @@ struct Mesh {
 inline constexpr int minSlices = 3;
 inline constexpr int minStacks = 2;
 inline constexpr int maxSubdivision = 256;
+inline constexpr int maxTeapotStacks = 24; ///< with which no list of its coordinates becomes too long
 
 /// What a shape is made from. Each number counts for the shapes that it names.
 struct ShapeOptions {
     Shape shape = Shape::Cube;
-    int slices = 32; ///< around the axis: sphere, cylinder, disks, torus; 3 to 256
-    int stacks =
-        16; ///< sphere, cylinder: along the axis; disks: rings; torus: around its tube, at least 3; 2 to 256
+    int slices = 32; ///< around the axis: sphere, cylinder, disks, torus, each part of the teapot; 3 to 256
+    /// Sphere, cylinder: along the axis; disks: rings; torus: around its tube, at least 3; teapot: along each
+    /// patch, at most 24; 2 to 256.
+    int stacks = 16;
     float topRadius = 1;     ///< cylinder
     float innerRadius = 0;   ///< disks: of the hole, 0 to 1
     float tubeRadius = 0.4F; ///< torus
@@ -105,6 +120,13 @@ struct ShapeOptions {
 /// vertices as the rim. A negative sweep goes the other way around; one beyond 360 degrees is a whole turn.
 /// The torus has a ring of radius 1 around the y axis; its s goes around as the sphere's, its t around the
 /// tube: 0 at the hole, 0.25 below, 0.5 outside.
+///
+/// The teapot is M. Newell's, as big and where glutSolidTeapot(1) draws it, but counter-clockwise: the body
+/// has the radius 1, the bottom lies at y = -0.75 and the top of the lid at 0.825, the handle points to -x
+/// and the spout to +x. Unlike GLUT's, its patches don't have the whole image each: s goes around body and
+/// lid as around the sphere, t from the bottom's middle to the rim and from the lid's edge to its top; around
+/// handle and spout s begins on the inner side, towards the lid, and goes by the front (+z), and t runs from
+/// the handle's upper end to its lower one and from the body to the spout's tip.
 [[nodiscard]] Mesh makeMesh(const ShapeOptions& options);
 
 /// How many vertices makeMesh gives, without making it.

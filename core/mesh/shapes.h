@@ -4,7 +4,10 @@
 
 #include "core/mesh/mesh.h"
 
+#include <glm/vec2.hpp>
+
 #include <array>
+#include <span>
 
 namespace texplorer {
 
@@ -17,6 +20,7 @@ namespace texplorer {
 [[nodiscard]] Mesh makeDisk(float innerRadius, int slices, int rings);
 [[nodiscard]] Mesh makePartialDisk(const ShapeOptions& options);
 [[nodiscard]] Mesh makeTorus(float tubeRadius, int slices, int stacks);
+[[nodiscard]] Mesh makeTeapot(int slices, int stacks);
 
 struct Circle {
     float sine;
@@ -33,11 +37,25 @@ void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corners);
 
 // Of meshes made of rows of slices + 1 vertices, which run eastwards; the next row lies on their left.
 
-/// Adds a face for each two rows, "Stack 1" and so on: along the first and back along the second.
-void addBandFaces(Mesh& mesh, const char* name, int slices, int stacks);
+/// Adds a face for each two of the rows from `firstRow` on, "Stack 1" and so on: along the first and back
+/// along the second.
+void addBandFaces(Mesh& mesh, const char* name, int slices, int firstRow, int stacks);
 
 /// Adds the quadrilaterals between a row and the next, westwards, as the GL_QUAD_STRIPs of GLU's quadrics do.
 void addBandQuads(Mesh& mesh, int slices, int row);
+
+/// A circle around the y axis.
+struct Ring {
+    float radius;
+    float height;
+    glm::vec2 normal; ///< outwards and up
+};
+
+/// The vertices of a shape that is turned about the y axis, a row for each ring from below or inside on, and
+/// the faces between them; no triangles. s = 0 at the back (-z) and grows eastwards: 0.25 at the left (-x),
+/// 0.5 at the front, 0.75 at the right. t grows evenly from row to row. The seam has two vertices, and a pole
+/// one for each s, because one position there needs several texture coordinates.
+[[nodiscard]] Mesh turned(std::span<const Ring> rings, int slices);
 
 /// Four corners of a plane rectangle. `right` and `up` lead from the lower left corner along s and t, so that
 /// the image stands upright for a viewer who looks against `normal`.

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/reference/contributions.h"
+#include "core/reference/light_depth.h"
 #include "core/reference/probe.h"
 #include "core/reference/raster/kernel.h"
 #include "core/reference/raster/raster.h"
@@ -29,7 +30,18 @@ tl::unexpected<Error> stopped() {
 
 struct ReferenceRenderer::State {
     TextureStore textures;
+    LightDepths lightDepths;
+    DrawRequest seen; ///< with what the light sees, where the scene shows it
     std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
+
+    /// The same where nothing shows what the light sees.
+    const DrawRequest& withLightDepths(const DrawRequest& request) {
+        if (!showsLightDepths(request.scene))
+            return request;
+        seen = request;
+        seen.images = lightDepths.addedTo(request.images, request.scene, request.time);
+        return seen;
+    }
 
     Result<Frame> draw(const DrawRequest& request, const DrawOptions& options) {
         const auto& [scene, images, time, width, height, anisotropy] = request;
@@ -95,7 +107,7 @@ Result<Frame> ReferenceRenderer::draw(const DrawRequest& request, const DrawOpti
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        return state_->draw(request, options);
+        return state_->draw(state_->withLightDepths(request), options);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }
@@ -111,7 +123,7 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
                                 pixel.x, pixel.y));
     try {
         state_->textures.keepOnly(request.scene);
-        return explainPixel(request, pixel, options, state_->textures);
+        return explainPixel(state_->withLightDepths(request), pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
     }
@@ -124,7 +136,7 @@ Result<Contributions> ReferenceRenderer::contributions(const DrawRequest& reques
         return fail(size.error());
     try {
         state_->textures.keepOnly(request.scene);
-        return findContributions(request, question, options, state_->textures);
+        return findContributions(state_->withLightDepths(request), question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }

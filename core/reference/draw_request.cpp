@@ -9,7 +9,7 @@ namespace texplorer::reference {
 bool sameLevels(const DrawRequest& a, const DrawRequest& b) {
     return std::ranges::equal(
         a.scene.textures, b.scene.textures, [&](const Texture& one, const Texture& other) {
-            return imageSettings(one) == imageSettings(other) && a.images.find(one) == b.images.find(other);
+            return imageSettings(one) == imageSettings(other) && a.images.picturesOf(one) == b.images.picturesOf(other);
         });
 }
 

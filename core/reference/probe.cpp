@@ -5,6 +5,7 @@
 #include "core/reference/raster/shade.h"
 #include "core/reference/sampling/completeness.h"
 #include "core/reference/sampling/sampler.h"
+#include "core/reference/shading/fog.h"
 #include "core/reference/shading/fragment.h"
 #include "core/reference/shading/stored_color.h"
 #include "core/reference/shading/vertex_stage.h"
@@ -123,6 +124,7 @@ std::vector<Cover> Prober::cover(std::span<const ShadedVertex> corners, const Pa
     for (std::size_t i = 0; i < marked.size(); ++i) {
         marked[i].primary = glm::vec4(0);
         marked[i].primary[static_cast<int>(i)] = 1;
+        marked[i].back.primary = marked[i].primary;
     }
     const auto assembled = [&](std::span<const ShadedVertex> part, bool flat) {
         std::vector<Triangle> made;
@@ -201,6 +203,8 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
             fragment.face = faceOf(mesh, part);
             fragment.clipped = covering.clipped;
             fragment.coloredVertices = mesh.colored;
+            fragment.fromBehind = covering.triangle.seenFromBehind;
+            const bool back = pass.twoSided && fragment.fromBehind;
             for (std::size_t c = 0; c < part.size(); ++c) {
                 VertexExplanation& vertex = fragment.vertices.emplace_back();
                 vertex.vertex = part[c];
@@ -210,9 +214,10 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
                 vertex.normal = records[c].normal;
                 vertex.clip = records[c].shaded.clip;
                 if (pass.pass->lighting)
-                    vertex.lighting = records[c].lighting;
-                vertex.primary = records[c].shaded.primary;
-                vertex.secondary = records[c].shaded.secondary;
+                    vertex.lighting = back ? records[c].backLighting : records[c].lighting;
+                const ShadedVertex& shaded = records[c].shaded;
+                vertex.primary = back ? shaded.back.primary : shaded.primary;
+                vertex.secondary = back ? shaded.back.secondary : shaded.secondary;
             }
             draw(std::move(fragment), covering, pass, records, given, embossed);
         }
@@ -245,6 +250,7 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.texture = state.unit->texture;
         unit.target = state.texture->target;
         unit.format = state.texture->format;
+        unit.internalFormat = state.texture->internalFormat;
         unit.generates = {state.unit->texGenS.enabled, state.unit->texGenT.enabled,
                           state.unit->texGenR.enabled, state.unit->texGenQ.enabled};
         unit.embosses = state.unit->emboss.enabled;
@@ -339,13 +345,20 @@ void Prober::draw(FragmentExplanation fragment, const Cover& cover, const PassSt
     fragment.lighting = pass.pass->lighting;
     fragment.flat = pass.flat;
     fragment.separateSpecular = pass.separateSpecular;
+    fragment.twoSided = pass.twoSided;
     fragment.primary = primaryColor(triangle, offset);
     if (pass.separateSpecular)
         fragment.secondary =
             glm::clamp(triangle.secondary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
     explainUnits(fragment, cover, pass, records, given, embossed);
     // The picture's own arithmetic has the last word: it may round otherwise than what explains it.
+    fragment.summed = summedColor(triangle, offset);
     fragment.color = fragmentColor(triangle, offset);
+    if (pass.fog) {
+        const float distance = fogDistance(triangle, offset);
+        fragment.fog = {*pass.fog, distance, fogEquation(*pass.fog, distance),
+                        fogFactor(*pass.fog, distance)};
+    }
     test(fragment, triangle);
     explanation_.fragments.push_back(std::move(fragment));
 }

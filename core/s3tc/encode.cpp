@@ -33,6 +33,7 @@ void expand(PixelFormat format, const std::byte* pixel, std::uint8_t* rgba) {
         rgba[3] = 255;
         return;
     case PixelFormat::Rgba8:
+    case PixelFormat::Depth32:
         std::memcpy(rgba, pixel, 4);
         return;
     }

@@ -6,6 +6,10 @@ Scene initialLike(const Scene& scene) {
     Scene initial;
     initial.models.resize(scene.models.size());
     initial.textures.resize(scene.textures.size());
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        initial.textures[i].levels.resize(scene.textures[i].levels.size());
+        initial.textures[i].preparation.resize(scene.textures[i].preparation.size());
+    }
     initial.passes.resize(scene.passes.size());
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u)

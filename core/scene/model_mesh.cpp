@@ -1,5 +1,8 @@
 #include "core/scene/model_mesh.h"
 
+#include <algorithm>
+#include <array>
+
 namespace texplorer {
 
 ShapeOptions shapeOptions(const Model& model) {
@@ -33,7 +36,8 @@ int partCorners(const Model& model) {
 }
 
 bool isClosed(const Model& model) {
-    return model.shape == Shape::Cube || model.shape == Shape::Sphere || model.shape == Shape::Torus;
+    constexpr std::array closed{Shape::Cube, Shape::Sphere, Shape::Torus, Shape::Teapot};
+    return std::ranges::find(closed, model.shape) != closed.end();
 }
 
 const Material& materialOf(const Scene& scene, const Model& model) {

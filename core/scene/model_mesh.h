@@ -19,7 +19,7 @@ namespace texplorer {
 /// The same of what a model is drawn as.
 [[nodiscard]] int partCorners(const Model& model);
 
-/// Whether one can't see the inner side of its faces.
+/// Whether one can't see the inner side of its faces, but for a gap under a teapot's lid.
 [[nodiscard]] bool isClosed(const Model& model);
 
 /// The model's own material where it has one, else the scene's. Its shading is always the scene's.

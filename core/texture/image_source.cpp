@@ -52,35 +52,64 @@ std::shared_ptr<const TextureImage> sharedPattern(Pattern pattern) {
     return constant.image;
 }
 
+template<class AScene, class Visit> ///< visit(source, file, whether the texture wants it, path of the file)
+void forEachPicture(AScene& scene, Visit visit) {
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        auto& texture = scene.textures[i];
+        const std::string path = fmt::format("textures[{}].", i);
+        visit(texture.source, texture.file, true, path + "file");
+        for (std::size_t level = 0; level < texture.levels.size(); ++level)
+            visit(texture.levels[level].source, texture.levels[level].file,
+                  texture.mipmaps == MipPolicy::Given, fmt::format("{}levels[{}].file", path, level));
+        for (std::size_t step = 0; step < texture.preparation.size(); ++step)
+            visit(texture.preparation[step].source, texture.preparation[step].file,
+                  texture.preparation[step].op == ImageOp::AlphaFrom,
+                  fmt::format("{}preparation[{}].file", path, step));
+    }
+}
+
+/// One image for each size, as long as anybody has it.
+SharedImage farthestDepths(int size) {
+    static std::mutex mutex;
+    static std::map<int, std::weak_ptr<const TextureImage>> images;
+    const int extent = std::max(size, 1);
+    const std::lock_guard lock(mutex);
+    std::weak_ptr<const TextureImage>& known = images[extent];
+    if (SharedImage image = known.lock())
+        return image;
+    Image depths = Image::uninitialised(PixelFormat::Depth32, extent, extent);
+    std::ranges::fill(depths.pixels, std::byte{255});
+    const SharedImage image = depthImage(std::move(depths));
+    known = image;
+    return image;
+}
+
 } // namespace
 
 ImageSource::ImageSource(std::filesystem::path directory)
     : directory_(std::move(directory)) {}
 
-std::vector<std::optional<Error>> ImageSource::loadAll(const Scene& scene, std::size_t budget,
-                                                       Decoding decoding) {
-    std::vector<std::optional<Error>> errors(scene.textures.size());
+std::vector<Error> ImageSource::loadAll(const Scene& scene, std::size_t budget, Decoding decoding) {
+    std::vector<Error> errors;
     std::map<FileFingerprint, Result<SharedImage>> read;
     std::size_t used = bytesOf(filesOf(scene));
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        const Texture& texture = scene.textures[i];
-        if (texture.source != SourceKind::File || files_.contains(texture.file))
+    for (const FileName& name : fileNamesOf(scene)) {
+        if (!name.used || files_.contains(name.file))
             continue;
-        const std::string where = fmt::format("textures[{}].file", i);
-        if (texture.file.empty()) {
-            errors[i] = Error{ErrorCode::NotFound, "the texture wants an image file, but names none", where};
+        if (name.file.empty()) {
+            errors.push_back({ErrorCode::NotFound, "an image file is wanted, but none is named", name.path});
             continue;
         }
-        const std::filesystem::path path = directory_ / texture.file;
+        const std::filesystem::path path = directory_ / name.file;
         const std::optional<FileFingerprint> same = fingerprintOf(path);
         const auto known = same ? read.find(*same) : read.end();
         const Result<SharedImage> image =
             known != read.end() ? known->second : readImage(path, budget - std::min(budget, used), decoding);
         if (image) {
             used += known != read.end() ? 0 : byteCount(**image);
-            put(texture.file, *image);
+            put(name.file, *image);
         } else {
-            errors[i] = Error{image.error().code, describe(image.error()), where};
+            errors.push_back({image.error().code, describe(image.error()), name.path});
         }
         if (same)
             read.emplace(*same, image);
@@ -89,13 +118,13 @@ std::vector<std::optional<Error>> ImageSource::loadAll(const Scene& scene, std::
 }
 
 Result<void> ImageSource::load(const Scene& scene, std::size_t budget) {
-    for (std::optional<Error>& error : loadAll(scene, budget, Decoding::Pixels))
-        if (error)
-            return fail(*std::move(error));
+    std::vector<Error> errors = loadAll(scene, budget, Decoding::Pixels);
+    if (!errors.empty())
+        return fail(std::move(errors.front()));
     return {};
 }
 
-std::vector<std::optional<Error>> ImageSource::loadOutlines(const Scene& scene, std::size_t budget) {
+std::vector<Error> ImageSource::loadOutlines(const Scene& scene, std::size_t budget) {
     return loadAll(scene, budget, Decoding::Outline);
 }
 
@@ -110,23 +139,59 @@ std::size_t ImageSource::bytesOf(const std::set<std::string>& files) const {
     return bytes;
 }
 
+std::vector<FileName> fileNamesOf(const Scene& scene) {
+    std::vector<FileName> names;
+    forEachPicture(scene, [&](SourceKind source, const std::string& file, bool wanted, std::string path) {
+        names.push_back({std::move(path), file, wanted && source == SourceKind::File});
+    });
+    return names;
+}
+
 std::set<std::string> filesOf(const Scene& scene) {
     std::set<std::string> files;
-    for (const Texture& texture : scene.textures)
-        if (texture.source == SourceKind::File)
-            files.insert(texture.file);
+    for (FileName& name : fileNamesOf(scene))
+        if (name.used)
+            files.insert(std::move(name.file));
     return files;
+}
+
+void renameFiles(Scene& scene, const std::function<std::string(const std::string& file)>& rename) {
+    forEachPicture(scene, [&](SourceKind, std::string& file, bool, const std::string&) {
+        if (!file.empty())
+            file = rename(file);
+    });
 }
 
 void ImageSource::put(const std::string& file, Image image) {
     put(file, madeHere(std::move(image)));
 }
 
-std::shared_ptr<const TextureImage> ImageSource::find(const Texture& texture) const {
-    if (texture.source == SourceKind::Pattern)
-        return sharedPattern(texture.pattern);
-    const auto found = files_.find(texture.file);
-    return found == files_.end() ? nullptr : found->second;
+SharedImage ImageSource::find(SourceKind source, Pattern pattern, const std::string& file) const {
+    return source == SourceKind::Pattern ? sharedPattern(pattern) : contentOf(file);
+}
+
+SharedImage depthImage(Image depths) {
+    return std::make_shared<const TextureImage>(madeHere(std::move(depths)));
+}
+
+SharedImage ImageSource::find(const Texture& texture) const {
+    if (texture.source == SourceKind::LightDepth) {
+        const auto seen = lightDepths_.find(texture.depthSize);
+        return seen == lightDepths_.end() ? farthestDepths(texture.depthSize) : seen->second;
+    }
+    return find(texture.source, texture.pattern, texture.file);
+}
+
+TexturePictures ImageSource::picturesOf(const Texture& texture) const {
+    TexturePictures pictures(find(texture));
+    if (texture.mipmaps == MipPolicy::Given) {
+        for (const GivenLevel& level : texture.levels)
+            pictures.levels.push_back(find(level.source, level.pattern, level.file));
+    }
+    for (const ImageStep& step : texture.preparation)
+        pictures.others.push_back(step.op == ImageOp::AlphaFrom ? find(step.source, step.pattern, step.file)
+                                                                : nullptr);
+    return pictures;
 }
 
 } // namespace texplorer

@@ -2,8 +2,7 @@
 
 // Which levels a texture will have, without making any: what completeness and size limits can be judged by.
 
-#include "core/image/texture_image.h"
-#include "core/scene/scene.h"
+#include "core/texture/texture_pictures.h"
 
 #include <optional>
 #include <vector>
@@ -26,7 +25,11 @@ struct LevelPlan {
     std::optional<BlockFormat> blocks; ///< kept from the file, or what the driver shall compress to
 };
 
-/// The numbers and extents that prepareLevels would give, at once for any size. Empty for an empty image.
-[[nodiscard]] LevelPlan planLevels(const Texture& texture, const TextureImage& image, Target target);
+/// The extents that a level has above a base (OpenGL 2.1, section 3.8.8).
+[[nodiscard]] PlannedLevel levelAbove(const PlannedLevel& base, int number);
+
+/// The numbers and extents that prepareLevels would give, at once for any size; outlines will do. Empty for
+/// an empty image.
+[[nodiscard]] LevelPlan planLevels(const Texture& texture, const TexturePictures& pictures, Target target);
 
 } // namespace texplorer

@@ -9,10 +9,10 @@
 
 namespace texplorer {
 
-/// Which levels: of one image, with one texture's settings, for one target.
+/// Which levels: of which images, with one texture's settings, for one target.
 struct LevelsRequest {
-    std::shared_ptr<const TextureImage> image; // held, so that no other can come to have this address
-    Texture settings;                          ///< those of imageSettings
+    TexturePictures pictures; // held, so that no others can come to have these addresses
+    Texture settings;         ///< those of imageSettings
     Target target = Target::Texture2D;
 
     bool operator==(const LevelsRequest&) const = default;

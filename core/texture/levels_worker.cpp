@@ -1,5 +1,8 @@
 #include "core/texture/levels_worker.h"
 
+#include "core/image/thumbnail.h"
+#include "core/s3tc/surface_pixels.h"
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -18,18 +21,35 @@ constexpr FailureWords levelsFailure{"there is no memory for the numbers about i
                                      "its levels can't be made"};
 
 bool isQuick(const LevelsRequest& request) {
-    if (!request.image || request.image->surfaces.empty())
-        return true;
-    if (request.settings.compression == Compression::Cached)
+    const auto texelsOf = [](const TexturePictures::Picture& picture) {
+        if (!picture || picture->surfaces.empty())
+            return std::size_t{0};
+        const Surface& base = picture->surfaces.front();
+        const auto extent = [](int value) { return static_cast<std::size_t>(std::max(value, 1)); };
+        return extent(widthOf(base)) * extent(heightOf(base)) * extent(depthOf(base));
+    };
+    const TexturePictures& pictures = request.pictures;
+    std::size_t texels = texelsOf(pictures.base);
+    if (texels > 0 && request.settings.compression == Compression::Cached)
         return false;
-    const Surface& base = request.image->surfaces.front();
-    const auto extent = [](int value) { return static_cast<std::size_t>(std::max(value, 1)); };
-    return extent(widthOf(base)) * extent(heightOf(base)) * extent(depthOf(base)) <= quickTexels;
+    texels *= 1 + request.settings.preparation.size();
+    for (const auto* each : {&pictures.levels, &pictures.others}) {
+        for (const TexturePictures::Picture& picture : *each)
+            texels += texelsOf(picture);
+    }
+    return texels <= quickTexels;
 }
 
 std::string nameOf(const Texture& settings) {
-    return settings.source == SourceKind::File ? std::filesystem::path(settings.file).filename().string()
-                                               : std::string(rowOf(settings.pattern).label);
+    switch (settings.source) {
+    case SourceKind::Pattern:
+        break;
+    case SourceKind::File:
+        return std::filesystem::path(settings.file).filename().string();
+    case SourceKind::LightDepth:
+        return std::string(rowOf(settings.source).label);
+    }
+    return std::string(rowOf(settings.pattern).label);
 }
 
 std::optional<BlockFormat> formatOf(const std::vector<TextureLevel>& levels) {
@@ -40,12 +60,35 @@ std::optional<BlockFormat> formatOf(const std::vector<TextureLevel>& levels) {
 }
 
 PreparedLevels make(const LevelsRequest& request, const LevelWork& work) {
-    if (!request.image)
+    if (!request.pictures.base)
         return fail(ErrorCode::NotFound, "the image is not loaded");
-    return prepareLevels(request.settings, request.image, request.target, work);
+    return prepareLevels(request.settings, request.pictures, request.target, work);
 }
 
-std::shared_ptr<const LevelsSummary> summarise(const PreparedLevels& levels) {
+/// What a person needs to see of what was done to each.
+void showPictures(LevelsSummary& summary, const LevelsRequest& request, const TextureLevels& levels) {
+    const auto small = [](const Image& image) {
+        return std::make_shared<const Image>(thumbnailOf(image, LevelsSummary::thumbnailExtent));
+    };
+    const Texture& settings = request.settings;
+    if (!settings.preparation.empty()) {
+        for (const Image& step : preparationOf(settings, request.pictures))
+            summary.steps.push_back(small(step));
+    }
+    if (settings.mipmaps != MipPolicy::Given)
+        return;
+    const bool topFirst = request.target == Target::CubeMap || levels.lateFlip != LateFlip::None;
+    for (const TextureLevel& level : levels.levels) {
+        if (level.face != 0)
+            continue;
+        Image image = toImage(level.surface);
+        if (topFirst)
+            flipVertically(image);
+        summary.pictures.emplace_back(level.number, small(image));
+    }
+}
+
+std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, const PreparedLevels& levels) {
     auto summary = std::make_shared<LevelsSummary>();
     if (!levels) {
         summary->problem = describe(levels.error());
@@ -55,11 +98,12 @@ std::shared_ptr<const LevelsSummary> summarise(const PreparedLevels& levels) {
     summary->byDriver = levels->driverFormat.has_value();
     summary->compressed = summary->byDriver ? levels->driverFormat : formatOf(levels->levels);
     summary->notes = levels->notes;
+    showPictures(*summary, request, *levels);
     return summary;
 }
 
 /// The driver's levels, measured against what it was given.
-std::shared_ptr<const LevelsSummary> measure(const PreparedLevels& from,
+std::shared_ptr<const LevelsSummary> measure(const LevelsRequest& request, const PreparedLevels& from,
                                              const std::vector<TextureLevel>& made) {
     auto summary = std::make_shared<LevelsSummary>();
     MipChain source;
@@ -71,6 +115,7 @@ std::shared_ptr<const LevelsSummary> measure(const PreparedLevels& from,
     summary->byDriver = true;
     summary->compressed = formatOf(made);
     summary->notes = from->notes;
+    showPictures(*summary, request, *from);
     return summary;
 }
 
@@ -85,7 +130,7 @@ struct LevelsWorker::State {
               [this](const Making::Task& task) { return work(task); },
               [](const Job& job, Error error) {
                   auto levels = std::make_shared<const PreparedLevels>(fail(std::move(error)));
-                  auto summary = summarise(*levels);
+                  auto summary = summarise(job.request, *levels);
                   return Done{job.ticket, std::move(levels), std::move(summary)};
               }) {}
 
@@ -143,9 +188,9 @@ LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& re
 
 LevelsWorker::State::Done LevelsWorker::State::work(const Job& job, const LevelWork& how) {
     if (job.from)
-        return {job.ticket, nullptr, job.made.empty() ? nullptr : measure(*job.from, job.made)};
+        return {job.ticket, nullptr, job.made.empty() ? nullptr : measure(job.request, *job.from, job.made)};
     auto levels = std::make_shared<const PreparedLevels>(make(job.request, how));
-    auto summary = summarise(*levels);
+    auto summary = summarise(job.request, *levels);
     return {job.ticket, std::move(levels), std::move(summary)};
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "core/base/worker.h"
+#include "core/image/image.h"
 #include "core/texture/levels_source.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer {
@@ -18,6 +21,13 @@ struct LevelsSummary {
     bool byDriver = false;                 ///< the driver compresses: what it lost is known once it has
     std::vector<std::string> notes;        ///< sentences: what was done otherwise than asked for, and why
     std::string problem;                   ///< why there are no levels; empty: there are
+    /// Small upright pictures, at most thumbnailExtent texels a side: of the image before its preparation and
+    /// after each step; empty where there is none.
+    std::vector<std::shared_ptr<const Image>> steps;
+    /// The same of levels that are given one by one: of those that there are, each with its number.
+    std::vector<std::pair<int, std::shared_ptr<const Image>>> pictures;
+
+    static constexpr int thumbnailExtent = 64;
 };
 
 /// Makes levels: small ones while one waits, large ones on a thread of its own, one after the other. All

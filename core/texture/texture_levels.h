@@ -10,6 +10,7 @@
 #include "core/s3tc/encode.h"
 #include "core/scene/scene.h"
 #include "core/texture/block_cache.h"
+#include "core/texture/texture_pictures.h"
 
 #include <limits>
 #include <memory>
@@ -34,7 +35,8 @@ struct TextureLevels {
     int lastLevel = 1000;
     LateFlip lateFlip = LateFlip::None;
     int border = 0; ///< how many texels of every level's extents are border, on each side of each axis
-    std::optional<BlockFormat> driverFormat; ///< what the driver shall compress the levels to
+    InternalFormat internalFormat = InternalFormat::Rgba; ///< of levels that are pixels and stay pixels
+    std::optional<BlockFormat> driverFormat;              ///< what the driver shall compress the levels to
     /// What compressed levels were made of, in the same order: what their loss is measured against. Empty
     /// where nothing was compressed here.
     MipChain source;
@@ -51,22 +53,32 @@ struct LevelWork {
     std::stop_token stop{};
 };
 
-/// Applies `texture`'s flip, compression, mipmaps and power-of-two choices to the part of `image` that a
-/// target takes: face 0; of a volume the middle slice, unless the target is 3D; of a picture the middle row
-/// for 1D. OpenGL compresses pictures only, so that lines and volumes are uploaded decompressed. Errors: an
-/// image without surfaces; no memory; Cancelled after a stop request. A cache that can't be used is a note.
+/// Applies `texture`'s preparation, flip, compression, mipmaps and power-of-two choices to the part of
+/// `image` that a target takes: face 0; of a volume the middle slice, unless the target is 3D; of a picture
+/// the middle row for 1D. OpenGL compresses pictures only, so that lines and volumes are uploaded
+/// decompressed. Errors: an image without surfaces; no memory; Cancelled after a stop request. A cache that
+/// can't be used is a note. Where the internal format has few bits each level's pixels are rounded to them.
+/// Those of a depth texture become PixelFormat::Depth32; OpenGL has it for 1D and 2D targets alone, and not
+/// compressed. What the light sees stays as it is there, without mip levels; a texture of colours has it as
+/// greys. Unsupported: depths for another target.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TextureImage& image,
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 
-/// The same of an image that others have, too (not null): pictures that need no change are not copied, so
-/// that a large one takes no more than its own memory and that of the mip levels above it.
-[[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture,
-                                                  const std::shared_ptr<const TextureImage>& image,
+/// The same with the images of levels that are given one by one and of the preparation, where there are any;
+/// the base is not null. What of it needs no change is not copied, so that a large image takes no more than
+/// its own memory and that of the mip levels above it. A file's level has the size of its picture, a
+/// pattern's the one that it has to have; where one isn't loaded there is no such level, which is a note.
+[[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TexturePictures& pictures,
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 
-/// Every level as pixels: for a driver without S3TC. The rest stays as it is.
+/// The texture's picture before its preparation, and after each step of it: upright, bottom row first; of a
+/// cube map the first face, of a volume the middle slice. Empty where it isn't loaded.
+[[nodiscard]] std::vector<Image> preparationOf(const Texture& texture, const TexturePictures& pictures);
+
+/// Every level as pixels, 8 bits a component of the blocks' base format: for a driver
+/// without S3TC. The rest stays as it is.
 void decompress(TextureLevels& levels);
 
 /// The texture with everything that prepareLevels ignores at its initial value: two textures whose settings
@@ -95,7 +107,7 @@ struct TextureReport {
 };
 
 [[nodiscard]] TextureReport reportOn(const std::vector<TextureLevel>& levels, const MipChain& source = {});
-/// Where the driver is to compress them, the bytes are those that its blocks will have.
+/// Of pixels the bytes are those of the internal format, or of the blocks that the driver is to make of them.
 [[nodiscard]] TextureReport reportOn(const TextureLevels& levels);
 
 /// The report as a small table, a line a level and one for the sum.

@@ -1,5 +1,6 @@
 // The numbers of TextureReport: what a texture costs, and what its compression lost.
 
+#include "core/image/convert.h"
 #include "core/image/linear_light.h"
 #include "core/s3tc/decode.h"
 #include "core/texture/texture_levels.h"
@@ -13,24 +14,6 @@
 namespace texplorer {
 
 namespace {
-
-/// As OpenGL sees a texel: missing colours are 0, a missing alpha is 1, luminance is all three.
-std::array<int, 4> rgbaOf(PixelFormat format, const std::byte* pixel) {
-    const auto value = [pixel](int i) { return std::to_integer<int>(pixel[i]); };
-    switch (format) {
-    case PixelFormat::Alpha8:
-        return {0, 0, 0, value(0)};
-    case PixelFormat::Luminance8:
-        return {value(0), value(0), value(0), 255};
-    case PixelFormat::LuminanceAlpha8:
-        return {value(0), value(0), value(0), value(1)};
-    case PixelFormat::Rgb8:
-        return {value(0), value(1), value(2), 255};
-    case PixelFormat::Rgba8:
-        break;
-    }
-    return {value(0), value(1), value(2), value(3)};
-}
 
 /// How many of red, green, blue and alpha a format keeps.
 std::size_t componentsOf(BlockFormat format) {
@@ -87,15 +70,23 @@ std::string psnrText(const std::optional<double>& psnr) {
 
 TextureReport reportOn(const TextureLevels& levels) {
     TextureReport report = reportOn(levels.levels, levels.source);
-    if (!levels.driverFormat || report.levels.empty())
+    const bool areBlocks =
+        !levels.levels.empty() && std::holds_alternative<BlockImage>(*levels.levels.front().surface);
+    if (areBlocks || report.levels.empty())
         return report;
     // The levels are still pixels: what will become of them is known.
     const std::size_t before = report.bytes;
     report.bytes = 0;
     for (LevelReport& level : report.levels) {
-        const auto blocks = [](int extent) { return (static_cast<std::size_t>(extent) + 3) / 4; };
-        level.bytes = blocks(level.width) * blocks(level.height) * static_cast<std::size_t>(level.depth) *
-                      static_cast<std::size_t>(level.faces) * bytesPerBlock(*levels.driverFormat);
+        const auto extent = [&](int texels) {
+            return levels.driverFormat ? (static_cast<std::size_t>(texels) + 3) / 4
+                                       : static_cast<std::size_t>(texels);
+        };
+        const std::size_t unit = levels.driverFormat
+                                     ? bytesPerBlock(*levels.driverFormat)
+                                     : static_cast<std::size_t>(bytesPerTexel(levels.internalFormat));
+        level.bytes = extent(level.width) * extent(level.height) * static_cast<std::size_t>(level.depth) *
+                      static_cast<std::size_t>(level.faces) * unit;
         report.bytes += level.bytes;
     }
     if (before == 0)

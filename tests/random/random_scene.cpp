@@ -130,7 +130,8 @@ private:
         case Kind::Enum:
             return EnumValue{dice_.of(row.choices).value};
         case Kind::Text:
-            if (row.member != memberId<&Texture::file>)
+            if (row.member != memberId<&Texture::file> && row.member != memberId<&GivenLevel::file> &&
+                row.member != memberId<&ImageStep::file>)
                 return std::string(dice_.of(names));
             return files_.empty() ? std::string() : dice_.of(files_);
         case Kind::Matrix: {
@@ -262,6 +263,10 @@ void letItBeSeen(Scene& scene) {
         pass.blendSrc = BlendFactor::One;
     if (!scene.textures.empty())
         pass.units[0].enabled = true;
+    for (Pass& each : scene.passes) { // as thin as the models are far away
+        each.fog.density /= scene.view.distance;
+        each.fog.end = std::min(each.fog.end + 2 * scene.view.distance, 1000.0F);
+    }
 }
 
 /// What drivers do otherwise than the specification, or may.

@@ -178,7 +178,8 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
     for (const auto& [row, choices] : seen.choices)
         EXPECT_EQ(choices.size(), row->choices.size()) << row->key;
     for (const auto& [row, texts] : seen.texts) {
-        if (row->member == memberId<&Texture::file>)
+        if (row->member == memberId<&Texture::file> || row->member == memberId<&GivenLevel::file> ||
+            row->member == memberId<&ImageStep::file>)
             EXPECT_EQ(texts, std::set<std::string>(files.begin(), files.end()));
         else
             EXPECT_TRUE(texts.size() > 5 && texts.contains("two\nlines")) << row->key;
@@ -187,13 +188,13 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
         EXPECT_EQ(*counts.begin(), child->minCount) << child->key;
         EXPECT_EQ(*counts.rbegin(), child->maxCount) << child->key;
     }
-    // 28 rows of a texture, 24 of a model …: as many as the tables have, those of the four coordinates apart,
+    // 32 rows of a texture, 24 of a model …: as many as the tables have, those of the four coordinates apart,
     // and those of a material once.
     EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
         std::size_t count = 0;
         for (const StructTable* table :
-             {&viewTable(), &lightTable(), &materialTable(), &modelTable(), &meshTable(), &textureTable(),
-              &passTable(), &unitTable(), &matrixStepTable(), &combineTable(), &embossTable(),
+             {&viewTable(), &lightTable(), &projectorTable(), &materialTable(), &modelTable(), &meshTable(), &textureTable(),
+              &givenLevelTable(), &imageStepTable(), &passTable(), &fogTable(), &unitTable(), &matrixStepTable(), &combineTable(), &embossTable(),
               &texGenTable(0), &texGenTable(1), &texGenTable(2), &texGenTable(3)})
             count += table->params.size();
         return count;

@@ -34,7 +34,9 @@ std::string nameOf(RendererKind kind) {
 conform::Rule ruleFor(const Scene& scene, const conform::Pair& pair) {
     conform::Rule rule = conform::rules::lastBit;
     if (pair.has(RendererKind::Reference)) {
-        rule = conform::rules::levelBlend;
+        const bool foreign = std::ranges::find(scene.textures, MipPolicy::Given, &Texture::mipmaps) !=
+                             scene.textures.end();
+        rule = foreign ? conform::rules::foreignLevels : conform::rules::levelBlend;
         rule.explainedScene = 0.97;
     }
     rule.bound += static_cast<int>(scene.passes.size()) - 1;

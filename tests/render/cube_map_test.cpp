@@ -129,6 +129,69 @@ TEST_F(CubeMaps, TurnWithTheTextureMatrix) {
     EXPECT_LE(difference(scene), 0.02);
 }
 
+// Two by two texels a face, red 40 times its number.
+TEST_F(CubeMaps, GoOnAcrossTheirEdgesWhereTheyAreSeamless) {
+    images.put("image", strip());
+    Scene scene = cubeScene();
+    scene.textures[0].magFilter = MagFilter::Linear;
+    scene.textures[0].minFilter = MinFilter::Linear;
+    const auto colorOf = [&](glm::vec3 direction) {
+        scene.models[0].texCoords[0] = quadCoords(glm::vec4(direction, 1));
+        const glm::vec4 color = onlyColor(scene);
+        EXPECT_THAT(problems, testing::IsEmpty());
+        const Result<Frame> ours = reference::drawReference({scene, images, 0, 8, 8});
+        EXPECT_TRUE(ours);
+        EXPECT_TRUE(isColor(color, colorAt(ours->image, 4, 4), 1));
+        return color;
+    };
+    // Of +x next to +z: red 0 there, 160 here, and half of it between them. Its own texels are clamped.
+    EXPECT_NEAR(colorOf({1, 0, 0.9999F}).r * 255, 0, 1);
+    scene.passes[0].seamlessCubeMap = true;
+    EXPECT_NEAR(colorOf({1, 0, 0.9999F}).r * 255, 80, 1);
+    EXPECT_NEAR(colorOf({0.9999F, 0, 1}).r * 255, 80, 1);
+    EXPECT_NEAR(colorOf({1, 0, 0}).r * 255, 0, 1) << "the middle of a face is its own";
+    // The corner of +x, +y and +z: (0 + 80 + 160) / 3.
+    EXPECT_NEAR(colorOf({1, 0.9999F, 0.9998F}).r * 255, 80, 1);
+    // The corner of -x, -y and -z: (40 + 120 + 200) / 3.
+    EXPECT_NEAR(colorOf({-1, -0.9999F, -0.9998F}).r * 255, 120, 1);
+    scene.passes.push_back(scene.passes[0]); // the switch is the pass's own
+    scene.passes[1].seamlessCubeMap = false;
+    EXPECT_NEAR(colorOf({1, 0, 0.9999F}).r * 255, 0, 1);
+    std::swap(scene.passes[0], scene.passes[1]);
+    EXPECT_NEAR(colorOf({1, 0, 0.9999F}).r * 255, 80, 1);
+}
+
+TEST_F(CubeMaps, AreSeenAlikeWhereTheyAreSeamlessAndSmall) {
+    for (const int level : {4, 6, 7}) { // 8 texels along an edge, 2 and 1
+        for (const Wrap wrap : {Wrap::ClampToEdge, Wrap::Repeat}) {
+            Scene scene = labelled(TexGenMode::NormalMap);
+            scene.textures[0].baseLevel = level;
+            scene.textures[0].minFilter = MinFilter::Linear;
+            scene.textures[0].wrapS = scene.textures[0].wrapT = wrap;
+            const Image seams = picture(scene, 96);
+            scene.passes[0].seamlessCubeMap = true;
+            EXPECT_NE(picture(scene, 96), seams);
+            EXPECT_LE(difference(scene), 0.001) << level;
+        }
+    }
+}
+
+TEST_F(CubeMaps, AreDrawnWithSeamsWhereTheDriverHasNoOther) {
+    Scene scene = labelled(TexGenMode::NormalMap);
+    scene.textures[0].baseLevel = 6;
+    const Image seams = picture(scene, 96);
+    scene.passes[0].seamlessCubeMap = true;
+    view::Capabilities poor = capabilities;
+    poor.seamlessCubeMaps = false;
+    renderer = makeRenderer(poor).value();
+    EXPECT_EQ(picture(scene, 96), seams);
+    EXPECT_THAT(problems,
+                testing::ElementsAre("passes[0]: the driver has no seamless cube maps; drawn without"));
+    scene.passes[0].units[0].target = Target::Texture2D; // where it doesn't matter
+    (void)picture(scene, 96);
+    EXPECT_THAT(problems, testing::IsEmpty());
+}
+
 TEST_F(CubeMaps, TakeAPictureForEachFaceAndTakeItUpright) {
     images.put("image", rgbaImage(1, 2, 1, {{0, 0, 255, 255}, {255, 255, 0, 255}})); // blue below yellow
     Scene scene = cubeScene();

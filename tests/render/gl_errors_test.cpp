@@ -38,6 +38,16 @@ TEST(GlErrors, AnErrorIsNamedWithItsCallAndWhatItMeans) {
                 ElementsAre("glTexImage2D: GL_INVALID_VALUE (A number is out of range.)"));
 }
 
+TEST(GlErrors, ANameThatHasToBePutTogetherIsAskedForOnlyThen) {
+    GlErrors errors;
+    int asked = 0;
+    const auto where = [&] { return "models[" + std::to_string(asked++) + "]: glMaterial"; };
+    EXPECT_TRUE(errors.check(where, nothing));
+    EXPECT_EQ(asked, 0);
+    EXPECT_FALSE(errors.check(where, contextLostForEver));
+    EXPECT_THAT(errors.sentences(), ElementsAre(testing::StartsWith("models[0]: glMaterial: ")));
+}
+
 TEST(GlErrors, ALostContextIsSaidOnceAndDoesNotLoop) {
     GlErrors errors;
     EXPECT_FALSE(errors.check("glClear", contextLostForEver));

@@ -41,14 +41,15 @@ class UploadInParts : public test::RenderTest, public testing::WithParamInterfac
 TEST_P(UploadInParts, IsWhatAnUploadAtOnceIs) {
     const Part& part = GetParam();
     Texture texture;
+    texture.internalFormat = InternalFormat::Rgb;
     texture.mipmaps = MipPolicy::Generated;
     texture.compression = part.compression;
     const auto levels = prepareLevels(texture, textureOf(part.image, {}), part.target);
     ASSERT_TRUE(levels.has_value());
     GlErrors errors;
-    const TextureObject atOnce(part.target, InternalFormat::Rgb, *levels, "at once", errors);
+    const TextureObject atOnce(part.target, *levels, "at once", errors);
     TextureObject inParts(part.target);
-    UploadCursor cursor{InternalFormat::Rgb, 0, 0};
+    UploadCursor cursor;
     int calls = 1;
     while (!inParts.upload(*levels, cursor, part.bytes, "in parts", errors))
         ++calls;
@@ -78,7 +79,7 @@ public:
         if (!ready)
             return nullptr;
         return std::make_shared<const PreparedLevels>(
-            prepareLevels(request.settings, *request.image, request.target));
+            prepareLevels(request.settings, *request.pictures.base, request.target));
     }
     bool isLive() const override { return true; }
     void uploaded(const LevelsRequest&, std::shared_ptr<const PreparedLevels> levels,

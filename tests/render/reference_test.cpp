@@ -24,7 +24,7 @@ struct Difference {
     double share() const { return static_cast<double>(above) / static_cast<double>(pixels); }
 };
 
-Difference compare(const Image& a, const Image& b, int tolerance) {
+Difference differenceOf(const Image& a, const Image& b, int tolerance) {
     Difference difference;
     difference.pixels = a.pixels.size() / 4;
     for (std::size_t i = 0; i + 3 < a.pixels.size() && i + 3 < b.pixels.size(); i += 4) {
@@ -48,7 +48,7 @@ protected:
         ASSERT_TRUE(ours) << describe(ours.error());
         EXPECT_EQ(ours->problems, problems);
         ASSERT_EQ(theirs.pixels.size(), ours->image.pixels.size());
-        const Difference difference = compare(theirs, ours->image, tolerance);
+        const Difference difference = differenceOf(theirs, ours->image, tolerance);
         EXPECT_LE(difference.share(), share) << difference.above << " of " << difference.pixels
                                              << " pixels, the worst by " << difference.worst;
     }
@@ -82,6 +82,63 @@ TEST_F(Reference, CoversPixelsOnAnEdgeOnce) {
     scene.models[0].size = 0.75F; // its edges run through pixel centres of a picture of 12 x 12
     for (const int extent : {12, 16, 20, 24})
         agree(scene, 0, 0, extent);
+}
+
+// --- Its colour
+
+TEST_F(Reference, MixesTheSameFog) {
+    for (const EnumRow& mode : fogModeRows) {
+        SCOPED_TRACE(mode.name);
+        for (Scene scene : {defaultScene(), floorScene()}) {
+            scene.passes[0].units[0].enabled = false;
+            scene.light.colorControl = ColorControl::SeparateSpecular;
+            scene.view.distance = 2; // the near plane cuts the floor
+            scene.passes[0].fog = {true,
+                                   static_cast<FogMode>(mode.value),
+                                   0.2F,
+                                   1,
+                                   9,
+                                   {0.4F, 0.5F, 0.6F, 1}};
+            agree(scene, 0.001, 1);
+            scene.view.projection = Projection::Orthographic;
+            agree(scene, 0.001, 1);
+        }
+    }
+}
+
+TEST_F(Reference, InterpolatesFogWithoutPerspectiveAsTheShadersDo) {
+    if (testedRenderer() == RendererKind::Fixed)
+        GTEST_SKIP() << "fixed function may ignore the hint";
+    for (const ShadeModel shading : {ShadeModel::Smooth, ShadeModel::Flat}) {
+        Scene scene = floorScene();
+        scene.passes[0].units[0].enabled = false;
+        scene.material.shadeModel = shading;
+        scene.passes[0].fog = {true, FogMode::Linear, 1, 2, 60, {0.4F, 0.5F, 0.6F, 1}};
+        const Image corrected = picture(scene, 96);
+        scene.view.perspectiveHint = HintMode::Fastest;
+        EXPECT_NE(picture(scene, 96), corrected);
+        agree(scene, 0.001, 1);
+    }
+}
+
+TEST_F(Reference, LightsTheSameSides) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].enabled = false;
+    scene.light.twoSide = true;
+    scene.light.position = {0.5F, 1, 2, 1};
+    scene.models.resize(1);
+    scene.models[0].texCoords = {};
+    for (const Shape shape : {Shape::Cylinder, Shape::PartialDisk, Shape::Quad, Shape::Torus}) {
+        for (const float turn : {20.0F, 110.0F, 200.0F, 290.0F}) {
+            SCOPED_TRACE(rowOf(shape).name);
+            scene.models[0].shape = shape;
+            scene.models[0].rotation = {turn, turn / 2, 0};
+            for (const ShadeModel shading : {ShadeModel::Smooth, ShadeModel::Flat}) {
+                scene.material.shadeModel = shading;
+                agree(scene, 0.002, 1);
+            }
+        }
+    }
 }
 
 TEST_F(Reference, ClipsAtTheNearPlane) {

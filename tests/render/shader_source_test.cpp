@@ -69,6 +69,32 @@ INSTANTIATE_TEST_SUITE_P(
                  s.light.colorControl = ColorControl::SeparateSpecular;
              },
              "secondaryColor", "secondaryColor"},
+        Case{"TwoSides",
+             [](Scene& s) {
+                 s.passes[0].lighting = true;
+                 s.light.twoSide = true;
+             },
+             "backPrimaryColor = clamp(", "gl_FrontFacing"},
+        Case{"TwoSidesWithoutLighting", [](Scene& s) { s.light.twoSide = true; }, "", ""},
+        Case{"Fog", [](Scene& s) { s.passes[0].fog.enabled = true; }, "out float fogDistance",
+             "exp(-fogDensity * fogDistance)"},
+        Case{"LinearFog",
+             [](Scene& s) {
+                 s.passes[0].fog = {.enabled = true, .mode = FogMode::Linear};
+             },
+             "out float fogDistance", "fogEnd - fogStart"},
+        Case{"FogWithoutPerspective",
+             [](Scene& s) {
+                 s.passes[0].fog.enabled = true;
+                 s.view.perspectiveHint = HintMode::Fastest;
+                 s.material.shadeModel = ShadeModel::Flat;
+             },
+             "out float fogDistanceTimesW", "fogDistanceTimesW / w"},
+        Case{"FogThatIsOff",
+             [](Scene& s) {
+                 s.passes[0].fog.color = {1, 1, 1, 1};
+             },
+             "", ""},
         Case{"SeparateSpecularWithoutLighting",
              [](Scene& s) { s.light.colorControl = ColorControl::SeparateSpecular; }, "", ""},
         Case{"Flat", [](Scene& s) { s.material.shadeModel = ShadeModel::Flat; }, "flat out", "flat in"},

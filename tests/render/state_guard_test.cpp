@@ -55,6 +55,12 @@ constexpr std::array queries{
     Query{TEXPLORER_GL(GL_DRAW_FRAMEBUFFER_BINDING)},
     Query{TEXPLORER_GL(GL_ELEMENT_ARRAY_BUFFER_BINDING)},
     Query{TEXPLORER_GL(GL_FOG)},
+    Query{TEXPLORER_GL(GL_FOG_COLOR), 4},
+    Query{TEXPLORER_GL(GL_FOG_COORD_SRC)},
+    Query{TEXPLORER_GL(GL_FOG_DENSITY)},
+    Query{TEXPLORER_GL(GL_FOG_END)},
+    Query{TEXPLORER_GL(GL_FOG_MODE)},
+    Query{TEXPLORER_GL(GL_FOG_START)},
     Query{TEXPLORER_GL(GL_FRONT_FACE)},
     Query{TEXPLORER_GL(GL_LIGHT0)},
     Query{TEXPLORER_GL(GL_LIGHT1)},
@@ -84,6 +90,7 @@ constexpr std::array queries{
     Query{TEXPLORER_GL(GL_SCISSOR_TEST)},
     Query{TEXPLORER_GL(GL_SHADE_MODEL)},
     Query{TEXPLORER_GL(GL_STENCIL_TEST)},
+    Query{TEXPLORER_GL(GL_TEXTURE_CUBE_MAP_SEAMLESS)},
     Query{TEXPLORER_GL(GL_UNPACK_ALIGNMENT)},
     Query{TEXPLORER_GL(GL_UNPACK_ROW_LENGTH)},
     Query{TEXPLORER_GL(GL_VERTEX_ARRAY)},
@@ -228,7 +235,8 @@ private:
     static void setFragments() {
         for (const GLenum each : std::to_array<GLenum>(
                  {GL_ALPHA_TEST, GL_BLEND, GL_CLIP_PLANE0, GL_COLOR_SUM, GL_CULL_FACE, GL_DEPTH_TEST, GL_FOG,
-                  GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE}))
+                  GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE,
+                  GL_TEXTURE_CUBE_MAP_SEAMLESS}))
             glEnable(each);
         constexpr std::array<double, 4> nothing{0, 0, 0, -1};
         glClipPlane(GL_CLIP_PLANE0, nothing.data());
@@ -249,6 +257,8 @@ private:
         glShadeModel(GL_FLAT);
         glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
         glSecondaryColor3f(1, 1, 1);
+        glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+        glFogCoordf(7);
     }
     static void setLight() {
         for (const GLenum each : std::to_array<GLenum>({GL_LIGHTING, GL_LIGHT1, GL_COLOR_MATERIAL}))
@@ -322,6 +332,8 @@ Scene richScene() {
     scene.textures[1].pattern = Pattern::Marble;
     scene.material.shadeModel = ShadeModel::Flat;
     scene.light.colorControl = ColorControl::SeparateSpecular;
+    scene.light.twoSide = true;
+    scene.passes[0].fog = {true, FogMode::Linear, 1, 4, 9, {0.4F, 0.5F, 0.6F, 1}};
     Unit& second = scene.passes[0].units[1];
     second.enabled = true;
     second.texture = 1;

@@ -50,7 +50,7 @@ TextureImage chain(int faces, int width, int height, int depth, SurfaceOf surfac
 
 std::vector<TextureImage> sampleTextures() {
     std::vector<TextureImage> textures;
-    for (const PixelFormatRow& row : pixelFormatRows)
+    for (const PixelFormatRow& row : colorFormatRows)
         for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {17, 5}})
             textures.push_back(textureOf(picture(row.format, width, height), {}));
     textures.push_back(textureOf(picture(PixelFormat::Rgba8, 4, 2, 3), {}));

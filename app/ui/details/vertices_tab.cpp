@@ -1,26 +1,162 @@
 #include "app/ui/details/vertices_tab.h"
 
+#include "app/ui/model/scene_files.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/mesh_edits.h"
+#include "core/scene/model_mesh.h"
+#include "core/scene/params/keys.h"
 #include "core/scene/tex_coords.h"
 
 #include <fmt/core.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace texplorer::ui {
 namespace {
 
+/// Of longer lists only what one sees is drawn.
+constexpr std::size_t longList = 100;
+
 std::string coordsPath(const Session& session) {
     return fmt::format("models[{}].texCoords{}", session.window.selection.model,
                        session.window.selection.unit);
 }
+
+std::string meshPath(const Session& session, const std::string& key) {
+    return fmt::format("{}.{}.{}",
+                       elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),
+                       keyOf<&Model::mesh>(), key);
+}
+
+/// What each vertex has of one part, as four numbers of which so many count.
+struct PartRow {
+    VertexPart part;
+    const char* label;
+    std::array<const char*, 4> names; ///< over the columns
+    int components;
+    Range range;
+    std::string (*path)(const Session& session);
+    glm::vec4 (*read)(const Scene& scene, const Model& model, std::size_t vertex);
+    void (*write)(const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool together);
+    const char* edit; ///< what Undo calls it
+    const char* help;
+};
+
+const PartRow& rowOf(VertexPart part) {
+    static const std::array rows{
+        PartRow{VertexPart::Coordinates,
+                "Coordinates",
+                {"s", "t", "r", "q"},
+                4,
+                coordRange,
+                coordsPath,
+                nullptr,
+                nullptr,
+                "Move vertex",
+                "Where each vertex lies in the image"},
+        PartRow{VertexPart::Position,
+                "Position",
+                {"x", "y", "z", ""},
+                3,
+                {-1000, 1000, 0.01F, {}},
+                [](const Session& session) { return meshPath(session, keyOf<&MeshData::positions>()); },
+                [](const Scene&, const Model& model, std::size_t vertex) {
+                    return glm::vec4(model.mesh.positions[vertex], 1);
+                },
+                [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool together) {
+                    setPosition(model.mesh, vertex, glm::vec3(value), together);
+                },
+                "Position of vertex",
+                "glVertex3f: where each vertex is in the model"},
+        PartRow{VertexPart::Normal,
+                "Normal",
+                {"x", "y", "z", ""},
+                3,
+                {-1, 1, 0.005F, {}},
+                [](const Session& session) { return meshPath(session, keyOf<&MeshData::normals>()); },
+                [](const Scene&, const Model& model, std::size_t vertex) {
+                    return glm::vec4(givenNormal(model.mesh, vertex), 0);
+                },
+                [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool) {
+                    setNormal(model.mesh, vertex, glm::vec3(value));
+                },
+                "Normal of vertex",
+                "glNormal3f: where the surface looks at each vertex; it is brought to the length 1"},
+        PartRow{VertexPart::Color,
+                "Colour",
+                {"r", "g", "b", "a"},
+                4,
+                {0, 1, 0.005F, {}},
+                [](const Session& session) { return meshPath(session, keyOf<&MeshData::colors>()); },
+                [](const Scene& scene, const Model& model, std::size_t vertex) {
+                    const MeshData& mesh = model.mesh;
+                    return mesh.colors.size() == mesh.positions.size() ? mesh.colors[vertex]
+                                                                       : materialOf(scene, model).color;
+                },
+                [](const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool) {
+                    setColor(model.mesh, vertex, value, materialOf(scene, model).color);
+                },
+                "Colour of vertex",
+                "glColor4f: the colour of each vertex, in the place of the material's"},
+    };
+    return rows.at(static_cast<std::size_t>(part));
+}
+
+/// Records an edit that is a step of undo by itself.
+void recordStep(Session& session, std::string_view what, std::string_view path) {
+    sealEdit(session);
+    recordEdit(session, what, path);
+    sealEdit(session);
+}
+
+/// Buttons one beside the other, which go on in the next line rather than off the panel.
+class ButtonLine {
+public:
+    bool button(const char* label, std::string_view name, const char* help, bool enabled = true) {
+        place(buttonWidth(label));
+        ImGui::BeginDisabled(!enabled);
+        const bool pressed = ImGui::Button(label);
+        noteItem(name);
+        ImGui::EndDisabled();
+        helpTip(help);
+        return pressed && enabled;
+    }
+
+    /// One of which one is chosen.
+    bool choice(const char* label, std::string_view name, const char* help, bool chosen) {
+        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? color::chosen : color::text);
+        const bool pressed = button(label, name, help);
+        ImGui::PopStyleColor();
+        return pressed;
+    }
+
+    void checkbox(const char* label, std::string_view name, const char* help, bool& value) {
+        place(ImGui::CalcTextSize(label).x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::Checkbox(label, &value);
+        noteItem(name);
+        helpTip(help);
+    }
+
+private:
+    void place(float width) {
+        if (!first_) {
+            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+            if (ImGui::GetContentRegionAvail().x < width)
+                ImGui::NewLine();
+        }
+        first_ = false;
+    }
+
+    bool first_ = true;
+};
 
 void editAll(Session& session, const char* what, const std::function<void(TexCoords&)>& edit) {
     Model& model = *selectedModel(session);
@@ -30,27 +166,12 @@ void editAll(Session& session, const char* what, const std::function<void(TexCoo
     for (glm::vec4& each : coords)
         each = glm::clamp(each, coordRange.min, coordRange.max);
     model.texCoords[static_cast<std::size_t>(unit)] = std::move(coords);
-    sealEdit(session);
-    recordEdit(session, what, coordsPath(session));
-    sealEdit(session);
+    recordStep(session, what, coordsPath(session));
 }
 
-void editButtons(Session& session) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    bool first = true;
+void coordButtons(Session& session, ButtonLine& line) {
     const auto button = [&](const char* label, const char* help) {
-        const float width = buttonWidth(label);
-        if (!first) {
-            ImGui::SameLine(0, gap);
-            if (ImGui::GetContentRegionAvail().x <
-                width) // goes on in the next line rather than off the panel
-                ImGui::NewLine();
-        }
-        first = false;
-        const bool pressed = ImGui::Button(label);
-        noteItem(std::string("coords:") + label);
-        helpTip(help);
-        return pressed;
+        return line.button(label, std::string("coords:") + label, help);
     };
     if (button("× 2", "All coordinates times 2: the image shows twice as often, half as big"))
         editAll(session, "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
@@ -64,13 +185,114 @@ void editButtons(Session& session) {
         editAll(session, "Rotate coordinates", rotateQuarter);
     if (button("Reset", "Back to the coordinates of the mesh")) {
         selectedModel(session)->texCoords[static_cast<std::size_t>(session.window.selection.unit)].clear();
-        sealEdit(session);
-        recordEdit(session, "Reset coordinates", coordsPath(session));
-        sealEdit(session);
+        recordStep(session, "Reset coordinates", coordsPath(session));
     }
 }
 
-void vertexRow(Session& session, const TexCoords& coords, std::size_t vertex, int components) {
+/// Shows where its vertices are, which is what one wants to change.
+void makeMesh(Session& session, VerticesTabState& state) {
+    Model& model = *selectedModel(session);
+    if (const Result<void> made = turnIntoMesh(model); !made)
+        return say(session, made.error());
+    state.part = VertexPart::Position;
+    recordStep(
+        session, "Make it a mesh",
+        fmt::format("{}.{}",
+                    elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),
+                    keyOf<&Model::shape>()));
+}
+
+/// Adds and removes vertices: all lists and the order go with them.
+void vertexButtons(Session& session, ButtonLine& line) {
+    Model& model = *selectedModel(session);
+    std::optional<std::size_t>& chosen = session.window.selection.vertex;
+    const std::size_t count = model.mesh.positions.size();
+    const bool isChosen = chosen && *chosen < count;
+    const auto changed = [&](const char* what, std::optional<std::size_t> next) {
+        chosen = next;
+        recordStep(session, what, meshPath(session, keyOf<&MeshData::positions>()));
+    };
+    const bool room = count < maxMeshVertices && model.mesh.indices.size() < maxMeshIndices;
+    if (line.button("Add", "add vertex",
+                    "A vertex like the chosen one, or else the last one, drawn after all others", room) &&
+        appendVertex(model, isChosen ? *chosen : count - 1))
+        changed("Add vertex", count);
+    if (line.button("Duplicate", "duplicate vertex",
+                    "A vertex like the chosen one, drawn right after it: a new point of a strip or polygon",
+                    room && isChosen) &&
+        duplicateVertex(model, *chosen))
+        changed("Duplicate vertex", *chosen + 1);
+    if (line.button(
+            "Remove", "remove vertex",
+            "Removes the chosen vertex. The later ones move up; with indices, the triangles that have "
+            "it go",
+            isChosen)) {
+        removeVertex(model, *chosen);
+        changed("Remove vertex", count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)));
+    }
+}
+
+/// Takes a list away again that every vertex but one may do without.
+void clearButton(Session& session, ButtonLine& line, const PartRow& part, auto& list, const char* help) {
+    if (line.button("Clear", std::string("clear ") + part.label, help, !list.empty())) {
+        list.clear();
+        recordStep(session, std::string("Clear ") + part.label, part.path(session));
+    }
+}
+
+void partButtons(Session& session, VerticesTabState& state) {
+    ButtonLine line;
+    Model& model = *selectedModel(session);
+    if (model.shape != Shape::Mesh) {
+        coordButtons(session, line);
+        if (line.button("Make it a mesh", "make mesh",
+                        "Gives the model vertices of its own, in the same places: then one can move them"))
+            makeMesh(session, state);
+        return;
+    }
+    for (const VertexPart part :
+         {VertexPart::Coordinates, VertexPart::Position, VertexPart::Normal, VertexPart::Color}) {
+        const PartRow& row = rowOf(part);
+        if (line.choice(row.label, std::string("show ") + row.label, row.help, state.part == part))
+            state.part = part;
+    }
+    line = {};
+    switch (state.part) {
+    case VertexPart::Coordinates:
+        coordButtons(session, line);
+        return;
+    case VertexPart::Position:
+        vertexButtons(session, line);
+        line.checkbox("Together", "move together", "Vertices at one place are moved as one", state.together);
+        return;
+    case VertexPart::Normal:
+        vertexButtons(session, line);
+        clearButton(session, line, rowOf(state.part), model.mesh.normals,
+                    "Takes all normals away: the surface looks towards +z");
+        return;
+    case VertexPart::Color:
+        vertexButtons(session, line);
+        clearButton(session, line, rowOf(state.part), model.mesh.colors,
+                    "Takes all colours away: the material's counts");
+        return;
+    }
+}
+
+/// What is edited, while the list is drawn.
+struct List {
+    const PartRow& part;
+    std::string path;
+    const TexCoords& coords; ///< for VertexPart::Coordinates
+    int components;
+    bool together;
+};
+
+glm::vec4 valueOf(Session& session, const List& list, std::size_t vertex) {
+    return list.part.read ? list.part.read(session.document.scene, *selectedModel(session), vertex)
+                          : list.coords[vertex];
+}
+
+void vertexRow(Session& session, const List& list, std::size_t vertex) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(vertex));
@@ -82,52 +304,106 @@ void vertexRow(Session& session, const TexCoords& coords, std::size_t vertex, in
         session.window.selection.vertex = vertex;
     noteItem("vertex:" + name);
     ImGui::PopStyleColor();
-    glm::vec4 value = coords[vertex];
+    glm::vec4 value = valueOf(session, list, vertex);
     bool changed = false;
-    for (int i = 0; i < components; ++i) {
+    for (int i = 0; i < list.components; ++i) {
         ImGui::TableNextColumn();
         ImGui::PushID(i);
         ImGui::SetNextItemWidth(-1);
-        changed |= dragNumber("##coord", value[i], coordRange, i);
+        changed |= dragNumber("##number", value[i], list.part.range, i);
         if (ImGui::IsItemActivated())
             session.window.selection.vertex = vertex;
-        noteItem(fmt::format("{}[{}][{}]", coordsPath(session), name, i));
+        noteItem(fmt::format("{}[{}][{}]", list.path, name, i));
         sealAfterItem(session);
         ImGui::PopID();
     }
     ImGui::PopID();
-    if (changed) {
-        setTexCoord(*selectedModel(session), selectedMesh(session), session.window.selection.unit, vertex,
-                    value);
-        recordEdit(session, "Move vertex " + name, coordsPath(session));
-    }
+    if (!changed)
+        return;
+    Model& model = *selectedModel(session);
+    if (list.part.write)
+        list.part.write(session.document.scene, model, vertex, value, list.together);
+    else
+        setTexCoord(model, selectedMesh(session), session.window.selection.unit, vertex, value);
+    recordEdit(session, fmt::format("{} {}", list.part.edit, name), list.path);
 }
 
-void faceTable(Session& session, const Face& face, const TexCoords& coords, int components) {
+/// `reveal`: one of its rows that the list is scrolled to.
+void faceTable(Session& session, const List& list, const std::vector<std::uint32_t>& vertices,
+               std::optional<std::size_t> reveal) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("face", 1 + components, flags))
+    const float top = ImGui::GetCursorPosY();
+    const float height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+    if (!ImGui::BeginTable("face", 1 + list.components, flags))
         return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2F);
-    for (int i = 0; i < components; ++i)
+    for (int i = 0; i < list.components; ++i)
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-    for (const std::uint32_t vertex : face.vertices) {
-        if (vertex < coords.size())
-            vertexRow(session, coords, vertex, components);
+    const auto rows = [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i)
+            if (vertices[i] < list.coords.size())
+                vertexRow(session, list, vertices[i]);
+    };
+    if (vertices.size() <= longList) {
+        rows(0, vertices.size());
+    } else {
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(vertices.size()), height);
+        while (clipper.Step())
+            rows(static_cast<std::size_t>(clipper.DisplayStart),
+                 static_cast<std::size_t>(clipper.DisplayEnd));
     }
     ImGui::EndTable();
+    if (reveal)
+        ImGui::SetScrollFromPosY(top - ImGui::GetScrollY() + height * (static_cast<float>(*reveal) + 0.5F),
+                                 0.5F);
 }
 
-/// "s  t  r  q" over the columns, each in its colour.
-void header(int components) {
-    constexpr const char* names[] = {"s", "t", "r", "q"};
+/// The names over the columns, each in its colour.
+void header(const List& list) {
     const float indent = ImGui::GetFontSize() * 2.2F + ImGui::GetStyle().CellPadding.x * 2;
-    const float width = (ImGui::GetContentRegionAvail().x - indent) / static_cast<float>(components);
-    for (int i = 0; i < components; ++i) {
+    const float width = (ImGui::GetContentRegionAvail().x - indent) / static_cast<float>(list.components);
+    for (int i = 0; i < list.components; ++i) {
         ImGui::SameLine(indent + width * (static_cast<float>(i) + 0.5F));
         ImGui::PushStyleColor(ImGuiCol_Text, componentColor(i));
-        ImGui::TextUnformatted(names[i]);
+        ImGui::TextUnformatted(list.part.names.at(static_cast<std::size_t>(i)));
         ImGui::PopStyleColor();
     }
+}
+
+/// Vertices that no part of the primitive takes; they are nowhere else to be found.
+std::vector<std::uint32_t> leftOver(const Mesh& mesh) {
+    std::vector<bool> taken(mesh.vertices.size());
+    for (const Face& face : mesh.faces)
+        for (const std::uint32_t vertex : face.vertices)
+            taken[vertex] = true;
+    std::vector<std::uint32_t> rest;
+    for (std::uint32_t vertex = 0; vertex < taken.size(); ++vertex)
+        if (!taken[vertex])
+            rest.push_back(vertex);
+    return rest;
+}
+
+void vertexGroup(Session& session, const List& list, const std::string& name,
+                 const std::vector<std::uint32_t>& vertices, bool opened, bool reveal) {
+    std::optional<std::size_t> chosenRow;
+    if (const auto& chosen = session.window.selection.vertex) {
+        const auto found = std::ranges::find(vertices, static_cast<std::uint32_t>(*chosen));
+        if (found != vertices.end())
+            chosenRow = static_cast<std::size_t>(found - vertices.begin());
+    }
+    if (reveal && chosenRow)
+        ImGui::SetNextItemOpen(true);
+    constexpr ImGuiTreeNodeFlags flags =
+        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+    if (chosenRow)
+        ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
+    const bool open = ImGui::TreeNodeEx(name.c_str(), flags | (opened ? ImGuiTreeNodeFlags_DefaultOpen : 0));
+    if (chosenRow)
+        ImGui::PopStyleColor();
+    noteItem("face:" + name);
+    if (open)
+        faceTable(session, list, vertices, reveal ? chosenRow : std::nullopt);
 }
 
 } // namespace
@@ -144,8 +420,11 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     ImGui::Checkbox("r, q", &session.window.showRq);
     noteItem("show r, q");
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
-    editButtons(session);
-    const Finding* idle = idleReasonOf(session.document.findings, coordsPath(session));
+    partButtons(session, state);
+    const bool own = selectedModel(session)->shape == Shape::Mesh;
+    const PartRow& part = rowOf(own ? state.part : VertexPart::Coordinates);
+    const std::string path = part.path(session);
+    const Finding* idle = idleReasonOf(session.document.findings, path);
     if (idle) {
         dimText(fmt::format("No effect now: {}.", idle->sentence));
         noteItem("coordinates#inert");
@@ -154,38 +433,24 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     const Mesh& mesh = selectedMesh(session);
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
-    const int components = session.window.showRq || std::ranges::any_of(coords, usesRq) ? 4 : 2;
+    const bool two = part.part == VertexPart::Coordinates && !session.window.showRq &&
+                     std::ranges::none_of(coords, usesRq);
+    const List list{part, path, coords, two ? 2 : part.components, state.together};
     ImGui::BeginChild("vertices");
     if (idle)
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.6F);
     ImGui::Dummy({0, 0});
-    header(components);
+    header(list);
     const bool reveal = session.window.selection.vertex != state.revealed;
+    const bool few = mesh.faces.size() <= 6;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-        const Face& face = mesh.faces[i];
-        const bool holdsChosen =
-            session.window.selection.vertex &&
-            std::ranges::find(face.vertices, static_cast<std::uint32_t>(*session.window.selection.vertex)) !=
-                face.vertices.end();
-        if (reveal && holdsChosen)
-            ImGui::SetNextItemOpen(true);
         ImGui::PushID(static_cast<int>(i));
-        constexpr ImGuiTreeNodeFlags flags =
-            ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen;
-        const bool few = mesh.faces.size() <= 6;
-        if (holdsChosen)
-            ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
-        const bool open =
-            ImGui::TreeNodeEx(face.name.c_str(), flags | (few ? ImGuiTreeNodeFlags_DefaultOpen : 0));
-        if (holdsChosen)
-            ImGui::PopStyleColor();
-        noteItem("face:" + face.name);
-        if (open)
-            faceTable(session, face, coords, components);
-        if (reveal && holdsChosen)
-            ImGui::SetScrollHereY(0.5F);
+        vertexGroup(session, list, mesh.faces[i].name, mesh.faces[i].vertices, few, reveal);
         ImGui::PopID();
     }
+    if (const std::vector<std::uint32_t> rest = own ? leftOver(mesh) : std::vector<std::uint32_t>{};
+        !rest.empty())
+        vertexGroup(session, list, "Not drawn", rest, true, reveal);
     state.revealed = session.window.selection.vertex;
     if (idle)
         ImGui::PopStyleVar();

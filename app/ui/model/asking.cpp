@@ -55,8 +55,9 @@ void askOpenScene(Session& session) {
     askAboutChanges(session, Pending::OpenScene);
 }
 
-void askOpenImage(Session& session) {
+void askOpenImage(Session& session, std::string param) {
     session.window.dialog = Dialog::OpenImage;
+    session.window.imageParam = std::move(param);
 }
 
 void askNewScene(Session& session) {

@@ -3,6 +3,7 @@
 #include "app/ui/model/session.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace texplorer::ui {
 // WindowState::dialog says which.
 
 void askOpenScene(Session& session);
-void askOpenImage(Session& session);
+/// `param` is what shall name it, "textures[0].levels[1].file"; empty: the texture that is bound.
+void askOpenImage(Session& session, std::string param = {});
 void askNewScene(Session& session);
 void askExample(Session& session, std::string_view file); ///< see examples.h
 void save(Session& session);                              ///< asks for a name where there is none

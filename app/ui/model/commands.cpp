@@ -1,6 +1,7 @@
 #include "app/ui/model/commands.h"
 
 #include "app/ui/model/model_commands.h"
+#include "app/ui/model/texture_commands.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/initial_like.h"
@@ -51,13 +52,20 @@ std::vector<std::string> idleParts(const Scene& scene) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
         const Compression compression = scene.textures[i].compression;
-        const bool compressed = compression == Compression::Driver || compression == Compression::Cached;
+        const bool compressed =
+            (compression == Compression::Driver || compression == Compression::Cached) &&
+            !isDepth(scene.textures[i].internalFormat);
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         if (compressed) {
             parts.push_back(path + keyOf<&Texture::internalFormat>());
             parts.push_back(path + keyOf<&Texture::border>());
         } else {
             parts.push_back(path + keyOf<&Texture::compressedFormat>());
+        }
+        if (!isDepth(scene.textures[i].internalFormat)) {
+            for (const Key key :
+                 {keyOf<&Texture::compareMode>, keyOf<&Texture::compareFunc>, keyOf<&Texture::depthMode>})
+                parts.push_back(path + key());
         }
         if (targetOf(scene, i) != Target::Texture3D)
             parts.push_back(path + keyOf<&Texture::wrapR>());
@@ -70,6 +78,22 @@ std::vector<std::string> idleParts(const Scene& scene) {
         if (!scene.passes[p].enabled) {
             parts.push_back(elementOf<&Scene::passes>(p));
             continue;
+        }
+        if (std::ranges::none_of(scene.passes[p].units, [](const Unit& unit) {
+                return unit.enabled && unit.target == Target::CubeMap;
+            }))
+            parts.push_back(
+                fmt::format("{}.{}", elementOf<&Scene::passes>(p), keyOf<&Pass::seamlessCubeMap>()));
+        const Fog& fog = scene.passes[p].fog;
+        const bool linear = fog.mode == FogMode::Linear;
+        for (const auto& [key, decides] : {std::pair<Key, bool>{keyOf<&Fog::mode>, fog.enabled},
+                                           {keyOf<&Fog::density>, fog.enabled && !linear},
+                                           {keyOf<&Fog::start>, fog.enabled && linear},
+                                           {keyOf<&Fog::end>, fog.enabled && linear},
+                                           {keyOf<&Fog::color>, fog.enabled}}) {
+            if (!decides)
+                parts.push_back(
+                    fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p), keyOf<&Pass::fog>(), key()));
         }
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = scene.passes[p].units[u];
@@ -203,7 +227,8 @@ void addSteps(const Scene& scene, std::vector<std::vector<Command>>& blocks) {
             std::vector<Command> steps;
             for (std::size_t i = 0; i < pass.units[u].matrix.size(); ++i) {
                 for (Command& each : stepCommands(pass.units[u].matrix[i],
-                                                  fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i)))) {
+                                                  fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i)),
+                                                  scene.light)) {
                     steps.push_back(std::move(each));
                     if (steps.size() == 1) // behind the first heading
                         for (const char* text : {"glMatrixMode(GL_TEXTURE);", "glLoadIdentity();"})
@@ -260,8 +285,11 @@ std::vector<Command> commandsOf(const Scene& scene) {
             blocks.push_back(modelCommands(scene, m));
     }
     for (std::vector<Command>& block : blocks) {
-        if (block.front().text == keyOf<&Scene::view>())
+        const std::string& heading = block.front().text;
+        if (heading == keyOf<&Scene::view>())
             block = cameraOf(scene.view, std::move(block));
+        else if (heading.starts_with(keyOf<&Scene::textures>()))
+            addImageCommands(scene, indexOf(heading), block);
     }
     // As a program does it: first what is set up once, then the camera and the light, then what is drawn.
     std::ranges::stable_sort(blocks, {}, [](const auto& block) { return rank(block.front().text); });

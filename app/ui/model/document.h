@@ -17,7 +17,7 @@ namespace texplorer::ui {
 /// What the findings were made of.
 struct Diagnosis {
     Scene scene;
-    std::vector<std::shared_ptr<const TextureImage>> images;
+    std::vector<TexturePictures> pictures;
     DriverFacts driver;
 };
 

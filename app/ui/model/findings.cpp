@@ -23,13 +23,13 @@ int indexIn(const std::string& path, std::string_view list) {
 
 void diagnoseSession(Session& session, const DriverFacts& driver) {
     Diagnosis& last = session.document.diagnosis;
-    std::vector<std::shared_ptr<const TextureImage>> images;
+    std::vector<TexturePictures> pictures;
     for (const Texture& texture : session.document.scene.textures)
-        images.push_back(session.document.images.find(texture));
-    if (last.scene == session.document.scene && last.images == images && last.driver == driver)
+        pictures.push_back(session.document.images.picturesOf(texture));
+    if (last.scene == session.document.scene && last.pictures == pictures && last.driver == driver)
         return;
     session.document.findings = diagnose(session.document.scene, session.document.images, driver);
-    last = {session.document.scene, std::move(images), driver};
+    last = {session.document.scene, std::move(pictures), driver};
 }
 
 bool isUnused(const Session& session, std::string_view path) {

@@ -19,7 +19,7 @@ struct Load {
     enum class Kind {
         Import,  ///< an image for the texture that is bound to a unit
         Add,     ///< several images: one for a unit, and textures of their own for the others
-        SetFile, ///< another file for a texture
+        SetFile, ///< another file for a parameter that names one
         Scene,   ///< a whole scene with its images, and perhaps more images, as Add
         Reload,  ///< a file that has changed
     };
@@ -35,7 +35,7 @@ struct Load {
     bool restores = false;            ///< Scene: unsaved work, of a window that has died
     int pass = 0;                     ///< Import, Add
     int unit = 0;                     ///< Import, Add
-    int texture = 0;                  ///< SetFile: its index
+    std::string param{};              ///< SetFile: "textures[0].file"
     Scene scene{};                    ///< Scene: what is to be shown
     Scene before{};                   ///< Scene: what was shown when it was asked for
     ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene

@@ -3,6 +3,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "core/base/file_fingerprint.h"
+#include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
 
@@ -101,12 +102,13 @@ void tellRefused(Session& session, std::vector<Error>& refused) {
 }
 
 void finishSetFile(Session& session, const Load& load) {
-    const auto index = static_cast<std::size_t>(load.texture);
-    if (index >= session.document.scene.textures.size())
+    const std::string owner = load.param.substr(0, load.param.rfind('.') + 1);
+    const std::string source(rowOf(SourceKind::File).name);
+    if (!setParam(session.document.scene, load.param, load.file) ||
+        !setParam(session.document.scene, owner + keyOf<&Texture::source>(), source))
         return; // it was removed meanwhile
-    session.document.scene.textures[index].file = load.file;
     sealEdit(session);
-    recordEdit(session, "File", fmt::format("textures[{}].file", index));
+    recordEdit(session, "File", load.param);
     sealEdit(session);
 }
 

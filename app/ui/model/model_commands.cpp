@@ -105,6 +105,7 @@ void addShape(CallList& calls, const Model& model) {
                   shape);
         break;
     case Shape::Torus:
+    case Shape::Teapot: // glutSolidTeapot has other coordinates, and its fronts are clockwise
         calls.add(fmt::format("glDrawElements(GL_TRIANGLES, {}, GL_UNSIGNED_INT, indices)",
                               meshOf(model).triangles.size()),
                   shape);
@@ -118,6 +119,29 @@ void addShape(CallList& calls, const Model& model) {
         addVertices(calls, model);
         break;
     }
+}
+
+std::string numbers(const glm::mat4& matrix) {
+    return "{" + formatNumbers({&matrix[0].x, 16}, ", ") + "}";
+}
+
+/// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from -1 to 1
+/// to 0 to 1.
+void addLightView(CallList& calls, const Light& light) {
+    const std::string& op = keyOf<&MatrixStep::op>();
+    const auto [view, projection] = lightView(light);
+    calls.add("glTranslatef(0.5, 0.5, 0.5)", op);
+    calls.add("glScalef(0.5, 0.5, 0.5)", op);
+    const Projector& projector = light.projector;
+    const std::string range =
+        fmt::format("{}, {}", formatNumber(projector.nearest), formatNumber(projector.farthest));
+    if (light.position.w == 0) {
+        const std::string half = formatNumber(static_cast<float>(1 / projection[0].x));
+        calls.add(fmt::format("glOrtho(-{0}, {0}, -{0}, {0}, {1})", half, range), op);
+    } else {
+        calls.add(fmt::format("gluPerspective({}, 1, {})", formatNumber(projector.fieldOfView), range), op);
+    }
+    calls.add(fmt::format("glMultMatrixf({})", numbers(glm::mat4(view))), op);
 }
 
 } // namespace
@@ -135,7 +159,7 @@ std::vector<Command> modelCommands(const Scene& scene, std::size_t index) {
     return std::move(calls).take();
 }
 
-std::vector<Command> stepCommands(const MatrixStep& step, const std::string& path) {
+std::vector<Command> stepCommands(const MatrixStep& step, const std::string& path, const Light& light) {
     CallList calls(path, path);
     const bool pivots =
         (step.op == MatrixOp::Rotate || step.op == MatrixOp::Scale) && step.pivot != glm::vec3(0);
@@ -145,7 +169,7 @@ std::vector<Command> stepCommands(const MatrixStep& step, const std::string& pat
     if (pivots)
         move(step.pivot);
     const std::string& amount = keyOf<&MatrixStep::amount>();
-    const std::string matrix = "{" + formatNumbers({&step.matrix[0].x, 16}, ", ") + "}";
+    const std::string matrix = numbers(step.matrix);
     switch (step.op) {
     case MatrixOp::Translate:
         calls.add(fmt::format("glTranslatef({})", numbers(step.amount)), amount);
@@ -162,6 +186,9 @@ std::vector<Command> stepCommands(const MatrixStep& step, const std::string& pat
         break;
     case MatrixOp::Load:
         calls.add(fmt::format("glLoadMatrixf({})", matrix), keyOf<&MatrixStep::matrix>());
+        break;
+    case MatrixOp::Projector:
+        addLightView(calls, light);
         break;
     }
     if (pivots)

@@ -9,7 +9,8 @@ namespace texplorer::ui {
 [[nodiscard]] std::vector<Command> modelCommands(const Scene& scene, std::size_t index);
 
 /// The calls of one step of a texture matrix at time 0; `path` is "passes[0].units[0].matrix[1]", which is
-/// also the heading.
-[[nodiscard]] std::vector<Command> stepCommands(const MatrixStep& step, const std::string& path);
+/// also the heading. `light` is whose view a step may be.
+[[nodiscard]] std::vector<Command> stepCommands(const MatrixStep& step, const std::string& path,
+                                                const Light& light);
 
 } // namespace texplorer::ui

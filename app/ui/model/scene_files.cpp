@@ -49,10 +49,7 @@ Result<Scene> readScene(const fs::path& path) {
 /// The same scene, with its image files named from another folder.
 Scene rebased(const Scene& scene, const fs::path& from, const fs::path& to) {
     Scene result = scene;
-    for (Texture& texture : result.textures) {
-        if (!texture.file.empty())
-            texture.file = nameFrom(to, from / texture.file);
-    }
+    renameFiles(result, [&](const std::string& file) { return nameFrom(to, from / file); });
     return result;
 }
 
@@ -152,9 +149,10 @@ Result<void> saveScene(Session& session, const fs::path& path) {
         return written;
     if (absolutePath(session.document.images.directory()) != folder || session.document.file.empty()) {
         ImageSource images(folder);
-        for (std::size_t i = 0; i < scene.textures.size(); ++i)
-            images.share(scene.textures[i].file, session.document.images,
-                         session.document.scene.textures[i].file);
+        const std::vector<FileName> before = fileNamesOf(session.document.scene);
+        const std::vector<FileName> after = fileNamesOf(scene);
+        for (std::size_t i = 0; i < after.size(); ++i)
+            images.share(after[i].file, session.document.images, before[i].file);
         session.document.images = std::move(images);
     }
     if (scene != session.document.scene) {
@@ -176,9 +174,14 @@ void importImage(Session& session, const fs::path& path) {
                     .unit = session.window.selection.unit});
 }
 
-void setFile(Session& session, int texture, std::string file) {
+void setFile(Session& session, std::string param, std::string file) {
     const fs::path path = session.document.images.directory() / file;
-    start(session, {.kind = Load::Kind::SetFile, .path = path, .file = std::move(file), .texture = texture});
+    start(session,
+          {.kind = Load::Kind::SetFile, .path = path, .file = std::move(file), .param = std::move(param)});
+}
+
+void chooseFile(Session& session, std::string param, const fs::path& path) {
+    setFile(session, std::move(param), nameIn(session.document.images, path));
 }
 
 Result<bool> holdsScene(const fs::path& path) {

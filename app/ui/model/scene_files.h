@@ -35,8 +35,12 @@ void restoreUnsaved(Session& session, UnsavedScene draft);
 /// A unit shows a file, with the texture that is bound to it, or with a new one; the unit is switched on.
 void bindFile(Scene& scene, int pass, int unit, std::string file);
 
-/// Puts an image on one texture of the scene. `file` is spelled as in Texture::file.
-void setFile(Session& session, int texture, std::string file);
+/// A parameter names an image, "textures[0].levels[1].file", which becomes the source of what it belongs to.
+/// `file` is spelled as in Texture::file.
+void setFile(Session& session, std::string param, std::string file);
+
+/// The same of a file that was chosen somewhere.
+void chooseFile(Session& session, std::string param, const std::filesystem::path& path);
 
 /// A scene that has been loaded takes the place of this one; asks first where the user has changed something
 /// meanwhile.

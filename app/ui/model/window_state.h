@@ -71,6 +71,7 @@ struct WindowState {
     std::string shownParam;               ///< the one that was scrolled to, framed until the next click
 
     Dialog dialog = Dialog::None;
+    std::string imageParam; ///< OpenImage: what shall name it; empty: the texture that is bound
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;
     std::string pendingExample;       ///< its file's name

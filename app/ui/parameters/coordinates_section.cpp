@@ -4,6 +4,8 @@
 #include "app/ui/parameters/coordinates_section.h"
 
 #include "app/ui/model/findings.h"
+#include "app/ui/model/light_projection.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/params/keys.h"
@@ -25,6 +27,37 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &U
                                                  {"t", keyOf<&Unit::texGenT>, &Unit::texGenT},
                                                  {"r", keyOf<&Unit::texGenR>, &Unit::texGenR},
                                                  {"q", keyOf<&Unit::texGenQ>, &Unit::texGenQ}}};
+
+/// What takes several of these settings and more at once.
+void lightButtons(Session& session) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    const auto button = [&](const char* label, const char* tip, auto&& edit) {
+        if (ImGui::Button(label, {width, 0})) {
+            sealEdit(session);
+            if (edit())
+                recordEdit(session, label);
+            else
+                say(session, "There is no room for it: the scene has too many textures, or the matrix steps.");
+            sealEdit(session);
+        }
+        noteItem(label);
+        helpTip(tip);
+    };
+    button("Project from the light",
+           "The light becomes a slide projector: s, t, r and q are generated in eye coordinates, and the texture "
+           "matrix ends with the light's view.",
+           [&] { return projectFromLight(selectedUnit(session)); });
+    ImGui::SameLine(0, gap);
+    button("Shadow map",
+           "This unit multiplies by the light's shadows: a new texture of what the light sees, which r is "
+           "compared with, projected by the light.",
+           [&] {
+               return castShadows(session.document.scene,
+                                  static_cast<std::size_t>(session.window.selection.pass),
+                                  static_cast<std::size_t>(session.window.selection.unit));
+           });
+}
 
 } // namespace
 
@@ -54,6 +87,7 @@ void coordinatesSection(Session& session) {
                 paramWidget(session, owner, row);
         }
     }
+    lightButtons(session);
     const Owner emboss{&unit.emboss, &initial.emboss,
                        fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::emboss>())};
     caption("Emboss");

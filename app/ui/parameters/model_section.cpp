@@ -75,7 +75,7 @@ std::string counted(std::size_t count, const char* one, const char* more) {
     return fmt::format("{} {}", count, count == 1 ? one : more);
 }
 
-/// Vertices of its own are shown as what there is of them: a file gives them.
+/// Vertices of its own are shown as what there is of them: the Vertices tab edits them.
 void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
     std::string lists = counted(mesh.positions.size(), "vertex", "vertices");
@@ -88,7 +88,7 @@ void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
     say(!mesh.texCoords.empty(), "coordinates");
     say(!mesh.indices.empty(), counted(mesh.indices.size(), "index", "indices"));
     ImGui::TextDisabled("%s", lists.c_str());
-    helpTip("The scene file gives the vertices; Vertices and Texture space move their coordinates.");
+    helpTip("Vertices edits them one by one; Texture space moves their coordinates.");
 }
 
 void editModels(Session& session, std::size_t count) {

@@ -6,6 +6,7 @@
 #include "app/ui/parameters/model_section.h"
 #include "app/ui/parameters/pass_section.h"
 #include "app/ui/parameters/texture_section.h"
+#include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/number_choice.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -136,15 +137,14 @@ void matrixSection(Session& session) {
             fmt::format("{}.{}", selectedUnitPath(session), indexed("matrix", static_cast<int>(i)));
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
-        const float button = ImGui::GetFrameHeight();
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - 3 * button - 2 * gap);
-        if (squareButton("↑", path + "#up", "Multiply this step earlier", i > 0))
+        constexpr ListWords words{"matrix step", "", "Multiply this step earlier", "Multiply this step later",
+                                  "Remove this step"};
+        const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
+        if (pressed == ListEdit::Up)
             moveStep(session, steps, i, i - 1);
-        ImGui::SameLine(0, gap);
-        if (squareButton("↓", path + "#down", "Multiply this step later", i + 1 < steps.size()))
+        else if (pressed == ListEdit::Down)
             moveStep(session, steps, i, i + 1);
-        ImGui::SameLine(0, gap);
-        if (squareButton("✕", path + "#remove", "Remove this step", true)) {
+        else if (pressed == ListEdit::Remove) {
             steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
             sealEdit(session);
             recordEdit(session, "Remove matrix step");
@@ -216,7 +216,7 @@ std::vector<Mark> passMarks(const Scene& scene) {
 
 } // namespace
 
-void drawParametersPanel(Session& session, const Layout& layout) {
+void drawParametersPanel(Session& session, const Layout& layout, const Pictures& pictures) {
     beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
     static const Scene initial;
     static const View start = defaultScene().view;
@@ -224,7 +224,7 @@ void drawParametersPanel(Session& session, const Layout& layout) {
     unitChoice(session);
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
     if (section(session, Section::Texture))
-        textureSection(session);
+        textureSection(session, pictures);
     if (section(session, Section::Unit))
         unitSection(session);
     if (selectedUnit(session).envMode == EnvMode::Combine && section(session, Section::Combine))
@@ -237,8 +237,14 @@ void drawParametersPanel(Session& session, const Layout& layout) {
         modelSection(session);
     if (section(session, Section::Pass, passMarks(session.document.scene)))
         passSection(session);
-    if (section(session, Section::Light))
+    if (section(session, Section::Light)) {
         paramRows(session, {&session.document.scene.light, &initial.light, "light"}, lightTable());
+        caption("Projector");
+        paramRows(session,
+                  {&session.document.scene.light.projector, &initial.light.projector,
+                   pathOf<&Scene::light, &Light::projector>()},
+                  projectorTable());
+    }
     if (section(session, Section::Material))
         paramRows(session, {&session.document.scene.material, &initial.material, "material"},
                   materialTable());

@@ -169,6 +169,13 @@ void passSection(Session& session) {
         paramWidget(session, owner, *row);
     modelsOfPass(session);
     paramRows(session, owner, {table.name, {rest, table.params.end()}, table.children});
+    Fog& fog = selectedPass(session).fog;
+    const Owner fogOwner{&fog, &initial.fog, fmt::format("{}.{}", owner.path, keyOf<&Pass::fog>())};
+    caption("Fog");
+    for (const ParamRow& row : fogTable().params) {
+        if (fog.enabled || row.member == memberId<&Fog::enabled>)
+            paramWidget(session, fogOwner, row);
+    }
 }
 
 } // namespace texplorer::ui

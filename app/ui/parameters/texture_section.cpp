@@ -2,8 +2,7 @@
 
 #include "app/ui/parameters/texture_section.h"
 
-#include "app/ui/model/asking.h"
-#include "app/ui/model/scene_files.h"
+#include "app/ui/parameters/texture_lists.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -17,9 +16,11 @@ namespace {
 
 std::string textureName(const Session& session, int index) {
     const Texture& texture = session.document.scene.textures[static_cast<std::size_t>(index)];
-    const std::string what = texture.source == SourceKind::Pattern
-                                 ? std::string(rowOf(texture.pattern).label)
-                                 : printable(std::filesystem::path(texture.file).filename().string());
+    std::string what(rowOf(texture.source).label); // of what the light sees
+    if (texture.source == SourceKind::Pattern)
+        what = rowOf(texture.pattern).label;
+    else if (texture.source == SourceKind::File)
+        what = printable(std::filesystem::path(texture.file).filename().string());
     return fmt::format("{}  {}", index, what);
 }
 
@@ -84,23 +85,6 @@ void textureChoice(Session& session) {
         removeTexture(session, unit.texture);
 }
 
-bool acceptsTexture(Session& session, Texture& texture, const ParamRow& row, const Value& value) {
-    if (row.key == keyOf<&Texture::source>() &&
-        std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File) &&
-        texture.file.empty()) {
-        askOpenImage(session); // there is no file yet: ask for one
-        return false;
-    }
-    if (row.key != keyOf<&Texture::file>())
-        return true;
-    const std::string& file = std::get<std::string>(value);
-    if (file.empty() || session.document.images.holds(file))
-        return !file.empty();
-    // It is written when the file has turned out to be an image, which may take a while.
-    setFile(session, selectedUnit(session).texture, file);
-    return false;
-}
-
 /// The same settings, from now on for this unit alone.
 void ownTexture(Session& session) {
     const Texture copy = *boundTexture(session);
@@ -109,6 +93,23 @@ void ownTexture(Session& session) {
     sealEdit(session);
     recordEdit(session, "Own texture");
     sealEdit(session);
+}
+
+/// Small pictures of its steps and levels, where it has any: made beside the window where that takes long.
+std::shared_ptr<const LevelsSummary> summaryOf(Session& session, const Texture& texture) {
+    if (texture.preparation.empty() && texture.mipmaps != MipPolicy::Given)
+        return nullptr;
+    return session.services.levels.summary({session.document.images.picturesOf(texture),
+                                            imageSettings(texture), selectedUnit(session).target});
+}
+
+/// What belongs below the rows of a group.
+void listsAfter(std::string_view group, Session& session, std::size_t texture, const LevelsSummary* summary,
+                const Pictures& pictures) {
+    if (group == findParam(textureTable(), keyOf<&Texture::file>())->group)
+        preparationList(session, texture, summary, pictures);
+    if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group)
+        levelList(session, texture, summary, pictures);
 }
 
 } // namespace
@@ -160,7 +161,7 @@ void sharingNote(Session& session, const char* id) {
     ImGui::PopID();
 }
 
-void textureSection(Session& session) {
+void textureSection(Session& session, const Pictures& pictures) {
     textureChoice(session);
     sharingNote(session, "of the texture");
     Texture* texture = boundTexture(session);
@@ -169,11 +170,25 @@ void textureSection(Session& session) {
         return;
     }
     static const Texture initial;
-    const Owner owner{texture, &initial, fmt::format("textures[{}]", selectedUnit(session).texture),
-                      [&](const ParamRow& row, const Value& value) {
-                          return acceptsTexture(session, *texture, row, value);
+    const auto index = static_cast<std::size_t>(selectedUnit(session).texture);
+    const std::string path = elementOf<&Scene::textures>(index);
+    const Owner owner{texture, &initial, path, [&](const ParamRow& row, const Value& value) {
+                          return acceptsFile(session, path, texture->file, row, value);
                       }};
-    paramRows(session, owner, textureTable());
+    const std::shared_ptr<const LevelsSummary> summary = summaryOf(session, *texture);
+    std::string_view group;
+    std::string_view captioned;
+    for (const ParamRow& row : textureTable().params) {
+        if (row.group != group)
+            listsAfter(group, session, index, summary.get(), pictures);
+        group = row.group;
+        if (!isRelevant(session, owner, row))
+            continue;
+        if (captioned != group)
+            caption(group);
+        captioned = group;
+        paramWidget(session, owner, row);
+    }
 }
 
 } // namespace texplorer::ui

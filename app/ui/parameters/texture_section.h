@@ -1,12 +1,14 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/widgets/pictures.h"
 
 #include <string>
 
 namespace texplorer::ui {
 
-void textureSection(Session& session); ///< the texture that is bound to the selected unit
+/// The texture that is bound to the selected unit.
+void textureSection(Session& session, const Pictures& pictures);
 
 /// That the selected unit shares its texture, with a way to give it its own; nothing where it doesn't. `id`
 /// tells two such notes apart.

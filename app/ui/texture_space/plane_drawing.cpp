@@ -16,7 +16,7 @@ namespace {
 constexpr int mostTiles = 2048;
 constexpr std::size_t mostFineEdges =
     1500;                               // up to here each line has a shade below it, each vertex a round dot
-constexpr std::size_t mostEdges = 4000; // beyond, only the chosen faces are drawn
+constexpr std::size_t mostEdges = 4000; // beyond, only the chosen faces are drawn, if they have no more
 constexpr int tilesAround = 2;          // copies of the image beyond the vertices
 
 bool hasAlpha(const Surface& surface) {
@@ -174,7 +174,7 @@ void drawMesh(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const Te
         }
     }
     for (const Face& face : mesh.faces) {
-        if (isChosen(face))
+        if (isChosen(face) && face.vertices.size() <= mostEdges)
             drawFace(draw, canvas, face, coords, color::chosen, std::max(1.5F, em / 9), true);
     }
     if (edges <= mostEdges) {

@@ -283,6 +283,18 @@ reference::TexelPlace texelAt(const Texture& texture, Target target, int level, 
     return {level, {reference::wrappedTexel(texture.wrapS, at.x, extent.x), row, layer}};
 }
 
+/// The texel of a cell. Beyond a corner of a seamless cube map there is none: that at the corner stands for
+/// it.
+reference::TexelPlace texelOf(const Texture& texture, Target target, const LevelPatch& patch, glm::ivec2 at) {
+    if (!patch.seamless)
+        return texelAt(texture, target, patch.level, patch.extent, at, patch.layer);
+    const int size = patch.extent.x;
+    const reference::FaceTexel corner{patch.layer, glm::clamp(at, 0, size - 1)};
+    const auto [face, index] =
+        reference::foldedTexel({patch.layer, glm::clamp(at, -size, 2 * size - 1)}, size).value_or(corner);
+    return {patch.level, {index.x, index.y, face}};
+}
+
 /// Of a level that the bound texture has.
 std::optional<glm::ivec2> extentOf(Session& session, int level) {
     const Texture* texture = boundTexture(std::as_const(session));
@@ -333,7 +345,7 @@ void markCells(Session& session, ImDrawList& draw, const Texture& texture, const
                      ImGui::GetFontSize() * 0.2F);
     };
     const auto texel = [&](glm::ivec2 at) {
-        return texelAt(texture, selectedUnit(session).target, patch.level, patch.extent, at, patch.layer);
+        return texelOf(texture, selectedUnit(session).target, patch, at);
     };
     const std::optional<reference::TexelPlace> asked = askedTexel(session);
     for (int y = 0; y < patch.size.y; ++y) {

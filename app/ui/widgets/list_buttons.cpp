@@ -32,4 +32,21 @@ std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen, 
     return pressed;
 }
 
+std::optional<ListEdit> elementButtons(const ListWords& words, const std::string& path, std::size_t index,
+                                       std::size_t count) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float button = ImGui::GetFrameHeight();
+    std::optional<ListEdit> pressed;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - 3 * button - 2 * gap));
+    if (squareButton("↑", path + "#up", words.up, index > 0))
+        pressed = ListEdit::Up;
+    ImGui::SameLine(0, gap);
+    if (squareButton("↓", path + "#down", words.down, index + 1 < count))
+        pressed = ListEdit::Down;
+    ImGui::SameLine(0, gap);
+    if (squareButton("✕", path + "#remove", words.remove, true))
+        pressed = ListEdit::Remove;
+    return pressed;
+}
+
 } // namespace texplorer::ui

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace texplorer::ui {
 
@@ -21,5 +22,10 @@ struct ListWords {
 /// be `least` to `most`. What was pressed, if anything.
 [[nodiscard]] std::optional<ListEdit> listButtons(const ListWords& words, std::size_t chosen,
                                                   std::size_t count, std::size_t least, std::size_t most);
+
+/// ↑, ↓ and ✕ at the right end of the line of one element; "path#up" is what tests call them. What was
+/// pressed, if anything.
+[[nodiscard]] std::optional<ListEdit> elementButtons(const ListWords& words, const std::string& path,
+                                                     std::size_t index, std::size_t count);
 
 } // namespace texplorer::ui

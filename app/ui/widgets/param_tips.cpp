@@ -57,6 +57,21 @@ void warningSign() {
                        color::ground);
 }
 
+void noteSign() {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({em * 0.85F, ImGui::GetFrameHeight()});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 middle(low.x + em * 0.425F, low.y + ImGui::GetStyle().FramePadding.y + em * 0.5F);
+    draw.AddCircleFilled(middle, em * 0.4F, color::dim);
+    const auto stroke = [&](float from, float to) {
+        draw.AddRectFilled({middle.x - em * 0.05F, middle.y + em * from},
+                           {middle.x + em * 0.05F, middle.y + em * to}, color::ground);
+    };
+    stroke(-0.26F, -0.14F);
+    stroke(-0.06F, 0.24F);
+}
+
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem) {
     // What is disabled most of all has to say why.
@@ -82,9 +97,13 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
         dimText("Drag it, or double-click to type a number.");
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    if (problem)
+    if (problem) {
+        const bool isWrong = problem->severity <= Severity::Warning;
+        ImGui::PushStyleColor(ImGuiCol_Text, isWrong ? color::problem : color::text);
         text(sentenceOf(*problem));
+        ImGui::PopStyleColor();
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
     if (idle)
         text(fmt::format("No effect now: {}.", idle->sentence));
     ImGui::PopStyleColor();

@@ -20,6 +20,8 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
 
 /// A triangle with an exclamation mark, as high as a control.
 void warningSign();
+/// An i in a circle, for what is worth knowing and not wrong.
+void noteSign();
 
 /// One of an enumeration's choices, beside its list.
 void choiceTip(const EnumRow& choice);

@@ -37,12 +37,16 @@ bool enumWidget(const Owner& owner, const ParamRow& row, EnumValue& value, const
         ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
     const std::string preview = fitted(current ? labelOf(*current) : "?", room);
     bool changed = false;
-    if (ImGui::BeginCombo("##value", preview.c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (ImGui::BeginCombo("##value", preview.c_str(), ImGuiComboFlags_HeightLargest)) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
         float names = 0;
         for (const EnumRow& choice : row.choices)
             names = std::max(names, textWidth(labelOf(choice)));
+        std::string_view group;
         for (const EnumRow& choice : row.choices) {
+            if (choice.group != group)
+                caption(choice.group);
+            group = choice.group;
             const std::string label = fmt::format("{}##{}", labelOf(choice), choice.name);
             const bool isCurrent = choice.value == value.number;
             if (ImGui::Selectable(label.c_str(), isCurrent)) {
@@ -339,7 +343,7 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
     Line line = lineOf(session, owner, row);
     ImGui::PushID(line.path.c_str());
     drawControl(session, owner, row, line, width,
-                line.problem   ? color::problem
+                line.problem && line.problem->severity <= Severity::Warning ? color::problem
                 : line.changed ? color::changed
                                : color::text);
     if (line.problem)
@@ -355,7 +359,7 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
 
     ImGui::PushID(line.path.c_str());
     const float em = ImGui::GetFontSize();
-    const float left = ImGui::GetCursorPosX();
+    const float left = ImGui::GetWindowContentRegionMin().x; // where lines begin that aren't indented
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * 1.3F;
     // A label that is a little wider than its column takes some of the control's.

@@ -12,7 +12,10 @@ namespace texplorer::ui {
 
 void problemSign(Session& session, const std::string& path, const Finding& problem) {
     const ImVec2 place = ImGui::GetCursorPos();
-    warningSign();
+    if (problem.severity <= Severity::Warning)
+        warningSign();
+    else
+        noteSign();
     const ImVec2 size = ImGui::GetItemRectSize();
     ImGui::SetCursorPos(place);
     if (ImGui::InvisibleButton("sign", size))

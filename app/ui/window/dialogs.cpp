@@ -213,7 +213,11 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
         return openScene(session, chosen);
     if (dialog == Dialog::SaveScene)
         return saveScene(session, chosen);
-    importImage(session, chosen);
+    const std::string param = std::exchange(session.window.imageParam, {});
+    if (param.empty())
+        importImage(session, chosen);
+    else
+        chooseFile(session, param, chosen);
     return {};
 }
 

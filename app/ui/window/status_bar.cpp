@@ -92,7 +92,7 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         reveal(session, finding.path);
 }
 
-/// "llvmpipe · 583 × 682 · 3.1 ms"
+/// "llvmpipe · pretending: no-s3tc · 583 × 682 · 3.1 ms"
 std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities& capabilities,
                     bool showsTime) {
     const ViewFrame& first = frames.front();
@@ -100,6 +100,8 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
     // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the rest is in the tooltip.
     std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
                                       : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
+    if (!onlyReference && !capabilities.pretending.empty())
+        facts += " · pretending: " + capabilities.pretending;
     facts += fmt::format(" · {} × {}", first.frame.size.width, first.frame.size.height);
     if (!showsTime)
         return facts;
@@ -115,8 +117,11 @@ std::string hostText(const view::Capabilities& capabilities, const view::Offered
         text = fmt::format("{}\n{}\nOpenGL {}\nTextures up to {} texels wide", capabilities.vendor,
                            capabilities.renderer, capabilities.version, capabilities.maxTextureSize);
         if (offered.has(RendererKind::Fixed))
-            text += fmt::format(", {} units", capabilities.textureUnits);
+            text += fmt::format(", {} unit{}", capabilities.textureUnits,
+                                capabilities.textureUnits == 1 ? "" : "s");
     }
+    if (!capabilities.pretending.empty())
+        text += "\nPretending: " + capabilities.pretending;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const std::string& reason = offered.whyNot(static_cast<RendererKind>(row.value));
         if (!reason.empty())

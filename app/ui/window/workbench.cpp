@@ -85,7 +85,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected
     askAboutPicture(session, pictures.frames.front().frame.size);
-    drawParametersPanel(session, layout);
+    drawParametersPanel(session, layout, pictures);
     settle(session, layout);
     drawViewPanel(session, pictures, layout);
     drawTextureSpacePanel(session, states.textureSpace, pictures, layout);

@@ -32,6 +32,7 @@ Layout layoutOf(PixelFormat format) {
     case PixelFormat::Rgba8:
     case PixelFormat::LuminanceAlpha8:
     case PixelFormat::Alpha8:
+    case PixelFormat::Depth32:
         break;
     }
     return {32, 108, 0};
@@ -94,6 +95,7 @@ void writeRow(PixelFormat format, const std::byte* from, std::byte* to, std::siz
     case PixelFormat::Rgb8:
         return swapRedBlue(from, to, width);
     case PixelFormat::Rgba8:
+    case PixelFormat::Depth32:
         return reorderFourToFour(from, to, width, blueGreenRedAlpha);
     case PixelFormat::Luminance8:
         std::memcpy(to, from, width);

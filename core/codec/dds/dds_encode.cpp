@@ -146,6 +146,7 @@ MaskedPixels legacyPixels(PixelFormat format) {
     case PixelFormat::Rgb8:
         return bgr;
     case PixelFormat::Rgba8:
+    case PixelFormat::Depth32:
         break;
     }
     return bgra;

@@ -23,6 +23,7 @@ std::span<const std::size_t> componentsOf(PixelFormat format) {
     case PixelFormat::Rgb8:
         return std::span(rgba).first(3);
     case PixelFormat::Rgba8:
+    case PixelFormat::Depth32:
         break;
     }
     return rgba;

@@ -36,7 +36,8 @@ int colorTypeOf(PixelFormat format) {
     case PixelFormat::Rgb8:
         return 2;
     case PixelFormat::Rgba8:
-        return 6;
+    case PixelFormat::Depth32:
+        break;
     }
     return 6;
 }

@@ -91,17 +91,6 @@ Color colorAt(const HeightMap& heights, int x, int y) {
     return shade(surface, std::clamp(0.80F + 0.26F * height + 0.42F * slope, 0.4F, 1.35F));
 }
 
-/// What a function makes of every height, 0 to 255, as grey.
-Image drawHeights(int (*greyOf)(int height)) {
-    Canvas canvas(brickSize, brickSize);
-    for (int y = 0; y < brickSize; ++y)
-        for (int x = 0; x < brickSize; ++x) {
-            const auto grey = static_cast<std::uint8_t>(greyOf(toByte(255 * heightAt(x, y))));
-            canvas.set(x, y, {grey, grey, grey, 255});
-        }
-    return std::move(canvas).take();
-}
-
 } // namespace
 
 Image drawBrick() {
@@ -114,16 +103,13 @@ Image drawBrick() {
 }
 
 Image drawBrickHeight() {
-    return drawHeights([](int height) { return height; });
-}
-
-// NeHe's lesson 22 loads its bump map and the inverse with GL_RED_SCALE and the others at 0.5.
-Image drawBrickBump() {
-    return drawHeights([](int height) { return (height + 1) / 2; });
-}
-
-Image drawBrickBumpInverse() {
-    return drawHeights([](int height) { return (255 - height + 1) / 2; });
+    Canvas canvas(brickSize, brickSize);
+    for (int y = 0; y < brickSize; ++y)
+        for (int x = 0; x < brickSize; ++x) {
+            const std::uint8_t grey = toByte(255 * heightAt(x, y));
+            canvas.set(x, y, {grey, grey, grey, 255});
+        }
+    return std::move(canvas).take();
 }
 
 } // namespace texplorer

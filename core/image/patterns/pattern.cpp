@@ -16,10 +16,6 @@ Image drawPattern(Pattern pattern) {
         return drawBrick();
     case Pattern::BrickHeight:
         return drawBrickHeight();
-    case Pattern::BrickBump:
-        return drawBrickBump();
-    case Pattern::BrickBumpInverse:
-        return drawBrickBumpInverse();
     case Pattern::ColorLine:
         return drawColorLine();
     case Pattern::Tree:
@@ -38,6 +34,8 @@ Image drawPattern(Pattern pattern) {
         return drawLogoOpenGl();
     case Pattern::LogoMultitexture:
         return drawLogoMultitexture();
+    case Pattern::Gradient:
+        return drawGradient();
     }
     return drawChecker();
 }

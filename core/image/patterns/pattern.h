@@ -13,8 +13,6 @@ enum class Pattern : std::uint32_t {
     UvTemplate,
     Brick,
     BrickHeight,
-    BrickBump,
-    BrickBumpInverse,
     ColorLine,
     Tree,
     MipColors,
@@ -24,6 +22,7 @@ enum class Pattern : std::uint32_t {
     MirrorBall,
     LogoOpenGl,
     LogoMultitexture,
+    Gradient,
 };
 
 inline constexpr std::array patternRows{
@@ -36,10 +35,6 @@ inline constexpr std::array patternRows{
     row(Pattern::Brick, "brick", "Brick wall", "Bricks with mortar; it tiles without a seam."),
     row(Pattern::BrickHeight, "brick-height", "Brick height map",
         "The heights of the brick wall as grey: white stands out, black lies deep."),
-    row(Pattern::BrickBump, "brick-bump", "Brick bump map",
-        "The heights of the brick wall at half their brightness, as an embossed wall adds them."),
-    row(Pattern::BrickBumpInverse, "brick-bump-inverse", "Brick bump map, inverse",
-        "What the bump map lacks to grey: shifted a little and added, it leaves the relief."),
     row(Pattern::ColorLine, "color-line", "Colour line",
         "Eight colours in a row: a one-dimensional texture."),
     row(Pattern::Tree, "tree", "Tree",
@@ -57,6 +52,8 @@ inline constexpr std::array patternRows{
         "A plate with the word OpenGL that one half sees through: for blending."),
     row(Pattern::LogoMultitexture, "logo-multitexture", "Multitexture plate",
         "Another plate, for what is drawn with several texture units."),
+    row(Pattern::Gradient, "gradient", "Colour gradient",
+        "Red grows to the right, green upwards, and blue fades: what has few bits shows as bands."),
 };
 
 template<>
@@ -64,7 +61,7 @@ struct EnumTable<Pattern> {
     static constexpr std::span<const EnumRow> rows = patternRows;
 };
 
-static_assert(patternRows.size() == 16);
+static_assert(patternRows.size() == 15);
 
 /// The base level of a pattern as Rgba8. The same bytes at every call, on every machine.
 [[nodiscard]] Image drawPattern(Pattern pattern);

@@ -11,8 +11,6 @@ namespace texplorer {
 [[nodiscard]] Image drawUvTemplate();
 [[nodiscard]] Image drawBrick();
 [[nodiscard]] Image drawBrickHeight();
-[[nodiscard]] Image drawBrickBump();
-[[nodiscard]] Image drawBrickBumpInverse();
 [[nodiscard]] Image drawColorLine();
 [[nodiscard]] Image drawTree();
 [[nodiscard]] Image drawMipColors();
@@ -22,5 +20,6 @@ namespace texplorer {
 [[nodiscard]] Image drawMirrorBall();
 [[nodiscard]] Image drawLogoOpenGl();
 [[nodiscard]] Image drawLogoMultitexture();
+[[nodiscard]] Image drawGradient();
 
 } // namespace texplorer

@@ -46,8 +46,8 @@ struct VertexExplanation {
     glm::vec4 eye{0, 0, 0, 1};
     glm::vec3 normal{0}; ///< in eye coordinates, of unit length
     glm::vec4 clip{0};
-    std::optional<LightingTerms> lighting{}; ///< none: lighting is off
-    glm::vec4 primary{1};                    ///< clamped
+    std::optional<LightingTerms> lighting{}; ///< of the side that is seen; none: lighting is off
+    glm::vec4 primary{1};                    ///< of that side, clamped
     glm::vec3 secondary{0};
 };
 
@@ -64,6 +64,7 @@ struct UnitExplanation {
     int texture = 0; ///< index into Scene::textures
     Target target = Target::Texture2D;
     BaseFormat format = BaseFormat::Rgba;
+    InternalFormat internalFormat = InternalFormat::Rgba; ///< of blocks the one of their base format
 
     std::array<bool, 4> generates{};       ///< which of s, t, r and q are generated
     bool embosses = false;                 ///< whether coordinates follow the light
@@ -118,6 +119,14 @@ struct BlendExplanation {
     glm::vec4 result{0};
 };
 
+/// Section 3.10.
+struct FogExplanation {
+    Fog state;
+    float distance = 0; ///< c: from the eye's plane, interpolated
+    Equation equation;  ///< of f, before it is clamped
+    float factor = 1;   ///< f
+};
+
 /// One triangle, line or point that covers the pixel, in one pass.
 struct FragmentExplanation {
     int pass = 0;
@@ -132,12 +141,16 @@ struct FragmentExplanation {
     bool coloredVertices = false; ///< the mesh has colours in the place of glColor
     bool flat = false;            ///< the colours of the last vertex
     bool separateSpecular = false;
+    bool twoSided = false;   ///< GL_LIGHT_MODEL_TWO_SIDE: what is seen from behind is lit otherwise
+    bool fromBehind = false; ///< a triangle that runs clockwise in the window
     glm::vec4 primary{1};   ///< interpolated
     glm::vec4 secondary{0}; ///< the same; used under separate specular alone
     std::vector<UnitExplanation> units;
     std::vector<IdleUnit> idle;
-    glm::vec4 textured{1}; ///< after the last unit
-    glm::vec4 color{1};    ///< after the colour sum, clamped
+    glm::vec4 textured{1};               ///< after the last unit
+    glm::vec4 summed{1};                 ///< after the colour sum, clamped
+    std::optional<FogExplanation> fog{}; ///< none: it is off
+    glm::vec4 color{1};                  ///< after fog: what the tests and blending get
 
     TestExplanation<float> alphaTest;
     TestExplanation<std::uint32_t> depthTest; ///< in 24 bits

@@ -110,6 +110,12 @@ Step primaryStep(const FragmentExplanation& fragment) {
     if (emits)
         step.rows.insert(step.rows.begin() + 3,
                          perCorner("emission", fragment, term(&LightingTerms::emission)));
+    if (fragment.twoSided && fragment.vertices.size() == 3)
+        step.rows.push_back({fragment.fromBehind ? "Seen from behind: lit with the opposite normal "
+                                                   "(GL_LIGHT_MODEL_TWO_SIDE)."
+                                                 : "Seen from the front: lit with the normal."});
+    else if (fragment.fromBehind)
+        step.rows.push_back({"Seen from behind, and lit as the front (GL_LIGHT_MODEL_TWO_SIDE is off)."});
     step.rows.push_back({fragment.flat ? "Flat shading: the colour of the last vertex."
                                        : "Smooth shading: interpolated between the vertices."});
     if (fragment.separateSpecular)
@@ -160,7 +166,7 @@ Step environmentStep(const UnitExplanation& unit) {
 }
 
 Step colorSumStep(const FragmentExplanation& fragment) {
-    Step step{StepKind::ColorSum, -1, "Colour sum", colorText(fragment.color), fragment.color};
+    Step step{StepKind::ColorSum, -1, "Colour sum", colorText(fragment.summed), fragment.summed};
     constexpr std::array names{"red", "green", "blue"};
     for (int i = 0; i < 3; ++i) {
         const float sum = fragment.textured[i] + fragment.secondary[i];
@@ -169,6 +175,30 @@ Step colorSumStep(const FragmentExplanation& fragment) {
                                            numberText(fragment.secondary[i]), numberText(sum),
                                            sum > 1 ? ", clamped to 1" : "")}}});
     }
+    return step;
+}
+
+Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
+    Step step{StepKind::Fog, -1, "Fog", colorText(fragment.color), fragment.color};
+    const glm::vec4 color = glm::clamp(fog.state.color, 0.0F, 1.0F);
+    step.rows = {{"mode", {{nameOf(rowOf(fog.state.mode))}}},
+                 {"c: distance from the eye's plane", {{numberText(fog.distance)}}},
+                 {fog.equation.symbols, {}, {}, false, Ink::Dim}};
+    for (const std::string& numbers : fog.equation.numbers)
+        step.rows.push_back({"f", {{numbers}}});
+    step.rows.push_back({"f, clamped", {{numberText(fog.factor)}}});
+    step.rows.push_back({"Cr: before", {{colorText(fragment.summed)}}, fragment.summed});
+    step.rows.push_back({"Cf: fog colour", {{vectorText(glm::vec3(color))}}, glm::vec4(glm::vec3(color), 1)});
+    step.rows.push_back({"C = f * Cr + (1 - f) * Cf", {}, {}, false, Ink::Dim});
+    constexpr std::array names{"red", "green", "blue"};
+    for (int i = 0; i < 3; ++i)
+        step.rows.push_back(
+            {names.at(static_cast<std::size_t>(i)),
+             {{fmt::format("{} = {}",
+                           inNumbers("f * Cr + (1 - f) * Cf",
+                                     {{"f", fog.factor}, {"Cr", fragment.summed[i]}, {"Cf", color[i]}}),
+                           numberText(fragment.color[i]))}}});
+    step.rows.push_back({"Alpha stays."});
     return step;
 }
 
@@ -283,6 +313,8 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
                          {{idle.reason, {}, {}, false, Ink::Bad}}});
     if (fragment.separateSpecular)
         steps.push_back(colorSumStep(fragment));
+    if (fragment.fog)
+        steps.push_back(fogStep(fragment, *fragment.fog));
     steps.push_back(testStep(StepKind::AlphaTest, "Alpha test", fragment.alphaTest,
                              numberText(fragment.alphaTest.value), numberText(fragment.alphaTest.with)));
     steps.push_back(testStep(StepKind::DepthTest, "Depth test", fragment.depthTest,

@@ -38,6 +38,7 @@ enum class StepKind : std::uint8_t {
     Environment,
     IdleUnit,
     ColorSum,
+    Fog,
     AlphaTest,
     DepthTest,
     Blending,

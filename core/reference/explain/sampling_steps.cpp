@@ -1,5 +1,7 @@
 #include "core/reference/explain/sampling_steps.h"
 
+#include "core/reference/explain/stored_texel.h"
+#include "core/reference/sampling/depth_texel.h"
 #include "core/reference/sampling/wrap.h"
 
 #include <fmt/core.h>
@@ -32,6 +34,9 @@ StepRow coordinates(std::string label, glm::vec4 values, int count = 4, int digi
     return row;
 }
 
+/// Of depths, whose last digits decide.
+constexpr int depthDigits = 6;
+
 /// Of the coordinates of one pixel and the next, in which small numbers count.
 constexpr int derivativeDigits = 6;
 
@@ -39,8 +44,13 @@ std::string percent(float share) {
     return numberText(std::round(share * 1000) / 10) + " %";
 }
 
+/// Whether r is compared with what the texture holds.
+bool compares(const UnitExplanation& unit) {
+    return isDepth(unit.internalFormat) && unit.sampler.compareMode == CompareMode::RToTexture;
+}
+
 Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
-    const int axes = coordinatesOf(unit.target);
+    const int axes = compares(unit) ? 3 : coordinatesOf(unit.target);
     Step step{StepKind::Coordinates, unit.unit, "Texture coordinates", {}};
     for (int i = 0; i < axes; ++i)
         step.summary +=
@@ -75,6 +85,8 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
             coordinates(fmt::format("a direction, which hits face {} at", rowOf(cubeFaceAt(face)).label),
                         glm::vec4(place, 0), 2));
     }
+    if (unit.pixel.transformed.q < 0)
+        step.rows.push_back({"q is below 0: this point lies behind what projects the image."});
     if (!std::isfinite(unit.coords.s) || (axes > 1 && !std::isfinite(unit.coords.t)) ||
         (axes > 2 && !std::isfinite(unit.coords.r)))
         step.rows.push_back(
@@ -148,18 +160,33 @@ Step lodStep(const UnitExplanation& unit) {
     return step;
 }
 
-std::string texelText(int index, int size) {
-    return index >= 0 && index < size ? fmt::format("texel {}", index) : "the border";
+std::string texelText(int index, int size, bool seamless) {
+    return index >= 0 && index < size ? fmt::format("texel {}", index)
+           : seamless                 ? "the next face"
+                                      : "the border";
 }
 
 /// Which texels of a row `u` falls on. The centre of texel i is at i + 0.5, which a linear filter goes by.
-std::string texelsText(bool linear, Wrap wrap, float u, int size) {
+std::string texelsText(bool linear, const WrappedCoordinate& coordinate, int size, bool seamless) {
+    const float u = coordinate.texels;
     if (!linear)
-        return "its whole part: " + texelText(nearestTexel(u, size), size);
-    const auto [first, second, share] = linearTexels(wrap, u, size);
+        return "its whole part: " + texelText(nearestTexel(u, size), size, seamless);
+    const auto [first, second, share] = linearTexels(coordinate.wrap, u, size);
     return fmt::format("- 0.5 = {}: {} and {}, shares {} and {}", numberText(u - 0.5F),
-                       texelText(first, size), texelText(second, size), numberText(1 - share),
-                       numberText(share));
+                       texelText(first, size, seamless), texelText(second, size, seamless),
+                       numberText(1 - share), numberText(share));
+}
+
+/// Whether a sample reads three texels where the cube has a corner and no fourth.
+bool isAtCorner(const UnitExplanation& unit, int level, int size) {
+    int beyond = 0;
+    for (const WrappedCoordinate& each : unit.sample.wrapped) {
+        if (each.level != level || each.wrap != Wrap::ClampToBorder)
+            continue;
+        const TexelPair pair = linearTexels(each.wrap, each.texels, size);
+        beyond += pair.first < 0 || (pair.second >= size && pair.share > 0) ? 1 : 0;
+    }
+    return unit.sample.seamless && unit.sample.probes.size() == 1 && beyond == 2;
 }
 
 Step wrapStep(const UnitExplanation& unit) {
@@ -181,15 +208,18 @@ Step wrapStep(const UnitExplanation& unit) {
                 continue;
             const std::string wrapped = fmt::format("{} lands at texel {} of {}", numberText(found->given),
                                                     numberText(found->texels), extent.size[axis]);
-            step.rows.push_back(
-                {fmt::format("  {}, {}", coordinateNames.at(i), rowOf(unit.sampler.wrap(axis)).name),
-                 {{wrapped, coordinateInks.at(i)}}});
+            step.rows.push_back({fmt::format("  {}, {}", coordinateNames.at(i),
+                                             unit.sample.seamless ? "seamless" : rowOf(found->wrap).name),
+                                 {{wrapped, coordinateInks.at(i)}}});
             if (!unit.sample.lod.ellipse) // which weighs all texels in it
-                step.rows.push_back({"",
-                                     {{texelsText(isLinearHere(unit), unit.sampler.wrap(axis), found->texels,
-                                                  extent.size[axis]),
-                                       coordinateInks.at(i)}}});
+                step.rows.push_back(
+                    {"",
+                     {{texelsText(isLinearHere(unit), *found, extent.size[axis], unit.sample.seamless),
+                       coordinateInks.at(i)}}});
         }
+        if (isAtCorner(unit, extent.level, extent.size.x))
+            step.rows.push_back(
+                {"Three faces meet here: the mean of their texels stands for the fourth, which there isn't."});
     }
     if (unit.sample.probes.size() > 1)
         step.rows.push_back({fmt::format("Shown is the first of {} probes.", unit.sample.probes.size())});
@@ -211,7 +241,57 @@ std::string shorter(float value) {
     return columnText(value, 3);
 }
 
+/// "6/15" below each component of a tap.
+StepRow storedRow(const StoredTexel& stored) {
+    StepRow row{"  stored", {{}}};
+    for (std::size_t c = 0; c < stored.numbers.size(); ++c)
+        row.cells.push_back(
+            {stored.largest[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.largest[c]), Ink::Dim});
+    return row;
+}
+
+/// Section 3.8.14.
+Step depthsStep(const UnitExplanation& unit) {
+    const bool asks = compares(unit);
+    const glm::vec4 color = unit.sample.color;
+    // Whatever the depth is shown as, one of the first and the last component has it.
+    const float result = unit.format == BaseFormat::Alpha ? color.a : color.r;
+    Step step{StepKind::Texels, unit.unit, asks ? "Depths, compared" : "Depths", {}};
+    step.swatch = color;
+    const std::string function(rowOf(unit.sampler.compareFunc).name);
+    step.summary = asks ? fmt::format("r {} the depth: {}", function, numberText(result)) : numberText(result);
+    if (asks)
+        step.rows.push_back({"r over q, clamped to 0 ... 1",
+                             {{columnText(comparedDepth(unit.coords.p), depthDigits), Ink::R}}});
+    StepRow head{"texel", {{"weight", Ink::Dim}, {"depth", Ink::Dim}}, {}, true};
+    if (asks)
+        head.cells.push_back({function, Ink::Dim});
+    step.rows.push_back(std::move(head));
+    const std::vector<Tap> taps = mergedTaps(unit.sample);
+    for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
+        const Tap& tap = taps[i];
+        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) + (tap.border ? " border" : ""),
+                    {{columnText(tap.weight)}, {columnText(tap.depth, depthDigits)}},
+                    tap.color};
+        if (asks) {
+            const bool passed = (unit.format == BaseFormat::Alpha ? tap.color.a : tap.color.r) != 0;
+            row.cells.push_back({passed ? "1: passes" : "0: fails", passed ? Ink::Good : Ink::Bad});
+        }
+        step.rows.push_back(std::move(row));
+    }
+    if (taps.size() > mostTapsShown)
+        step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
+    step.rows.push_back({asks ? "filtered: the share that passes" : "filtered", {{columnText(result)}}, color});
+    step.rows.push_back({"as " + std::string(rowOf(unit.sampler.depthMode).name),
+                         {{fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g),
+                                       numberText(color.b), numberText(color.a))}},
+                         color});
+    return step;
+}
+
 Step texelsStep(const UnitExplanation& unit) {
+    if (isDepth(unit.internalFormat))
+        return depthsStep(unit);
     Step step{StepKind::Texels, unit.unit, "Texels", {}};
     const glm::vec4 color = unit.sample.color;
     step.swatch = color;
@@ -228,16 +308,23 @@ Step texelsStep(const UnitExplanation& unit) {
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
+        const bool across = unit.sample.seamless && tap.index.z != unit.sample.cube->face;
         StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
-                        (tap.border ? " border" : ""),
+                        (tap.border ? " border"
+                         : across   ? " across the edge"
+                                    : ""),
                     {{columnText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)
             row.cells.push_back({shorter(tap.color[c])});
         step.rows.push_back(std::move(row));
+        if (const auto stored = storedTexel(unit.internalFormat, tap.color); stored && !tap.border)
+            step.rows.push_back(storedRow(*stored));
     }
     if (taps.size() > mostTapsShown)
         step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
+    if (std::string sentence = storedSentence(unit.internalFormat); !sentence.empty())
+        step.rows.push_back({std::move(sentence), {}, {}, false, Ink::Dim});
     StepRow sum{"filtered", {{columnText(1)}}, color};
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});

@@ -47,6 +47,31 @@ int faceOf(const SampleRecord& sample) {
     return sample.cube ? sample.cube->face : 0;
 }
 
+/// A texel of the image around, with what wrapping makes of its surroundings; of a seamless cube map the
+/// faces around the one that is hit. Beyond a corner of that, the mean of the three texels that meet there.
+glm::vec4 colorAround(const SampledTexture& texture, const LevelPatch& patch, const Level& level,
+                      glm::ivec2 at) {
+    const int axes = axesOf(texture.target);
+    if (patch.seamless) {
+        const glm::ivec2 within = glm::clamp(at, -level.width, 2 * level.width - 1);
+        if (const auto texel = foldedTexel({patch.layer, within}, level.width)) {
+            const Level* other = texture.level(patch.level, texel->face);
+            return other ? texelAt(*other, glm::ivec3(texel->index, 0), axes) : glm::vec4(0, 0, 0, 1);
+        }
+        const glm::ivec2 nearest = glm::clamp(at, 0, level.width - 1);
+        const glm::ivec2 beside = glm::clamp(at, -1, level.width);
+        return (colorAround(texture, patch, level, nearest) +
+                colorAround(texture, patch, level, {beside.x, nearest.y}) +
+                colorAround(texture, patch, level, {nearest.x, beside.y})) /
+               3.0F;
+    }
+    const int slice = axes > 2 ? patch.layer : 0; // a face is a level of its own
+    glm::ivec3 index(wrappedTexel(texture.wrapS, at.x, level.width), 0, slice);
+    if (axes > 1)
+        index.y = wrappedTexel(texture.wrapT, at.y, level.height);
+    return isBeyond(level, index, axes) ? texture.borderColor : texelAt(level, index, axes);
+}
+
 LevelPatch patchOf(const SampledTexture& texture, const Level& level, const SampleRecord& sample,
                    glm::vec3 coords, int number) {
     const int axes = std::min(2, axesOf(texture.target));
@@ -73,20 +98,16 @@ LevelPatch patchOf(const SampledTexture& texture, const Level& level, const Samp
             patch.layer = tap.tap.index.z;
         }
     }
-    const int slice = axesOf(texture.target) > 2 ? patch.layer : 0; // a face is a level of its own
+    if (sample.cube)
+        patch.layer = sample.cube->face;
+    patch.seamless = sample.seamless;
     constexpr int margin = 1;
     const int side = std::min(largestPatch, std::max(high.x - low.x, high.y - low.y) + 1 + 2 * margin);
     patch.size = {side, axes > 1 ? side : 1};
     patch.low = {(low.x + high.x + 1 - side) / 2, axes > 1 ? (low.y + high.y + 1 - side) / 2 : 0};
     for (int y = 0; y < patch.size.y; ++y) {
-        for (int x = 0; x < patch.size.x; ++x) {
-            glm::ivec3 index(wrappedTexel(texture.wrapS, patch.low.x + x, level.width), 0, slice);
-            if (axes > 1)
-                index.y = wrappedTexel(texture.wrapT, patch.low.y + y, level.height);
-            patch.colors.push_back(isBeyond(level, index, axesOf(texture.target))
-                                       ? texture.borderColor
-                                       : texelAt(level, index, axesOf(texture.target)));
-        }
+        for (int x = 0; x < patch.size.x; ++x)
+            patch.colors.push_back(colorAround(texture, patch, level, patch.low + glm::ivec2(x, y)));
     }
     return patch;
 }
@@ -104,6 +125,11 @@ std::vector<PlacedTap> placeTaps(const SampledTexture& texture, const SampleReco
         if (tap.level != level)
             continue;
         PlacedTap each{tap, glm::ivec2(tap.index)};
+        if (sample.cube && sample.cube->face != tap.index.z) {
+            each.at = unfoldedTexel({tap.index.z, each.at}, sample.cube->face, read->width).value_or(each.at);
+            placed.push_back(each);
+            continue;
+        }
         each.at.x = unwrapped(texture.wrapS, tap.index.x, place.x, read->width);
         if (axesOf(texture.target) > 1)
             each.at.y = unwrapped(texture.wrapT, tap.index.y, place.y, read->height);

@@ -11,7 +11,8 @@
 namespace texplorer::reference {
 
 /// A tap, its texels counted on beyond the level: with GL_REPEAT and s = 1.1 the texel is in the second copy
-/// of the image, where the sample is.
+/// of the image, where the sample is. Those of other faces of a cube map lie beyond the edges of the one that
+/// is hit.
 struct PlacedTap {
     Tap tap;
     glm::ivec2 at{0};
@@ -26,9 +27,10 @@ struct PlacedTap {
 /// A piece of a level around a sample: texels counted on beyond the level, as in PlacedTap.
 struct LevelPatch {
     int level = 0;
-    int layer = 0;        ///< the slice of a volume, the face of a cube map; else 0
-    glm::ivec2 extent{0}; ///< of the whole level
-    glm::ivec2 low{0};    ///< the lowest texel of the piece
+    int layer = 0;         ///< the slice of a volume, the face of a cube map; else 0
+    bool seamless = false; ///< beyond the edges of the face lie those next to it
+    glm::ivec2 extent{0};  ///< of the whole level
+    glm::ivec2 low{0};     ///< the lowest texel of the piece
     glm::ivec2 size{0};
     std::vector<glm::vec4> colors; ///< lowest row first
     glm::vec2 place{0};            ///< of the sample, in texels

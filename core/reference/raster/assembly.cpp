@@ -7,6 +7,7 @@ namespace {
 ShadedVertex withColorsOf(const ShadedVertex& colored, ShadedVertex vertex) {
     vertex.primary = colored.primary;
     vertex.secondary = colored.secondary;
+    vertex.back = colored.back;
     return vertex;
 }
 

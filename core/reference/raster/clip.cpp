@@ -38,6 +38,9 @@ ShadedVertex between(const ShadedVertex& from, const ShadedVertex& to, float t, 
     made.secondary = glm::mix(from.secondary, to.secondary, t);
     for (std::size_t unit = 0; unit < made.texCoords.size(); ++unit)
         made.texCoords[unit] = glm::mix(from.texCoords[unit], to.texCoords[unit], t);
+    made.back.primary = glm::mix(from.back.primary, to.back.primary, t);
+    made.back.secondary = glm::mix(from.back.secondary, to.back.secondary, t);
+    made.fogDistance = glm::mix(from.fogDistance, to.fogDistance, t);
     return made;
 }
 

@@ -41,7 +41,7 @@ struct Kernel {
     /// a multiple of `lanes`.
     void (*sample)(const FastSampler& sampler, const SampleRow& row, int count, glm::vec4* colors);
 
-    /// Draws pixels of a triangle: depth test, texturing, colour sum, alpha test, blending.
+    /// Draws pixels of a triangle: depth test, texturing, colour sum, fog, alpha test, blending.
     void (*draw)(const Triangle& triangle, const PixelRow& row);
 
     /// The same in two steps, for passes that neither blend nor test alpha: first the depth test alone, which

@@ -7,6 +7,7 @@
 #include "core/reference/raster/kernel.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/environment.h"
+#include "core/reference/shading/fog.h"
 #include "core/reference/shading/fragment.h"
 #include "core/reference/shading/pass_state.h"
 #include "core/reference/shading/stored_color.h"

@@ -85,6 +85,12 @@ void setPlanes(Triangle& line, const Corner& from, const Corner& to, glm::dvec2 
         line.evenPrimary = from.vertex->primary;
     if (pass.separateSpecular)
         line.secondary = overW([](const ShadedVertex& v) { return glm::vec4(v.secondary, 0); });
+    if (pass.fog) {
+        const auto distance = [](const Corner& corner) {
+            return double{corner.vertex->fogDistance} * corner.invW;
+        };
+        line.fogDistance = plane.operator()<float>(distance(from), distance(to));
+    }
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u) {
         if (pass.units[u].texture)
             line.texCoords[u] = overW([u](const ShadedVertex& v) { return v.texCoords[u]; });

@@ -3,6 +3,7 @@
 #include "core/reference/sampling/sampler.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/environment.h"
+#include "core/reference/shading/fog.h"
 
 #include <glm/common.hpp>
 
@@ -31,7 +32,7 @@ glm::vec4 primaryColor(const Triangle& triangle, glm::vec2 offset) {
     return glm::clamp(triangle.primary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
 }
 
-glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset) {
+glm::vec4 summedColor(const Triangle& triangle, glm::vec2 offset) {
     const PassState& pass = *triangle.pass;
     const glm::vec4 primary = primaryColor(triangle, offset);
     // All samples first: COMBINE may ask for that of any unit.
@@ -59,6 +60,16 @@ glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset) {
     if (pass.separateSpecular) // section 3.9: alpha stays
         color += glm::clamp(triangle.secondary.at(offset) * (1 / triangle.invW.at(offset)), 0.0F, 1.0F);
     return glm::clamp(color, 0.0F, 1.0F);
+}
+
+float fogDistance(const Triangle& triangle, glm::vec2 offset) {
+    return triangle.fogDistance.at(offset) * (1 / triangle.invW.at(offset));
+}
+
+glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset) {
+    const glm::vec4 color = summedColor(triangle, offset);
+    const Fog* fog = triangle.pass->fog;
+    return fog ? fogged(color, *fog, fogFactor(*fog, fogDistance(triangle, offset))) : color;
 }
 
 std::uint32_t fragmentDepth(const Triangle& triangle, glm::vec2 offset) {

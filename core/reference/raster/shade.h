@@ -1,6 +1,7 @@
 #pragma once
 
-// A fragment's colour: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum) and 4.1 (what becomes of it).
+// A fragment's colour: OpenGL 2.1, sections 3.8 (texturing), 3.9 (colour sum), 3.10 (fog) and 4.1 (what
+// becomes of it).
 
 #include "core/reference/raster/canvas.h"
 #include "core/reference/raster/triangle.h"
@@ -27,6 +28,13 @@ struct TexturePlace {
 [[nodiscard]] glm::vec4 primaryColor(const Triangle& triangle, glm::vec2 offset);
 
 /// The colour after texturing and colour sum.
+[[nodiscard]] glm::vec4 summedColor(const Triangle& triangle, glm::vec2 offset);
+
+/// Section 3.10: how far a fragment is from the eye's plane. The specification allows it in the place of the
+/// distance from the eye itself. Only for passes with fog.
+[[nodiscard]] float fogDistance(const Triangle& triangle, glm::vec2 offset);
+
+/// The colour after texturing, colour sum and fog.
 [[nodiscard]] glm::vec4 fragmentColor(const Triangle& triangle, glm::vec2 offset);
 
 /// Window depth in 24 bits. NaN counts as 0.

@@ -146,7 +146,7 @@ public:
     void draw() {
         for (int i = begin_; i < count_; i += laneCount)
             store(offsetsX(i), x_.data() + i);
-        if (!triangle_.evenPrimary || pass_.separateSpecular) {
+        if (!triangle_.evenPrimary || pass_.separateSpecular || pass_.fog) {
             const RowPlane invW(triangle_.invW, offsetY_);
             for (int i = begin_; i < count_; i += laneCount)
                 store(1.0F / invW.at(load(x_.data() + i)), w_.data() + i);
@@ -155,6 +155,8 @@ public:
             if (pass_.units[u].texture)
                 sample(u);
         }
+        if (pass_.fog)
+            fog(*pass_.fog);
         color();
     }
 
@@ -228,12 +230,22 @@ private:
             axis(2, places.r, places.drdx, places.drdy);
     }
 
+    /// fogFactor() of fog.h. It asks for a power of e, which has no vector of its own.
+    void fog(const Fog& fog) {
+        const RowPlane distance(triangle_.fogDistance, offsetY_);
+        for (int i = begin_; i < count_; i += laneCount) {
+            const Floats distances = distance.at(load(x_.data() + i)) * load(w_.data() + i);
+            for (int lane = 0; lane < laneCount; ++lane)
+                fog_[static_cast<std::size_t>(i + lane)] = fogFactor(fog, distances[lane]);
+        }
+    }
+
     /// fragmentColor() of shade.h, then sections 4.1.4 (alpha test) and 4.1.8 (blending).
     void color() {
         const TextureStep& first = pass_.steps[0];
         const bool modulates = pass_.stepCount == 1 && first.cell.color == EnvFunction::Product &&
                                first.cell.alpha == EnvFunction::Product && !pass_.separateSpecular &&
-                               !pass_.pass->alphaTest && !pass_.pass->blend;
+                               !pass_.fog && !pass_.pass->alphaTest && !pass_.pass->blend;
         if (triangle_.evenPrimary) {
             const Color even = clampedToOne(loadColor(*triangle_.evenPrimary));
             const auto primary = [even](std::size_t) { return even; };
@@ -261,6 +273,7 @@ private:
 
     template<class Primary>
     void texture(const Primary& primaryAt) {
+        const Color fogColor = pass_.fog ? clampedToOne(loadColor(pass_.fog->color)) : Color{};
         for (int i = begin_; i < count_; i += groupSize) {
             if (alive(i, wholeGroup) == 0)
                 continue;
@@ -274,6 +287,10 @@ private:
                     result = applied(step, at, primary, result);
                 if (pass_.separateSpecular)
                     result = clampedToOne(result + secondary(at));
+                if (pass_.fog) {
+                    const Color mixed = result * fog_[at] + fogColor * (1 - fog_[at]);
+                    result = ColorBits{0, 0, 0, -1} ? result : mixed;
+                }
             }
             finish(i, colors);
         }
@@ -364,6 +381,7 @@ private:
     std::array<std::int32_t, rowCapacity> depth_;
     std::array<float, rowCapacity> x_;
     std::array<float, rowCapacity> w_;
+    std::array<float, rowCapacity> fog_; ///< what it leaves of a colour
     std::array<Samples, maxUnits> samples_;
 };
 

@@ -85,11 +85,11 @@ std::optional<Triangle> setUp(const ShadedVertex& a, const ShadedVertex& b, cons
     };
     if (area() == 0)
         return std::nullopt;
-    if (area() < 0) // seen from behind, which is drawn alike
-        std::swap(corners[1], corners[2]);
-
     Triangle triangle;
     triangle.pass = &pass;
+    triangle.seenFromBehind = area() < 0;
+    if (triangle.seenFromBehind)
+        std::swap(corners[1], corners[2]);
     const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
     const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
     triangle.minX = std::max(0, pixelAtOrAfter(left));
@@ -113,11 +113,20 @@ std::optional<Triangle> setUp(const ShadedVertex& a, const ShadedVertex& b, cons
                                               glm::dvec4(member(*second.vertex)) * second.invW,
                                               glm::dvec4(member(*third.vertex)) * third.invW);
     };
-    triangle.primary = overW([](const ShadedVertex& v) { return v.primary; });
-    if (a.primary == b.primary && a.primary == c.primary)
-        triangle.evenPrimary = a.primary;
+    const bool back = pass.twoSided && triangle.seenFromBehind;
+    const auto primary = [back](const ShadedVertex& v) { return back ? v.back.primary : v.primary; };
+    triangle.primary = overW(primary);
+    if (primary(a) == primary(b) && primary(a) == primary(c))
+        triangle.evenPrimary = primary(a);
     if (pass.separateSpecular)
-        triangle.secondary = overW([](const ShadedVertex& v) { return glm::vec4(v.secondary, 0); });
+        triangle.secondary = overW(
+            [back](const ShadedVertex& v) { return glm::vec4(back ? v.back.secondary : v.secondary, 0); });
+    if (pass.fog) {
+        const auto distance = [](const Corner& corner) {
+            return double{corner.vertex->fogDistance} * corner.invW;
+        };
+        triangle.fogDistance = gradient.operator()<float>(distance(first), distance(second), distance(third));
+    }
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass.unitsUsed); ++u) {
         if (pass.units[u].texture)
             triangle.texCoords[u] = overW([u](const ShadedVertex& v) { return v.texCoords[u]; });

@@ -43,7 +43,8 @@ struct EdgeFunction {
 struct Triangle {
     const PassState* pass = nullptr;
     std::array<EdgeFunction, 3> edges{};
-    int minX = 0; ///< the pixels whose centres may lie inside
+    bool seenFromBehind = false; ///< clockwise in the window
+    int minX = 0;                ///< the pixels whose centres may lie inside
     int maxX = -1;
     int minY = 0;
     int maxY = -1;
@@ -53,6 +54,7 @@ struct Triangle {
     Plane<glm::vec4> primary{};
     std::optional<glm::vec4> evenPrimary{}; ///< the primary colour, where the three corners share it
     Plane<glm::vec4> secondary{};
+    Plane<float> fogDistance{};
     std::array<Plane<glm::vec4>, maxUnits> texCoords{};
 };
 

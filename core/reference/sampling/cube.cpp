@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace texplorer::reference {
@@ -38,6 +39,31 @@ int majorAxis(glm::vec3 direction) {
     return ax >= ay && ax >= az ? axisX : ay >= az ? axisY : axisZ;
 }
 
+const FaceAxes& axesOfFace(int face) {
+    return table[static_cast<std::size_t>(face)];
+}
+
+int majorSign(int face) {
+    return face % 2 == 0 ? 1 : -1;
+}
+
+/// The centre of a texel, in halves of a texel from the centre of a cube whose edges are `size` texels long.
+glm::ivec3 centreOf(const FaceTexel& texel, int size) {
+    const FaceAxes& axes = axesOfFace(texel.face);
+    glm::ivec3 centre(0);
+    centre[axes.s] = static_cast<int>(axes.sSign) * (2 * texel.index.x + 1 - size);
+    centre[axes.t] = static_cast<int>(axes.tSign) * (2 * texel.index.y + 1 - size);
+    centre[axes.major] = majorSign(texel.face) * size;
+    return centre;
+}
+
+/// The texel of the face with this centre, which lies in the plane of the face.
+glm::ivec2 indexOf(glm::ivec3 centre, int face, int size) {
+    const FaceAxes& axes = axesOfFace(face);
+    return {(static_cast<int>(axes.sSign) * centre[axes.s] + size - 1) / 2,
+            (static_cast<int>(axes.tSign) * centre[axes.t] + size - 1) / 2};
+}
+
 /// What is finite stays so: beyond the range of a float it becomes the largest one.
 float asFloat(double value) {
     constexpr double most = std::numeric_limits<float>::max();
@@ -55,7 +81,7 @@ CubePlace cubePlace(glm::vec3 direction, const Derivatives& derivatives) {
         !(length > 0))
         return place;
     place.face = 2 * major + (direction[major] < 0 ? 1 : 0);
-    const FaceAxes& axes = table[static_cast<std::size_t>(place.face)];
+    const FaceAxes& axes = axesOfFace(place.face);
     const float s = axes.sSign * direction[axes.s] / length;
     const float t = axes.tSign * direction[axes.t] / length;
     place.coords = {(s + 1) / 2, (t + 1) / 2, 0};
@@ -69,6 +95,40 @@ CubePlace cubePlace(glm::vec3 direction, const Derivatives& derivatives) {
     };
     place.derivatives = {onFace(derivatives.dx), onFace(derivatives.dy)};
     return place;
+}
+
+// What lies beyond an edge by some length in the plane of a face lies below the edge by that length on the
+// next one.
+std::optional<FaceTexel> foldedTexel(const FaceTexel& texel, int size) {
+    const FaceAxes& axes = axesOfFace(texel.face);
+    glm::ivec3 centre = centreOf(texel, size);
+    const bool beyondS = std::abs(centre[axes.s]) > size;
+    const bool beyondT = std::abs(centre[axes.t]) > size;
+    if (!beyondS && !beyondT)
+        return texel;
+    if (beyondS && beyondT)
+        return std::nullopt;
+    const int across = beyondS ? axes.s : axes.t;
+    const int sign = centre[across] < 0 ? -1 : 1;
+    const int excess = std::abs(centre[across]) - size;
+    centre[across] = sign * size;
+    centre[axes.major] -= majorSign(texel.face) * excess;
+    const int face = 2 * across + (sign < 0 ? 1 : 0);
+    return FaceTexel{face, indexOf(centre, face, size)};
+}
+
+std::optional<glm::ivec2> unfoldedTexel(const FaceTexel& texel, int onto, int size) {
+    if (texel.face == onto)
+        return texel.index;
+    const int across = axesOfFace(texel.face).major;
+    const int major = axesOfFace(onto).major;
+    if (across == major)
+        return std::nullopt;
+    glm::ivec3 centre = centreOf(texel, size);
+    const int below = size - majorSign(onto) * centre[major];
+    centre[across] += majorSign(texel.face) * below;
+    centre[major] = majorSign(onto) * size;
+    return indexOf(centre, onto, size);
 }
 
 } // namespace texplorer::reference

@@ -4,6 +4,7 @@
 // and Image Warping", 1989): what a round pixel sees of a plane is an ellipse of texels, with a Gaussian
 // weight.
 
+#include "core/reference/sampling/depth_texel.h"
 #include "core/reference/sampling/sample_record.h"
 #include "core/reference/sampling/texel.h"
 #include "core/reference/sampling/wrap.h"
@@ -94,8 +95,10 @@ glm::vec4 averageOverEllipse(const SampledTexture& texture, int number, glm::vec
     glm::vec4 sum(0);
     const auto take = [&](glm::ivec3 index, float share) {
         const bool border = isBeyond(*level, index, 2);
-        const glm::vec4 color = border ? texture.borderColor : texelAt(*level, index, 2);
-        recorder.tap({number, index, share, color, border});
+        const glm::vec4 stored = border ? texture.borderColor : texelAt(*level, index, 2);
+        const glm::vec4 color =
+            isDepth(texture.internalFormat) ? depthColor(texture, stored.r, coords.p) : stored;
+        recorder.tap({number, index, share, color, border, stored.r});
         sum += share * color;
     };
     if (total > 0)

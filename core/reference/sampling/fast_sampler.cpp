@@ -16,7 +16,7 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
     const bool ellipse = anisotropic && sampling.anisotropy == AnisotropyMethod::Ellipse &&
                          sampled.target == Target::Texture2D;
     const int steps = wantsMipmaps(sampled.minFilter) ? lastMipLevel(sampled) - sampled.baseLevel : 0;
-    if (!flat || ellipse || steps >= maxLevels)
+    if (!flat || ellipse || steps >= maxLevels || isDepth(sampled.internalFormat))
         return;
     for (int step = 0; step <= steps; ++step) {
         const Level* level = sampled.level(sampled.baseLevel + step);

@@ -31,6 +31,7 @@ struct SampleOptions {
     float shaderBias = 0; ///< a shader's own; 0 without one
     float maxBias = 16;   ///< GL_MAX_TEXTURE_LOD_BIAS, of the implementation; at least 2
     AnisotropyMethod anisotropy = AnisotropyMethod::Probes;
+    bool seamlessCubeMap = false; ///< GL_TEXTURE_CUBE_MAP_SEAMLESS
 };
 
 /// How lambda came about, step by step.

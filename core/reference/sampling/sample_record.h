@@ -14,6 +14,7 @@ struct Tap {
     float weight = 0;    ///< of this reading in the filtered colour
     glm::vec4 color{0};
     bool border = false;
+    float depth = 0; ///< of a depth texture: what it holds, whatever became of it
 };
 
 /// One coordinate at one level: s, t or r as it came, and where among the level's texels it fell.
@@ -21,7 +22,8 @@ struct WrappedCoordinate {
     int level = 0;
     int axis = 0;
     float given = 0;
-    float texels = 0; ///< u, v or w
+    float texels = 0;         ///< u, v or w
+    Wrap wrap = Wrap::Repeat; ///< the mode that counted: a seamless cube map has its own
 };
 
 struct LevelShare {
@@ -34,6 +36,7 @@ struct LevelShare {
 struct SampleRecord {
     Lod lod;
     std::optional<CubePlace> cube; ///< what the direction hits, where the texture is a cube map
+    bool seamless = false; ///< the texels beyond the edges of its faces are those of the faces next to them
     std::vector<LevelShare> levels;
     std::vector<glm::vec3> probes; ///< the coordinates of an anisotropic filter's samples; else the one place
     std::vector<WrappedCoordinate> wrapped;

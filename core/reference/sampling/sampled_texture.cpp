@@ -1,5 +1,9 @@
 #include "core/reference/sampling/sampled_texture.h"
 
+#include "core/image/convert.h"
+#include "core/image/depth_pixels.h"
+#include "core/image/linear_light.h"
+#include "core/image/stored_numbers.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/encode.h"
 
@@ -7,18 +11,29 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace texplorer::reference {
 
 namespace {
 
-float unorm(std::byte value) {
-    return static_cast<float>(std::to_integer<int>(value)) / 255.0F;
+using Values = std::array<float, 256>;
+
+/// What each byte of a component stands for, once it is stored.
+Values valuesOf(const FormatFacts& facts, std::size_t component) {
+    if (facts.encoding == Encoding::Srgb && component < 3)
+        return LinearLight::table().exactLight;
+    const int bits = facts.bits.at(component) == 0 ? 8 : std::min<int>(facts.bits.at(component), 8);
+    const auto largest = static_cast<float>(largestNumber(bits));
+    Values values{};
+    for (std::size_t byte = 0; byte < values.size(); ++byte)
+        values[byte] = static_cast<float>(storedNumber(static_cast<int>(byte), bits)) / largest;
+    return values;
 }
 
 Level blockLevel(const BlockImage& blocks) {
-    Level level = levelOf(decodeBlocks(blocks), baseFormat(blocks.format));
+    Level level = levelOf(decodeBlocks(blocks), internalFormat(baseFormat(blocks.format)));
     if (isS3tc(blocks.format))
         return level;
     const bool isSigned = blocks.format == BlockFormat::Bc4Signed || blocks.format == BlockFormat::Bc5Signed;
@@ -31,11 +46,16 @@ Level blockLevel(const BlockImage& blocks) {
     return level;
 }
 
-} // namespace
-
-BaseFormat baseFormat(BlockFormat format) {
-    return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
+void setFormat(SampledTexture& sampled, const TextureLevels& levels) {
+    const BlockImage* blocks =
+        levels.levels.empty() ? nullptr : std::get_if<BlockImage>(&*levels.levels.front().surface);
+    sampled.internalFormat = levels.driverFormat ? internalFormat(baseFormat(*levels.driverFormat))
+                             : blocks            ? internalFormat(baseFormat(blocks->format))
+                                                 : levels.internalFormat;
+    sampled.format = baseFormat(sampled.internalFormat);
 }
+
+} // namespace
 
 const Level* SampledTexture::level(int number, int face) const {
     const auto other = static_cast<std::size_t>(face) - 1;
@@ -60,22 +80,13 @@ Level& SampledTexture::levelToFill(int number, int face) {
 }
 
 glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel) {
-    switch (format) {
-    case PixelFormat::Alpha8:
-        return {0, 0, 0, unorm(pixel[0])};
-    case PixelFormat::Luminance8:
-        return {glm::vec3(unorm(pixel[0])), 1};
-    case PixelFormat::LuminanceAlpha8:
-        return {glm::vec3(unorm(pixel[0])), unorm(pixel[1])};
-    case PixelFormat::Rgb8:
-        return {unorm(pixel[0]), unorm(pixel[1]), unorm(pixel[2]), 1};
-    case PixelFormat::Rgba8:
-        return {unorm(pixel[0]), unorm(pixel[1]), unorm(pixel[2]), unorm(pixel[3])};
-    }
-    return {};
+    if (format == PixelFormat::Depth32)
+        return {glm::vec3(static_cast<float>(depthAt(pixel) / double{farthestDepth32})), 1};
+    const auto rgba = rgbaOf(format, pixel);
+    return glm::vec4(rgba[0], rgba[1], rgba[2], rgba[3]) / 255.0F;
 }
 
-Level levelOf(const Image& image, BaseFormat format, Target target, int border) {
+Level levelOf(const Image& image, InternalFormat format, Target target, int border) {
     assert(border == 0 || border == 1);
     const int axes = axesOf(target);
     Level level;
@@ -84,9 +95,18 @@ Level levelOf(const Image& image, BaseFormat format, Target target, int border) 
     level.height = axes > 1 ? image.height - 2 * border : image.height;
     level.depth = axes > 2 ? image.depth - 2 * border : image.depth;
     level.texels.resize(image.pixels.size() / static_cast<std::size_t>(bytesPerPixel(image.format)));
+    if (image.format == PixelFormat::Depth32) { // as many bits as the format has, by now
+        for (std::size_t i = 0; i < level.texels.size(); ++i)
+            level.texels[i] = pixelColor(image.format, image.pixels.data() + i * sizeof(std::uint32_t));
+        return level;
+    }
+    const FormatFacts& facts = factsOf(format);
+    const std::array values{valuesOf(facts, 0), valuesOf(facts, 1), valuesOf(facts, 2), valuesOf(facts, 3)};
     const std::byte* pixel = image.pixels.data();
     for (glm::vec4& texel : level.texels) {
-        texel = sourceColor(format, pixelColor(image.format, pixel));
+        const auto rgba = rgbaOf(image.format, pixel);
+        texel = sourceColor(facts.base, {values[0][rgba[0]], values[1][rgba[1]], values[2][rgba[2]],
+                                         values[3][rgba[3]]});
         pixel += bytesPerPixel(image.format);
     }
     return level;
@@ -96,25 +116,23 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
                                       std::vector<std::string>& notes, const std::stop_token& stop) {
     SampledTexture sampled;
     sampled.target = target;
-    sampled.format = baseFormat(texture.internalFormat);
+    setFormat(sampled, levels);
     for (const TextureLevel& each : levels.levels) {
         Level& level = sampled.levelToFill(each.number, each.face);
         const auto* blocks = std::get_if<BlockImage>(&*each.surface);
         if (blocks) {
-            sampled.format = baseFormat(blocks->format);
             level = blockLevel(*blocks);
             continue;
         }
         const Image& image = std::get<Image>(*each.surface);
         if (!levels.driverFormat) {
-            level = levelOf(image, baseFormat(texture.internalFormat), target, levels.border);
+            level = levelOf(image, sampled.internalFormat, target, levels.border);
             continue;
         }
         const Result<BlockImage> encoded =
             encodeBlocks(image, *levels.driverFormat, EncodeQuality::Fast, {}, stop);
         if (!encoded)
             return fail(encoded.error());
-        sampled.format = baseFormat(encoded->format);
         level = blockLevel(*encoded);
     }
     if (levels.driverFormat)
@@ -125,26 +143,29 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
     return sampled;
 }
 
-SampledTexture shapeOf(const TextureLevels& levels, InternalFormat internalFormat, Target target) {
+SampledTexture shapeOf(const TextureLevels& levels, Target target) {
     SampledTexture shape;
     shape.target = target;
-    shape.format = levels.driverFormat ? baseFormat(*levels.driverFormat) : baseFormat(internalFormat);
+    setFormat(shape, levels);
     for (const auto& [number, surface, face] : levels.levels) {
         const int both = 2 * levels.border;
         shape.levelToFill(number, face) = {.width = widthOf(surface) - both,
                                            .height = heightOf(surface) - (axesOf(target) > 1 ? both : 0),
                                            .depth = depthOf(surface) - (axesOf(target) > 2 ? both : 0),
                                            .border = levels.border};
-        if (const auto* blocks = std::get_if<BlockImage>(&*surface))
-            shape.format = baseFormat(blocks->format);
     }
     return shape;
 }
 
 void setParameters(SampledTexture& sampled, const SamplerState& given, int lastLevel) {
     static_cast<SamplerState&>(sampled) = given;
-    // Section 3.8.4: the border colour is clamped to [0, 1] when it is given.
-    sampled.borderColor = sourceColor(sampled.format, glm::clamp(given.borderColor, 0.0F, 1.0F));
+    // Section 3.8.4: the border colour is clamped to [0, 1] when it is given. Of depths its red counts.
+    const glm::vec4 border = glm::clamp(given.borderColor, 0.0F, 1.0F);
+    sampled.borderColor = sourceColor(sampled.format, border);
+    if (isDepth(sampled.internalFormat)) {
+        sampled.borderColor = glm::vec4(border.r);
+        sampled.format = baseFormat(given.depthMode);
+    }
     sampled.maxLevel = std::min(given.maxLevel, lastLevel);
 }
 

@@ -29,10 +29,12 @@ struct Level {
 };
 
 /// A texture object with its images: everything that OpenGL 2.1's section 3.8.12 calls texture state. The
-/// border colour is a texture source colour, as the texels are.
+/// border colour is a texture source colour, as the texels are; of a depth texture red is the depth.
 struct SampledTexture : SamplerState {
     Target target = Target::Texture2D;
     BaseFormat format = BaseFormat::Rgba; ///< decides what the environment does with a sample
+    /// What the texels were made of; of blocks the one that bears their base format's name.
+    InternalFormat internalFormat = InternalFormat::Rgba;
     std::vector<Level> levels{};          ///< the index is GL's level number; of a cube map: of its face +x
     std::vector<std::vector<Level>> otherFaces{}; ///< of a cube map: -x, +y, -y, +z, -z
 
@@ -62,17 +64,13 @@ struct SampledTexture : SamplerState {
     return rgba;
 }
 
-/// The base internal format of a compressed format (table 3.17 and the extensions' own tables). The formats
-/// of one and two channels have the red and green of RGB, and nothing else.
-[[nodiscard]] BaseFormat baseFormat(BlockFormat format);
-using texplorer::baseFormat;
-
-/// Table 3.6: a pixel as RGBA, 0 to 1, before the internal format takes its part.
+/// Table 3.6: a pixel as RGBA, 0 to 1, before the internal format takes its part. A depth is a grey.
 [[nodiscard]] glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel);
 
-/// An image as a level. An image with a border has `border` texels more on each side of each of the target's
-/// axes.
-[[nodiscard]] Level levelOf(const Image& image, BaseFormat format, Target target = Target::Texture2D,
+/// An image as a level: numbers of few bits as what they stand for (section 2.14.9), colours of sRGB as amounts
+/// of light (EXT_texture_sRGB). An image with a border has `border` texels more on each side of each of the
+/// target's axes.
+[[nodiscard]] Level levelOf(const Image& image, InternalFormat format, Target target = Target::Texture2D,
                             int border = 0);
 
 /// The texture object that GL would have: the parameters of `texture` over prepared levels. What a driver
@@ -83,8 +81,8 @@ using texplorer::baseFormat;
                                                     const std::stop_token& stop = {});
 
 /// The same without parameters and without texels: the extents alone, enough to say whether a texture is
-/// complete. `internalFormat` is that of levels that are not compressed.
-[[nodiscard]] SampledTexture shapeOf(const TextureLevels& levels, InternalFormat internalFormat, Target target);
+/// complete.
+[[nodiscard]] SampledTexture shapeOf(const TextureLevels& levels, Target target);
 
 /// The parameters alone; `lastLevel` is TextureLevels'.
 void setParameters(SampledTexture& sampled, const SamplerState& given, int lastLevel);

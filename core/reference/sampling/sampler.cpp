@@ -1,8 +1,11 @@
 #include "core/reference/sampling/sampler.h"
 
+#include "core/reference/sampling/depth_texel.h"
 #include "core/reference/sampling/ellipse.h"
 #include "core/reference/sampling/texel.h"
 #include "core/reference/sampling/wrap.h"
+
+#include <glm/common.hpp>
 
 #include <array>
 
@@ -14,22 +17,23 @@ namespace {
 
 struct KeepNothing {
     static void lod(const Lod& /*lod*/) {}
-    static void cube(const CubePlace& /*place*/) {}
+    static void cube(const CubePlace& /*place*/, bool /*seamless*/) {}
     static void level(int /*number*/, float /*weight*/) {}
     static void probe(glm::vec3 /*coords*/) {}
-    static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
+    static void wrapped(const WrappedCoordinate& /*coordinate*/) {}
     static void tap(const Tap& /*tap*/) {}
 };
 
 struct KeepAll {
     SampleRecord& record;
     void lod(const Lod& lod) const { record.lod = lod; }
-    void cube(const CubePlace& place) const { record.cube = place; }
+    void cube(const CubePlace& place, bool seamless) const {
+        record.cube = place;
+        record.seamless = seamless;
+    }
     void level(int number, float weight) const { record.levels.push_back({number, weight}); }
     void probe(glm::vec3 coords) const { record.probes.push_back(coords); }
-    void wrapped(int level, int axis, float given, float texels) const {
-        record.wrapped.push_back({level, axis, given, texels});
-    }
+    void wrapped(const WrappedCoordinate& coordinate) const { record.wrapped.push_back(coordinate); }
     void tap(const Tap& tap) const { record.taps.push_back(tap); }
 };
 
@@ -37,10 +41,10 @@ struct WeighTexel {
     const TexelPlace& texel;
     float& weight;
     static void lod(const Lod& /*lod*/) {}
-    static void cube(const CubePlace& /*place*/) {}
+    static void cube(const CubePlace& /*place*/, bool /*seamless*/) {}
     static void level(int /*number*/, float /*weight*/) {}
     static void probe(glm::vec3 /*coords*/) {}
-    static void wrapped(int /*level*/, int /*axis*/, float /*given*/, float /*texels*/) {}
+    static void wrapped(const WrappedCoordinate& /*coordinate*/) {}
     void tap(const Tap& tap) const {
         if (tap.level == texel.level && tap.index == texel.index)
             weight += tap.weight;
@@ -51,10 +55,13 @@ struct WeighTexel {
 template<class Recorder>
 class LevelFilter {
 public:
-    /// `face`: of a cube map, else 0.
-    LevelFilter(const SampledTexture& texture, int face, const Recorder& recorder)
+    /// `face`: of a cube map, else 0. `seamless`: its other faces lie around it.
+    /// `r` is what depths are compared with.
+    LevelFilter(const SampledTexture& texture, int face, bool seamless, float r, const Recorder& recorder)
         : texture_(texture)
         , face_(face)
+        , r_(r)
+        , seamless_(seamless && texture.target == Target::CubeMap)
         , recorder_(recorder) {}
 
     glm::vec4 operator()(int number, bool linear, glm::vec3 coords, float weight) const {
@@ -63,15 +70,23 @@ public:
             return {0, 0, 0, 1};
         glm::vec3 uvw(0);
         for (int axis = 0; axis < axes(); ++axis) {
-            uvw[axis] = wrapCoordinate(wrap(axis), coords[axis], level->size()[axis]);
-            recorder_.wrapped(number, axis, coords[axis], uvw[axis]);
+            const Wrap mode = wrap(axis, linear);
+            uvw[axis] = wrapCoordinate(mode, coords[axis], level->size()[axis]);
+            recorder_.wrapped({number, axis, coords[axis], uvw[axis], mode});
         }
         return linear ? linearly(*level, number, uvw, weight) : nearest(*level, number, uvw, weight);
     }
 
 private:
     [[nodiscard]] int axes() const { return axesOf(texture_.target); }
-    [[nodiscard]] Wrap wrap(int axis) const { return texture_.wrap(axis); }
+
+    /// ARB_seamless_cube_map: always GL_CLAMP_TO_EDGE under NEAREST, always GL_CLAMP_TO_BORDER under LINEAR,
+    /// with the texels of other faces in the place of the border.
+    [[nodiscard]] Wrap wrap(int axis, bool linear) const {
+        if (!seamless_)
+            return texture_.wrap(axis);
+        return linear ? Wrap::ClampToBorder : Wrap::ClampToEdge;
+    }
 
     glm::vec4 nearest(const Level& level, int number, glm::vec3 uvw, float weight) const {
         glm::ivec3 index(0);
@@ -84,7 +99,8 @@ private:
     glm::vec4 linearly(const Level& level, int number, glm::vec3 uvw, float weight) const {
         std::array<TexelPair, 3> pairs{TexelPair{0, 0, 0}, TexelPair{0, 0, 0}, TexelPair{0, 0, 0}};
         for (int axis = 0; axis < axes(); ++axis)
-            pairs[static_cast<std::size_t>(axis)] = linearTexels(wrap(axis), uvw[axis], level.size()[axis]);
+            pairs[static_cast<std::size_t>(axis)] =
+                linearTexels(wrap(axis, true), uvw[axis], level.size()[axis]);
         glm::vec4 sum(0);
         for (int corner = 0; corner < 1 << axes(); ++corner) {
             glm::ivec3 index(0);
@@ -95,36 +111,62 @@ private:
                 index[axis] = second ? pair.second : pair.first;
                 share *= second ? pair.share : 1 - pair.share;
             }
-            sum += share * read(level, number, index, weight * share);
+            sum += share * (seamless_ ? readAround(level, number, index, weight * share)
+                                      : read(level, number, index, weight * share));
         }
         return sum;
     }
 
+    /// A texel of this face, or of the one next to it that lies there. Where three faces meet, the mean of
+    /// their texels stands for the fourth, as ARB_seamless_cube_map recommends.
+    glm::vec4 readAround(const Level& level, int number, glm::ivec3 index, float weight) const {
+        if (const auto texel = foldedTexel({face_, glm::ivec2(index)}, level.width))
+            return readOfFace(level, number, *texel, weight);
+        const glm::ivec3 nearest = glm::clamp(index, 0, level.width - 1);
+        glm::vec4 sum(0);
+        for (const glm::ivec2 each :
+             {glm::ivec2(nearest), glm::ivec2(index.x, nearest.y), glm::ivec2(nearest.x, index.y)})
+            sum += readOfFace(level, number, *foldedTexel({face_, each}, level.width), weight / 3);
+        return sum / 3.0F;
+    }
+
+    glm::vec4 readOfFace(const Level& level, int number, const FaceTexel& texel, float weight) const {
+        const Level* other = texture_.level(number, texel.face);
+        if (!other || other->size() != level.size())
+            return {0, 0, 0, 1};
+        return LevelFilter(texture_, texel.face, seamless_, r_, recorder_)
+            .read(*other, number, glm::ivec3(texel.index, 0), weight);
+    }
+
     glm::vec4 read(const Level& level, int number, glm::ivec3 index, float weight) const {
         const bool border = isBeyond(level, index, axes());
-        const glm::vec4 color = border ? texture_.borderColor : texelAt(level, index, axes());
+        const glm::vec4 stored = border ? texture_.borderColor : texelAt(level, index, axes());
         if (texture_.target == Target::CubeMap)
             index.z = face_;
-        recorder_.tap({number, index, weight, color, border});
+        const glm::vec4 color = isDepth_ ? depthColor(texture_, stored.r, r_) : stored;
+        recorder_.tap({number, index, weight, color, border, stored.r});
         return color;
     }
 
     const SampledTexture& texture_;
     int face_;
+    float r_;
+    bool seamless_;
+    bool isDepth_ = isDepth(texture_.internalFormat);
     const Recorder& recorder_;
 };
 
 /// One place: one level, or two that are blended (equation 3.28). For a cube map `coords` is a direction.
 template<class Recorder>
 glm::vec4 filterLevels(const SampledTexture& texture, const LevelChoice& choice, glm::vec3 coords,
-                       float weight, const Recorder& recorder) {
+                       bool seamless, float weight, const Recorder& recorder) {
     int face = 0;
     if (texture.target == Target::CubeMap) {
         const CubePlace place = cubePlace(coords, {});
         face = place.face;
         coords = place.coords;
     }
-    const LevelFilter<Recorder> filter(texture, face, recorder);
+    const LevelFilter<Recorder> filter(texture, face, seamless, coords.p, recorder);
     if (choice.first == choice.second)
         return filter(choice.first, choice.linear, coords, weight);
     const float share = choice.share;
@@ -138,7 +180,7 @@ glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Deri
     Derivatives onImage = derivatives;
     if (texture.target == Target::CubeMap) {
         const CubePlace place = cubePlace(coords, derivatives);
-        recorder.cube(place);
+        recorder.cube(place, options.seamlessCubeMap);
         onImage = place.derivatives;
     }
     const Lod lod = levelOfDetail(texture, onImage, options);
@@ -155,7 +197,7 @@ glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Deri
         recorder.level(choice.second, choice.share);
     if (lod.probes == 1) {
         recorder.probe(coords);
-        return filterLevels(texture, choice, coords, 1, recorder);
+        return filterLevels(texture, choice, coords, options.seamlessCubeMap, 1, recorder);
     }
     // EXT_texture_filter_anisotropic: N samples along the axis in which the footprint is longer, at
     // x - 1/2 + i/(N + 1) for i from 1 to N, with equal weights.
@@ -163,9 +205,11 @@ glm::vec4 sampleWith(const SampledTexture& texture, glm::vec3 coords, const Deri
     const auto n = static_cast<float>(lod.probes);
     glm::vec4 sum(0);
     for (int i = 1; i <= lod.probes; ++i) {
-        const glm::vec3 at = coords + along * (static_cast<float>(i) / (n + 1) - 0.5F);
+        glm::vec3 at = coords + along * (static_cast<float>(i) / (n + 1) - 0.5F);
+        if (isDepth(texture.internalFormat)) // what is compared is the pixel's own
+            at.p = coords.p;
         recorder.probe(at);
-        sum += filterLevels(texture, choice, at, 1 / n, recorder);
+        sum += filterLevels(texture, choice, at, options.seamlessCubeMap, 1 / n, recorder);
     }
     return sum / n;
 }

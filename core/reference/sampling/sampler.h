@@ -8,7 +8,8 @@
 namespace texplorer::reference {
 
 /// The filtered colour (a texture source colour, table 3.20) at `coords` = (s, t, r), already divided by q.
-/// Of a cube map they are a direction; filtering stays on the face that it hits, as OpenGL 2.1 says.
+/// Of a cube map they are a direction; filtering stays on the face that it hits, as OpenGL 2.1 says, unless
+/// the options make it seamless (ARB_seamless_cube_map).
 /// A texture without the levels that are needed, an incomplete one, gives opaque black, as in GLSL: see
 /// completeness.h.
 [[nodiscard]] glm::vec4 sample(const SampledTexture& texture, glm::vec3 coords,

@@ -9,11 +9,11 @@
 
 namespace texplorer::reference {
 
-/// Without an image where the work was stopped: the next one asks again.
-TextureStore::Slot TextureStore::filled(std::shared_ptr<const TextureImage> image, Texture settings,
-                                        Target target, const LevelWork& work, const std::string& where) {
+/// Without pictures where the work was stopped: the next one asks again.
+TextureStore::Slot TextureStore::filled(TexturePictures pictures, Texture settings, Target target,
+                                        const LevelWork& work, const std::string& where) {
     Slot slot;
-    const Result<TextureLevels> levels = prepareLevels(settings, image, target, work);
+    const Result<TextureLevels> levels = prepareLevels(settings, pictures, target, work);
     if (levels)
         slot.notes = levels->notes;
     Result<SampledTexture> sampled =
@@ -29,7 +29,7 @@ TextureStore::Slot TextureStore::filled(std::shared_ptr<const TextureImage> imag
         slot.notes = {describe(sampled.error()) + "; drawn without it"};
     for (std::string& note : slot.notes)
         note = fmt::format("{}: {}", where, note);
-    slot.image = std::move(image);
+    slot.pictures = std::move(pictures);
     slot.settings = std::move(settings);
     return slot;
 }
@@ -43,16 +43,16 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
         if (std::ranges::find(problems, sentence) == problems.end())
             problems.push_back(sentence);
     };
-    std::shared_ptr<const TextureImage> image = images.find(texture);
-    if (!image || !hasPixels(*image)) {
+    TexturePictures pictures = images.picturesOf(texture);
+    if (!pictures.base || !hasPixels(*pictures.base)) {
         say(fmt::format("{}: {}; drawn without it", where,
                         texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded"));
         return nullptr;
     }
     Slot& slot = slots_[{index, target}];
-    if (Texture settings = imageSettings(texture); slot.image != image || slot.settings != settings) {
+    if (Texture settings = imageSettings(texture); slot.pictures != pictures || slot.settings != settings) {
         slot = Slot{}; // before the new one takes its memory
-        slot = filled(std::move(image), std::move(settings), target, work, where);
+        slot = filled(std::move(pictures), std::move(settings), target, work, where);
     }
     std::ranges::for_each(slot.notes, say);
     if (!slot.usable)

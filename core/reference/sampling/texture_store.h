@@ -33,16 +33,15 @@ public:
 
 private:
     struct Slot {
-        /// Held, so that no other can come to have this address; nullptr: not filled.
-        std::shared_ptr<const TextureImage> image;
+        TexturePictures pictures; ///< held, so that no others can come to have these addresses
         Texture settings; // those of imageSettings
         StoredTexture texture;
         int lastLevel = 1000;
         std::vector<std::string> notes; // repeated with every picture
         bool usable = false;
     };
-    static Slot filled(std::shared_ptr<const TextureImage> image, Texture settings, Target target,
-                       const LevelWork& work, const std::string& where);
+    static Slot filled(TexturePictures pictures, Texture settings, Target target, const LevelWork& work,
+                       const std::string& where);
 
     std::map<std::pair<std::size_t, Target>, Slot> slots_;
 };

@@ -2,36 +2,12 @@
 
 // Per-fragment operations: OpenGL 2.1, section 4.1.
 
-#include "core/gl/fragment.h"
+#include "core/reference/sampling/comparison.h"
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 namespace texplorer::reference {
-
-/// Section 4.1.6: whether `value` compares with `with` as the function asks.
-template<class T>
-[[nodiscard]] constexpr bool passes(CompareFunc function, T value, T with) {
-    switch (function) {
-    case CompareFunc::Never:
-        return false;
-    case CompareFunc::Less:
-        return value < with;
-    case CompareFunc::Equal:
-        return value == with;
-    case CompareFunc::LessEqual:
-        return value <= with;
-    case CompareFunc::Greater:
-        return value > with;
-    case CompareFunc::NotEqual:
-        return value != with;
-    case CompareFunc::GreaterEqual:
-        return value >= with;
-    case CompareFunc::Always:
-        return true;
-    }
-    return true;
-}
 
 /// Section 4.1.4: alpha and the reference are compared as fixed-point numbers, with the eight bits that the
 /// framebuffer has for alpha (section 2.14.9). NaN counts as 0.

@@ -10,14 +10,15 @@ namespace texplorer::reference {
 
 namespace {
 
-UnitState unitState(const Unit& unit, const StoredTexture& stored, double time, const Light& light,
-                    AnisotropyMethod anisotropy) {
+UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& stored, double time,
+                    const Light& light, AnisotropyMethod anisotropy) {
     UnitState state;
     state.texture = stored.complete ? &stored.sampled : nullptr;
     state.unit = &unit;
     state.envColor = glm::clamp(unit.envColor, 0.0F, 1.0F);
     state.sampling.unitBias = unit.lodBias;
     state.sampling.anisotropy = anisotropy;
+    state.sampling.seamlessCubeMap = pass.seamlessCubeMap;
     if (state.texture)
         state.sampler = FastSampler(*state.texture, state.sampling);
     if (stored.lateFlip == LateFlip::Matrix)
@@ -42,6 +43,8 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
         state.perspective = scene.view.perspectiveHint != HintMode::Fastest;
         state.flat = scene.material.shadeModel == ShadeModel::Flat;
         state.separateSpecular = pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;
+        state.fog = pass.fog.enabled ? &pass.fog : nullptr;
+        state.twoSided = pass.lighting && scene.light.twoSide;
         for (std::size_t u = 0; u < pass.units.size(); ++u) {
             const Unit& unit = pass.units[u];
             if (!unit.enabled)
@@ -56,7 +59,7 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
                                                         unit.target, images, work, problems);
             if (!stored)
                 continue;
-            state.units[u] = unitState(unit, *stored, time, scene.light, anisotropy);
+            state.units[u] = unitState(pass, unit, *stored, time, scene.light, anisotropy);
             const SampledTexture* texture = state.units[u].texture;
             if (!texture)
                 continue;

@@ -43,6 +43,8 @@ struct PassState {
     bool flat = false;
     bool perspective = true;       ///< off: GL_PERSPECTIVE_CORRECTION_HINT is GL_FASTEST
     bool separateSpecular = false; ///< the secondary colour is added after texturing (section 3.9)
+    const Fog* fog = nullptr;      ///< nullptr: none
+    bool twoSided = false;         ///< what is seen from behind has colours of its own (section 2.14.1)
 };
 
 /// Every pass of the scene. Sentences about what could not be drawn are added to `problems`.

@@ -3,6 +3,7 @@
 // What the vertex stage gives: OpenGL 2.1, sections 2.11 (transformation, texture matrix) and 2.12
 // (clipping).
 
+#include "core/reference/shading/lighting.h"
 #include "core/scene/scene.h"
 
 #include <glm/vec3.hpp>
@@ -18,6 +19,8 @@ struct ShadedVertex {
     glm::vec4 primary{1}; ///< colours: see lighting.h
     glm::vec3 secondary{0};
     std::array<glm::vec4, maxUnits> texCoords{}; ///< s, t, r, q after the texture matrix
+    VertexColors back{};                         ///< of faces seen from behind, where both sides are lit
+    float fogDistance = 0;                       ///< from the eye's plane: section 3.10
 };
 
 /// A convex polygon or a line: what clipping leaves of a triangle or line.

@@ -56,6 +56,11 @@ VertexRecord VertexStage::explain(const Vertex& vertex,
                                     : unlitColors(current);
     shaded.primary = colors.primary;
     shaded.secondary = colors.secondary;
+    if (pass_.twoSided) { // section 2.14.1: with the normal reversed
+        record.backLighting = lightingTerms(scene_.light, surface, glm::vec3(record.eye), -record.normal);
+        shaded.back = litColors(record.backLighting, surface, scene_.light.colorControl);
+    }
+    shaded.fogDistance = std::abs(record.eye.z);
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
         const UnitState& unit = pass_.units[u];
         glm::vec4 coord = texCoords[u];

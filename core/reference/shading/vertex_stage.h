@@ -16,6 +16,7 @@ struct VertexRecord {
     glm::vec4 eye{0, 0, 0, 1};
     glm::vec3 normal{0};                         ///< in eye coordinates, of unit length
     LightingTerms lighting{};                    ///< where the pass is lit
+    LightingTerms backLighting{};                ///< the same from behind, where both sides are lit
     std::array<glm::vec4, maxUnits> generated{}; ///< coordinates before the texture matrix
     ShadedVertex shaded;
 };

@@ -386,49 +386,6 @@ bool Reader::parse_error(std::size_t, const std::string& token, const FloatJson:
     return false;
 }
 
-Result<void> at(const std::string& pointer, const Result<void>& checked) {
-    if (checked)
-        return {};
-    return fail(checked.error().code, checked.error().message, pointer + checked.error().where);
-}
-
-Result<void> checkModel(const Model& model, const std::string& pointer) {
-    for (const ParamRow& row : meshTable().params) {
-        if (!isList(row.kind))
-            continue;
-        if (auto fits = at(fmt::format("{}/mesh/{}", pointer, row.key), checkMeshList(model.mesh, row));
-            !fits)
-            return fits;
-    }
-    for (const ParamRow& row : modelTable().params) {
-        if (row.kind != Kind::TexCoordList)
-            continue;
-        if (auto fits = at(fmt::format("{}/{}", pointer, row.key),
-                           checkTexCoordCount(model, std::get<TexCoords>(row.read(&model))));
-            !fits)
-            return fits;
-    }
-    return {};
-}
-
-/// What the tables can't see: members that must fit each other.
-Result<void> checkTogether(const Scene& scene) {
-    for (std::size_t m = 0; m < scene.models.size(); ++m)
-        if (auto fits = checkModel(scene.models[m], fmt::format("/models/{}", m)); !fits)
-            return fits;
-    for (std::size_t p = 0; p < scene.passes.size(); ++p)
-        if (auto fits = at(fmt::format("/passes/{}/models", p), checkPassModels(scene, scene.passes[p]));
-            !fits)
-            return fits;
-    for (std::size_t p = 0; p < scene.passes.size(); ++p)
-        for (std::size_t u = 0; u < scene.passes[p].units.size(); ++u)
-            if (auto found = at(fmt::format("/passes/{}/units/{}/texture", p, u),
-                                checkUnitTexture(scene, scene.passes[p].units[u]));
-                !found)
-                return found;
-    return {};
-}
-
 } // namespace
 
 Result<Scene> parseScene(std::string_view json) {

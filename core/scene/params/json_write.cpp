@@ -1,5 +1,5 @@
 // A scene as text. Written by hand rather than by a library for the sake of its readers: an array of numbers
-// stays on one line, and floats have the shortest digits that read back.
+// stays on one line, a long list fills its lines, and floats have the shortest digits that read back.
 
 #include "core/scene/params/json.h"
 #include "core/scene/params/param_text.h"
@@ -13,6 +13,8 @@
 
 namespace texplorer {
 namespace {
+
+constexpr std::size_t lineLength = 110;
 
 std::string jsonNumber(float number) {
     if (!std::isfinite(number))
@@ -124,19 +126,43 @@ private:
         case Kind::ColorList:
         case Kind::TexCoordList: {
             const ElementNumbers numbers = *elementNumbers(row.kind);
-            open('[');
-            for (const glm::vec4& element : elementsOf(value)) {
-                line();
-                out_ += jsonNumbers({&element.x, numbers.needed(element)});
-            }
-            close(']');
+            std::vector<std::string> elements;
+            for (const glm::vec4& element : elementsOf(value))
+                elements.push_back(jsonNumbers({&element.x, numbers.needed(element)}));
+            filledLines(elements);
             break;
         }
-        case Kind::IndexList:
-            out_ += fmt::format("[{}]", fmt::join(std::get<std::vector<int>>(value), ", "));
+        case Kind::IndexList: {
+            std::vector<std::string> elements;
+            for (const int index : std::get<std::vector<int>>(value))
+                elements.push_back(std::to_string(index));
+            filledLines(elements);
             break;
+        }
         }
     }
+
+    /// An array in the line that has begun, where it fits, else in lines with as many elements as they can
+    /// hold.
+    void filledLines(const std::vector<std::string>& elements) {
+        const std::string all = fmt::format("[{}]", fmt::join(elements, ", "));
+        if (column() + all.size() < lineLength) { // there may come a comma
+            out_ += all;
+            return;
+        }
+        open('[');
+        for (const std::string& element : elements) {
+            if (empty_ || column() + element.size() + 3 > lineLength) // ", " before it and a comma after it
+                line();
+            else
+                out_ += ", ";
+            out_ += element;
+        }
+        close(']');
+    }
+
+    /// How many bytes the last line has.
+    [[nodiscard]] std::size_t column() const { return out_.size() - (out_.rfind('\n') + 1); }
 
     void open(char bracket) {
         out_ += bracket;

@@ -41,8 +41,8 @@ constexpr std::array modelRows{
                           {minSlices, maxSubdivision, 0.2F, {}}),
     param<&Model::stacks>(
         "stacks", "Shape", "Stacks", "",
-        "How many rings a round shape has: along its axis, around a torus's tube, or from a disk's rim "
-        "inwards.",
+        "How many rings a round shape has: along its axis, around a torus's tube, from a disk's rim inwards, "
+        "or along each patch of a teapot, which has at most 24.",
         {minStacks, maxSubdivision, 0.2F, {}}),
     param<&Model::topRadius>("topRadius", "Shape", "Top radius", "",
                              "Of a cylinder, whose base has the radius 1; 0 makes a cone.",

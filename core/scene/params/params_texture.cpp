@@ -13,7 +13,7 @@ constexpr std::array textureRows{
                              "Which built-in image, where that is the source."),
     param<&Texture::file>("file", "Image", "File", "",
                           "The path of an image, relative to the scene file, where a file is the source."),
-    param<&Texture::depthSize>("depthSize", "Image", "Size of the light's picture", "",
+    param<&Texture::depthSize>("depthSize", "Image", "Light's picture", "",
                                "How many texels the light's picture has on each side, where depths from the "
                                "light are the source: few make shadows jagged.",
                                {1, 2048, 1, "texels"}),

@@ -5,9 +5,12 @@
 
 namespace texplorer {
 
-// What no parameter's row can know alone: how members of a scene must fit each other. `where` is left empty,
-// or
-// "/3" for an element of a list.
+// What no parameter's row can know alone: how members of a scene must fit each other.
+
+/// All of it. `where` is a JSON pointer: "/models/0/mesh/indices/3".
+[[nodiscard]] Result<void> checkTogether(const Scene& scene);
+
+// One by one: `where` is left empty, or "/3" for an element of a list.
 
 /// A list of a model's own vertices has as many elements as there are positions, or none; its indices name
 /// positions that exist.

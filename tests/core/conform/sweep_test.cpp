@@ -2,10 +2,13 @@
 #include "core/conform/report.h"
 #include "core/conform/sweep.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/image/linear_light.h"
+#include "core/image/stored_numbers.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
 #include "core/scene/params/json.h"
+#include "core/texture/texture_levels.h"
 #include "tests/support/no_threads.h"
 
 #include <gmock/gmock.h>
@@ -21,7 +24,7 @@ namespace {
 class Mutant : public Renderer {
 public:
     using Change = void (*)(Scene&);
-    using Blur = void (*)(Image&);
+    using Blur = void (*)(Image&, const Scene&);
     explicit Mutant(Change change, Blur blur = nullptr)
         : change_(change)
         , blur_(blur) {}
@@ -32,7 +35,7 @@ public:
             change_(changed);
         Result<Frame> frame = reference_->draw(changed);
         if (frame && blur_)
-            blur_(frame->image);
+            blur_(frame->image, scene);
         return frame;
     }
 
@@ -41,6 +44,59 @@ private:
     Blur blur_;
     std::unique_ptr<Renderer> reference_ = referenceRenderer();
 };
+
+/// Draws each scene as the reference does, but has stored other texels.
+class OtherTexels : public Renderer {
+public:
+    using Store = void (*)(std::array<int, 4>& texel, const FormatFacts& facts);
+    explicit OtherTexels(Store store)
+        : store_(store) {}
+
+    Result<Frame> draw(const Scene& scene) override {
+        Scene changed = scene;
+        ImageSource images;
+        for (std::size_t i = 0; i < changed.textures.size(); ++i) {
+            Texture& texture = changed.textures[i];
+            images.put(std::to_string(i), stored(texture));
+            texture.source = SourceKind::File;
+            texture.file = std::to_string(i);
+            texture.mipmaps = MipPolicy::FromFile;
+        }
+        return referenceRendererWith(images)->draw(changed);
+    }
+
+private:
+    /// The texture's levels before they are rounded, changed.
+    [[nodiscard]] TextureImage stored(const Texture& texture) const {
+        Texture plain = texture;
+        plain.internalFormat = InternalFormat::Rgba;
+        TextureImage file;
+        const Result<TextureLevels> levels = prepareLevels(plain, *madeImages().find(texture));
+        for (const TextureLevel& level : levels->levels) {
+            Image image = std::get<Image>(*level.surface);
+            EXPECT_EQ(image.format, PixelFormat::Rgba8);
+            for (std::size_t at = 0; at < image.pixels.size(); at += 4) {
+                std::array<int, 4> texel{};
+                for (std::size_t c = 0; c < 4; ++c)
+                    texel[c] = std::to_integer<int>(image.pixels[at + c]);
+                store_(texel, factsOf(texture.internalFormat));
+                for (std::size_t c = 0; c < 4; ++c)
+                    image.pixels[at + c] = static_cast<std::byte>(texel[c]);
+            }
+            file.surfaces.emplace_back(std::move(image));
+        }
+        file.levels = static_cast<int>(file.surfaces.size());
+        return file;
+    }
+
+    Store store_;
+};
+
+/// The byte of an amount of light.
+int lightOf(int byte) {
+    return static_cast<int>(
+        std::lround(255 * LinearLight::table().exactLight.at(static_cast<std::size_t>(byte))));
+}
 
 SweepOptions optionsFor(const std::vector<const Feature*>& features, int scenes) {
     SweepOptions options;
@@ -318,7 +374,7 @@ TEST(Cases, PairEveryOperationOfTheMatrixWithEveryOther) {
     std::set<std::pair<MatrixOp, MatrixOp>> pairs;
     bool ofOneQ = false;
     bool ofManyQs = false;
-    for (const Case& item : casesOf({1, 100, {findFeature("matrix")}})) {
+    for (const Case& item : casesOf({1, 144, {findFeature("matrix")}})) {
         const std::vector<MatrixStep>& steps = item.scene.passes[0].units[0].matrix;
         pairs.insert({steps.at(0).op, steps.at(1).op});
         const TexCoords& coords = item.scene.models[0].texCoords[0];
@@ -447,18 +503,62 @@ struct Wrong {
 };
 class WrongRenderer : public testing::TestWithParam<Wrong> {};
 
+/// What a sweep of one feature says of it.
+Outcome outcomeOf(Renderer& renderer, const char* name, int scenes, const char* driver) {
+    const Feature* feature = findFeature(name);
+    EXPECT_NE(feature, nullptr);
+    SweepOptions options = optionsFor({feature}, scenes);
+    options.driver.name = driver;
+    const Result<Report> report = sweep(options, {nullptr, &renderer});
+    EXPECT_TRUE(report) << describe(report.error());
+    return report->pairs[0].outcomes[0];
+}
+
 TEST_P(WrongRenderer, IsCaughtByItsFeature) {
-    const Feature* feature = findFeature(GetParam().feature);
-    ASSERT_NE(feature, nullptr);
     Mutant mutant(GetParam().change, GetParam().blur);
-    SweepOptions options = optionsFor({feature}, GetParam().scenes);
-    options.driver.name = GetParam().driver;
-    const Result<Report> report = sweep(options, {nullptr, &mutant});
-    ASSERT_TRUE(report) << describe(report.error());
-    const Outcome& outcome = report->pairs[0].outcomes[0];
+    const Outcome outcome = outcomeOf(mutant, GetParam().feature, GetParam().scenes, GetParam().driver);
     EXPECT_FALSE(outcome.agrees()) << outcome.all.over << " of " << outcome.all.pixels << " pixels over, "
                                    << outcome.all.unexplained << " unexplained";
 }
+
+struct WrongStore {
+    const char* name;
+    OtherTexels::Store store;
+    bool agrees = false;
+};
+class WrongTexels : public testing::TestWithParam<WrongStore> {};
+
+TEST_P(WrongTexels, AreCaughtUnlessTheyAreTheSame) {
+    OtherTexels renderer(GetParam().store);
+    const Outcome outcome = outcomeOf(renderer, "internal-formats", 112, "llvmpipe");
+    EXPECT_EQ(outcome.agrees(), GetParam().agrees) << outcome.all.over << " pixels over";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, WrongTexels,
+    testing::Values(WrongStore{"TheSame", [](std::array<int, 4>&, const FormatFacts&) {}, true},
+                    WrongStore{"TruncatedToFewBits",
+                               [](std::array<int, 4>& texel, const FormatFacts& facts) {
+                                   for (std::size_t c = 0; c < 4; ++c) {
+                                       const int bits = facts.bits.at(c);
+                                       if (bits > 0 && bits < 8)
+                                           texel.at(c) = byteOf(texel.at(c) * largestNumber(bits) / 255, bits);
+                                   }
+                               }},
+                    WrongStore{"LowestBitsCutOff",
+                               [](std::array<int, 4>& texel, const FormatFacts& facts) {
+                                   for (std::size_t c = 0; c < 4; ++c) {
+                                       const int bits = facts.bits.at(c);
+                                       if (bits > 0 && bits < 8)
+                                           texel.at(c) = byteOf(texel.at(c) >> (8 - bits), bits);
+                                   }
+                               }},
+                    WrongStore{"AlphaOfSrgbDecoded",
+                               [](std::array<int, 4>& texel, const FormatFacts& facts) {
+                                   if (facts.encoding == Encoding::Srgb)
+                                       texel[3] = lightOf(texel[3]);
+                               }}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 const Wrong wrongs[] = {
     {"WrapModesSwapped", "wrap",
@@ -477,7 +577,7 @@ const Wrong wrongs[] = {
          eachTexture(s, [](Texture& t) { t.wrapS = t.wrapS == Wrap::Clamp ? Wrap::ClampToEdge : t.wrapS; });
      }},
     {"RoundedDown", "combine", nullptr,
-     [](Image& image) {
+     [](Image& image, const Scene&) {
          for (std::byte& each : image.pixels)
              each = static_cast<std::byte>(std::max(0, std::to_integer<int>(each) - 2));
      }},
@@ -494,6 +594,82 @@ const Wrong wrongs[] = {
          });
      },
      nullptr, 144},
+    {"FewBitsAsEight", "internal-formats",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (hasFewBits(t.internalFormat))
+                 t.internalFormat = internalFormat(baseFormat(t.internalFormat));
+         });
+     }},
+    {"SrgbNotDecoded", "internal-formats",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (isSrgb(t.internalFormat))
+                 t.internalFormat = internalFormat(baseFormat(t.internalFormat));
+         });
+     },
+     nullptr, 112},
+    {"SrgbDecodedAfterTheFilter", "internal-formats",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (isSrgb(t.internalFormat))
+                 t.internalFormat = internalFormat(baseFormat(t.internalFormat));
+         });
+     },
+     [](Image& image, const Scene& scene) {
+         for (std::size_t i = 0; isSrgb(scene.textures[0].internalFormat) && i < image.pixels.size(); ++i) {
+             if (i % 4 != 3)
+                 image.pixels[i] = static_cast<std::byte>(lightOf(std::to_integer<int>(image.pixels[i])));
+         }
+     },
+     112},
+    {"DepthsComparedTheOtherWayRound", "depth-textures",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.compareFunc == CompareFunc::Less)
+                 t.compareFunc = CompareFunc::Greater;
+             else if (t.compareFunc == CompareFunc::GreaterEqual)
+                 t.compareFunc = CompareFunc::LessEqual;
+         });
+     }},
+    // What r beyond 1 gives against a depth of 1 where it isn't clamped, and below 0 against 0.
+    {"ComparedWithoutClamping", "depth-textures",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.compareFunc == CompareFunc::LessEqual)
+                 t.compareFunc = CompareFunc::Less;
+             else if (t.compareFunc == CompareFunc::GreaterEqual)
+                 t.compareFunc = CompareFunc::Greater;
+         });
+     },
+     nullptr, 96},
+    {"DepthsNotCompared", "depth-textures",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.compareMode = CompareMode::None; }); }},
+    {"ComparedButNotFiltered", "depth-textures",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             t.magFilter = MagFilter::Nearest;
+             t.minFilter = MinFilter::Nearest;
+         });
+     }},
+    {"DepthModeIgnored", "depth-textures",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.depthMode = DepthMode::Luminance; }); }},
+    {"BorderOfDepthsLost", "depth-textures",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.borderColor.r = 1 - t.borderColor.r; }); }, nullptr, 96},
+    {"DepthsAsColors", "depth-textures",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.internalFormat = InternalFormat::Luminance; }); }},
+    {"ProjectedWithoutItsAngle", "projector", [](Scene& s) { s.light.projector.fieldOfView *= 1.1F; }},
+    {"ProjectedInParallel", "projector", [](Scene& s) { s.light.position.w = 0; }},
+    {"ProjectedFromAnotherPlace", "projector", [](Scene& s) { s.light.position.x += 0.1F; }},
+    {"ShadowsWithoutBias", "projector",
+     [](Scene& s) {
+         eachStep(s, [](MatrixStep& m) { m.amount.z = 0; });
+     }},
+    {"ShadowsOfOneModelAlone", "projector",
+     [](Scene& s) { // what it hides from the light is lit
+         if (s.textures[0].source == SourceKind::LightDepth)
+             s.textures[0].compareFunc = CompareFunc::Always;
+     }},
     {"EnvironmentColorLost", "environment", [](Scene& s) { eachUnit(s, [](Unit& u) { u.envColor = {}; }); }},
     {"OperandInverted", "combine",
      [](Scene& s) {
@@ -589,6 +765,20 @@ const Wrong wrongs[] = {
                  t.mipmaps = MipPolicy::Generated;
          });
      }},
+    {"SeamlessIgnored", "seamless",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.seamlessCubeMap = false;
+         for (Texture& texture : s.textures) // as llvmpipe does where it is off
+             texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
+     }},
+    {"SeamlessOfTheSameFace", "seamless",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.seamlessCubeMap = false;
+         for (Texture& texture : s.textures)
+             texture.wrapS = texture.wrapT = Wrap::Repeat;
+     }},
     {"CubesClampedToTheEdge", "cube-map",
      [](Scene& s) {
          eachTexture(s, [](Texture& t) {
@@ -614,6 +804,47 @@ const Wrong wrongs[] = {
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.compression = Compression::None; }); }},
     {"IncompleteDrawnAnyway", "incomplete",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.mipmaps = MipPolicy::Generated; }); }},
+    {"GivenLevelsMade", "given-levels",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.mipmaps = MipPolicy::Generated; }); }},
+    {"GivenLevelsOneOff", "given-levels",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) { std::ranges::rotate(t.levels, t.levels.end() - 1); });
+     }},
+    {"LevelsOfAnotherSizeFitted", "given-levels",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             for (GivenLevel& level : t.levels)
+                 level.source = SourceKind::Pattern;
+         });
+     },
+     nullptr, 96},
+    {"MissingGivenLevelsMade", "given-levels",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.maxLevel == 1000)
+                 t.levels.resize(8);
+         });
+     }},
+    {"PreparationIgnored", "preparation",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.preparation.clear(); }); }},
+    {"PreparedBackwards", "preparation",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { std::ranges::reverse(t.preparation); }); }},
+    {"PreparedByTheFirstStepAlone", "preparation",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.preparation.resize(1); }); }},
+    {"ImageBiasIgnored", "preparation",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             for (ImageStep& step : t.preparation)
+                 step.bias = glm::vec4(0);
+         });
+     }},
+    {"NotSharpened", "preparation",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             for (ImageStep& step : t.preparation)
+                 step.amount = 0;
+         });
+     }},
     {"AlphaTestBackwards", "alpha-test",
      [](Scene& s) {
          for (Pass& pass : s.passes)
@@ -651,6 +882,31 @@ const Wrong wrongs[] = {
     {"FlatAsSmooth", "lighting", [](Scene& s) { s.material.shadeModel = ShadeModel::Smooth; }},
     {"ViewerNotLocal", "lighting", [](Scene& s) { s.light.localViewer = false; }},
     {"HighlightUnderTheTexture", "specular", [](Scene& s) { s.light.colorControl = ColorControl::Single; }},
+    {"TwoSidesIgnored", "two-sided", [](Scene& s) { s.light.twoSide = false; }},
+    {"BackLitByAnInfiniteViewer", "two-sided", [](Scene& s) { s.light.localViewer = false; }},
+    {"BackFlatAsSmooth", "two-sided", [](Scene& s) { s.material.shadeModel = ShadeModel::Smooth; }},
+    {"FogIgnored", "fog",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.fog.enabled = false;
+     }},
+    {"FogAsItsSquare", "fog",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.fog.mode = pass.fog.mode == FogMode::Exp ? FogMode::Exp2 : pass.fog.mode;
+     }},
+    {"FogTooFarAway", "fog",
+     [](Scene& s) {
+         for (Pass& pass : s.passes) {
+             pass.fog.start += 0.1F;
+             pass.fog.end += 0.1F;
+         }
+     }},
+    {"FogTooDark", "fog",
+     [](Scene& s) {
+         for (Pass& pass : s.passes)
+             pass.fog.color = pass.fog.color * 0.95F;
+     }},
     {"APixelTooFarRight", "coverage", [](Scene& s) { s.models[0].position.x += 0.02F; }},
     {"LineWidthIgnored", "lines", [](Scene& s) { eachModel(s, [](Model& m) { m.lineWidth = 1; }); }},
     {"PointSizeIgnored", "lines", [](Scene& s) { eachModel(s, [](Model& m) { m.pointSize = 1; }); }},
@@ -681,6 +937,13 @@ const Wrong wrongs[] = {
     {"SweptTheOtherWay", "quadrics",
      [](Scene& s) { eachModel(s, [](Model& m) { m.sweepAngle = -m.sweepAngle; }); }},
     {"TubesTooThin", "quadrics", [](Scene& s) { eachModel(s, [](Model& m) { m.tubeRadius *= 0.9F; }); }},
+    {"TeapotsTooCoarse", "quadrics",
+     [](Scene& s) {
+         eachModel(s, [](Model& m) {
+             if (m.shape == Shape::Teapot)
+                 m.stacks = minStacks;
+         });
+     }},
     {"EmissionIgnored", "materials",
      [](Scene& s) {
          s.material.emission = {};

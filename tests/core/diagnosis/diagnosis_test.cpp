@@ -36,6 +36,18 @@ struct Stage {
                                                              std::max(1, height >> level)));
         images.put("image", std::move(image));
     }
+    /// From black at the bottom left to white at the top right, or squares of both.
+    void showGreys(bool smooth) {
+        texture().source = SourceKind::File;
+        texture().file = "greys";
+        Image image = Image::uninitialised(PixelFormat::Luminance8, 128, 128);
+        for (int y = 0; y < 128; ++y) {
+            for (int x = 0; x < 128; ++x)
+                image.at(x, y)[0] =
+                    static_cast<std::byte>(smooth ? x + y : (x / 8 + y / 8) % 2 == 0 ? 0 : 255);
+        }
+        images.put("greys", std::move(image));
+    }
     [[nodiscard]] std::vector<Finding> findings() const { return diagnose(scene, images, driver); }
 };
 
@@ -89,6 +101,13 @@ TEST_P(Diagnosis, FindsItAndNoLongerOnceItIsMended) {
 
 using enum Severity;
 constexpr float infinite = std::numeric_limits<float>::infinity();
+
+void cubeOfFewTexels(Stage& s) {
+    s.unit().target = Target::CubeMap;
+    s.texture().pattern = Pattern::CubeFaces; // 128 x 128
+    s.texture().baseLevel = 4;
+    s.texture().wrapS = s.texture().wrapT = Wrap::ClampToEdge;
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Texture, Diagnosis,
@@ -183,6 +202,45 @@ INSTANTIATE_TEST_SUITE_P(
                 s.texture().minFilter = MinFilter::Nearest;
                 s.texture().magFilter = MagFilter::Nearest;
             }},
+        Row{"CubeSeamsUnlessSeamless", "cube-seams", Warning, "textures[0].wrapS", "shows as a seam",
+            [](Stage& s) { s.unit().target = Target::CubeMap; },
+            [](Stage& s) { s.pass().seamlessCubeMap = true; }},
+        Row{"CubeOfFewTexels", "cube-edges", Note, "passes[0].seamlessCubeMap",
+            "each face of textures[0] has 8 x 8 texels", cubeOfFewTexels},
+        Row{"CubeOfFewTexelsUnlessNearest", "cube-edges", Note, "passes[0].seamlessCubeMap",
+            "filtered on its own", cubeOfFewTexels,
+            [](Stage& s) {
+                s.texture().minFilter = MinFilter::NearestMipmapLinear;
+                s.texture().magFilter = MagFilter::Nearest;
+            }},
+        Row{"CubeOfFewTexelsUnlessMore", "cube-edges", Note, "passes[0].seamlessCubeMap", "seams show",
+            cubeOfFewTexels, [](Stage& s) { s.texture().baseLevel = 0; }},
+        Row{"NoSeamlessCubeMaps", "no-seamless-cube-maps", Warning, "passes[0].seamlessCubeMap",
+            "the driver has no seamless cube maps",
+            [](Stage& s) {
+                cubeOfFewTexels(s);
+                s.pass().seamlessCubeMap = true;
+                s.driver.seamlessCubeMaps = false;
+            }},
+        Row{"NoSeamlessCubeMapsToOffer", "cube-edges", Note, "passes[0].seamlessCubeMap", "seams show",
+            cubeOfFewTexels, [](Stage& s) { s.driver.seamlessCubeMaps = false; }},
+        Row{"SeamlessWithoutACubeMap", "seamless-in-vain", Hint, "passes[0].seamlessCubeMap",
+            "no unit of this pass shows a cube map", [](Stage&) {},
+            [](Stage& s) { s.unit().target = Target::CubeMap; }},
+        Row{"SeamlessUnderNearest", "seamless-in-vain", Hint, "passes[0].seamlessCubeMap",
+            "GL_NEAREST takes one texel",
+            [](Stage& s) {
+                cubeOfFewTexels(s);
+                s.texture().minFilter = MinFilter::Nearest;
+                s.texture().magFilter = MagFilter::Nearest;
+            },
+            [](Stage& s) { s.texture().magFilter = MagFilter::Linear; }},
+        Row{"WrapOfASeamlessCubeMap", "texture-setting", Hint, "textures[0].wrapS", "whatever the wrap modes",
+            [](Stage& s) {
+                cubeOfFewTexels(s);
+                s.pass().seamlessCubeMap = true;
+            },
+            [](Stage& s) { s.pass().seamlessCubeMap = false; }},
         Row{"FlatDirection", "flat-direction", Warning, "passes[0].units[0].target", "r is 0 at every vertex",
             [](Stage& s) { s.unit().target = Target::CubeMap; }},
         Row{"FlatDirectionOfVertices", "flat-direction", Warning, "passes[0].units[0].target",
@@ -217,6 +275,122 @@ INSTANTIATE_TEST_SUITE_P(
                 s.texture().compression = Compression::Driver;
             },
             [](Stage& s) { s.driver.s3tc = true; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    LevelsAndPreparation, Diagnosis,
+    testing::Values(
+        Row{"TooFewLevels", "incomplete", Warning, "textures[0].mipmaps", "level 2 is missing",
+            [](Stage& s) {
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels.resize(1);
+            },
+            [](Stage& s) { s.texture().levels.resize(6); }}, // below 64 x 64 texels
+        Row{"TooFewLevelsUnlessTheyAreNotRead", "incomplete", Warning, "textures[0].mipmaps", "level 2",
+            [](Stage& s) {
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels.resize(1);
+            },
+            [](Stage& s) { s.texture().maxLevel = 1; }},
+        Row{"LevelOfAnotherSize", "incomplete", Warning, "textures[0].levels[1].file",
+            "level 2 should have 16 x 16 texels and has 8 x 2",
+            [](Stage& s) {
+                s.showFile(8, 2);
+                s.texture().source = SourceKind::Pattern;
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels.resize(6);
+                s.texture().levels[1] = {.source = SourceKind::File, .file = "image"};
+            },
+            [](Stage& s) { s.texture().levels[1].source = SourceKind::Pattern; }},
+        Row{"LevelWithoutAFile", "missing-part", Error, "textures[0].levels[0].file", "none is named",
+            [](Stage& s) {
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels = {{.source = SourceKind::File}};
+            },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Generated; }},
+        Row{"AlphaWithoutAFile", "missing-part", Error, "textures[0].preparation[0].file",
+            "gone.png can't be found or read: the step is left out",
+            [](Stage& s) {
+                s.texture().preparation = {
+                    {.op = ImageOp::AlphaFrom, .source = SourceKind::File, .file = "gone.png"}};
+            },
+            [](Stage& s) { s.texture().preparation[0].op = ImageOp::Invert; }},
+        Row{"LevelsThatAreNotRead", "levels-not-read", Hint, "textures[0].levels",
+            "not read with mipmaps=generated", [](Stage& s) { s.texture().levels.resize(1); },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Given; }},
+        Row{"AlphaThatTheFormatDrops", "lost-alpha", Hint, "textures[0].preparation[0]",
+            "GL_RGB keeps no alpha",
+            [](Stage& s) {
+                s.texture().internalFormat = InternalFormat::Rgb;
+                s.texture().preparation = {{.op = ImageOp::AlphaFrom}};
+            },
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Rgba; }},
+        Row{"AlphaThatIsMadeAgain", "lost-alpha", Hint, "textures[0].preparation[0]", "a later step",
+            [](Stage& s) {
+                s.texture().preparation = {{.op = ImageOp::AlphaFrom}, {.op = ImageOp::LuminanceToAlpha}};
+            },
+            [](Stage& s) { s.texture().preparation[1].op = ImageOp::Invert; }},
+        Row{"AlphaBeforeAStencil", "lost-alpha", Hint, "textures[0].preparation[0]",
+            "transparency=stencil makes another alpha",
+            [](Stage& s) {
+                s.texture().transparency = Transparency::Stencil;
+                s.texture().preparation = {{.op = ImageOp::LuminanceToAlpha}};
+            },
+            [](Stage& s) { s.texture().transparency = Transparency::Alpha; }},
+        Row{"FileOfALevelOfAPattern", "other-texture-choice", Unused, "textures[0].levels[0].file", "pattern",
+            [](Stage& s) { s.texture().levels.resize(1); },
+            [](Stage& s) { s.texture().levels[0].source = SourceKind::File; }},
+        Row{"PatternOfAStepWithoutOne", "other-texture-choice", Unused, "textures[0].preparation[0].pattern",
+            "invert", [](Stage& s) { s.texture().preparation = {{.op = ImageOp::Invert}}; },
+            [](Stage& s) { s.texture().preparation[0].op = ImageOp::AlphaFrom; }},
+        Row{"FactorOfAStepWithoutOne", "other-texture-choice", Unused, "textures[0].preparation[0].factor",
+            "sharpen", [](Stage& s) { s.texture().preparation = {{.op = ImageOp::Sharpen}}; },
+            [](Stage& s) { s.texture().preparation[0].op = ImageOp::Scale; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DiagnosisOfAll, OffersAPatternForALevelOfAnotherSize) {
+    Stage stage;
+    stage.showFile(8, 2);
+    stage.texture().source = SourceKind::Pattern;
+    stage.texture().mipmaps = MipPolicy::Given;
+    stage.texture().levels.resize(6);
+    stage.texture().levels[1] = {.source = SourceKind::File, .file = "image"};
+    const std::vector<Finding> findings = stage.findings();
+    const Finding* found = find(findings, "incomplete", "textures[0].levels[1].file");
+    ASSERT_NE(found, nullptr);
+    ASSERT_FALSE(found->fixes.empty());
+    EXPECT_EQ(found->fixes[0].label, "Put a pattern on level 2");
+    ASSERT_TRUE(apply(found->fixes[0], stage.scene));
+    EXPECT_EQ(find(stage.findings(), "incomplete", "textures[0].levels[1].file"), nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Format, Diagnosis,
+    testing::Values(
+        Row{"Bands", "banding", Note, "textures[0].internalFormat", "GL_RGB4 has 16 steps",
+            [](Stage& s) {
+                s.showGreys(true);
+                s.texture().internalFormat = InternalFormat::Rgb4;
+            }},
+        Row{"BandsUnlessTheImageHasSteps", "banding", Note, "textures[0].internalFormat", "bands",
+            [](Stage& s) {
+                s.showGreys(true);
+                s.texture().internalFormat = InternalFormat::R3G3B2;
+            },
+            [](Stage& s) { s.showGreys(false); }},
+        Row{"BandsUnlessCompressed", "banding", Note, "textures[0].internalFormat", "bands",
+            [](Stage& s) {
+                s.showGreys(true);
+                s.texture().internalFormat = InternalFormat::Luminance4;
+            },
+            [](Stage& s) { s.texture().compression = Compression::Cached; }},
+        Row{"SrgbNotEncoded", "srgb-not-encoded", Note, "textures[0].internalFormat", "darker than the image",
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8Alpha8; }},
+        Row{"SrgbLevels", "srgb-levels", Warning, "textures[0].mipGamma", "too dark",
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Sluminance8; }},
+        Row{"SrgbLevelsUnlessSeen", "srgb-levels", Warning, "textures[0].mipGamma", "GL_SRGB8",
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
+            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -294,6 +468,20 @@ INSTANTIATE_TEST_SUITE_P(
                 s.unit(2).enabled = true;
             },
             [](Stage& s) { s.driver.textureUnits = 3; }},
+        Row{"OneUnit", "unit-limit", Warning, "passes[0].units[1].enabled",
+            "has 1 texture unit: drawn without this one; a pass more that shows its texture alone, blended "
+            "with GL_DST_COLOR and GL_ZERO",
+            [](Stage& s) {
+                s.driver.textureUnits = 1;
+                s.unit(1).enabled = true;
+            }},
+        Row{"OneUnitThatCombines", "unit-limit", Warning, "passes[0].units[1].enabled",
+            "more passes, blended, take the place of more units",
+            [](Stage& s) {
+                s.driver.textureUnits = 1;
+                s.unit(1).enabled = true;
+                s.unit(1).envMode = EnvMode::Combine;
+            }},
         Row{"DecalOfLuminance", "undefined-decal", Warning, "passes[0].units[0].envMode",
             "GL_LUMINANCE texture",
             [](Stage& s) {
@@ -544,6 +732,84 @@ INSTANTIATE_TEST_SUITE_P(
                 s.scene.light.colorControl = ColorControl::SeparateSpecular;
             },
             [](Stage& s) { s.unit().enabled = false; }},
+        Row{"TwoSidesWithoutLight", "light", Hint, "light.twoSide", "nothing of the primary colour",
+            [](Stage& s) { s.unit().envMode = EnvMode::Replace; },
+            [](Stage& s) { s.unit().envMode = EnvMode::Modulate; }},
+        Row{"TwoSidesOfClosedShapes", "two-sides", Hint, "light.twoSide", "closed and seen from outside",
+            [](Stage&) {}, [](Stage& s) { s.scene.models[0].shape = Shape::Quad; }},
+        Row{"TwoSidesWithoutADepthTest", "two-sides", Hint, "light.twoSide", "closed", [](Stage&) {},
+            [](Stage& s) { s.pass().depthTest = false; }},
+        Row{"TwoSidesSeenFromInside", "two-sides", Hint, "light.twoSide", "closed", [](Stage&) {},
+            [](Stage& s) { s.scene.models[0].size = 9; }},
+        Row{"TwoSidesOfAMirroredShape", "two-sides", Hint, "light.twoSide", "closed", [](Stage&) {},
+            [](Stage& s) { s.scene.models[0].scale.y = -1; }},
+        Row{"DarkBackOfASquare", "dark-back", Warning, "light.twoSide", "the back of models[0]",
+            [](Stage& s) {
+                s.scene.models[0].shape = Shape::Quad;
+                s.scene.models[0].rotation = {0, 180, 0};
+                s.scene.light.position = {0, 0, 1, 0};
+            }},
+        Row{"DarkBackUnlessTheLightIsThere", "dark-back", Warning, "light.twoSide", "stays dark",
+            [](Stage& s) {
+                s.scene.models[1].shape = Shape::Disk;
+                s.scene.models[1].rotation = {0, 180, 0};
+                s.scene.light.position = {0, 0, 1, 0};
+            },
+            [](Stage& s) {
+                s.scene.light.position = {0, 0, -1, 0};
+            }},
+        Row{"DarkInsideOfACylinder", "dark-back", Warning, "light.twoSide", "the back of models[0]",
+            [](Stage& s) {
+                s.scene.models[0].shape = Shape::Cylinder;
+                s.scene.models[0].rotation = {60, 0, 0};
+            },
+            [](Stage& s) {
+                s.scene.models[0].rotation = {0, 0, 0};
+                s.scene.view.elevation = 0;
+            }},
+        Row{"FogOfTheInitialState", "fog-of-no-use", Warning, "passes[0].fog.density", "all is hidden",
+            [](Stage& s) { s.pass().fog.enabled = true; }},
+        Row{"FogSquaredTooThick", "fog-of-no-use", Warning, "passes[0].fog.density", "all is hidden",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Exp2};
+            }},
+        Row{"FogWithoutDensity", "fog-of-no-use", Warning, "passes[0].fog.density", "hides nothing",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .density = 0};
+            }},
+        Row{"LinearFogOfTheInitialState", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
+            }},
+        Row{"LinearFogBehindEverything", "fog-of-no-use", Warning, "passes[0].fog.end", "hides nothing",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 50, .end = 90};
+            }},
+        Row{"FogBackwards", "fog-range", Warning, "passes[0].fog.end", "ends at 2, before it starts at 9",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 9, .end = 2};
+            }},
+        Row{"FogWithoutLength", "fog-range", Warning, "passes[0].fog.end", "divides by 0",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 5, .end = 5};
+            }},
+        Row{"FogOfAnotherColor", "fog-color", Warning, "passes[0].fog.color", "stands out",
+            [](Stage& s) {
+                s.scene.models[0].shape = Shape::Floor;
+                s.pass().fog = {.enabled = true, .density = 0.1F, .color = {1, 0.5F, 0, 1}};
+            }},
+        Row{"FogOff", "fog", Hint, "passes[0].fog.color", "the fog is off", [](Stage&) {},
+            [](Stage& s) { s.pass().fog.enabled = true; }},
+        Row{"DensityOfLinearFog", "fog", Hint, "passes[0].fog.density", "GL_LINEAR has a start",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .end = 9};
+            },
+            [](Stage& s) { s.pass().fog.mode = FogMode::Exp; }},
+        Row{"StartOfExponentialFog", "fog", Hint, "passes[0].fog.start", "GL_EXP2 has a density",
+            [](Stage& s) {
+                s.pass().fog = {.enabled = true, .mode = FogMode::Exp2, .density = 0.1F};
+            },
+            [](Stage& s) { s.pass().fog.mode = FogMode::Linear; }},
         Row{"PassOff", "pass-off", Hint, "passes[0]", "not drawn",
             [](Stage& s) { s.scene.passes[0].enabled = false; }},
         Row{"TextureOfAPassThatIsOff", "texture-not-shown", Hint, "textures[0]", "the pass that shows",
@@ -683,6 +949,116 @@ TEST(DiagnosisOfIncompleteTextures, OffersEachSettingThatCompletes) {
                     s.unit().target = Target::CubeMap;
                 }),
                 testing::IsEmpty());
+}
+
+/// The light's shadows, as they should be.
+void castShadows(Stage& s) {
+    s.texture().source = SourceKind::LightDepth;
+    s.texture().mipmaps = MipPolicy::None;
+    s.texture().internalFormat = InternalFormat::DepthComponent24;
+    s.texture().minFilter = MinFilter::Linear;
+    s.texture().compareMode = CompareMode::RToTexture;
+    s.unit().matrix = {{.op = MatrixOp::Translate, .amount = {0, 0, -0.005F}}, {.op = MatrixOp::Projector}};
+    int axis = 0;
+    for (TexGen* each : {&s.unit().texGenS, &s.unit().texGenT, &s.unit().texGenR, &s.unit().texGenQ}) {
+        each->enabled = true;
+        each->eyePlane = glm::vec4(0);
+        each->eyePlane[axis++] = 1;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Depth, Diagnosis,
+    testing::Values(
+        Row{"DepthsOfAVolume", "depth-target", Error, "passes[0].units[0].target", "no depth textures for",
+            [](Stage& s) {
+                s.texture().internalFormat = InternalFormat::DepthComponent16;
+                s.unit().target = Target::Texture3D;
+            }},
+        Row{"DepthsAsColors", "colored-depths", Warning, "textures[0].internalFormat", "greys of 8 bits",
+            [](Stage& s) {
+                castShadows(s);
+                s.texture().internalFormat = InternalFormat::Rgba;
+            }},
+        Row{"DepthsNotCompared", "depths-as-they-are", Note, "textures[0].compareMode", "make shadows",
+            [](Stage& s) {
+                castShadows(s);
+                s.texture().compareMode = CompareMode::None;
+            }},
+        Row{"RIsZero", "compares-nothing", Warning, "passes[0].units[0].texGenR.enabled", "0 everywhere",
+            [](Stage& s) {
+                s.texture().internalFormat = InternalFormat::DepthComponent16;
+                s.texture().compareMode = CompareMode::RToTexture;
+            }},
+        Row{"NotInEyeCoordinates", "projects-nothing", Warning, "passes[0].units[0].matrix[0].op",
+            "GL_EYE_LINEAR", [](Stage& s) { s.unit().matrix = {{.op = MatrixOp::Projector}}; }},
+        Row{"OneOfFourNotGenerated", "projects-nothing", Warning, "passes[0].units[0].matrix[1].op",
+            "eye coordinates",
+            [](Stage& s) {
+                castShadows(s);
+                s.unit().texGenQ.enabled = false;
+            }},
+        Row{"ShadowsOfItself", "shadow-acne", Warning, "passes[0].units[0].matrix[0].op", "translates r",
+            [](Stage& s) {
+                castShadows(s);
+                s.unit().matrix.erase(s.unit().matrix.begin());
+            }},
+        Row{"ShadowsMovedTheOtherWay", "shadow-acne", Warning, "passes[0].units[0].matrix[1].op", "translates r",
+            [](Stage& s) {
+                castShadows(s);
+                s.unit().matrix[0].amount.z = 0.01F;
+            }},
+        Row{"LightInItsTarget", "light-in-target", Warning, "light.projector.target", "its own target",
+            [](Stage& s) {
+                castShadows(s);
+                s.scene.light.position = {0, 0, -6, 1};
+            }},
+        Row{"LightWithoutDirection", "light-in-target", Warning, "light.position", "length 0",
+            [](Stage& s) {
+                castShadows(s);
+                s.scene.light.position = {0, 0, 0, 0};
+            }},
+        Row{"NearBehindFar", "light-range", Warning, "light.projector.farthest", "beyond the nearest, 20",
+            [](Stage& s) {
+                castShadows(s);
+                s.scene.light.projector.nearest = 20;
+                s.scene.light.projector.farthest = 1;
+            }},
+        Row{"NearIsFar", "light-range", Warning, "light.projector.farthest", "beyond the nearest",
+            [](Stage& s) {
+                castShadows(s);
+                s.scene.light.projector.nearest = s.scene.light.projector.farthest;
+            }},
+        Row{"BehindTheLight", "behind-the-light", Note, "passes[0].units[0].matrix[1]", "upside down",
+            [](Stage& s) {
+                castShadows(s);
+                s.scene.light.position = {0, 0, -20, 1}; // looks back at its target, and the models lie behind
+                s.scene.light.projector.target = {0, 0, -40};
+            },
+            [](Stage& s) { s.scene.light.projector.target = {0, 0, -6}; }},
+        Row{"NothingProjected", "projector", Hint, "light.projector", "light's view", [](Stage&) {}, castShadows},
+        Row{"ComparingColors", "texture-setting", Hint, "textures[0].compareMode", "holds no depths",
+            [](Stage&) {}, castShadows},
+        Row{"FunctionWithoutComparing", "texture-setting", Hint, "textures[0].compareFunc",
+            "nothing is compared: GL_NONE",
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::DepthComponent16; }, castShadows},
+        Row{"SizeOfAPattern", "other-texture-choice", Unused, "textures[0].depthSize", "pattern", [](Stage&) {},
+            castShadows},
+        Row{"DepthsCompressed", "texture-setting", Hint, "textures[0].compression", "no compressed depth",
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::DepthComponent16; },
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Rgba; }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DiagnosisOfDepths, HasNothingToSayOfAShadowMap) {
+    Stage stage;
+    castShadows(stage);
+    stage.pass().lighting = false; // the light counts all the same
+    for (const Finding& each : stage.findings()) {
+        EXPECT_GE(each.severity, Hint) << each.path << ": " << each.sentence;
+        EXPECT_FALSE(each.path == "light" || each.path == "light.position" || each.path == "light.projector" ||
+                     each.path == "passes[0].units[0].texGenR.enabled")
+            << each.path << ": " << each.sentence;
+    }
 }
 
 TEST(DiagnosisOfAll, AFixThatNoLongerFitsChangesNothing) {

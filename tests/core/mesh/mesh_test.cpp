@@ -113,7 +113,11 @@ INSTANTIATE_TEST_SUITE_P(
              {.shape = Shape::Torus, .slices = 5, .stacks = 3, .tubeRadius = 0.25F},
              6 * 4,
              30,
-             3}),
+             3},
+        // Ten rings of patches, two of which end in a pole.
+        Case{"Teapot32x16", {Shape::Teapot, 32, 16}, 33 * 164, 32 * (160 * 2 - 2), 160},
+        Case{"Teapot7x5", {Shape::Teapot, 7, 5}, 8 * 54, 7 * (50 * 2 - 2), 50},
+        Case{"TeapotTooFine", {Shape::Teapot, 16, 256}, 17 * 244, 16 * (240 * 2 - 2), 240}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(OwnMesh, IsNoShape) {

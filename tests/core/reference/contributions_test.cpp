@@ -57,6 +57,26 @@ TEST(Contributions, KnowTheBorder) {
     EXPECT_THAT(flat.row({.texel = {0, {2, 0, 0}}}), ElementsAre(0, 0, 0, FloatEq(0.25F)));
 }
 
+// A direction that runs from (1, 0, 1/2) on +x to (1/2, 0, 1) on +z: the last texel of +z has a share in
+// pixels that hit +x, and only where the faces are filtered as one.
+TEST(Contributions, CrossTheEdgesOfASeamlessCubeMap) {
+    Flat flat;
+    flat.images.put("two", Image::uninitialised(PixelFormat::Luminance8, 2, 2));
+    flat.scene.passes[0].units[0].target = Target::CubeMap;
+    flat.scene.textures[0].wrapS = flat.scene.textures[0].wrapT = Wrap::ClampToEdge;
+    flat.scene.models[0].texCoords[0] = {{1, 0, 0.5F, 1}, {0.5F, 0, 1, 1}, {0.5F, 0, 1, 1}, {1, 0, 0.5F, 1}};
+    const TexelQuestion ofPositiveZ{.texel = {0, {1, 0, 4}}};
+    const std::vector<float> clamped = flat.row(ofPositiveZ);
+    EXPECT_EQ(clamped[0] + clamped[1], 0);
+    EXPECT_GT(std::min(clamped[2], clamped[3]), 0);
+    flat.scene.passes[0].seamlessCubeMap = true;
+    const std::vector<float> seamless = flat.row(ofPositiveZ);
+    // The second pixel's direction is (13/16, 0, 11/16): s = (1 - 11/13) / 2 = 1/13 of +x, 2/13 texels: 9/26
+    // of the column beyond, half of it of this row.
+    EXPECT_NEAR(seamless[1], 9.0F / 52, 1e-5F);
+    EXPECT_GT(seamless[0] + seamless[2], 0);
+}
+
 TEST(Contributions, CountWhatOneSees) {
     Flat flat;
     flat.scene.textures[0].magFilter = MagFilter::Nearest;

@@ -322,6 +322,48 @@ TEST(Probe, TakesTheLightApart) {
     EXPECT_EQ(fragment.units[0].equations.color.numbers.at(0), "0.4 * 0.175 = 0.07");
 }
 
+// The eye is at a distance of 1 from the square's plane: (3 - 1) / (3 - -1) of a colour is left.
+TEST(Probe, TakesTheFogApart) {
+    Flat flat;
+    flat.scene.passes[0].units[0].enabled = false;
+    flat.scene.material.color = {0.5F, 1, 0, 0.75F};
+    EXPECT_FALSE(flat.fragment(0, 0).fog);
+    flat.scene.passes[0].fog = {true, FogMode::Linear, 1, -1, 3, {1, 0.5F, 2, 0}};
+    const FragmentExplanation fragment = flat.fragment(0, 0);
+    ASSERT_TRUE(fragment.fog);
+    EXPECT_FLOAT_EQ(fragment.fog->distance, 1);
+    EXPECT_FLOAT_EQ(fragment.fog->factor, 0.5F);
+    EXPECT_THAT(fragment.fog->equation.numbers, ElementsAre("(3 - 1) / (3 - -1) = 0.5"));
+    EXPECT_TRUE(isNear(fragment.summed, {0.5F, 1, 0, 0.75F}));
+    EXPECT_TRUE(isNear(fragment.color, {0.75F, 0.75F, 0.5F, 0.75F}));
+    EXPECT_FLOAT_EQ(fragment.alphaTest.value, 0.75F);
+}
+
+TEST(Probe, SaysWhichSideIsSeen) {
+    Flat flat;
+    flat.scene.passes[0].lighting = true;
+    flat.scene.light.modelAmbient = {0, 0, 0, 1};
+    for (const bool turned : {false, true}) {
+        for (const bool twoSide : {false, true}) {
+            flat.scene.models[0].rotation = {0, turned ? 180.0F : 0.0F, 0};
+            flat.scene.light.twoSide = twoSide;
+            const FragmentExplanation fragment = flat.fragment(1, 1);
+            EXPECT_EQ(fragment.fromBehind, turned);
+            EXPECT_EQ(fragment.twoSided, twoSide);
+            const float cosine = turned && !twoSide ? 0 : 1;
+            EXPECT_TRUE(isNear(fragment.primary, {cosine, cosine, cosine, 1}));
+            float shares = 0;
+            for (const VertexExplanation& vertex : fragment.vertices) {
+                ASSERT_TRUE(vertex.lighting);
+                EXPECT_FLOAT_EQ(vertex.lighting->nDotVP, cosine);
+                EXPECT_TRUE(isNear(vertex.primary, {cosine, cosine, cosine, 1}));
+                shares += vertex.weight;
+            }
+            EXPECT_NEAR(shares, 1, 1e-5F);
+        }
+    }
+}
+
 TEST(Probe, ComparesWhatTheTestsCompare) {
     Flat flat;
     Pass& pass = flat.scene.passes[0];
@@ -454,7 +496,8 @@ TEST_P(EveryPixel, HasTheBytesOfThePicture) {
                 before = fragment.after;
                 // The steps add up to what is drawn.
                 const glm::vec4 sum = glm::clamp(fragment.textured + fragment.secondary, 0.0F, 1.0F);
-                EXPECT_TRUE(isNear(sum, fragment.color, 2e-3F)) << x << ", " << y;
+                EXPECT_TRUE(isNear(sum, fragment.summed, 2e-3F)) << x << ", " << y;
+                EXPECT_TRUE(fragment.fog || fragment.summed == fragment.color);
                 for (const UnitExplanation& unit : fragment.units) {
                     float weights = 0;
                     for (const Tap& tap : unit.sample.taps)
@@ -540,6 +583,7 @@ INSTANTIATE_TEST_SUITE_P(
                              it.material.shadeModel = ShadeModel::Flat;
                          }},
                     Case{"Torus", [](Scene& it) { showOnly(it, Shape::Torus); }},
+                    Case{"Teapot", [](Scene& it) { showOnly(it, Shape::Teapot); }},
                     Case{"Cone",
                          [](Scene& it) {
                              showOnly(it, Shape::Cylinder);
@@ -577,6 +621,23 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     All, EveryPixel,
     testing::Values(Case{"Default", [](Scene&) {}},
+                    Case{"Fog",
+                         [](Scene& it) {
+                             it.passes[0].fog = {true, FogMode::Exp2, 0.15F, 0, 1, {0.5F, 0.75F, 2, 1}};
+                         }},
+                    Case{"FogStraightAcross",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Floor);
+                             it.view.perspectiveHint = HintMode::Fastest;
+                             it.passes[0].fog = {true, FogMode::Linear, 1, 3, 30, {0.5F, 0.75F, 2, 1}};
+                         }},
+                    Case{"TwoSides",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Cylinder);
+                             it.models[0].rotation = {50, 0, 0};
+                             it.light.twoSide = true;
+                             it.light.colorControl = ColorControl::SeparateSpecular;
+                         }},
                     Case{"Floor", [](Scene& it) { showOnly(it, Shape::Floor); }},
                     Case{"Anisotropic",
                          [](Scene& it) {
@@ -598,6 +659,16 @@ INSTANTIATE_TEST_SUITE_P(
                          [](Scene& it) {
                              it.passes[0].units[0].target = Target::CubeMap;
                              it.textures[0].pattern = Pattern::CubeFaces;
+                             for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR})
+                                 it.passes[0].units[0].*each = {true, TexGenMode::NormalMap, {}, {}};
+                         }},
+                    Case{"SeamlessCubeMap",
+                         [](Scene& it) {
+                             it.passes[0].seamlessCubeMap = true;
+                             it.passes[0].units[0].target = Target::CubeMap;
+                             it.textures[0].pattern = Pattern::CubeFaces;
+                             it.textures[0].baseLevel = 6;
+                             it.textures[0].maxAnisotropy = 4;
                              for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR})
                                  it.passes[0].units[0].*each = {true, TexGenMode::NormalMap, {}, {}};
                          }},

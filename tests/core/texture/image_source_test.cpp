@@ -156,28 +156,74 @@ TEST_F(Images, DifferentFilesAreAddedUpAgainstTheBudget) {
     EXPECT_FALSE(source_.load(scene, 8)) << "what is loaded counts";
     EXPECT_TRUE(source_.load(sceneOf({scene.textures[2]}), 8)) << "what the scene doesn't name doesn't";
     const auto errors = ImageSource(folder_.path()).loadOutlines(scene, 8);
-    ASSERT_EQ(errors.size(), 3U);
-    EXPECT_FALSE(errors[0] || errors[1]);
-    ASSERT_TRUE(errors[2]);
-    expectRefusal(*errors[2]);
+    ASSERT_EQ(errors.size(), 1U);
+    expectRefusal(errors[0]);
 }
 
 TEST_F(Images, AnOutlineHasExtentsAndNoPixels) {
     const Texture red = fileTexture("red.bmp");
     const auto errors =
         source_.loadOutlines(sceneOf({red, fileTexture("text.bmp"), fileTexture("none.bmp"), Texture{}}));
-    ASSERT_EQ(errors.size(), 4U);
-    EXPECT_FALSE(errors[0]);
-    ASSERT_TRUE(errors[1]);
-    EXPECT_EQ(errors[1]->where, "textures[1].file");
-    ASSERT_TRUE(errors[2]);
-    EXPECT_EQ(errors[2]->code, ErrorCode::NotFound);
-    EXPECT_FALSE(errors[3]);
+    ASSERT_EQ(errors.size(), 2U);
+    EXPECT_EQ(errors[0].where, "textures[1].file");
+    EXPECT_EQ(errors[1].where, "textures[2].file");
+    EXPECT_EQ(errors[1].code, ErrorCode::NotFound);
     const auto outline = source_.find(red);
     ASSERT_NE(outline, nullptr);
     EXPECT_FALSE(hasPixels(*outline));
     EXPECT_EQ(widthOf(outline->surfaces.at(0)), 1);
     EXPECT_EQ(byteCount(*outline), 3U);
+}
+
+Texture levelsTexture(const std::string& level, const std::string& other) {
+    Texture texture = fileTexture("red.bmp");
+    texture.mipmaps = MipPolicy::Given;
+    texture.levels = {{.file = "not used"}, {.source = SourceKind::File, .file = level}};
+    texture.preparation = {{.op = ImageOp::Invert, .source = SourceKind::File, .file = "not used"},
+                           {.op = ImageOp::AlphaFrom, .source = SourceKind::File, .file = other}};
+    return texture;
+}
+
+TEST_F(Images, LevelsAndPreparationNameFilesToo) {
+    test::writeRaw(folder_ / "green.bmp", test::onePixelBmp("\1\2\4"));
+    const Scene scene = sceneOf({levelsTexture("green.bmp", "none.bmp")});
+    EXPECT_EQ(filesOf(scene), (std::set<std::string>{"red.bmp", "green.bmp", "none.bmp"}));
+    const Result<void> loaded = source_.load(scene);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().where, "textures[0].preparation[1].file");
+    const TexturePictures pictures = source_.picturesOf(scene.textures[0]);
+    EXPECT_NE(pictures.base, nullptr);
+    EXPECT_EQ(pictures.levels.at(1), source_.contentOf("green.bmp"));
+    EXPECT_EQ(pictures.others, (std::vector<TexturePictures::Picture>{nullptr, nullptr}));
+}
+
+TEST_F(Images, AFileThatALevelWantsMustBeNamed) {
+    const auto errors = source_.loadOutlines(sceneOf({levelsTexture("", "")}));
+    ASSERT_EQ(errors.size(), 2U);
+    EXPECT_EQ(errors[0].where, "textures[0].levels[1].file");
+    EXPECT_EQ(errors[1].where, "textures[0].preparation[1].file");
+}
+
+TEST_F(Images, FilesOfLevelsCountAgainstTheBudget) {
+    test::writeRaw(folder_ / "green.bmp", test::onePixelBmp("\1\2\4"));
+    const Result<void> loaded = source_.load(sceneOf({levelsTexture("green.bmp", "red.bmp")}), 5);
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, ErrorCode::TooLarge);
+    EXPECT_EQ(loaded.error().where, "textures[0].levels[1].file");
+}
+
+TEST_F(Images, AreRenamedWhereverTheyAreNamed) {
+    Scene scene = sceneOf({levelsTexture("green.bmp", ""), fileTexture("red.bmp")});
+    renameFiles(scene, [](const std::string& file) { return "x/" + file; });
+    const std::vector<FileName> names = fileNamesOf(scene);
+    ASSERT_EQ(names.size(), 6U);
+    EXPECT_EQ(names[0], (FileName{"textures[0].file", "x/red.bmp", true}));
+    EXPECT_EQ(names[1], (FileName{"textures[0].levels[0].file", "x/not used", false}));
+    EXPECT_EQ(names[2], (FileName{"textures[0].levels[1].file", "x/green.bmp", true}));
+    EXPECT_EQ(names[4], (FileName{"textures[0].preparation[1].file", "", true}));
+    EXPECT_EQ(names[5].path, "textures[1].file");
+    scene.textures[0].mipmaps = MipPolicy::None;
+    EXPECT_FALSE(fileNamesOf(scene)[2].used) << "they are read where they are wanted";
 }
 
 } // namespace

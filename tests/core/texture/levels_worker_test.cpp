@@ -97,7 +97,7 @@ TEST(LevelsWorker, ASummaryTellsBytesAndRatio) {
     const LevelsRequest request = requestFor(small);
     const auto summary = worker.summary(request);
     ASSERT_NE(summary, nullptr);
-    EXPECT_EQ(summary->report.bytes, 5461U) << "4096 + 1024 + 256 + 64 + 16 + 4 + 1";
+    EXPECT_EQ(summary->report.bytes, 4 * 5461U) << "4 times 4096 + 1024 + 256 + 64 + 16 + 4 + 1";
     EXPECT_NEAR(summary->report.ratioToBase, 5461.0 / 4096, 1e-9);
     EXPECT_NE(worker.prepare(request), nullptr) << "who asked for the numbers first has not taken the levels";
 }

@@ -385,6 +385,62 @@ TEST(Report, OfAFullChainIsFourThirdsOfTheBase) {
     EXPECT_FALSE(report.levels[0].psnr);
 }
 
+struct TexelBytes {
+    InternalFormat format;
+    std::size_t bytes;
+};
+
+// As the names of the formats say it (table 3.16), whatever the image has: 15 bits take 2 bytes, 4 bits one.
+TEST(Report, CountsTheBitsOfTheInternalFormat) {
+    for (const auto& [format, bytes] :
+         {TexelBytes{InternalFormat::Rgba, 4}, TexelBytes{InternalFormat::Rgb, 3},
+          TexelBytes{InternalFormat::LuminanceAlpha, 2}, TexelBytes{InternalFormat::Rgba4, 2},
+          TexelBytes{InternalFormat::Rgb5A1, 2}, TexelBytes{InternalFormat::Rgb5, 2},
+          TexelBytes{InternalFormat::R3G3B2, 1}, TexelBytes{InternalFormat::Rgba2, 1},
+          TexelBytes{InternalFormat::Alpha4, 1}, TexelBytes{InternalFormat::Srgb8Alpha8, 4},
+          TexelBytes{InternalFormat::Sluminance8, 1}, TexelBytes{InternalFormat::DepthComponent24, 3}}) {
+        Texture texture = with(FlipMode::Blocks, MipPolicy::Generated);
+        texture.internalFormat = format;
+        const TextureReport report = reportOn(*prepareLevels(texture, textureOf(randomImage(4, 2), "PNG")));
+        EXPECT_EQ(report.levels[0].bytes, 8 * bytes) << rowOf(format).name;
+        EXPECT_EQ(report.bytes, 11 * bytes) << rowOf(format).name;
+        EXPECT_DOUBLE_EQ(report.shareOfRgba8, static_cast<double>(bytes) / 4) << rowOf(format).name;
+    }
+}
+
+// 93 and 94 are 5.47 and 5.53 of 15: 5 and 6, so 85 and 102. Their mean, 93.5, is 94 in 8 bits: 6 again.
+TEST(LevelsOfFewBits, AreRoundedEachForItself) {
+    Texture texture = with(FlipMode::Blocks, MipPolicy::Generated);
+    texture.internalFormat = InternalFormat::Luminance4;
+    Image image{PixelFormat::Luminance8, 4, 1, 1, {}};
+    for (const int value : {93, 93, 93, 94})
+        image.pixels.push_back(static_cast<std::byte>(value));
+    const auto levels = prepareLevels(texture, textureOf(image, {}));
+    ASSERT_TRUE(levels);
+    EXPECT_EQ(levels->internalFormat, InternalFormat::Luminance4);
+    const auto redsOf = [&](std::size_t level) {
+        const auto& stored = std::get<Image>(*levels->levels.at(level).surface);
+        std::vector<int> reds;
+        for (int x = 0; x < stored.width; ++x)
+            reds.push_back(std::to_integer<int>(stored.at(x, 0)[0]));
+        return reds;
+    };
+    EXPECT_THAT(redsOf(0), testing::ElementsAre(85, 85, 85, 102));
+    EXPECT_THAT(redsOf(1), testing::ElementsAre(85, 102));
+    EXPECT_THAT(redsOf(2), testing::ElementsAre(102)); // of 93 and 94 again
+}
+
+TEST(LevelsOfFewBits, LeaveBlocksAlone) {
+    Texture texture = with(FlipMode::None);
+    texture.internalFormat = InternalFormat::Rgba2;
+    const TextureImage file = blockTexture(8, 8, 1, BlockFormat::Dxt1);
+    auto levels = prepareLevels(texture, file);
+    ASSERT_TRUE(levels);
+    EXPECT_EQ(*levels->levels[0].surface, file.surface(0, 0));
+    decompress(*levels); // for a driver that has none: the format of DXT1 is RGB
+    EXPECT_EQ(levels->internalFormat, InternalFormat::Rgb);
+}
+
 // Blocks of 16 texels: 8 bytes against 64 and 48. A level below 4 x 4 still takes a whole block.
 TEST(Report, OfBlocksComparesThemWithPixels) {
     const TextureReport one = reportOn(

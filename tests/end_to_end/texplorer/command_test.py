@@ -18,6 +18,7 @@ class Command(unittest.TestCase):
         text = run("--help").stdout
         self.assertIn("FILE", text)
         self.assertIn("variable TEXPLORER_SHADERS", text)
+        self.assertIn("no-multitexture", text)
         self.assertLessEqual(max(map(len, text.splitlines())), 80)
         version = run("--version")
         self.assertEqual(version.returncode, 0)
@@ -25,6 +26,8 @@ class Command(unittest.TestCase):
 
     def test_refuses_a_wrong_call(self):
         self.one_sentence(run("--nonsense"), 2, "texplorer: there is no option --nonsense; see texplorer --help")
+        self.one_sentence(run("--pretend", "no-unit"), 2, 'texplorer: --pretend: no driver lacks "no-unit"')
+        self.one_sentence(run("--pretend", "units=0"), 2, "a whole number from 1 to 4")
 
     def test_without_a_display_it_names_texshot(self):
         self.one_sentence(run(), 1, "display", "texshot")

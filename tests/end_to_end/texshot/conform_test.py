@@ -33,6 +33,15 @@ class Conform(Texshot):
         again = subprocess.run(f"{command} --json", shell=True, stdout=subprocess.PIPE, env=os.environ | {"PATH": path})
         self.assertEqual((again.returncode, again.stdout), (0, report))
 
+    def test_what_is_pretended_is_skipped_and_said(self):
+        report = json.loads(self.succeeds("conform", "--feature", "seamless", "--feature", "units", "--scenes", "16", "--json",
+                                          "--pretend", "no-multitexture,no-seamless-cube-maps"))
+        self.assertTrue(report["command"].endswith(" --pretend no-multitexture,no-seamless-cube-maps"))
+        self.assertIn("pretending no-multitexture, no-seamless-cube-maps", json.dumps(report))
+        of_reference = next(pair for pair in report["pairs"] if pair["renderer"] == "reference")
+        skips = [skip for feature in of_reference["features"] for skip in feature["skipped"]]
+        self.assertEqual([(skip["name"], skip["scenes"]) for skip in skips], [("no-seamless-cube-maps", 8), ("too-few-units", 8)])
+
     def test_one_pair_as_json(self):
         report = json.loads(self.succeeds(*self.FEW, "--json", "--renderer", "shader", "--against", "reference"))
         self.assertTrue(report["agrees"])

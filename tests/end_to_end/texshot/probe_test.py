@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from texshot import SANITIZED, TEXSHOT, Texshot, bmp
+from texshot import SANITIZED, TEXSHOT, Texshot, bmp, texshot
 
 
 class Probe(Texshot):
@@ -53,6 +53,13 @@ class Probe(Texshot):
             found = self.probe("--at", f"{at[0]},{at[1]}")
             for renderer, picture in pictures.items():
                 self.assertEqual(tuple(found[renderer][:3]), picture.getpixel(at)[:3], (renderer, at))
+
+    def test_what_a_lesser_driver_has_there_is_told(self):
+        call = ("probe", "--at", "160,100", "--size", "320x200", "--set", "passes[0].units[1].enabled=true", "--json")
+        for words, expected in (([], False), (["--pretend", "no-multitexture"], True)):
+            done = texshot(*call, *words)
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual("the driver has 1 texture unit; drawn without this one" in done.stderr.decode(), expected)
 
     def test_the_text_says_what_the_json_says(self):
         said = self.succeeds("probe", self.scene, "--size", "4x4", "--at", "0,3").decode()

@@ -202,6 +202,37 @@ class Shot(Texshot):
         nobody = texshot("shot", "--size", "8x8", "-o", out, env={**os.environ, "TEXPLORER_SHADERS": "nowhere"})
         self.assertEqual((nobody.returncode, nobody.stderr), (0, b""), "nobody asks for what the environment names")
 
+    def test_a_driver_can_be_treated_as_lacking_something(self):
+        scene = self.path / "units.json"
+        unit = {"enabled": True, "envMode": "GL_MODULATE"}
+        scene.write_text(json.dumps({"version": 1, "passes": [{"depthTest": True, "units": [unit, unit]}]}))
+        whole = self.shot(scene, "--size", "64x64")
+        out = self.path / "out.png"
+        said = ("passes[0].units[1]: the driver has 1 texture unit; drawn without this one",
+                "textures[0]: an anisotropy of 8 exceeds the driver's 1; drawn with that")
+        for renderer in ("fixed", "shader"):
+            done = texshot("shot", scene, "--size", "64x64", "--renderer", renderer, "--pretend", "no-multitexture",
+                           "--pretend", "no-anisotropy", "--set", "textures[0].maxAnisotropy=8", "-o", out)
+            self.assertEqual(done.returncode, 0)
+            for sentence in said:
+                self.assertIn(f"texshot: {sentence}\n", done.stderr.decode())
+            self.assertNotEqual(Image.open(out).convert("RGBA").tobytes(), whole.convert("RGBA").tobytes())
+        self.assertEqual(self.shot(scene, "--size", "64x64", "--pretend", "units=2").tobytes(), whole.tobytes())
+
+    def test_what_no_driver_lacks_is_refused(self):
+        out = self.path / "out.png"
+        for command in (("shot", "-o", out), ("shot", "--ui", "-o", out), ("probe", "--at", "1,1"), ("conform",)):
+            self.complains(2, '--pretend: no driver lacks "no-s3ct"; did you mean "no-s3tc"?', *command, "--pretend", "no-s3ct")
+            self.complains(2, '--pretend: expected units= and a whole number from 1 to 4, found "units=9"',
+                           *command, "--pretend", "no-rgtc,units=9")
+        self.complains(2, "--pretend: has no effect here", "shot", "--renderer", "reference", "--pretend", "no-s3tc", "-o", out)
+        self.complains(2, "--pretend: has no effect here", "probe", "--at", "1,1", "--no-gl", "--pretend", "no-s3tc")
+        self.complains(2, "--pretend: has no effect here", "probe", "--texel", "0,0,1,1", "--pretend", "no-s3tc")
+        self.complains(1, "which --pretend takes away", "shot", "--renderer", "shader", "--pretend", "no-shaders", "-o", out)
+        help = self.succeeds("shot", "--help").decode()
+        for word in ("no-multitexture", "units=N", "max-texture-size=N", "no-npot", "no-seamless-cube-maps"):
+            self.assertIn(word, help)
+
     def test_a_renderer_that_does_not_exist_is_refused(self):
         self.complains(2, 'expected one of fixed, shader, reference, found "metal"',
                        "shot", "--renderer", "metal", "-o", self.path / "out.png")

@@ -12,6 +12,12 @@ class Window(Texshot):
         left = picture.crop((0, 40, 300, 760))
         self.assertGreater(len(left.getcolors(300 * 720)), 20, "the left panel holds text, so it has many greys")
 
+    def test_the_status_bar_says_what_is_pretended(self):
+        plain = self.shot("--ui", "--size", "1280x800")
+        pretending = self.shot("--ui", "--size", "1280x800", "--pretend", "no-rgtc")
+        self.assertEqual(pretending.crop((0, 0, 1280, 770)).tobytes(), plain.crop((0, 0, 1280, 770)).tobytes())
+        self.assertNotEqual(pretending.crop((0, 770, 1280, 800)).tobytes(), plain.crop((0, 770, 1280, 800)).tobytes())
+
     def test_each_tab_can_be_shown(self):
         size = (1280, 800)
         corner = (910, 440, 1280, 770)  # the tabs

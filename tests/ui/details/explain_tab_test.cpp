@@ -258,6 +258,34 @@ TEST_F(ExplainTab, ShowsTheFaceOfACubeMap) {
     (void)picture();
 }
 
+// One texel a face: all others that are read lie beyond its edges.
+TEST_F(ExplainTab, ATexelAcrossTheEdgeOfASeamlessCubeMapCanBeAskedFor) {
+    open();
+    texture().pattern = Pattern::CubeFaces;
+    texture().minFilter = MinFilter::Linear;
+    texture().baseLevel = 7;
+    unit().target = Target::CubeMap;
+    scene().passes[0].seamlessCubeMap = true;
+    frames(2);
+    clickAt(onTheCube());
+    ASSERT_NE(probedUnit(*session), nullptr);
+    const reference::LevelPatch patch = probedUnit(*session)->patches.front();
+    EXPECT_TRUE(patch.seamless);
+    const WidgetPlaces::Item item = places.items.at("patch:level 7");
+    const float cell = (item.right - item.left) / static_cast<float>(patch.size.x);
+    std::size_t across = 0;
+    for (const reference::PlacedTap& tap : patch.taps) {
+        const glm::vec2 middle = glm::vec2(tap.at - patch.low) + 0.5F;
+        session->window.explaining.texel.reset();
+        clickAt({item.left + middle.x * cell, item.bottom - middle.y * cell});
+        ASSERT_TRUE(session->window.explaining.texel);
+        EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{7, tap.tap.index}));
+        across += tap.tap.index.z != patch.layer ? 1 : 0;
+    }
+    EXPECT_GT(across, 0U);
+    (void)picture();
+}
+
 TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
     open();
     clickAt(onTheCube());

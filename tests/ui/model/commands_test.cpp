@@ -177,6 +177,17 @@ TEST(Commands, LeaveOutUnitsThatAreOff) {
     EXPECT_NE(find(commandsOf(scene), "passes[0].units[1].envMode"), nullptr);
 }
 
+// A driver of OpenGL 2.1 doesn't know the name.
+TEST(Commands, NameSeamlessCubeMapsWhereThereIsACubeMap) {
+    Scene scene = defaultScene();
+    scene.passes[0].seamlessCubeMap = true;
+    EXPECT_THAT(calls(scene), Not(Contains(HasSubstr("SEAMLESS"))));
+    scene.passes[0].units[0].target = Target::CubeMap;
+    EXPECT_THAT(calls(scene), Contains("glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);"));
+    scene.passes[0].seamlessCubeMap = false;
+    EXPECT_THAT(calls(scene), Contains("glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);"));
+}
+
 TEST(Commands, LeaveOutPassesThatAreOff) {
     Scene scene = defaultScene();
     scene.passes.push_back(scene.passes[0]);
@@ -237,6 +248,32 @@ TEST(WrapCall, LosesNothing) {
         }
         EXPECT_EQ(joined, call) << columns;
     }
+}
+
+TEST(Commands, UploadEachLevelThatIsGiven) {
+    Scene scene = defaultScene();
+    scene.textures[0].mipmaps = MipPolicy::Given;
+    scene.textures[0].levels.resize(2);
+    const std::vector<std::string> all = calls(scene);
+    EXPECT_THAT(all, Contains(HasSubstr("glTexImage2D(GL_TEXTURE_2D, 0, ")));
+    EXPECT_THAT(all, Contains(HasSubstr("glTexImage2D(GL_TEXTURE_2D, 2, ")));
+    EXPECT_THAT(all, Contains(HasSubstr("glTexImage2D(")).Times(3));
+}
+
+TEST(Commands, LeaveTheLastScalingToTheUpload) {
+    Scene scene = defaultScene();
+    scene.textures[0].preparation = {{.op = ImageOp::Invert},
+                                     {.op = ImageOp::Scale, .factor = {0.5F, 1, 1, 1}, .bias = {0, 0.25F, 0, 0}}};
+    std::vector<std::string> around;
+    for (const std::string& call : calls(scene)) {
+        if (call.starts_with("glPixelTransferf") || call.starts_with("glTexImage"))
+            around.push_back(call.substr(0, call.find(';')));
+    }
+    EXPECT_THAT(around, ElementsAre("glPixelTransferf(GL_RED_SCALE, 0.5)", "glPixelTransferf(GL_GREEN_BIAS, 0.25)",
+                                    HasSubstr("glTexImage2D"), "glPixelTransferf(GL_RED_SCALE, 1)",
+                                    "glPixelTransferf(GL_GREEN_BIAS, 0)"));
+    std::swap(scene.textures[0].preparation[0], scene.textures[0].preparation[1]);
+    EXPECT_THAT(calls(scene), Not(Contains(HasSubstr("glPixelTransfer")))) << "something is done after it";
 }
 
 } // namespace

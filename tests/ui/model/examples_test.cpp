@@ -29,7 +29,7 @@ TEST_F(Examples, NothingIsWrongWithThem) {
         const Result<Scene> scene = exampleScene(example.file);
         ASSERT_TRUE(scene) << example.file << ": " << describe(scene.error());
         for (const Finding& finding : diagnose(*scene, ImageSource{}))
-            EXPECT_GE(finding.severity, Severity::Hint)
+            EXPECT_GE(finding.severity, Severity::Note)
                 << example.file << ": " << finding.path << ": " << finding.sentence;
     }
 }

@@ -13,6 +13,7 @@ namespace {
 
 using testing::Contains;
 using testing::Not;
+using testing::StartsWith;
 
 std::vector<std::string> texts(const std::vector<Command>& commands) {
     std::vector<std::string> found;
@@ -85,6 +86,9 @@ TEST(ModelCommands, DrawShapesWithGluAndMeshesWithArrays) {
                 Contains("gluCylinder(quadric, 1, 0, 2, 9, 7);"));
     EXPECT_THAT(of({.shape = Shape::PartialDisk, .innerRadius = 0.5F, .startAngle = 10, .sweepAngle = 90}),
                 Contains("gluPartialDisk(quadric, 0.5, 1, 32, 16, 10, 90);"));
+    // Ten rings of patches of 5 stacks each, and two poles.
+    EXPECT_THAT(of({.shape = Shape::Teapot, .slices = 7, .stacks = 5}),
+                Contains("glDrawElements(GL_TRIANGLES, 2058, GL_UNSIGNED_INT, indices);"));
     EXPECT_THAT(of({.shape = Shape::Cube}), Contains("glDrawArrays(GL_QUADS, 0, 24);"));
     Model lines{.shape = Shape::Mesh, .lineWidth = 3};
     lines.mesh.primitive = Primitive::LineStrip;
@@ -116,9 +120,35 @@ TEST(StepCommands, MakeTheTextureMatrix) {
             unit.matrix.insert(unit.matrix.begin() + 2, {.op = MatrixOp::Load, .matrix = glm::mat4(2)});
         glm::mat4 made(1);
         for (const MatrixStep& step : unit.matrix)
-            made = multiplied(made, stepCommands(step, "step"));
+            made = multiplied(made, stepCommands(step, "step", Light{}));
         EXPECT_LT(farthest(made, textureMatrix(unit.matrix, 0, Light{})), 1e-5F) << loads;
     }
+}
+
+// glTranslatef and glScalef, gluPerspective or glOrtho, glMultMatrixf: what the light sees, from 0 to 1.
+TEST(StepCommands, OfTheLightsViewAreThoseOfACamera) {
+    const MatrixStep step{.op = MatrixOp::Projector};
+    Light light;
+    light.position = {1, 2, 3, 1};
+    light.projector = {{0, 0, -6}, 40, 2, 15};
+    const std::vector<std::string> positional = texts(stepCommands(step, "step", light));
+    ASSERT_EQ(positional.size(), 5U);
+    EXPECT_EQ(positional[1], "glTranslatef(0.5, 0.5, 0.5);");
+    EXPECT_EQ(positional[2], "glScalef(0.5, 0.5, 0.5);");
+    EXPECT_EQ(positional[3], "gluPerspective(40, 1, 2, 15);");
+    EXPECT_THAT(positional[4], StartsWith("glMultMatrixf({"));
+    light.position.w = 0;
+    light.projector.fieldOfView = 90; // half way between near and far it shows as much to each side
+    EXPECT_EQ(texts(stepCommands(step, "step", light))[3], "glOrtho(-8.5, 8.5, -8.5, 8.5, 2, 15);");
+}
+
+TEST(Commands, SetHowDepthsAreComparedOfDepthTexturesAlone) {
+    Scene scene = defaultScene();
+    scene.textures[0].compareMode = CompareMode::RToTexture;
+    const char* call = "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);";
+    EXPECT_THAT(texts(commandsOf(scene)), Not(Contains(call)));
+    scene.textures[0].internalFormat = InternalFormat::DepthComponent16;
+    EXPECT_THAT(texts(commandsOf(scene)), Contains(call));
 }
 
 TEST(Commands, NameTheModelsOfAPassAndFollowItsUnits) {

@@ -407,6 +407,24 @@ TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
     EXPECT_EQ(texture().wrapR, Wrap::Clamp);
 }
 
+TEST_F(ParametersPanel, EveryInternalFormatCanBeChosen) {
+    for (const EnumRow& row : internalFormatRows) {
+        choose("textures[0].internalFormat", std::string(row.name));
+        EXPECT_EQ(rowOf(texture().internalFormat).name, row.name);
+    }
+}
+
+TEST_F(ParametersPanel, WhatIsWorthKnowingHasASignAndAFix) {
+    const std::string sign = "textures[0].internalFormat#problem";
+    EXPECT_FALSE(has(sign));
+    choose("textures[0].internalFormat", "GL_SRGB8");
+    ASSERT_TRUE(has(sign));
+    click(sign);
+    click("textures[0].internalFormat#fix:Make it GL_RGB");
+    EXPECT_EQ(texture().internalFormat, InternalFormat::Rgb);
+    EXPECT_FALSE(has(sign));
+}
+
 TEST_F(ParametersPanel, AUnitSaysThatItSharesATextureAndCanHaveItsOwn) {
     EXPECT_FALSE(has("shares texture")) << "unit 0 is alone";
     click("unit:1");

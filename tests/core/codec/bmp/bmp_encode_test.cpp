@@ -38,6 +38,7 @@ Bytes asRgba(const Image& image) {
                 rgba.insert(rgba.end(), {p[0], p[1], p[2], one});
                 break;
             case PixelFormat::Rgba8:
+            case PixelFormat::Depth32:
                 rgba.insert(rgba.end(), {p[0], p[1], p[2], p[3]});
                 break;
             }
@@ -47,7 +48,7 @@ Bytes asRgba(const Image& image) {
 
 TEST(BmpEncode, OthersReadWhatWasWritten) {
     const test::TempDir folder;
-    for (const PixelFormatRow& row : pixelFormatRows)
+    for (const PixelFormatRow& row : colorFormatRows)
         for (const auto& [width, height] : {std::pair{5, 3}, {8, 4}}) {
             const Image image = noise(row.format, width, height);
             const Result<Bytes> file = encodeBmp(textureOf(image, "BMP"), {});

@@ -74,7 +74,7 @@ void expectRoundTrip(const TextureImage& texture) {
 
 TEST(DdsEncode, WhatIsReadAgainIsWhatWasWritten) {
     std::vector<std::variant<PixelFormat, BlockFormat>> formats;
-    for (const PixelFormatRow& row : pixelFormatRows)
+    for (const PixelFormatRow& row : colorFormatRows)
         formats.emplace_back(row.format);
     for (const EnumRow& row : blockFormatRows)
         formats.emplace_back(static_cast<BlockFormat>(row.value));

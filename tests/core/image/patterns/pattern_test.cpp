@@ -62,8 +62,6 @@ constexpr Extents allPatterns[] = {
     {"UvTemplate", Pattern::UvTemplate, 512, 512, 1},
     {"Brick", Pattern::Brick, 256, 256, 1},
     {"BrickHeight", Pattern::BrickHeight, 256, 256, 1},
-    {"BrickBump", Pattern::BrickBump, 256, 256, 1},
-    {"BrickBumpInverse", Pattern::BrickBumpInverse, 256, 256, 1},
     {"ColorLine", Pattern::ColorLine, 8, 1, 1},
     {"Tree", Pattern::Tree, 256, 256, 1},
     {"MipColors", Pattern::MipColors, 128, 128, 1},
@@ -73,6 +71,7 @@ constexpr Extents allPatterns[] = {
     {"MirrorBall", Pattern::MirrorBall, 256, 256, 1},
     {"LogoOpenGl", Pattern::LogoOpenGl, 128, 64, 1},
     {"LogoMultitexture", Pattern::LogoMultitexture, 128, 64, 1},
+    {"Gradient", Pattern::Gradient, 256, 256, 1},
 };
 static_assert(std::size(allPatterns) == patternRows.size());
 
@@ -105,21 +104,6 @@ TEST(Checkerboards, AreThoseOfTheProgrammingGuide) {
     }
 }
 
-/// The two halves of an embossed wall: what glPixelTransfer with a scale of 0.5 makes of the heights, and of
-/// 255 minus them. Unmoved, they add up to a level grey.
-TEST(BrickBumps, AreHalvesThatAddUpToGrey) {
-    const Image height = drawPattern(Pattern::BrickHeight);
-    const Image bump = drawPattern(Pattern::BrickBump);
-    const Image inverse = drawPattern(Pattern::BrickBumpInverse);
-    for (int y = 0; y < height.height; y += 5) {
-        for (int x = 0; x < height.width; x += 3) {
-            const int h = texel(height, x, y)[0];
-            EXPECT_NEAR(texel(bump, x, y)[0], h / 2.0, 0.51);
-            EXPECT_NEAR(texel(inverse, x, y)[0], (255 - h) / 2.0, 0.51);
-        }
-    }
-}
-
 /// Around a sphere the left edge lies beside the right one.
 TEST(Planet, HasNoSeam) {
     const Image planet = drawPattern(Pattern::Planet);
@@ -132,6 +116,14 @@ TEST(Planet, HasNoSeam) {
         }
     }
     EXPECT_LE(most, within + 24) << "no further apart than neighbours elsewhere";
+}
+
+TEST(Gradient, HasItsPlaceAsItsColor) {
+    const Image gradient = drawPattern(Pattern::Gradient);
+    EXPECT_EQ(texel(gradient, 0, 0), (Rgba{0, 0, 255, 255}));
+    EXPECT_EQ(texel(gradient, 255, 0), (Rgba{255, 0, 128, 255}));
+    EXPECT_EQ(texel(gradient, 100, 200), (Rgba{100, 200, 105, 255}));
+    EXPECT_EQ(texel(gradient, 255, 255), (Rgba{255, 255, 0, 255}));
 }
 
 TEST(ColorLine, HasEightDifferentColors) {

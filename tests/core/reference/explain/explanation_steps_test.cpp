@@ -52,6 +52,20 @@ void showMesh(Scene& scene, Primitive primitive) {
     scene.passes[0].lighting = false;
 }
 
+void showGradient(Scene& scene, InternalFormat format) {
+    Texture& texture = scene.textures[0];
+    texture.pattern = Pattern::Gradient;
+    texture.minFilter = MinFilter::Nearest;
+    texture.magFilter = MagFilter::Nearest;
+    texture.internalFormat = format;
+}
+
+void showSeamlessCube(Scene& scene) {
+    scene.passes[0].seamlessCubeMap = true;
+    scene.passes[0].units[0].target = Target::CubeMap;
+    scene.textures[0].minFilter = MinFilter::Linear;
+}
+
 struct Case {
     const char* name;
     void (*change)(Scene& scene);
@@ -99,6 +113,11 @@ INSTANTIATE_TEST_SUITE_P(
                  it.textures[0].minFilter = MinFilter::Nearest, it.textures[0].magFilter = MagFilter::Nearest;
              },
              "0.5 lands at texel 32 of 64\n | its whole part: texel 32"},
+        // (0.5, 0.5, 0) is on the edge of +x and +y, half-way along it.
+        Case{"Seamless", showSeamlessCube,
+             "  t, seamless | 0 lands at texel 0 of 64\n | - 0.5 = -0.5: the next face and texel 0, shares "
+             "0.5 and 0.5"},
+        Case{"AcrossTheEdge", showSeamlessCube, "\n+y (63, 31) across the edge | 0.2500"},
         Case{"LinearAcrossTheRim",
              [](Scene& it) {
                  it.textures[0].minFilter = MinFilter::Linear;
@@ -157,6 +176,27 @@ INSTANTIATE_TEST_SUITE_P(
                  it.textures[0].internalFormat = InternalFormat::Luminance;
              },
              "GL_DECAL is undefined for GL_LUMINANCE: the incoming colour is passed on."},
+        // In the middle of the gradient is texel (128, 128) with the colour (128, 128, 127): 7.53 and 7.47 of 15.
+        Case{"FewBits",
+             [](Scene& it) {
+                 showGradient(it, InternalFormat::Rgba4);
+             },
+             "\n  stored |  | 8/15 | 8/15 | 7/15 | 15/15\nGL_RGBA4 has few bits: "},
+        Case{"AGreyOfFewBits",
+             [](Scene& it) {
+                 showGradient(it, InternalFormat::Luminance4Alpha4);
+             },
+             "\n  stored |  | 8/15 | 8/15 | 8/15 | 15/15\n"},
+        Case{"WhatAFormatDoesNotStore",
+             [](Scene& it) {
+                 showGradient(it, InternalFormat::R3G3B2);
+             },
+             "\n  stored |  | 4/7 | 4/7 | 1/3 | -\n"},
+        Case{"Srgb",
+             [](Scene& it) {
+                 showGradient(it, InternalFormat::Srgb8);
+             },
+             "\n  stored |  | 128/255 | 128/255 | 127/255 | -\nGL_SRGB8 makes light of colours"},
         Case{"Combine",
              [](Scene& it) {
                  it.passes[0].units[0].envMode = EnvMode::Combine;
@@ -166,6 +206,29 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Idle",
              [](Scene& it) { it.passes[0].units[2].enabled = true, it.passes[0].units[2].texture = 9; },
              "there is no textures[9]"},
+        Case{"Fog",
+             [](Scene& it) {
+                 it.passes[0].lighting = false;
+                 it.passes[0].units[0].enabled = false;
+                 it.passes[0].fog = {true, FogMode::Linear, 1, 2, 10, {1, 0, 0, 1}};
+             },
+             "\nmode | GL_LINEAR\nc: distance from the eye's plane | 6\nf = (end - c) / (end - start)\n"
+             "f | (10 - 6) / (10 - 2) = 0.5\nf, clamped | 0.5\nCr: before | 1 1 1 1\n"
+             "Cf: fog colour | (1.0000, 0.0000, 0.0000)\nC = f * Cr + (1 - f) * Cf\n"
+             "red | 0.5 * 1 + (1 - 0.5) * 1 = 1\ngreen | 0.5 * 1 + (1 - 0.5) * 0 = 0.5\n"},
+        Case{"SeenFromTheFront", [](Scene& it) { it.light.twoSide = true; },
+             "Seen from the front: lit with the normal."},
+        Case{"SeenFromBehind",
+             [](Scene& it) {
+                 it.light.twoSide = true;
+                 it.models[0].rotation = {0, 180, 0};
+             },
+             "Seen from behind: lit with the opposite normal (GL_LIGHT_MODEL_TWO_SIDE)."},
+        Case{"SeenFromBehindAndLitAsTheFront",
+             [](Scene& it) {
+                 it.models[0].rotation = {0, 180, 0};
+             },
+             "Seen from behind, and lit as the front (GL_LIGHT_MODEL_TWO_SIDE is off)."},
         Case{"Specular", [](Scene& it) { it.light.colorControl = ColorControl::SeparateSpecular; },
              "Colour sum: "},
         Case{"Anisotropic",

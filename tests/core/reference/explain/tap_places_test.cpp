@@ -55,6 +55,60 @@ INSTANTIATE_TEST_SUITE_P(All, TapPlaces,
                                          Case{"Huge", Wrap::Repeat, 1e20F, 0, 0}),
                          [](const auto& test) { return std::string(test.param.name); });
 
+/// Six faces of 4 x 4 texels: red is a tenth of the face, green of i, blue of j.
+SampledTexture cubeOf4() {
+    SampledTexture texture;
+    texture.target = Target::CubeMap;
+    texture.minFilter = MinFilter::Linear;
+    for (int face = 0; face < 6; ++face)
+        texture.levelToFill(0, face) = makeLevel({4, 4, 1}, [face](int i, int j, int) {
+            return glm::vec4(static_cast<float>(face), static_cast<float>(i), static_cast<float>(j), 10) /
+                   10.0F;
+        });
+    return texture;
+}
+
+// On the edge of +x and +z, of whose right column +x's left one is the neighbour.
+TEST(LevelPatches, OfASeamlessCubeMapGoOnOnTheNextFace) {
+    const SampledTexture texture = cubeOf4();
+    SampleOptions options;
+    options.seamlessCubeMap = true;
+    const glm::vec3 direction(1, 0, 1);
+    const SampleRecord sample = explainSample(texture, direction, {}, options);
+    const std::vector<LevelPatch> patches = levelPatches(texture, sample, direction);
+    ASSERT_EQ(patches.size(), 1U);
+    const LevelPatch& patch = patches[0];
+    EXPECT_TRUE(patch.seamless);
+    EXPECT_EQ(patch.layer, 0);
+    std::vector<std::pair<int, int>> places; // of the faces +z and +x
+    for (const PlacedTap& tap : patch.taps)
+        places.emplace_back(tap.tap.index.z, tap.at.x);
+    EXPECT_THAT(places, testing::UnorderedElementsAre(std::pair(4, -1), std::pair(4, -1), std::pair(0, 0),
+                                                      std::pair(0, 0)));
+    const auto colorAt = [&](int x, int y) {
+        const glm::ivec2 in = glm::ivec2(x, y) - patch.low;
+        return patch.colors.at(static_cast<std::size_t>(in.y * patch.size.x + in.x));
+    };
+    EXPECT_TRUE(isNear(colorAt(0, 1), {0, 0, 0.1F, 1}));
+    EXPECT_TRUE(isNear(colorAt(-1, 1), {0.4F, 0.3F, 0.1F, 1}));
+    EXPECT_TRUE(isNear(colorAt(-2, 2), {0.4F, 0.2F, 0.2F, 1}));
+}
+
+// Three of the four places around a corner have a texel.
+TEST(LevelPatches, HaveTheMeanOfThreeTexelsBeyondACorner) {
+    const SampledTexture texture = cubeOf4();
+    SampleOptions options;
+    options.seamlessCubeMap = true;
+    const glm::vec3 direction(1, 1, 1);
+    const SampleRecord sample = explainSample(texture, direction, {}, options);
+    const LevelPatch patch = levelPatches(texture, sample, direction).at(0);
+    const glm::ivec2 in = glm::ivec2(-1, -1) - patch.low;
+    EXPECT_TRUE(isNear(patch.colors.at(static_cast<std::size_t>(in.y * patch.size.x + in.x)),
+                       {0.2F, 0.2F, 0.1F, 1})); // (0, 0) of +x, (3, 3) of +y, (3, 0) of +z
+    for (const PlacedTap& tap : patch.taps)
+        EXPECT_TRUE(tap.at == glm::ivec2(0, 0) || tap.at == glm::ivec2(-1, 0) || tap.at == glm::ivec2(0, -1));
+}
+
 TEST(LevelPatches, HoldTheTexelsAndTheirSurroundings) {
     const SampledTexture texture = rowOf4(Wrap::Repeat, MagFilter::Linear);
     const glm::vec3 coords(1, 0.5F, 0); // between texel 3 and the next copy's texel 0

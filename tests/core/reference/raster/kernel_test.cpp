@@ -101,6 +101,37 @@ INSTANTIATE_TEST_SUITE_P(
              }},
         Case{"Flat", [](Scene& it) { it.material.shadeModel = ShadeModel::Flat; }},
         Case{"SeparateSpecular", [](Scene& it) { it.light.colorControl = ColorControl::SeparateSpecular; }},
+        Case{"TwoSided", [](Scene& it) { it.light.twoSide = true; }},
+        Case{"OpenAndTwoSided",
+             [](Scene& it) {
+                 it.models[0].shape = Shape::Cylinder;
+                 it.models[0].texCoords = {};
+                 it.models[0].rotation = {60, 20, 0};
+                 it.light.twoSide = true;
+                 it.light.colorControl = ColorControl::SeparateSpecular;
+             }},
+        Case{"Fog",
+             [](Scene& it) {
+                 it.passes[0].fog = {true, FogMode::Exp, 0.1F, 0, 1, {0.4F, 0.5F, 0.6F, 1}};
+             }},
+        Case{"FogSquared",
+             [](Scene& it) {
+                 it.passes[0].fog = {true, FogMode::Exp2, 0.1F, 0, 1, {2, -1, 0.6F, 1}};
+                 it.passes[0].units[0].enabled = false;
+             }},
+        Case{"LinearFogOfOneColor",
+             [](Scene& it) {
+                 it.passes[0].fog = {true, FogMode::Linear, 1, 2, 12, {0.4F, 0.5F, 0.6F, 1}};
+                 it.passes[0].lighting = false;
+             }},
+        Case{"FogBlendedAfterAHighlight",
+             [](Scene& it) {
+                 it.passes[0].fog = {true, FogMode::Linear, 1, 2, 12, {0.4F, 0.5F, 0.6F, 1}};
+                 it.light.colorControl = ColorControl::SeparateSpecular;
+                 it.view.projection = Projection::Orthographic;
+                 it.passes[0].blend = true;
+                 it.passes[0].blendDst = BlendFactor::OneMinusSrcColor;
+             }},
         Case{"AlphaTested",
              [](Scene& it) {
                  it.textures[0].pattern = Pattern::Tree;
@@ -180,6 +211,8 @@ TEST(Kernel, GivesTheBytesOfTheLiteralOneForEveryDepthFunction) {
 TEST(Kernel, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
     for (Scene scene : {defaultScene(), floorScene()}) {
         scene.view.perspectiveHint = HintMode::Fastest;
+        expectTheSame(scene);
+        scene.passes[0].fog = {true, FogMode::Exp2, 0.1F, 0, 1, {0.4F, 0.5F, 0.6F, 1}};
         expectTheSame(scene);
         scene.view.perspectiveHint = HintMode::DontCare;
         scene.textures[0].maxAnisotropy = 8;

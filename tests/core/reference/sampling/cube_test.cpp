@@ -4,7 +4,9 @@
 #include "core/reference/sampling/sampler.h"
 #include "tests/core/reference/textures.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace texplorer::reference::cube_test {
 namespace {
@@ -124,6 +126,152 @@ TEST(SampleOfACubeMap, LambdaIsThatOfTheFace) {
     const SampleRecord record = explainSample(texture, {0, 0, 1}, {{0.375F, 0, 0.2F}, {0, 0.125F, 0}});
     EXPECT_NEAR(record.lod.lengthX, 3, 1e-6);
     EXPECT_NEAR(record.lod.lengthY, 1, 1e-6);
+}
+
+// --- ARB_seamless_cube_map
+
+/// An edge of a face of 4 x 4 texels: which face lies beyond it, and where its texels 1 and 3 go on.
+struct Edge {
+    const char* name;
+    FaceTexel first;   ///< beyond the edge, at its texel 1
+    FaceTexel second;  ///< at its texel 3
+    FaceTexel beyond;  ///< what `first` is
+    FaceTexel beyond2; ///< what `second` is
+};
+class CubeEdge : public testing::TestWithParam<Edge> {};
+
+TEST_P(CubeEdge, GoesOnOnTheNextFace) {
+    const Edge& edge = GetParam();
+    for (const auto& [texel, beyond] :
+         {std::pair{edge.first, edge.beyond}, std::pair{edge.second, edge.beyond2}}) {
+        const std::optional<FaceTexel> found = foldedTexel(texel, 4);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->face, beyond.face);
+        EXPECT_EQ(found->index, beyond.index);
+        EXPECT_EQ(unfoldedTexel(*found, texel.face, 4), texel.index);
+    }
+}
+
+// Table 3.19, with a texel's number i where its centre is at (i + 1/2) / 4. On +x s runs towards -z and t
+// towards -y: its left edge (s = 0) is z = +1, which is the right edge (s = 1) of +z, whose t runs towards
+// -y, too; its upper edge (t = 0) is y = +1, the right edge of +y, whose t runs towards +z: s = 0.375 of +x
+// is t = 0.625 of +y. And so on.
+INSTANTIATE_TEST_SUITE_P(
+    All, CubeEdge,
+    testing::Values(Edge{"LeftOfPositiveX", {0, {-1, 1}}, {0, {-1, 3}}, {4, {3, 1}}, {4, {3, 3}}},
+                    Edge{"RightOfPositiveX", {0, {4, 1}}, {0, {4, 3}}, {5, {0, 1}}, {5, {0, 3}}},
+                    Edge{"AbovePositiveX", {0, {1, -1}}, {0, {3, -1}}, {2, {3, 2}}, {2, {3, 0}}},
+                    Edge{"BelowPositiveX", {0, {1, 4}}, {0, {3, 4}}, {3, {3, 1}}, {3, {3, 3}}},
+                    Edge{"LeftOfNegativeX", {1, {-1, 1}}, {1, {-1, 3}}, {5, {3, 1}}, {5, {3, 3}}},
+                    Edge{"RightOfNegativeX", {1, {4, 1}}, {1, {4, 3}}, {4, {0, 1}}, {4, {0, 3}}},
+                    Edge{"AboveNegativeX", {1, {1, -1}}, {1, {3, -1}}, {2, {0, 1}}, {2, {0, 3}}},
+                    Edge{"BelowNegativeX", {1, {1, 4}}, {1, {3, 4}}, {3, {0, 2}}, {3, {0, 0}}},
+                    Edge{"AbovePositiveY", {2, {1, -1}}, {2, {3, -1}}, {5, {2, 0}}, {5, {0, 0}}},
+                    Edge{"BelowPositiveY", {2, {1, 4}}, {2, {3, 4}}, {4, {1, 0}}, {4, {3, 0}}},
+                    Edge{"AboveNegativeY", {3, {1, -1}}, {3, {3, -1}}, {4, {1, 3}}, {4, {3, 3}}},
+                    Edge{"BelowNegativeY", {3, {1, 4}}, {3, {3, 4}}, {5, {2, 3}}, {5, {0, 3}}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(FoldedTexel, StaysWhereItIsOnItsFaceAndIsNoneBeyondACorner) {
+    EXPECT_EQ(foldedTexel({2, {0, 3}}, 4), (FaceTexel{2, {0, 3}}));
+    for (const glm::ivec2 corner :
+         {glm::ivec2(-1, -1), glm::ivec2(4, -1), glm::ivec2(-1, 4), glm::ivec2(4, 4)})
+        EXPECT_FALSE(foldedTexel({2, corner}, 4));
+    EXPECT_EQ(foldedTexel({4, {0, -1}}, 1), (FaceTexel{2, {0, 0}}));
+    EXPECT_FALSE(unfoldedTexel({1, {0, 0}}, 0, 4)) << "the opposite face";
+}
+
+// Folding back and forth over every edge, at every distance, at sizes that no float tells texels of apart.
+TEST(FoldedTexel, IsUnfoldedToWhereItWas) {
+    for (const int size : {1, 2, 3, 5, 16384}) {
+        for (int face = 0; face < 6; ++face) {
+            for (const int along : {0, size / 2, size - 1}) {
+                for (const glm::ivec2 index :
+                     {glm::ivec2(-1, along), glm::ivec2(-size, along), glm::ivec2(size, along),
+                      glm::ivec2(2 * size - 1, along), glm::ivec2(along, -1), glm::ivec2(along, size),
+                      glm::ivec2(along, -size), glm::ivec2(along, 2 * size - 1)}) {
+                    const std::optional<FaceTexel> texel = foldedTexel({face, index}, size);
+                    ASSERT_TRUE(texel);
+                    EXPECT_NE(texel->face, face);
+                    EXPECT_GE(std::min(texel->index.x, texel->index.y), 0);
+                    EXPECT_LT(std::max(texel->index.x, texel->index.y), size);
+                    EXPECT_EQ(unfoldedTexel(*texel, face, size), index);
+                }
+            }
+        }
+    }
+}
+
+SampleOptions seamless() {
+    SampleOptions options;
+    options.seamlessCubeMap = true;
+    return options;
+}
+
+// On the edge between +z and +x, half-way down: the four texels around it, two of each face.
+TEST(SampleOfASeamlessCubeMap, BlendsBothSidesOfAnEdge) {
+    SampledTexture texture = cubeTexture(4);
+    texture.magFilter = MagFilter::Linear;
+    texture.wrapS = texture.wrapT = Wrap::Repeat; // which counts no more
+    // +z: texels (3, 1) and (3, 2), red 0.4; +x: (0, 1) and (0, 2), red 0. Green is i / 10, blue j / 10.
+    const SampleRecord record = explainSample(texture, {1, 0, 1}, {}, seamless());
+    EXPECT_TRUE(isNear(record.color, {0.2F, 0.15F, 0.15F, 1}));
+    EXPECT_TRUE(record.seamless);
+    ASSERT_EQ(record.taps.size(), 4U);
+    for (const glm::ivec3 index :
+         {glm::ivec3(3, 1, 4), glm::ivec3(3, 2, 4), glm::ivec3(0, 1, 0), glm::ivec3(0, 2, 0)}) {
+        EXPECT_FLOAT_EQ(texelWeight(texture, {1, 0, 1}, {}, seamless(), {0, index}), 0.25F);
+        EXPECT_TRUE(std::ranges::any_of(record.taps, [&](const Tap& tap) { return tap.index == index; }));
+    }
+    // The same from either side, to the last bits of the direction.
+    EXPECT_TRUE(isNear(sample(texture, {0.99999F, 0, 1}, {}, seamless()), record.color, 1e-4F));
+    EXPECT_TRUE(isNear(sample(texture, {1, 0, 0.99999F}, {}, seamless()), record.color, 1e-4F));
+    EXPECT_EQ(sample(texture, {1, 0, 1}, {}, seamless()), record.color);
+}
+
+// Where +x, +y and +z meet: each has a third, and the weights add up to 1.
+TEST(SampleOfASeamlessCubeMap, TakesTheMeanOfThreeAtACorner) {
+    SampledTexture texture = cubeTexture(4);
+    texture.magFilter = MagFilter::Linear;
+    const SampleRecord record = explainSample(texture, {1, 1, 1}, {}, seamless());
+    // The texels are (0, 0) of +x, (3, 3) of +y and (3, 0) of +z: red 0, 0.2, 0.4; green 0, 0.3, 0.3; blue 0,
+    // 0.3, 0.
+    EXPECT_TRUE(isNear(record.color, {0.2F, 0.2F, 0.1F, 1}));
+    float sum = 0;
+    for (const Tap& tap : record.taps)
+        sum += tap.weight;
+    EXPECT_FLOAT_EQ(sum, 1);
+    for (const glm::ivec3 index : {glm::ivec3(0, 0, 0), glm::ivec3(3, 3, 2), glm::ivec3(3, 0, 4)})
+        EXPECT_FLOAT_EQ(texelWeight(texture, {1, 1, 1}, {}, seamless(), {0, index}), 1.0F / 3);
+    EXPECT_TRUE(isNear(sample(texture, {0.99999F, 1, 0.99999F}, {}, seamless()), record.color, 1e-4F));
+}
+
+TEST(SampleOfASeamlessCubeMap, TakesTheTexelOfTheFaceThatIsHitUnderNearest) {
+    SampledTexture texture = cubeTexture(4);
+    texture.wrapS = texture.wrapT = Wrap::ClampToBorder;
+    for (const glm::vec3 direction : {glm::vec3(0.99999F, 0.3F, 1), glm::vec3(1, -1, -0.99999F)})
+        EXPECT_EQ(sample(texture, direction, {}, seamless()), sample(texture, direction, {}));
+}
+
+TEST(SampleOfASeamlessCubeMap, BlendsTheEdgesOfEveryLevel) {
+    SampledTexture texture = leveledTexture(8); // all faces alike, each level of one colour
+    texture.target = Target::CubeMap;
+    texture.otherFaces.assign(5, texture.levels);
+    texture.minFilter = MinFilter::LinearMipmapLinear;
+    for (Level& level : texture.otherFaces[3]) // +z
+        std::ranges::fill(level.texels, glm::vec4(0, 1, 0, 1));
+    // s of +x moves 2 of 8 texels a pixel: lambda 1, and half of level 1 is of either face.
+    const SampleRecord record = explainSample(texture, {1, 0, 1}, {{0, 0, 0.5F}, {0, 0.5F, 0}}, seamless());
+    EXPECT_NEAR(record.lod.lambda, 1, 1e-5F);
+    const glm::vec4 own = texture.levels[1].texels[0];
+    EXPECT_TRUE(isNear(record.color, (own + glm::vec4(0, 1, 0, 1)) / 2.0F, 1e-4F));
+}
+
+TEST(SampleOfASeamlessCubeMap, HasNoMeaningForOtherTargets) {
+    SampledTexture texture = leveledTexture(8);
+    texture.magFilter = MagFilter::Linear;
+    texture.wrapS = texture.wrapT = Wrap::Repeat;
+    EXPECT_EQ(sample(texture, {0, 0, 0}, {}, seamless()), sample(texture, {0, 0, 0}, {}));
 }
 
 TEST(CompletenessOfACubeMap, WantsSixSquaresOfOneSize) {

@@ -267,6 +267,9 @@ TEST(FastSampler, LeavesCubeMapsAndBordersToTheLiteralOne) {
     for (int i = 0; i < 20; ++i) {
         const SampleRow row = randomRow(numbers);
         expectTheSame(cube, {}, row);
+        SampleOptions seamless;
+        seamless.seamlessCubeMap = true;
+        expectTheSame(cube, seamless, row);
         expectTheSame(bordered, {}, row);
     }
 }

@@ -38,20 +38,62 @@ Image bytes(PixelFormat format, int width, int height, std::initializer_list<int
 }
 
 TEST(LevelOf, WidensEveryPixelFormat) {
-    EXPECT_TRUE(isNear(levelOf(bytes(PixelFormat::Alpha8, 1, 1, {51}), F::Rgba).texels[0], {0, 0, 0, 0.2F}));
-    EXPECT_TRUE(isNear(levelOf(bytes(PixelFormat::Luminance8, 1, 1, {51}), F::Rgba).texels[0],
-                       {0.2F, 0.2F, 0.2F, 1}));
-    EXPECT_TRUE(isNear(levelOf(bytes(PixelFormat::LuminanceAlpha8, 1, 1, {51, 102}), F::Rgba).texels[0],
-                       {0.2F, 0.2F, 0.2F, 0.4F}));
-    EXPECT_TRUE(isNear(levelOf(bytes(PixelFormat::Rgb8, 1, 1, {51, 102, 153}), F::Rgba).texels[0],
-                       {0.2F, 0.4F, 0.6F, 1}));
+    const auto texelOf = [](const Image& image) { return levelOf(image, InternalFormat::Rgba).texels[0]; };
+    EXPECT_TRUE(isNear(texelOf(bytes(PixelFormat::Alpha8, 1, 1, {51})), {0, 0, 0, 0.2F}));
+    EXPECT_TRUE(isNear(texelOf(bytes(PixelFormat::Luminance8, 1, 1, {51})), {0.2F, 0.2F, 0.2F, 1}));
+    EXPECT_TRUE(
+        isNear(texelOf(bytes(PixelFormat::LuminanceAlpha8, 1, 1, {51, 102})), {0.2F, 0.2F, 0.2F, 0.4F}));
+    EXPECT_TRUE(isNear(texelOf(bytes(PixelFormat::Rgb8, 1, 1, {51, 102, 153})), {0.2F, 0.4F, 0.6F, 1}));
 }
 
 TEST(LevelOf, CountsTheBorderApart) {
-    const Level level = levelOf(bytes(PixelFormat::Alpha8, 3, 3, {0, 1, 2, 3, 255, 5, 6, 7, 8}), F::Alpha,
-                                Target::Texture2D, 1);
+    const Level level = levelOf(bytes(PixelFormat::Alpha8, 3, 3, {0, 1, 2, 3, 255, 5, 6, 7, 8}),
+                                InternalFormat::Alpha, Target::Texture2D, 1);
     EXPECT_EQ(level.size(), glm::ivec3(1, 1, 1));
     EXPECT_EQ(level.texels.size(), 9U);
+}
+
+struct StoredCase {
+    InternalFormat format;
+    glm::vec4 expected; ///< of (100, 150, 200, 60)
+};
+class StoredTexel : public testing::TestWithParam<StoredCase> {};
+
+// Section 2.14.9: n = round(c (2^b - 1) / 255), worth n / (2^b - 1). With 4 bits 100 is 5.88, so 6 of 15, 150 is
+// 9 (8.82), 200 is 12 (11.8), 60 is 4 (3.5 and more). EXT_texture_sRGB: ((c / 255 + 0.055) / 1.055)^2.4.
+TEST_P(StoredTexel, IsWhatItsNumbersStandFor) {
+    const Image image = bytes(PixelFormat::Rgba8, 1, 1, {100, 150, 200, 60});
+    EXPECT_TRUE(isNear(levelOf(image, GetParam().format).texels[0], GetParam().expected));
+}
+
+constexpr float light100 = 0.127438F;
+constexpr float light150 = 0.304987F;
+constexpr float light200 = 0.577580F;
+constexpr float alpha60 = 60 / 255.0F;
+using I = InternalFormat;
+INSTANTIATE_TEST_SUITE_P(
+    All, StoredTexel,
+    testing::Values(StoredCase{I::Rgba4, glm::vec4(6, 9, 12, 4) / 15.0F},
+                    StoredCase{I::Rgb4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 1}},
+                    StoredCase{I::Rgb5, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 1}},
+                    StoredCase{I::Rgb5A1, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 0}},
+                    StoredCase{I::Rgba2, {1 / 3.0F, 2 / 3.0F, 2 / 3.0F, 1 / 3.0F}},
+                    StoredCase{I::R3G3B2, {3 / 7.0F, 4 / 7.0F, 2 / 3.0F, 1}},
+                    StoredCase{I::Luminance4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 1}},
+                    StoredCase{I::Luminance4Alpha4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 4 / 15.0F}},
+                    StoredCase{I::Intensity4, glm::vec4(6 / 15.0F)},
+                    StoredCase{I::Alpha4, {0, 0, 0, 4 / 15.0F}},
+                    StoredCase{I::Srgb8Alpha8, {light100, light150, light200, alpha60}},
+                    StoredCase{I::Srgb8, {light100, light150, light200, 1}},
+                    StoredCase{I::Sluminance8Alpha8, {light100, light100, light100, alpha60}},
+                    StoredCase{I::Sluminance8, {light100, light100, light100, 1}}),
+    [](const auto& test) { return std::string(rowOf(test.param.format).name); });
+
+// The line near 0: 10 / 255 is below 0.04045, so a 12.92th.
+TEST(StoredTexel, OfADarkSrgbColorLiesOnTheLine) {
+    const Level level = levelOf(bytes(PixelFormat::Luminance8, 2, 1, {10, 11}), InternalFormat::Sluminance8);
+    EXPECT_FLOAT_EQ(level.texels[0].r, 10 / 255.0F / 12.92F);
+    EXPECT_NEAR(level.texels[1].r, 0.0033465, 1e-7); // (0.043137 + 0.055) / 1.055 to the power of 2.4
 }
 
 TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
@@ -63,6 +105,7 @@ TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     texture.lodBias = 0.5F;
     texture.maxAnisotropy = 3;
     TextureLevels levels;
+    levels.internalFormat = texture.internalFormat;
     levels.levels = {{0, bytes(PixelFormat::Rgba8, 1, 2, {255, 0, 0, 0, 51, 0, 0, 0})}};
     levels.lastLevel = 0;
     std::vector<std::string> notes;
@@ -89,9 +132,9 @@ TEST(SampledTexture, DecompressesBlocksAndSaysWhatStandsInForTheDriver) {
                            [](int value) { return static_cast<std::byte>(value); });
     TextureLevels levels;
     levels.levels = {{0, block}};
+    levels.internalFormat = InternalFormat::Alpha; // says nothing about a compressed texture
     std::vector<std::string> notes;
-    Texture texture;
-    texture.internalFormat = InternalFormat::Alpha; // says nothing about a compressed texture
+    const Texture texture;
     const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Rgb);
     EXPECT_TRUE(isNear(sampled.level(0)->texels[5], {1, 0, 0, 1}));

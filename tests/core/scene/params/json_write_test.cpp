@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -38,7 +39,8 @@ TEST(WriteScene, ReadsLikeThis) {
     "specular": [1, 1, 1, 1],
     "modelAmbient": [0.2, 0.2, 0.2, 1],
     "colorControl": "GL_SINGLE_COLOR",
-    "localViewer": false
+    "localViewer": false,
+    "twoSide": false
   },
   "material": {
     "color": [1, 1, 1, 1],
@@ -72,12 +74,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "scale": [1, 1, 1],
       "attachment": "world",
       "ownMaterial": false,
-      "texCoords1": [
-        [0, 0],
-        [1, 0, 0.5],
-        [1, 1, 0, 2],
-        [-0.0, 1]
-      ]
+      "texCoords1": [[0, 0], [1, 0, 0.5], [1, 1, 0, 2], [-0.0, 1]]
     }
   ],
   "textures": [
@@ -87,6 +84,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "file": "a \"b\"\n)"
                                  "\xC3\xA9"
                                  R"(.png",
+      "depthSize": 256,
       "flip": "blocks",
       "transparency": "file",
       "stencilColor": [0, 0, 0, 1],
@@ -111,7 +109,12 @@ TEST(WriteScene, ReadsLikeThis) {
       "maxLod": 1000,
       "lodBias": 0,
       "maxAnisotropy": 1,
-      "priority": 1
+      "compareMode": "GL_NONE",
+      "compareFunc": "GL_LEQUAL",
+      "depthMode": "GL_LUMINANCE",
+      "priority": 1,
+      "levels": [],
+      "preparation": []
     }
   ],
   "passes": [
@@ -127,6 +130,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "blend": false,
       "blendSrc": "GL_ONE",
       "blendDst": "GL_ZERO",
+      "seamlessCubeMap": false,
       "units": [
         {
           "enabled": false,
@@ -187,18 +191,9 @@ TEST(WriteScene, WritesVerticesAMatrixAndTheModelsOfAPassLikeThis) {
     for (const char* expected : {R"(
       "mesh": {
         "primitive": "GL_LINE_LOOP",
-        "positions": [
-          [0, 0.5, -0.0],
-          [1, 1e-45, 3e+38]
-        ],
-        "colors": [
-          [0, 0.5, 1],
-          [0, 0, 0, 0.25]
-        ],
-        "texCoords": [
-          [0, 1],
-          [0, 1, 0, 2]
-        ],
+        "positions": [[0, 0.5, -0.0], [1, 1e-45, 3e+38]],
+        "colors": [[0, 0.5, 1], [0, 0, 0, 0.25]],
+        "texCoords": [[0, 1], [0, 1, 0, 2]],
         "indices": [1, 0, 1]
       }
     },
@@ -226,6 +221,54 @@ TEST(WriteScene, WritesVerticesAMatrixAndTheModelsOfAPassLikeThis) {
 )"})
         EXPECT_NE(text.find(expected), std::string::npos) << expected << "in\n" << text;
     EXPECT_EQ(parseScene(text).value(), scene);
+}
+
+TEST(WriteScene, FillsTheLinesOfALongList) {
+    Scene scene;
+    scene.models = {Model{.shape = Shape::Mesh}};
+    scene.models[0].mesh.positions.assign(13, {1, 0.5F, 0});
+    scene.models[0].mesh.indices.assign(40, 10);
+    const std::string text = writeScene(scene);
+    // 10 columns and 7 elements of 11 with what parts them are 100; an eighth one would end at 113.
+    EXPECT_NE(text.find(R"(
+        "positions": [
+          [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0],
+          [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0], [1, 0.5, 0]
+        ],
+        "indices": [
+          10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10,
+          10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10
+        ]
+)"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(parseScene(text).value(), scene);
+}
+
+TEST(WriteScene, KeepsTheLargestMeshReadable) {
+    Scene scene;
+    scene.models = {Model{.shape = Shape::Mesh}};
+    MeshData& mesh = scene.models[0].mesh;
+    for (int i = 0; i < static_cast<int>(maxMeshVertices); ++i) {
+        const float u = static_cast<float>(i % 256) / 255;
+        const float v = static_cast<float>(i / 256) / 255; // NOLINT(bugprone-integer-division): rows
+        mesh.positions.emplace_back(u, std::sin(6 * u) * v, v);
+        mesh.normals.emplace_back(v, u, 1 - v);
+        mesh.colors.emplace_back(u, v, u * v, 1);
+        mesh.texCoords.emplace_back(u, v, 0, 1);
+    }
+    for (int i = 0; i < static_cast<int>(maxMeshIndices); ++i)
+        mesh.indices.push_back(i % static_cast<int>(maxMeshVertices));
+    const std::string text = writeScene(scene);
+    EXPECT_LE(text.size(), maxSceneBytes);
+    EXPECT_EQ(parseScene(text).value(), scene);
+    std::size_t longest = 0;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = text.find('\n', from);
+        longest = std::max(longest, end - from);
+        from = end + 1;
+    }
+    EXPECT_LE(longest, 110U);
 }
 
 TEST(WriteScene, LeavesOutListsThatDoNotFitTheirMesh) {

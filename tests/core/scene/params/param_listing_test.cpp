@@ -21,6 +21,8 @@ std::set<std::string> allPaths() {
     Scene scene;
     scene.models.resize(1);
     scene.textures.resize(1);
+    scene.textures[0].levels.resize(1);
+    scene.textures[0].preparation.resize(1);
     scene.passes[0].units[0].matrix.resize(1);
     std::set<std::string> paths;
     forEachParam(scene, [&](const std::string& path, const ParamRow&, const Value&) {
@@ -45,7 +47,7 @@ TEST(ListParams, HasEveryParameterOnceWithItsHelpAndEveryChoice) {
     }
     const auto paths = allPaths();
     EXPECT_EQ(listed, std::multiset<std::string>(paths.begin(), paths.end()));
-    EXPECT_EQ(paths.size(), 149U);
+    EXPECT_EQ(paths.size(), 175U);
     EXPECT_TRUE(text.ends_with("\n"));
     EXPECT_FALSE(text.ends_with("\n\n"));
 }
@@ -108,9 +110,9 @@ TEST(ListParamsJson, HasShortNumbersAndTypedDefaults) {
               nlohmann::json({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     EXPECT_EQ(find("passes[].models").at("default"), nlohmann::json::array());
     EXPECT_EQ(find("models[].material.ambient").at("default"), nlohmann::json({0.2, 0.2, 0.2, 1}));
-    EXPECT_EQ(json.at("lists").size(), 5U);
-    EXPECT_EQ(json.at("lists")[4].at("path"), "passes[].units[].matrix[]");
-    EXPECT_EQ(json.at("lists")[4].at("maxCount"), 32);
+    EXPECT_EQ(json.at("lists").size(), 7U);
+    EXPECT_EQ(json.at("lists")[6].at("path"), "passes[].units[].matrix[]");
+    EXPECT_EQ(json.at("lists")[6].at("maxCount"), 32);
 }
 
 TEST(ListParamsJson, NamesEveryKind) {
@@ -128,7 +130,7 @@ TEST(ListParamsJson, NamesEveryKind) {
 
 TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
     // What a file that names no more than its elements becomes.
-    const Scene scene = parseScene(R"({"version": 1, "models": [{}], "textures": [{}],
+    const Scene scene = parseScene(R"({"version": 1, "models": [{}], "textures": [{"levels": [{}], "preparation": [{}]}],
                                        "passes": [{"units": [{"matrix": [{}]}]}]})")
                             .value();
     const auto json = nlohmann::json::parse(listParamsJson());

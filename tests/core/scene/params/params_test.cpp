@@ -22,6 +22,8 @@ Scene fullScene() {
     scene.models.resize(1);
     scene.models[0].mesh.positions.resize(fullCount);
     scene.textures.resize(1);
+    scene.textures[0].levels.resize(1);
+    scene.textures[0].preparation.resize(1);
     for (Unit& unit : scene.passes.front().units)
         unit.matrix.resize(1);
     return scene;
@@ -201,7 +203,8 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(), 9U + 7 + 8 + (24 + 7 + 6) + 28 + 12 + 4 * (6 + 16 + 4 * 4 + 3 + 7));
+    ASSERT_EQ(rows.size(), 9U + (8 + 4) + 8 + (24 + 7 + 6) + (32 + 3 + 7) + (13 + 6) +
+                               4 * (6 + 16 + 4 * 4 + 3 + 7));
 
     for (const auto& [path, row] : rows) {
         for (const Value& value : valuesOf(*row)) {

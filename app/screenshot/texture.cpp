@@ -1,0 +1,103 @@
+// A texture of a scene as pictures: after each step of its preparation, and the levels that OpenGL is given.
+
+#include "app/screenshot/command.h"
+#include "app/screenshot/option_use.h"
+#include "app/screenshot/output.h"
+#include "app/screenshot/scene_argument.h"
+#include "core/base/count.h"
+#include "core/s3tc/surface_pixels.h"
+#include "core/texture/texture_levels.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::screenshot {
+namespace {
+
+struct TextureOptions {
+    SceneArgument scene;
+    std::string out;
+    int texture = 0;
+    int step = -1;  ///< -1: none is asked for
+    int level = -1; ///< likewise
+};
+
+/// The picture before the preparation (step 0), or after one of its steps.
+Result<Image> stepOf(const TextureOptions& options, const Texture& texture, const TexturePictures& pictures) {
+    std::vector<Image> steps = preparationOf(texture, pictures);
+    const auto asked = static_cast<std::size_t>(options.step);
+    if (asked < steps.size())
+        return std::move(steps[asked]);
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("there is no step {}: textures[{}] has {} in its preparation", options.step,
+                            options.texture, countOf(texture.preparation.size(), "step")));
+}
+
+/// A level as OpenGL is given it, but upright and decompressed.
+Result<Image> levelOf(const TextureOptions& options, Texture texture, const TexturePictures& pictures) {
+    texture.flip = FlipMode::Pixels;
+    Result<TextureLevels> made = prepareLevels(texture, pictures);
+    if (!made)
+        return fail(made.error());
+    const int asked = std::max(options.level, 0);
+    const auto found = std::ranges::find(made->levels, asked, &TextureLevel::number);
+    if (found == made->levels.end())
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("there is no level {}: textures[{}] has {}", asked, options.texture,
+                                countOf(made->levels.size(), "level")));
+    return toImage(std::move(found->surface).take());
+}
+
+Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
+    if (static_cast<std::size_t>(options.texture) >= opened.scene.textures.size())
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("there is no textures[{}]: the scene has {}", options.texture,
+                                countOf(opened.scene.textures.size(), "texture")));
+    if (const auto loaded = opened.images.load(opened.scene); !loaded)
+        return fail(loaded.error());
+    const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
+    const TexturePictures pictures = opened.images.picturesOf(texture);
+    return options.step >= 0 ? stepOf(options, texture, pictures) : levelOf(options, texture, pictures);
+}
+
+ExitCode writeTexture(const TextureOptions& options) {
+    if (options.step >= 0 && options.level >= 0)
+        return refuseUnused("--level", "it is for the texture as it is uploaded, not for a --step before");
+    const auto output = openImageOutput(options.out, "PNG");
+    if (!output)
+        return output.error();
+    auto opened = openScene(options.scene);
+    if (!opened)
+        return complain(opened.error().error, opened.error().code);
+    Result<Image> picture = pictureOf(options, *opened);
+    if (!picture)
+        return complain(inScene(options.scene, picture.error()));
+    const auto written = output->write(textureOf(*std::move(picture), {}));
+    return written ? success : complain(written.error());
+}
+
+} // namespace
+
+void addTexture(CommandLine& line) {
+    Command& command = line.command(
+        "texture", "Write a texture of a scene: a level, or its image after a step of its preparation.");
+    auto options = std::make_shared<TextureOptions>();
+    addSceneArgument(command, options->scene);
+    command.option(
+        "-o,--out", options->out,
+        fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG.",
+                    writtenExtensions(" or ")),
+        {.required = true});
+    command.number("--texture", options->texture, 0, static_cast<int>(maxTextures) - 1,
+                   "Which texture of the scene, 0 the first.");
+    command.number("--step", options->step, 0, static_cast<int>(maxImageSteps),
+                   "The image after so many steps of its preparation; 0: as it is in its file.");
+    command.number("--level", options->level, 0, 30,
+                   "The mip level as it is uploaded as GL_TEXTURE_2D, 0 the base, but upright and "
+                   "decompressed.");
+    command.footer("Without --step and --level it is the base level, as it is uploaded.");
+    command.onCall([options] { return writeTexture(*options); });
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,300 @@
+#include "app/ui/parameters/texture_lists.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/findings.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/widgets/list_buttons.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/problem_sign.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
+#include "core/texture/level_plan.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using SharedPicture = std::shared_ptr<const Image>;
+
+constexpr float pictureHeight = 2.6F; ///< of a small picture, in letters' heights
+
+/// Lines with a small picture at their left, as high as it at least.
+class PictureLines {
+public:
+    /// The picture's square stays empty where there is none yet.
+    PictureLines(const Pictures& pictures, const SharedPicture& image, const std::string& name)
+        : low_(ImGui::GetCursorScreenPos())
+        , extent_(ImGui::GetFontSize() * pictureHeight)
+        , indent_(extent_ + ImGui::GetStyle().ItemSpacing.x) {
+        const ImVec2 high(low_.x + extent_, low_.y + extent_);
+        ImGui::GetWindowDrawList()->AddRectFilled(low_, high, color::ground);
+        if (image && !image->empty()) {
+            noteDrawn(name, low_, high);
+            draw(pictures.show(image), *image);
+        }
+        ImGui::Indent(indent_);
+    }
+    PictureLines(const PictureLines&) = delete;
+    PictureLines& operator=(const PictureLines&) = delete;
+    ~PictureLines() {
+        const float left = low_.y + extent_ - ImGui::GetCursorScreenPos().y;
+        if (left > 0)
+            ImGui::Dummy({0, left});
+        ImGui::Unindent(indent_);
+    }
+
+private:
+    void draw(view::PictureHandle picture, const Image& image) const {
+        if (picture == view::PictureHandle::None)
+            return;
+        const float scale = extent_ / static_cast<float>(std::max(image.width, image.height));
+        const ImVec2 size(static_cast<float>(image.width) * scale, static_cast<float>(image.height) * scale);
+        const ImVec2 low(low_.x + (extent_ - size.x) / 2, low_.y + (extent_ - size.y) / 2);
+        // Row 0 is the bottom one.
+        ImGui::GetWindowDrawList()->AddImage(textureId(picture), low, {low.x + size.x, low.y + size.y},
+                                             {0, 1}, {1, 0});
+    }
+
+    ImVec2 low_;
+    float extent_;
+    float indent_;
+};
+
+void listChanged(Session& session, std::string_view what) {
+    sealEdit(session);
+    recordEdit(session, what);
+    sealEdit(session);
+}
+
+struct ListTexts {
+    ListWords words;
+    const char* reorder; ///< as Undo will show it
+    const char* remove;
+};
+
+constexpr ListTexts stepTexts{
+    {"image step", "", "Do this step earlier", "Do this step later", "Remove this step"},
+    "Reorder image steps",
+    "Remove image step"};
+constexpr ListTexts levelTexts{{"level", "", "Make this picture a larger level",
+                                "Make this picture a smaller level", "Remove this level"},
+                               "Reorder levels",
+                               "Remove level"};
+
+/// The buttons of one element. True where the list has changed: the rest is drawn at the next frame.
+template<class Element>
+bool editElement(Session& session, std::vector<Element>& list, std::size_t index, const std::string& path,
+                 const ListTexts& texts) {
+    const std::optional<ListEdit> pressed = elementButtons(texts.words, path, index, list.size());
+    if (!pressed)
+        return false;
+    if (pressed == ListEdit::Remove)
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+    else
+        std::swap(list[index], list[pressed == ListEdit::Up ? index - 1 : index + 1]);
+    listChanged(session, pressed == ListEdit::Remove ? texts.remove : texts.reorder);
+    return true;
+}
+
+/// The parameters of one element, beside its picture.
+template<class Element>
+void elementRows(Session& session, Element& element, const std::string& path, const StructTable& table) {
+    static const Element initial;
+    const Owner owner{&element, &initial, path, [&](const ParamRow& row, const Value& value) {
+                          return acceptsFile(session, path, element.file, row, value);
+                      }};
+    for (const ParamRow& row : table.params) {
+        if (isRelevant(session, owner, row))
+            paramWidget(session, owner, row);
+    }
+}
+
+/// "128 × 64", with as many axes as the target has.
+std::string extentsText(const PlannedLevel& level, Target target) {
+    std::string text = std::to_string(level.width);
+    if (axesOf(target) > 1)
+        text += fmt::format(" × {}", level.height);
+    if (axesOf(target) > 2)
+        text += fmt::format(" × {}", level.depth);
+    return text;
+}
+
+/// The size that a level has, and the one that it ought to have where that is another.
+void levelExtents(const LevelPlan& plan, int number, Target target) {
+    const auto found = std::ranges::find(plan.levels, number, &PlannedLevel::number);
+    if (found == plan.levels.end()) {
+        ImGui::TextDisabled("not loaded");
+        return;
+    }
+    const PlannedLevel fit = levelAbove(plan.levels.front(), number);
+    const bool fits = *found == fit;
+    ImGui::PushStyleColor(ImGuiCol_Text, fits ? color::dim : color::problem);
+    ImGui::TextUnformatted(
+        (fits ? extentsText(*found, target)
+              : fmt::format("{}, not {}", extentsText(*found, target), extentsText(fit, target)))
+            .c_str());
+    ImGui::PopStyleColor();
+    noteItem(fmt::format("level extents:{}", number));
+    if (!fits)
+        helpTip("Each level has half the width and height of the one before it, rounded down, and at least "
+                "1. With another size the texture is incomplete.");
+}
+
+/// How many levels a complete texture has above its base.
+std::size_t levelsWanted(const LevelPlan& plan) {
+    if (plan.levels.empty())
+        return 0;
+    const PlannedLevel& base = plan.levels.front();
+    const int count = mipLevelCount(base.width, base.height, base.depth) - 1;
+    return std::min(maxGivenLevels, static_cast<std::size_t>(std::max(0, count)));
+}
+
+GivenLevel nextLevel(const Texture& texture) {
+    GivenLevel level;
+    level.pattern = texture.levels.empty() ? texture.pattern : texture.levels.back().pattern;
+    return level;
+}
+
+void addLevels(Session& session, Texture& texture, std::size_t count) {
+    const GivenLevel level = nextLevel(texture);
+    texture.levels.resize(count, level);
+    listChanged(session, "Add levels");
+}
+
+/// A dim line above a list that has no effect, and why.
+void idleNote(const Session& session, const std::string& path) {
+    if (const Finding* idle = idleReasonOf(session.document.findings, path)) {
+        ImGui::PushTextWrapPos(0);
+        dimText(sentenceOf(*idle));
+        ImGui::PopTextWrapPos();
+    }
+}
+
+} // namespace
+
+void preparationList(Session& session, std::size_t texture, const LevelsSummary* summary,
+                     const Pictures& pictures) {
+    std::vector<ImageStep>& steps = session.document.scene.textures[texture].preparation;
+    const std::string owner = elementOf<&Scene::textures>(texture) + ".";
+    caption("Preparation");
+    idleNote(session, owner + keyOf<&Texture::preparation>());
+    const auto pictureAfter = [&](std::size_t step) {
+        return summary && step < summary->steps.size() ? summary->steps[step] : nullptr;
+    };
+    if (!steps.empty()) {
+        const PictureLines lines(pictures, pictureAfter(0), "picture:" + owner + "source");
+        ImGui::TextDisabled("The image as it is");
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const std::string path = owner + elementOf<&Texture::preparation>(i);
+        ImGui::PushID(path.c_str());
+        const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
+        const bool changed = editElement(session, steps, i, path, stepTexts);
+        if (!changed)
+            elementRows(session, steps[i], path, imageStepTable());
+        ImGui::PopID();
+        if (changed)
+            break;
+    }
+    ImGui::BeginDisabled(steps.size() >= maxImageSteps);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (ImGui::BeginCombo("##add step", "+ Step", ImGuiComboFlags_NoArrowButton)) {
+        for (const EnumRow& op : imageOpRows) {
+            if (ImGui::Selectable(op.label.data())) {
+                ImageStep step;
+                step.op = static_cast<ImageOp>(op.value);
+                steps.push_back(step);
+                listChanged(session, "Add image step");
+            }
+            noteItem(fmt::format("add step:{}", op.name));
+            choiceTip(op);
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("add step");
+    ImGui::EndDisabled();
+    helpTip("Something that is done to the image, and to all its levels, before they are uploaded");
+}
+
+void levelList(Session& session, std::size_t index, const LevelsSummary* summary, const Pictures& pictures) {
+    Texture& texture = session.document.scene.textures[index];
+    const bool given = texture.mipmaps == MipPolicy::Given;
+    if (!given && texture.levels.empty())
+        return;
+    const std::string owner = elementOf<&Scene::textures>(index) + ".";
+    const Target target = selectedUnit(session).target;
+    const LevelPlan plan = planLevels(texture, session.document.images.picturesOf(texture), target);
+    caption("Levels");
+    idleNote(session, owner + keyOf<&Texture::levels>());
+    for (std::size_t i = 0; i < texture.levels.size(); ++i) {
+        const std::string path = owner + elementOf<&Texture::levels>(i);
+        const int number = static_cast<int>(i) + 1;
+        ImGui::PushID(path.c_str());
+        SharedPicture picture;
+        for (const auto& [each, image] : summary ? summary->pictures : decltype(summary->pictures){}) {
+            if (each == number)
+                picture = image;
+        }
+        const PictureLines lines(pictures, picture, "picture:" + path);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Level %d", number);
+        ImGui::SameLine();
+        if (const Finding* problem = problemOf(session.document.findings, path)) {
+            problemSign(session, path, *problem);
+            ImGui::SameLine();
+        }
+        if (given)
+            levelExtents(plan, number, target);
+        const bool changed = editElement(session, texture.levels, i, path, levelTexts);
+        if (!changed)
+            elementRows(session, texture.levels[i], path, givenLevelTable());
+        ImGui::PopID();
+        if (changed)
+            return;
+    }
+    const std::size_t wanted = levelsWanted(plan);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    ImGui::BeginDisabled(texture.levels.size() >= maxGivenLevels);
+    if (ImGui::Button("+ Level", {width, 0}))
+        addLevels(session, texture, texture.levels.size() + 1);
+    noteItem("add level");
+    ImGui::EndDisabled();
+    helpTip("One more level below these, of a built-in pattern or a file");
+    ImGui::SameLine(0, gap);
+    ImGui::BeginDisabled(texture.levels.size() >= wanted);
+    if (ImGui::Button("+ Down to 1 × 1", {width, 0}))
+        addLevels(session, texture, wanted);
+    noteItem("add all levels");
+    ImGui::EndDisabled();
+    helpTip("All that are missing for a complete texture");
+}
+
+bool acceptsFile(Session& session, const std::string& owner, const std::string& file, const ParamRow& row,
+                 const Value& value) {
+    const std::string param = fmt::format("{}.{}", owner, keyOf<&Texture::file>()); // all have these keys
+    const bool choosesFile =
+        row.key == keyOf<&Texture::source>() &&
+        std::get<EnumValue>(value).number == static_cast<std::uint32_t>(SourceKind::File);
+    if (choosesFile && file.empty()) {
+        askOpenImage(session, param); // there is no file yet
+        return false;
+    }
+    if (row.key != keyOf<&Texture::file>() && !choosesFile)
+        return true;
+    const std::string& wanted = choosesFile ? file : std::get<std::string>(value);
+    if (wanted.empty() || session.document.images.holds(wanted))
+        return !wanted.empty();
+    // It is written when the file has turned out to be an image, which may take a while.
+    setFile(session, param, wanted);
+    return false;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,119 @@
+// What an internal format does to an image's colours that surprises.
+
+#include "core/diagnosis/diagnosis_rules.h"
+#include "core/image/convert.h"
+#include "core/reference/sampling/lod.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace texplorer::diagnosis {
+namespace {
+
+template<class Visit> ///< visit(texture, its facts, "textures[0]."), of those that keep their internal format
+void forEachShown(const Case& about, Visit visit) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const TextureFacts& facts = about.textures[i];
+        const bool compressed = std::ranges::all_of(
+            facts.targets, [](const TargetFacts& each) { return each.plan.blocks.has_value(); });
+        if (facts.image && facts.shown && !compressed)
+            visit(about.scene.textures[i], facts, elementOf<&Scene::textures>(i) + ".");
+    }
+}
+
+/// The format of eight bits without a curve that has the same components.
+Fix plainFormat(const std::string& path, InternalFormat format) {
+    const InternalFormat plain = internalFormat(baseFormat(format));
+    return {"Make it " + nameOf(plain), {{path + keyOf<&Texture::internalFormat>(), nameOf(plain)}}};
+}
+
+/// How many of its places along each axis an image is looked at.
+constexpr int lookedAt = 96;
+
+/// Whether most neighbours differ, and by less than half of what a stored number stands for: where such
+/// colours are rounded, several texels in a row have the same.
+bool changesSlowly(const Image& image, InternalFormat format) {
+    const auto& bits = factsOf(format).bits;
+    int slow = 0;
+    int all = 0;
+    const auto compare = [&](const std::array<std::uint8_t, 4>& a, const std::array<std::uint8_t, 4>& b) {
+        bool differs = false;
+        for (std::size_t i = 0; i < bits.size(); ++i) {
+            const int change = std::abs(a[i] - b[i]);
+            if (bits[i] > 0 && 2 * change * ((1 << bits[i]) - 1) >= 255)
+                return;
+            differs = differs || (bits[i] > 0 && change > 0);
+        }
+        slow += differs ? 1 : 0;
+    };
+    const int stepX = std::max(1, image.width / lookedAt);
+    const int stepY = std::max(1, image.height / lookedAt);
+    for (int y = 0; y + 1 < image.height; y += stepY) {
+        for (int x = 0; x + 1 < image.width; x += stepX) {
+            const auto here = rgbaOf(image.format, image.at(x, y).data());
+            compare(here, rgbaOf(image.format, image.at(x + 1, y + 1).data()));
+            ++all;
+        }
+    }
+    return 2 * slow > all;
+}
+
+void banding(const Case& about, Report& report) {
+    forEachShown(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        const Image* base =
+            hasPixels(*facts.image) ? std::get_if<Image>(&facts.image->surfaces.front()) : nullptr;
+        if (!base || !hasFewBits(texture.internalFormat) || !changesSlowly(*base, texture.internalFormat))
+            return;
+        const auto& bits = factsOf(texture.internalFormat).bits;
+        const int most = *std::ranges::max_element(bits);
+        report.add(path + keyOf<&Texture::internalFormat>(),
+                   fmt::format("colours change slowly in this image, and {} has {} steps for a component at "
+                               "most: bands show",
+                               nameOf(texture.internalFormat), 1 << most),
+                   plainFormat(path, texture.internalFormat));
+    });
+}
+
+/// EXT_texture_sRGB decodes; what encodes again, GL_FRAMEBUFFER_SRGB, is no part of OpenGL 2.1.
+void decodedOnly(const Case& about, Report& report) {
+    forEachShown(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (isSrgb(texture.internalFormat))
+            report.add(
+                path + keyOf<&Texture::internalFormat>(),
+                fmt::format("{} makes amounts of light of the image's colours, and nothing makes sRGB of "
+                            "them again: the picture is darker than the image",
+                            nameOf(texture.internalFormat)),
+                plainFormat(path, texture.internalFormat));
+    });
+}
+
+void averagedAsStored(const Case& about, Report& report) {
+    forEachShown(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        const bool averages =
+            texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
+        if (isSrgb(texture.internalFormat) && averages && !texture.mipGamma &&
+            reference::wantsMipmaps(texture.minFilter))
+            report.add(
+                path + keyOf<&Texture::mipGamma>(),
+                fmt::format("the levels are averages of stored numbers, not of the light that {} makes of "
+                            "them: seen from afar the texture is too dark",
+                            nameOf(texture.internalFormat)),
+                Fix{"Average light", {{path + keyOf<&Texture::mipGamma>(), "true"}}});
+    });
+}
+
+constexpr std::array formatRuleRows{
+    Rule{"srgb-levels", Severity::Warning, averagedAsStored},
+    Rule{"srgb-not-encoded", Severity::Note, decodedOnly},
+    Rule{"banding", Severity::Note, banding},
+};
+
+} // namespace
+
+std::span<const Rule> formatRules() {
+    return formatRuleRows;
+}
+
+} // namespace texplorer::diagnosis

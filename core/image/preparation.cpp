@@ -1,0 +1,196 @@
+#include "core/image/preparation.h"
+
+#include "core/image/convert.h"
+#include "core/image/linear_light.h"
+#include "core/image/resample.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace texplorer {
+
+namespace {
+
+/// Red, green, blue and alpha of a texel.
+using Components = std::array<std::uint8_t, 4>;
+
+std::uint8_t valueOf(std::byte byte) {
+    return std::to_integer<std::uint8_t>(byte);
+}
+
+/// The inverse of rgbaOf, for components that the format can hold.
+void store(PixelFormat format, const Components& from, std::byte* texel) {
+    switch (format) {
+    case PixelFormat::Alpha8:
+        texel[0] = std::byte{from[3]};
+        return;
+    case PixelFormat::LuminanceAlpha8:
+        texel[1] = std::byte{from[3]};
+        [[fallthrough]];
+    case PixelFormat::Luminance8:
+        texel[0] = std::byte{from[0]};
+        return;
+    case PixelFormat::Rgba8:
+        texel[3] = std::byte{from[3]};
+        [[fallthrough]];
+    case PixelFormat::Rgb8:
+        for (std::size_t i = 0; i < 3; ++i)
+            texel[i] = std::byte{from[i]};
+        return;
+    }
+}
+
+std::uint8_t luminanceOf(const Components& color) {
+    return static_cast<std::uint8_t>((299 * color[0] + 587 * color[1] + 114 * color[2] + 500) / 1000);
+}
+
+bool isGrey(PixelFormat format) {
+    return format == PixelFormat::Luminance8 || format == PixelFormat::LuminanceAlpha8;
+}
+
+PixelFormat leastFormat(bool grey, bool alpha) {
+    if (grey)
+        return alpha ? PixelFormat::LuminanceAlpha8 : PixelFormat::Luminance8;
+    return alpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8;
+}
+
+template<class Change> ///< change(components, index of the texel) -> components
+Image eachTexel(const Image& image, PixelFormat format, Change change) {
+    Image made = Image::uninitialised(format, image.width, image.height, image.depth);
+    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
+    const auto madeStep = static_cast<std::size_t>(bytesPerPixel(format));
+    const std::size_t texels = image.pixels.size() / step;
+    for (std::size_t i = 0; i < texels; ++i)
+        store(format, change(rgbaOf(image.format, image.pixels.data() + i * step), i),
+              made.pixels.data() + i * madeStep);
+    return made;
+}
+
+/// A component of 8 bits, scaled and biased: in the order and precision in which Mesa does it, so that what
+/// lies half way between two values is rounded alike.
+std::uint8_t transferredValue(std::uint8_t value, float factor, float bias) {
+    const float scaled = static_cast<float>(value) * (1.0F / 255.0F) * factor;
+    return static_cast<std::uint8_t>(std::nearbyint(255.0F * std::clamp(scaled + bias, 0.0F, 1.0F)));
+}
+
+Image transferred(const Image& image, const glm::vec4& factor, const glm::vec4& bias) {
+    using Table = std::array<std::uint8_t, 256>;
+    std::array<Table, 4> tables;
+    for (int component = 0; component < 4; ++component)
+        for (int value = 0; value < 256; ++value)
+            tables[static_cast<std::size_t>(component)][static_cast<std::size_t>(value)] =
+                transferredValue(static_cast<std::uint8_t>(value), factor[component], bias[component]);
+    const auto alike = [&](std::size_t value) {
+        return tables[0][value] == tables[1][value] && tables[0][value] == tables[2][value];
+    };
+    const bool colorless = image.format == PixelFormat::Alpha8;
+    const bool isBlack = colorless && alike(0) && tables[0][0] == 0;
+    const bool grey =
+        colorless ? alike(0) : isGrey(image.format) && tables[0] == tables[1] && tables[0] == tables[2];
+    const bool alpha = alphaComponent(image.format) >= 0 || tables[3][255] != 255;
+    const auto change = [&](Components color, std::size_t) {
+        for (std::size_t i = 0; i < 4; ++i)
+            color[i] = tables[i][color[i]];
+        return color;
+    };
+    return eachTexel(image, isBlack ? PixelFormat::Alpha8 : leastFormat(grey, alpha), change);
+}
+
+Image inverted(Image image) {
+    const int alpha = alphaComponent(image.format);
+    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        if (static_cast<int>(i % step) != alpha)
+            image.pixels[i] = ~image.pixels[i];
+    }
+    return image;
+}
+
+Image toLuminance(const Image& image) {
+    return eachTexel(image, leastFormat(true, alphaComponent(image.format) >= 0),
+                     [](const Components& color, std::size_t) {
+                         const std::uint8_t grey = luminanceOf(color);
+                         return Components{grey, grey, grey, color[3]};
+                     });
+}
+
+Image luminanceToAlpha(const Image& image) {
+    return eachTexel(image, leastFormat(isGrey(image.format), true), [](Components color, std::size_t) {
+        color[3] = luminanceOf(color);
+        return color;
+    });
+}
+
+Image alphaFrom(const Image& image, const Image& other) {
+    const bool isAlpha = other.format == PixelFormat::Alpha8;
+    const Image luminance =
+        eachTexel(other, PixelFormat::Luminance8, [isAlpha](const Components& color, std::size_t) {
+            return Components{isAlpha ? color[3] : luminanceOf(color)};
+        });
+    const Image fitted = scaleByCoverage(luminance, image.width, image.height, image.depth);
+    const PixelFormat format =
+        image.format == PixelFormat::Alpha8 ? image.format : leastFormat(isGrey(image.format), true);
+    return eachTexel(image, format, [&fitted](Components color, std::size_t i) {
+        color[3] = valueOf(fitted.pixels[i]);
+        return color;
+    });
+}
+
+Image sharpened(const Image& image, float amount) {
+    Image made = image;
+    const int components = bytesPerPixel(image.format);
+    const int alpha = alphaComponent(image.format);
+    const auto texelAt = [&image](int x, int y, int z) {
+        return image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1), z);
+    };
+    const auto sharpen = [&](int x, int y, int z) {
+        std::array<int, 4> sums{};
+        for (int row = y - 1; row <= y + 1; ++row)
+            for (int column = x - 1; column <= x + 1; ++column) {
+                const ByteView texel = texelAt(column, row, z);
+                for (int i = 0; i < components; ++i)
+                    sums[static_cast<std::size_t>(i)] += valueOf(texel[static_cast<std::size_t>(i)]);
+            }
+        const std::span<std::byte> texel = made.at(x, y, z);
+        for (int i = 0; i < components; ++i) {
+            if (i == alpha)
+                continue;
+            const auto at = static_cast<std::size_t>(i);
+            const int value = valueOf(texel[at]);
+            const double away = (9 * value - sums[at]) / 8.0; // the sum has the texel itself, too
+            const double moved = std::clamp(value + double{amount} * away, 0.0, 255.0);
+            texel[at] = static_cast<std::byte>(std::lround(moved));
+        }
+    };
+    for (int z = 0; z < image.depth; ++z)
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                sharpen(x, y, z);
+    return made;
+}
+
+} // namespace
+
+Image prepared(Image image, const Operation& operation) {
+    const bool colorless = image.format == PixelFormat::Alpha8;
+    if (image.empty())
+        return image;
+    switch (operation.op) {
+    case ImageOp::Scale:
+        return transferred(image, operation.factor, operation.bias);
+    case ImageOp::AlphaFrom:
+        return operation.other && !operation.other->empty() ? alphaFrom(image, *operation.other) : image;
+    case ImageOp::Invert:
+        return colorless ? image : inverted(std::move(image));
+    case ImageOp::Luminance:
+        return colorless ? image : toLuminance(image);
+    case ImageOp::LuminanceToAlpha:
+        return colorless ? image : luminanceToAlpha(image);
+    case ImageOp::Sharpen:
+        return colorless ? image : sharpened(image, operation.amount);
+    }
+    return image;
+}
+
+} // namespace texplorer

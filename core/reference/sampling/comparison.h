@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/gl/fragment.h"
+
+namespace texplorer::reference {
+
+/// OpenGL 2.1, sections 3.8.14 and 4.1.6: whether `value` compares with `with` as the function asks.
+template<class T>
+[[nodiscard]] constexpr bool passes(CompareFunc function, T value, T with) {
+    switch (function) {
+    case CompareFunc::Never:
+        return false;
+    case CompareFunc::Less:
+        return value < with;
+    case CompareFunc::Equal:
+        return value == with;
+    case CompareFunc::LessEqual:
+        return value <= with;
+    case CompareFunc::Greater:
+        return value > with;
+    case CompareFunc::NotEqual:
+        return value != with;
+    case CompareFunc::GreaterEqual:
+        return value >= with;
+    case CompareFunc::Always:
+        return true;
+    }
+    return true;
+}
+
+} // namespace texplorer::reference

@@ -1,0 +1,24 @@
+#pragma once
+
+// Fog: OpenGL 2.1, section 3.10.
+
+#include "core/reference/shading/environment.h"
+#include "core/scene/scene.h"
+
+#include <glm/vec4.hpp>
+
+#include <string>
+
+namespace texplorer::reference {
+
+/// f: the share of a fragment's colour that is left at a distance from the eye's plane, 0 to 1. NaN counts as
+/// 0. Linear fog whose start is its end has a step there, where the specification divides by 0.
+[[nodiscard]] float fogFactor(const Fog& fog, float distance);
+
+/// C = f * Cr + (1 - f) * Cf. Alpha stays.
+[[nodiscard]] glm::vec4 fogged(glm::vec4 color, const Fog& fog, float factor);
+
+/// How f comes about, in symbols and in numbers, before the clamp: "f = e^(-(density * c))".
+[[nodiscard]] Equation fogEquation(const Fog& fog, float distance);
+
+} // namespace texplorer::reference

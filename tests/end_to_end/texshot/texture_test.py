@@ -1,0 +1,64 @@
+"""texshot texture: what is done to a texture's image, step by step, and its levels; Pillow is the oracle."""
+
+import io
+import json
+import unittest
+
+from PIL import Image, ImageChops, ImageOps
+
+from texshot import Texshot, bmp
+
+
+class TexturePictures(Texshot):
+    def scene(self, **texture):
+        file = self.path / "scene.json"
+        file.write_text(json.dumps({"textures": [{"source": "file", "file": "in.bmp", **texture}]}))
+        return file
+
+    def picture_of(self, scene, *options):
+        return Image.open(io.BytesIO(self.succeeds("texture", scene, "-o", "-", *options)))
+
+    def setUp(self):
+        super().setUp()
+        (self.path / "in.bmp").write_bytes(bmp(16, 8, lambda x, y: (x * 16, y * 32, (x * y * 7) % 256)))
+        self.original = Image.open(self.path / "in.bmp").convert("RGB")
+
+    def assert_near(self, one, other, most):
+        self.assertLessEqual(ImageChops.difference(one, other).getextrema()[1], most)
+
+    def test_each_step_is_what_pillow_makes_of_the_one_before(self):
+        scene = self.scene(preparation=[{"op": "invert"}, {"op": "luminance"}, {"op": "luminance-to-alpha"}])
+        self.assertEqual(self.picture_of(scene, "--step", "0").convert("RGB").tobytes(), self.original.tobytes())
+        inverted = ImageOps.invert(self.original)
+        self.assertEqual(self.picture_of(scene, "--step", "1").convert("RGB").tobytes(), inverted.tobytes())
+        grey = inverted.convert("L")  # which rounds in another place
+        self.assert_near(self.picture_of(scene, "--step", "2").convert("L"), grey, 1)
+        self.assert_near(self.picture_of(scene, "--step", "3").getchannel("A"), grey, 1)
+        self.complains(1, "has 3 steps", "texture", scene, "-o", "-", "--step", "4")
+
+    def test_alpha_comes_from_another_file(self):
+        (self.path / "mask.bmp").write_bytes(bmp(32, 16, lambda x, y: (y * 16, y * 16, y * 16)))
+        scene = self.scene(preparation=[{"op": "alpha-from", "source": "file", "file": "mask.bmp"}])
+        mask = Image.open(self.path / "mask.bmp").convert("L").resize((16, 8), Image.Resampling.BOX)
+        found = self.picture_of(scene)
+        self.assertEqual(found.convert("RGB").tobytes(), self.original.tobytes())
+        self.assert_near(found.getchannel("A"), mask, 1)
+
+    def test_levels_are_pictures_of_their_own(self):
+        (self.path / "half.bmp").write_bytes(bmp(8, 4, lambda x, y: (x, y, 0)))
+        scene = self.scene(mipmaps="given", levels=[{"source": "file", "file": "half.bmp"}, {"pattern": "brick"}])
+        half = Image.open(self.path / "half.bmp").convert("RGB")
+        self.assertEqual(self.picture_of(scene, "--level", "1").convert("RGB").tobytes(), half.tobytes())
+        self.assertEqual(self.picture_of(scene, "--level", "2").size, (4, 2))
+        self.complains(1, "no level 3", "texture", scene, "-o", "-", "--level", "3")
+
+    def test_wrong_calls(self):
+        scene = self.scene(mipmaps="given", levels=[{"source": "file", "file": "gone.png"}])
+        self.complains(1, "textures[0].levels[0].file", "texture", scene, "-o", "-")
+        self.complains(1, "there is no textures[1]", "texture", self.scene(), "-o", "-", "--texture", "1")
+        self.complains(2, "--level", "texture", self.scene(), "-o", "-", "--step", "0", "--level", "0")
+        self.complains(2, "--out", "texture", self.scene())
+
+
+if __name__ == "__main__":
+    unittest.main()

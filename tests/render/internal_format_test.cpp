@@ -1,0 +1,113 @@
+// What OpenGL makes of each internal format, against numbers from the specification: a texture of four texels
+// that fills the picture, with each of OpenGL's renderers.
+
+#include "core/reference/draw.h"
+#include "tests/support/flat_scene.h"
+#include "tests/support/render_fixture.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::internal_format_test {
+namespace {
+
+using namespace test;
+
+struct FormatCase {
+    InternalFormat format;
+    std::array<float, 4> expected; ///< of the texel (100, 150, 200, 60) over white
+};
+
+class InternalFormats : public RenderTest, public testing::WithParamInterface<FormatCase> {
+protected:
+    /// One texel of that colour everywhere, in the place of the fragment's.
+    Scene oneTexel() {
+        images.put("image", plainImage(1, 1, {100, 150, 200, 60}));
+        Scene scene = texturedScene();
+        scene.passes[0].units[0].envMode = EnvMode::Replace;
+        scene.textures[0].internalFormat = GetParam().format;
+        return scene;
+    }
+};
+
+// Section 2.14.9: the nearest number of so many bits, over the largest; EXT_texture_sRGB: ((c + 0.055)
+// / 1.055)^2.4 for colours alone. What a format lacks is the fragment's, 1 (table 3.21).
+TEST_P(InternalFormats, GiveWhatTheirNumbersStandFor) {
+    const glm::vec4 found = onlyColor(oneTexel());
+    EXPECT_THAT(problems, testing::IsEmpty());
+    for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(found[c], GetParam().expected.at(static_cast<std::size_t>(c)), 1.01 / 255)
+            << "component " << c;
+}
+
+// Two texels, black and of that colour, half and half: decoded or rounded before the filter and not after it.
+TEST_P(InternalFormats, AreFilteredAfterwards) {
+    Image image = plainImage(2, 1, {0, 0, 0, 0});
+    std::ranges::copy(plainImage(1, 1, {100, 150, 200, 60}).at(0, 0), image.at(1, 0).begin());
+    images.put("image", image);
+    Scene scene = texturedScene();
+    scene.passes[0].units[0].envMode = EnvMode::Replace;
+    scene.textures[0].internalFormat = GetParam().format;
+    scene.textures[0].magFilter = MagFilter::Linear;
+    scene.textures[0].minFilter = MinFilter::Linear;
+    scene.models[0].texCoords[0] = TexCoords(4, {0.5F, 0.5F, 0, 1}); // half-way between both
+    const glm::vec4 found = onlyColor(scene);
+    const BaseFormat base = baseFormat(GetParam().format);
+    for (int c = 0; c < 4; ++c) {
+        const bool hasColor = base != BaseFormat::Alpha;
+        const bool hasAlpha = base != BaseFormat::Rgb && base != BaseFormat::Luminance;
+        const float whole = GetParam().expected.at(static_cast<std::size_t>(c));
+        const bool stored = c < 3 ? hasColor : hasAlpha;
+        EXPECT_NEAR(found[c], stored ? whole / 2 : whole, 1.51 / 255) << "component " << c;
+    }
+}
+
+// The gradient from one end of the numbers to the other.
+TEST_P(InternalFormats, AgreeWithTheReference) {
+    Scene scene = texturedScene();
+    scene.textures[0] = {};
+    scene.textures[0].pattern = Pattern::Gradient;
+    scene.textures[0].internalFormat = GetParam().format;
+    scene.textures[0].mipmaps = MipPolicy::Generated;
+    scene.textures[0].magFilter = MagFilter::Nearest;
+    scene.textures[0].minFilter = MinFilter::NearestMipmapNearest;
+    scene.passes[0].units[0].envMode = EnvMode::Replace;
+    for (const int extent : {256, 64}) {
+        const Image theirs = picture(scene, extent, 0);
+        const Result<Frame> ours = reference::drawReference({scene, images, 0, extent, extent});
+        ASSERT_TRUE(ours) << describe(ours.error());
+        int most = 0;
+        for (std::size_t i = 0; i < theirs.pixels.size(); ++i)
+            most = std::max(most, std::abs(std::to_integer<int>(theirs.pixels[i]) -
+                                           std::to_integer<int>(ours->image.pixels[i])));
+        EXPECT_LE(most, 1) << extent;
+    }
+}
+
+constexpr float light100 = 0.127438F;
+constexpr float light150 = 0.304987F;
+constexpr float light200 = 0.577580F;
+constexpr float alpha60 = 60 / 255.0F;
+using I = InternalFormat;
+INSTANTIATE_TEST_SUITE_P(
+    All, InternalFormats,
+    testing::Values(FormatCase{I::Rgb5A1, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 0}},
+                    FormatCase{I::Rgba4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 4 / 15.0F}},
+                    FormatCase{I::Rgba2, {1 / 3.0F, 2 / 3.0F, 2 / 3.0F, 1 / 3.0F}},
+                    FormatCase{I::Rgb5, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 1}},
+                    FormatCase{I::Rgb4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 1}},
+                    FormatCase{I::R3G3B2, {3 / 7.0F, 4 / 7.0F, 2 / 3.0F, 1}},
+                    FormatCase{I::Luminance4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 1}},
+                    FormatCase{I::Luminance4Alpha4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 4 / 15.0F}},
+                    FormatCase{I::Intensity4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 6 / 15.0F}},
+                    FormatCase{I::Alpha4, {1, 1, 1, 4 / 15.0F}},
+                    FormatCase{I::Srgb8Alpha8, {light100, light150, light200, alpha60}},
+                    FormatCase{I::Srgb8, {light100, light150, light200, 1}},
+                    FormatCase{I::Sluminance8Alpha8, {light100, light100, light100, alpha60}},
+                    FormatCase{I::Sluminance8, {light100, light100, light100, 1}}),
+    [](const auto& test) { return std::string(rowOf(test.param.format).name); });
+
+} // namespace
+} // namespace texplorer::internal_format_test

@@ -1,0 +1,67 @@
+// The lists of a texture: steps of its preparation and levels that are given one by one.
+
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui::texture_lists_test {
+namespace {
+
+using namespace test;
+
+class TextureLists : public Workbench {};
+
+TEST_F(TextureLists, AStepIsAddedAndShowsItsPicture) {
+    scrollTo("add step");
+    click("add step");
+    click("add step:invert");
+    ASSERT_EQ(texture().preparation.size(), 1U);
+    EXPECT_EQ(texture().preparation[0].op, ImageOp::Invert);
+    frames(2);
+    EXPECT_TRUE(has("picture:textures[0].preparation[0]"));
+    EXPECT_TRUE(has("picture:textures[0].source"));
+    EXPECT_FALSE(has("textures[0].preparation[0].factor[0]")) << "it is of no use to it";
+    key('Z', {ctrl});
+    EXPECT_TRUE(texture().preparation.empty());
+}
+
+TEST_F(TextureLists, StepsChangePlacesAndGo) {
+    texture().preparation = {{.op = ImageOp::Invert}, {.op = ImageOp::Sharpen}};
+    frames(2);
+    scrollTo("textures[0].preparation[1]#up");
+    click("textures[0].preparation[1]#up");
+    EXPECT_EQ(texture().preparation[0].op, ImageOp::Sharpen);
+    scrollTo("textures[0].preparation[0]#remove");
+    click("textures[0].preparation[0]#remove");
+    ASSERT_EQ(texture().preparation.size(), 1U);
+    EXPECT_EQ(texture().preparation[0].op, ImageOp::Invert);
+}
+
+TEST_F(TextureLists, LevelsAreAddedDownToTheLast) {
+    EXPECT_FALSE(has("add all levels")) << "they are not wanted yet";
+    texture().mipmaps = MipPolicy::Given;
+    frames(2);
+    scrollTo("add level");
+    click("add level");
+    EXPECT_EQ(texture().levels.size(), 1U);
+    scrollTo("add all levels");
+    click("add all levels");
+    EXPECT_EQ(texture().levels.size(), 6U) << "below 64 x 64 texels";
+    scrollTo("textures[0].levels[0]#remove");
+    frames(2);
+    EXPECT_TRUE(has("picture:textures[0].levels[0]"));
+    EXPECT_TRUE(has("level extents:1"));
+}
+
+TEST_F(TextureLists, ALevelAsksForItsFile) {
+    texture().mipmaps = MipPolicy::Given;
+    texture().levels.resize(2);
+    frames(2);
+    choose("textures[0].levels[1].source", "file");
+    EXPECT_EQ(session->window.dialog, Dialog::OpenImage);
+    EXPECT_EQ(session->window.imageParam, "textures[0].levels[1].file");
+    EXPECT_EQ(texture().levels[1].source, SourceKind::Pattern);
+}
+
+} // namespace
+} // namespace texplorer::ui::texture_lists_test
