@@ -120,6 +120,18 @@ using Group = std::array<Color, groupSize>;
 #endif
 }
 
+/// colorOf() of stored_color.h, of as many pixels.
+[[nodiscard, gnu::always_inline]] inline Group unpacked(const std::byte* pixels) {
+    using Bytes = std::uint8_t __attribute__((vector_size(4)));
+    Group colors;
+    for (std::size_t i = 0; i < groupSize; ++i) {
+        Bytes bytes;
+        std::memcpy(&bytes, pixels + 4 * i, sizeof bytes);
+        colors[i] = __builtin_convertvector(bytes, Color) / 255.0F;
+    }
+    return colors;
+}
+
 /// Neighbouring pixels of a row. Everything is computed for as many as there are lanes; `alive_` says which
 /// of them are there, and have not failed a test.
 class Row {
@@ -245,7 +257,7 @@ private:
         const TextureStep& first = pass_.steps[0];
         const bool modulates = pass_.stepCount == 1 && first.cell.color == EnvFunction::Product &&
                                first.cell.alpha == EnvFunction::Product && !pass_.separateSpecular &&
-                               !pass_.fog && !pass_.pass->alphaTest && !pass_.pass->blend;
+                               !pass_.fog;
         if (triangle_.evenPrimary) {
             const Color even = clampedToOne(loadColor(*triangle_.evenPrimary));
             const auto primary = [even](std::size_t) { return even; };
@@ -260,14 +272,22 @@ private:
         }
     }
 
-    /// What most scenes do. What it gives is clamped when it is stored.
+    /// What most scenes do. What is stored at once is clamped then.
     template<class Primary>
     [[gnu::always_inline]] void modulate(const Samples& samples, const Primary& primary) {
+        const bool stored = !pass_.pass->alphaTest && !pass_.pass->blend;
         for (int i = begin_; i < count_; i += groupSize) {
             const auto at = static_cast<std::size_t>(i);
-            write(i, {primary(at) * loadColor(samples[at]), primary(at + 1) * loadColor(samples[at + 1]),
-                      primary(at + 2) * loadColor(samples[at + 2]),
-                      primary(at + 3) * loadColor(samples[at + 3])});
+            Group colors{primary(at) * loadColor(samples[at]), primary(at + 1) * loadColor(samples[at + 1]),
+                         primary(at + 2) * loadColor(samples[at + 2]),
+                         primary(at + 3) * loadColor(samples[at + 3])};
+            if (stored) {
+                write(i, colors);
+                continue;
+            }
+            for (Color& color : colors)
+                color = clampedToOne(color);
+            finish(i, colors);
         }
     }
 
@@ -338,16 +358,48 @@ private:
                     alive_ &= ~(Mask{1} << (i + lane));
             });
         }
-        if (pass.blend) {
-            forEachAlive(i, wholeGroup, [&](int lane) {
-                std::byte* pixel = pixels_ + std::ptrdiff_t{4} * (i + lane);
-                reference::store(blend(pass.blendSrc, pass.blendDst,
-                                       vectorOf(colors[static_cast<std::size_t>(lane)]), colorOf(pixel)),
-                                 pixel);
-            });
-            return;
+        write(i, pass.blend ? blended(i, colors) : colors);
+    }
+
+    /// blend() of fragment.h, before the clamp, which follows when it is stored.
+    [[nodiscard]] Group blended(int i, const Group& colors) const {
+        const Group there = unpacked(pixels_ + std::ptrdiff_t{4} * i);
+        Group result;
+        for (std::size_t lane = 0; lane < groupSize; ++lane) {
+            const Color source = colors[lane];
+            const Color destination = there[lane];
+            result[lane] = source * factor(pass_.pass->blendSrc, source, destination) +
+                           destination * factor(pass_.pass->blendDst, source, destination);
         }
-        write(i, colors);
+        return result;
+    }
+
+    /// blendFactor() of fragment.h.
+    [[nodiscard, gnu::always_inline]] static Color factor(BlendFactor factor, Color source,
+                                                          Color destination) {
+        switch (factor) {
+        case BlendFactor::Zero:
+            return Color{};
+        case BlendFactor::One:
+            break;
+        case BlendFactor::SrcColor:
+            return source;
+        case BlendFactor::OneMinusSrcColor:
+            return 1.0F - source;
+        case BlendFactor::SrcAlpha:
+            return source[3] - Color{};
+        case BlendFactor::OneMinusSrcAlpha:
+            return (1 - source[3]) - Color{};
+        case BlendFactor::DstAlpha:
+            return destination[3] - Color{};
+        case BlendFactor::OneMinusDstAlpha:
+            return (1 - destination[3]) - Color{};
+        case BlendFactor::DstColor:
+            return destination;
+        case BlendFactor::OneMinusDstColor:
+            return 1.0F - destination;
+        }
+        return Color{1, 1, 1, 1};
     }
 
     [[gnu::always_inline]] void write(int i, const Group& colors) {

@@ -41,7 +41,7 @@ template<class Lanes, class T>
 }
 template<class Lanes, class T>
 void store(Lanes lanes, T* to) {
-    static_assert(sizeof(T) == 4 || sizeof(T) == sizeof(Lanes));
+    static_assert(sizeof(T) == 4 || sizeof(T) == 16 || sizeof(T) == sizeof(Lanes));
     std::memcpy(to, &lanes, sizeof lanes);
 }
 

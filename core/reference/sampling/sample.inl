@@ -19,6 +19,28 @@ template<class Work>
 #endif
 }
 
+/// A vector of numbers holds so many colours.
+constexpr std::size_t colorsAtOnce = laneCount / 4;
+
+/// The colours that `colorOf` gives for 0, 1, ….
+template<class ColorOf>
+[[nodiscard, gnu::always_inline]] inline Floats joined(const ColorOf& colorOf) {
+#if TEXPLORER_LANES == 8
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(colorOf(0)), colorOf(1), 1);
+#else
+    return colorOf(0);
+#endif
+}
+/// The numbers of as many pixels, each four times: for every component of their colours.
+[[nodiscard, gnu::always_inline]] inline Floats spread(Floats values, std::size_t first) {
+#if TEXPLORER_LANES == 8
+    return _mm256_permutevar8x32_ps(values, _mm256_set_m128i(_mm_set1_epi32(static_cast<int>(first) + 1),
+                                                             _mm_set1_epi32(static_cast<int>(first))));
+#else
+    return floats(values[first]);
+#endif
+}
+
 [[nodiscard]] Floats clamped(Floats values, Floats low, Floats high) {
     return greater(lesser(values, high), low);
 }
@@ -95,7 +117,7 @@ public:
 
     /// Without mipmaps, where magnification and minification are the same.
     void sampleBase(const SampleRow& row, int count, glm::vec4* colors) const {
-        const Levels base(sampler_, ints(0));
+        const OneLevel base(sampler_.planes[0]);
         const bool linear = texture_.magFilter == MagFilter::Linear;
         for (int at = 0; at < count; at += laneCount) {
             const Floats s = load(row.s.data() + at);
@@ -138,6 +160,22 @@ private:
             , dtdy(axes > 1 ? load(row.dtdy.data() + at) : floats(0)) {}
     };
 
+    /// A level that all pixels share.
+    struct OneLevel {
+        const Plane& shared;
+        Floats width;
+        Floats height;
+        Ints rowLength;
+
+        explicit OneLevel(const Plane& plane)
+            : shared(plane)
+            , width(floats(plane.fWidth))
+            , height(floats(plane.fHeight))
+            , rowLength(ints(plane.width)) {}
+
+        [[nodiscard]] const Plane& of(std::size_t /*lane*/) const { return shared; }
+    };
+
     /// The level of each pixel.
     struct Levels {
         std::array<const Plane*, laneCount> planes;
@@ -162,6 +200,8 @@ private:
                 rowLength[i] = plane->width;
             }
         }
+
+        [[nodiscard]] const Plane& of(std::size_t lane) const { return *planes[lane]; }
     };
 
     /// Where a texel of each pixel lies in its level, in memory: registers are slow to take numbers from one
@@ -169,11 +209,13 @@ private:
     class Places {
     public:
         explicit Places(Ints indices) { store(indices, indices_.data()); }
-        Places(const Levels& levels, Ints i, Ints j)
+        template<class Of>
+        Places(const Of& levels, Ints i, Ints j)
             : Places(axes > 1 ? j * levels.rowLength + i : i) {}
 
-        [[nodiscard]] Color operator()(const Levels& levels, std::size_t lane) const {
-            return loadColor(levels.planes[lane]->texels + indices_[lane]);
+        template<class Of>
+        [[nodiscard]] Color operator()(const Of& levels, std::size_t lane) const {
+            return loadColor(levels.of(lane).texels + indices_[lane]);
         }
 
     private:
@@ -267,7 +309,8 @@ private:
     }
 
     /// NEAREST: tau_ij.
-    [[nodiscard]] Colors nearest(const Levels& levels, Floats s, Floats t) const {
+    template<class Of>
+    [[nodiscard]] Colors nearest(const Of& levels, Floats s, Floats t) const {
         const Ints i = nearestTexels(texture_.wrapS, wrapped(texture_.wrapS, s, levels.width), levels.width);
         const Ints j =
             axes > 1 ? nearestTexels(texture_.wrapT, wrapped(texture_.wrapT, t, levels.height), levels.height)
@@ -275,7 +318,7 @@ private:
         Colors colors;
         if (usesBorder_) {
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-                colors[lane] = texelOrBorder(*levels.planes[lane], i[lane], j[lane]);
+                colors[lane] = texelOrBorder(levels.of(lane), i[lane], j[lane]);
             });
         } else {
             const Places places(levels, i, j);
@@ -286,14 +329,15 @@ private:
     }
 
     /// LINEAR: equations 3.23 and 3.24.
-    [[nodiscard, gnu::always_inline]] Colors linearly(const Levels& levels, Floats s, Floats t) const {
+    template<class Of>
+    [[nodiscard, gnu::always_inline]] Colors linearly(const Of& levels, Floats s, Floats t) const {
         const Wrap wrapS = texture_.wrapS;
         const TexelPairs i(wrapS, wrapped(wrapS, s, levels.width), levels.width);
         Colors colors;
         if constexpr (axes == 1) {
             const Floats firstShare = 1.0F - i.share;
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-                const Plane& plane = *levels.planes[lane];
+                const Plane& plane = levels.of(lane);
                 colors[lane] = firstShare[lane] * texelOrBorder(plane, i.first[lane], 0) +
                                i.share[lane] * texelOrBorder(plane, i.second[lane], 0);
             });
@@ -307,7 +351,7 @@ private:
         const Floats share11 = i.share * j.share;
         if (usesBorder_) {
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-                const Plane& plane = *levels.planes[lane];
+                const Plane& plane = levels.of(lane);
                 colors[lane] = share00[lane] * texelOrBorder(plane, i.first[lane], j.first[lane]) +
                                share10[lane] * texelOrBorder(plane, i.second[lane], j.first[lane]) +
                                share01[lane] * texelOrBorder(plane, i.first[lane], j.second[lane]) +
@@ -319,10 +363,15 @@ private:
         const Places at10(levels, i.second, j.first);
         const Places at01(levels, i.first, j.second);
         const Places at11(levels, i.second, j.second);
-        forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
-            colors[lane] = share00[lane] * at00(levels, lane) + share10[lane] * at10(levels, lane) +
-                           share01[lane] * at01(levels, lane) + share11[lane] * at11(levels, lane);
-        });
+        const auto weighted = [&](Floats shares, const Places& places, std::size_t first)
+                                  __attribute__((always_inline)) {
+            return spread(shares, first) *
+                   joined([&](std::size_t lane) { return places(levels, first + lane); });
+        };
+        for (std::size_t first = 0; first < laneCount; first += colorsAtOnce)
+            store(weighted(share00, at00, first) + weighted(share10, at10, first) +
+                      weighted(share01, at01, first) + weighted(share11, at11, first),
+                  colors.data() + first);
         return colors;
     }
 
