@@ -107,8 +107,9 @@ std::vector<std::string> sceneNames() {
     return names;
 }
 
-/// How many pixels differ by more than the tolerance, in any component but alpha, which no screen shows.
-testing::AssertionResult areAlike(const Image& found, const Image& expected, int mayDiffer) {
+/// How many pixels differ by more than `allowed`, in any component but alpha, which no screen shows.
+testing::AssertionResult areAlike(const Image& found, const Image& expected, int mayDiffer,
+                                  int allowed = tolerance) {
     if (found.pixels.size() != expected.pixels.size())
         return testing::AssertionFailure() << "the pictures have different sizes";
     int others = 0;
@@ -121,7 +122,7 @@ testing::AssertionResult areAlike(const Image& found, const Image& expected, int
                 difference = std::max(difference, std::abs(std::to_integer<int>(found.at(x, y)[i]) -
                                                            std::to_integer<int>(expected.at(x, y)[i])));
             worst = std::max(worst, difference);
-            if (difference <= tolerance)
+            if (difference <= allowed)
                 continue;
             if (others++ == 0)
                 first = std::to_string(x) + ", " + std::to_string(y);
@@ -146,7 +147,8 @@ protected:
     }
 
     Image reference(const Scene& scene) {
-        const Result<Frame> frame = reference::drawReference({scene, images, 0, extent.width, extent.height});
+        const Result<Frame> frame = reference::drawReference({scene, images, 0, extent.width, extent.height,
+                                                              reference::AnisotropyMethod::Ellipse}); // Mesa's
         EXPECT_TRUE(frame) << describe(frame.error());
         return frame ? frame->image : Image{};
     }
@@ -205,7 +207,9 @@ constexpr int scenesMayDiffer = extent.width * extent.height / 100;
 TEST_P(DocumentScenes, AreTheSameInTheReference) {
     const Result<Scene> scene = readScene(GetParam());
     ASSERT_TRUE(scene) << describe(scene.error());
-    EXPECT_TRUE(areAlike(drawn(*scene), reference(*scene), scenesMayDiffer));
+    // Levels that have nothing in common show how coarsely the driver computes the level of detail.
+    const int allowed = scene->textures[0].mipmaps == MipPolicy::Given ? 16 : tolerance;
+    EXPECT_TRUE(areAlike(drawn(*scene), reference(*scene), scenesMayDiffer, allowed));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DocumentScenes, testing::ValuesIn(sceneNames()), [](const auto& test) {

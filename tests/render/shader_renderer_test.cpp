@@ -140,7 +140,12 @@ Scene anyScene(unsigned seed) {
         // undefined.
         if (units == 1 && dice.chance(4))
             texture.mipmaps = MipPolicy::None;
-        pass.units[static_cast<std::size_t>(i)] = anyUnit(dice, i, units);
+        const Unit& unit = pass.units[static_cast<std::size_t>(i)] = anyUnit(dice, i, units);
+        // Faces that aren't square are incomplete, too.
+        for (Image image = drawPattern(texture.pattern);
+             unit.target == Target::CubeMap && image.width != image.height;
+             image = drawPattern(texture.pattern))
+            texture.pattern = dice.any<Pattern>();
     }
     return scene;
 }
