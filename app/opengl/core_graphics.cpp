@@ -29,12 +29,22 @@ const PanelBackend coreBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); }
                                ImGui_ImplOpenGL3_NewFrame,
                                ImGui_ImplOpenGL3_RenderDrawData};
 
+/// nullptr: not yet. What the light sees may be another picture with every frame, with which a worker would
+/// never be done.
+std::shared_ptr<const PreparedLevels> preparedFor(const LevelsRequest& request, LevelsSource& source) {
+    if (request.settings.source != SourceKind::LightDepth)
+        return source.prepare(request);
+    return std::make_shared<const PreparedLevels>(
+        prepareLevels(request.settings, request.pictures, request.target));
+}
+
 /// The base level; nullptr where it can't be made.
 std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const PreparedLevels& levels) {
     if (!levels)
         return nullptr;
     const SharedSurface& base = levels->levels.front().surface;
-    return std::make_shared<const Image>(render::asRgba8(toImage(*base), baseFormat(request.settings.internalFormat)));
+    const BaseFormat format = baseFormat(request.settings.internalFormat);
+    return std::make_shared<const Image>(render::asRgba8(toImage(*base), format));
 }
 
 } // namespace
@@ -70,11 +80,12 @@ view::PictureHandle CoreGraphics::showTexture(const Texture& texture, const Imag
         return view::PictureHandle::None;
     try {
         if (previewed_ != request) {
-            if (const std::shared_ptr<const PreparedLevels> made = levels.prepare(*request)) {
+            if (const std::shared_ptr<const PreparedLevels> made = preparedFor(*request, levels)) {
                 if (*made || made->error().code != ErrorCode::Cancelled)
                     texture_ = pictureOf(*request, *made);
                 previewed_ = request;
-                levels.uploaded(*request, made, {});
+                if (request->settings.source != SourceKind::LightDepth)
+                    levels.uploaded(*request, made, {});
             }
         }
         return show(texture_, Use::Enlarged);

@@ -74,14 +74,28 @@ static_assert(agrees<TexGenMode>({TEXPLORER_GL(GL_EYE_LINEAR), TEXPLORER_GL(GL_O
 static_assert(agrees<BaseFormat>({TEXPLORER_GL(GL_ALPHA), TEXPLORER_GL(GL_LUMINANCE),
                                   TEXPLORER_GL(GL_LUMINANCE_ALPHA), TEXPLORER_GL(GL_INTENSITY),
                                   TEXPLORER_GL(GL_RGB), TEXPLORER_GL(GL_RGBA)}));
-static_assert(agrees<InternalFormat>(
-    {TEXPLORER_GL(GL_ALPHA), TEXPLORER_GL(GL_LUMINANCE), TEXPLORER_GL(GL_LUMINANCE_ALPHA),
-     TEXPLORER_GL(GL_INTENSITY), TEXPLORER_GL(GL_RGB), TEXPLORER_GL(GL_RGBA), TEXPLORER_GL(GL_ALPHA4),
-     TEXPLORER_GL(GL_LUMINANCE4), TEXPLORER_GL(GL_LUMINANCE4_ALPHA4), TEXPLORER_GL(GL_INTENSITY4),
-     TEXPLORER_GL(GL_R3_G3_B2), TEXPLORER_GL(GL_RGB4), TEXPLORER_GL(GL_RGB5), TEXPLORER_GL(GL_RGBA2),
-     TEXPLORER_GL(GL_RGBA4), TEXPLORER_GL(GL_RGB5_A1), TEXPLORER_GL(GL_SRGB8),
-     TEXPLORER_GL(GL_SRGB8_ALPHA8), TEXPLORER_GL(GL_SLUMINANCE8), TEXPLORER_GL(GL_SLUMINANCE8_ALPHA8),
-     TEXPLORER_GL(GL_DEPTH_COMPONENT16), TEXPLORER_GL(GL_DEPTH_COMPONENT24)}));
+static_assert(agrees<InternalFormat>({TEXPLORER_GL(GL_ALPHA),
+                                      TEXPLORER_GL(GL_LUMINANCE),
+                                      TEXPLORER_GL(GL_LUMINANCE_ALPHA),
+                                      TEXPLORER_GL(GL_INTENSITY),
+                                      TEXPLORER_GL(GL_RGB),
+                                      TEXPLORER_GL(GL_RGBA),
+                                      TEXPLORER_GL(GL_ALPHA4),
+                                      TEXPLORER_GL(GL_LUMINANCE4),
+                                      TEXPLORER_GL(GL_LUMINANCE4_ALPHA4),
+                                      TEXPLORER_GL(GL_INTENSITY4),
+                                      TEXPLORER_GL(GL_R3_G3_B2),
+                                      TEXPLORER_GL(GL_RGB4),
+                                      TEXPLORER_GL(GL_RGB5),
+                                      TEXPLORER_GL(GL_RGBA2),
+                                      TEXPLORER_GL(GL_RGBA4),
+                                      TEXPLORER_GL(GL_RGB5_A1),
+                                      TEXPLORER_GL(GL_SRGB8),
+                                      TEXPLORER_GL(GL_SRGB8_ALPHA8),
+                                      TEXPLORER_GL(GL_SLUMINANCE8),
+                                      TEXPLORER_GL(GL_SLUMINANCE8_ALPHA8),
+                                      TEXPLORER_GL(GL_DEPTH_COMPONENT16),
+                                      TEXPLORER_GL(GL_DEPTH_COMPONENT24)}));
 static_assert(agrees<CompareMode>({TEXPLORER_GL(GL_NONE), TEXPLORER_GL(GL_COMPARE_R_TO_TEXTURE)}));
 static_assert(agrees<DepthMode>({TEXPLORER_GL(GL_LUMINANCE), TEXPLORER_GL(GL_INTENSITY),
                                  TEXPLORER_GL(GL_ALPHA)}));

@@ -135,8 +135,7 @@ void switchUnitOff(int index) {
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
 }
 
-void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time,
-               const Light& light) {
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time, const Light& light) {
     switchUnitOff(index); // a pass before this one may have used another target, which could take precedence
     const auto target = static_cast<GLenum>(unit.target);
     glBindTexture(target, texture.name);

@@ -19,8 +19,7 @@ void applyFixedPass(const Pass& pass);
 
 /// The texture bound to one unit, its environment and its matrix at `time`; with LateFlip::Matrix the matrix
 /// begins with t -> 1 - t. The modelview matrix must be the identity: eye planes are in eye coordinates.
-void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time,
-               const Light& light);
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time, const Light& light);
 
 void switchUnitOff(int index);
 

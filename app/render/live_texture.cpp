@@ -43,7 +43,8 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
 void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities,
                          LevelsSource* source, std::string_view where) {
     cancelled_ = false;
-    if (request.settings.source == SourceKind::LightDepth) // another with every frame, maybe: at once or never
+    if (request.settings.source ==
+        SourceKind::LightDepth) // another with every frame, maybe: at once or never
         source = nullptr;
     giveBack(source); // a frame later: to read them takes its time, as the last part of an upload does
     if (shown_ == request)

@@ -9,8 +9,8 @@
 
 namespace texplorer::render {
 
-/// What of a texture a panel shows: its base level, its transparency and the bits of its internal format as in
-/// the scene, not compressed again; numbers of sRGB as they are stored, so that it looks as the file does;
+/// What of a texture a panel shows: its base level, its transparency and the bits of its internal format as
+/// in the scene, not compressed again; numbers of sRGB as they are stored, so that it looks as the file does;
 /// upright, unless the scene flips nothing. Of a volume the middle slice, of a file with six faces all of
 /// them as an unfolded cube. Needs no OpenGL.
 class PreviewPicture {

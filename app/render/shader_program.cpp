@@ -1,5 +1,7 @@
 #include "app/render/shader_program.h"
 
+#include "app/render/shader_log.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>

@@ -37,10 +37,4 @@ using SampledUnits = std::array<std::optional<SampledUnit>, maxUnits>;
 /// Whether a unit's coordinates go through a texture matrix.
 [[nodiscard]] bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled);
 
-/// A driver's compile log with the files' names and lines in the place of the source's: "lighting.glsl:12:
-/// 'eyeNorml' undeclared". A line that names no place stays as it is.
-[[nodiscard]] std::vector<view::ShaderMessage>
-translateLog(std::string_view log, const view::StageSource& source,
-             std::optional<view::ShaderStage> stage = std::nullopt);
-
 } // namespace texplorer::render

@@ -18,14 +18,17 @@ struct Sized {
     GLint name;
 };
 constexpr std::array sizedFormats{
-    Sized{InternalFormat::Alpha, GL_ALPHA8},         Sized{InternalFormat::Luminance, GL_LUMINANCE8},
-    Sized{InternalFormat::Intensity, GL_INTENSITY8}, Sized{InternalFormat::LuminanceAlpha, GL_LUMINANCE8_ALPHA8},
-    Sized{InternalFormat::Rgb, GL_RGB8},             Sized{InternalFormat::Rgba, GL_RGBA8},
+    Sized{InternalFormat::Alpha, GL_ALPHA8},
+    Sized{InternalFormat::Luminance, GL_LUMINANCE8},
+    Sized{InternalFormat::LuminanceAlpha, GL_LUMINANCE8_ALPHA8},
+    Sized{InternalFormat::Intensity, GL_INTENSITY8},
+    Sized{InternalFormat::Rgb, GL_RGB8},
+    Sized{InternalFormat::Rgba, GL_RGBA8},
 };
 
-/// Eight bits a component on every driver (table 3.16) where the name alone leaves their number open. A format
-/// of few bits is asked for by its own name, whose numbers the pixels have already: a driver with more bits
-/// stores the same.
+/// Eight bits a component on every driver (table 3.16) where the name alone leaves their number open. A
+/// format of few bits is asked for by its own name, whose numbers the pixels have already: a driver with more
+/// bits stores the same.
 GLint sizedFormat(InternalFormat format) {
     const auto* found = std::ranges::find(sizedFormats, format, &Sized::format);
     return found == sizedFormats.end() ? static_cast<GLint>(format) : found->name;
@@ -77,8 +80,8 @@ const char* uploadImage(Target target, const TextureLevel& level, GLint stored, 
         glTexImage2D(aim, level.number, stored, image.width, image.height, border, given, type, pixels);
         return "glTexImage2D";
     default:
-        glTexImage3D(aim, level.number, stored, image.width, image.height, image.depth, border, given,
-                     type, pixels);
+        glTexImage3D(aim, level.number, stored, image.width, image.height, image.depth, border, given, type,
+                     pixels);
         return "glTexImage3D";
     }
 }
@@ -90,8 +93,8 @@ const char* uploadRows(Target target, const TextureLevel& level, int first, int 
     const GLenum type = pixelType(image.format);
     const GLenum aim = imageTarget(target, level.face);
     if (target == Target::Texture3D) {
-        glTexSubImage3D(aim, level.number, 0, 0, first, image.width, image.height, count, given,
-                        type, image.pixels.data() + image.offset(0, 0, first));
+        glTexSubImage3D(aim, level.number, 0, 0, first, image.width, image.height, count, given, type,
+                        image.pixels.data() + image.offset(0, 0, first));
         return "glTexSubImage3D";
     }
     glTexSubImage2D(aim, level.number, 0, first, image.width, count, given, type,
@@ -183,7 +186,8 @@ TextureObject::TextureObject(Target target, const TextureLevels& levels, std::st
 bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, std::size_t bytes,
                            std::string_view where, GlErrors& errors) {
     const auto target = static_cast<Target>(target_);
-    const GLint stored = levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(levels.internalFormat);
+    const GLint stored =
+        levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(levels.internalFormat);
     const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());

@@ -186,12 +186,9 @@ Json jsonOf(const BlendExplanation& blend) {
 Json jsonOf(const std::optional<FogExplanation>& fog) {
     if (!fog)
         return {{"enabled", false}};
-    return {{"enabled", true},
-            {"mode", nameOf(fog->state.mode)},
-            {"distance", fog->distance},
-            {"equation", jsonOf(fog->equation)},
-            {"factor", fog->factor},
-            {"fogColor", listOf(fog->state.color)}};
+    return {{"enabled", true},           {"mode", nameOf(fog->state.mode)},
+            {"distance", fog->distance}, {"equation", jsonOf(fog->equation)},
+            {"factor", fog->factor},     {"fogColor", listOf(fog->state.color)}};
 }
 
 Json jsonOf(const FragmentExplanation& fragment) {

@@ -5,12 +5,16 @@
 #include "app/screenshot/output.h"
 #include "app/screenshot/scene_argument.h"
 #include "core/base/count.h"
+#include "core/image/depth_pixels.h"
+#include "core/reference/light_depth.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/texture_levels.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <stop_token>
 
 namespace texplorer::screenshot {
 namespace {
@@ -25,10 +29,18 @@ struct TextureOptions {
 
 /// The picture before the preparation (step 0), or after one of its steps.
 Result<Image> stepOf(const TextureOptions& options, const Texture& texture, const TexturePictures& pictures) {
-    std::vector<Image> steps = preparationOf(texture, pictures);
-    const auto asked = static_cast<std::size_t>(options.step);
-    if (asked < steps.size())
-        return std::move(steps[asked]);
+    std::optional<Image> asked;
+    std::stop_source enough;
+    int step = 0;
+    const auto keep = [&](const Image& image) {
+        if (step++ == options.step) {
+            asked = image;
+            enough.request_stop();
+        }
+    };
+    eachPreparationStep(texture, pictures, keep, enough.get_token());
+    if (asked)
+        return *std::move(asked);
     return fail(ErrorCode::OutOfRange,
                 fmt::format("there is no step {}: textures[{}] has {} in its preparation", options.step,
                             options.texture, countOf(texture.preparation.size(), "step")));
@@ -57,6 +69,9 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());
     const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
+    if (texture.source == SourceKind::LightDepth)
+        opened.images.putLightDepth(
+            texture.depthSize, depthImage(reference::drawLightDepths(opened.scene, 0, texture.depthSize)));
     const TexturePictures pictures = opened.images.picturesOf(texture);
     return options.step >= 0 ? stepOf(options, texture, pictures) : levelOf(options, texture, pictures);
 }
@@ -73,7 +88,7 @@ ExitCode writeTexture(const TextureOptions& options) {
     Result<Image> picture = pictureOf(options, *opened);
     if (!picture)
         return complain(inScene(options.scene, picture.error()));
-    const auto written = output->write(textureOf(*std::move(picture), {}));
+    const auto written = output->write(textureOf(greysOf(*std::move(picture)), {}));
     return written ? success : complain(written.error());
 }
 
@@ -96,7 +111,9 @@ void addTexture(CommandLine& line) {
     command.number("--level", options->level, 0, 30,
                    "The mip level as it is uploaded as GL_TEXTURE_2D, 0 the base, but upright and "
                    "decompressed.");
-    command.footer("Without --step and --level it is the base level, as it is uploaded.");
+    command.footer(
+        "Without --step and --level it is the base level, as it is uploaded. Depths from the light "
+        "are those at time 0.");
     command.onCall([options] { return writeTexture(*options); });
 }
 

@@ -71,6 +71,8 @@ Step Loop::step(double now, const std::vector<Event>& events) {
 
     if (ui::receiveFiles(session_))
         settling_ = settlingFrames;
+    if (!input_.empty()) // the last of it, too, is followed by frames
+        settling_ = settlingFrames;
     if (!first)
         ui::advance(session_, std::min(seconds, longestStep));
     const ui::Requests requests =

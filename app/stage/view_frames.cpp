@@ -51,9 +51,8 @@ void ViewFrames::addProblems(const std::vector<std::string>& problems) {
 ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
     ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true};
     Scene stepped;
-    Result<view::Frame> frame =
-        graphics_.draw(kind, ui::shownScene(session, stepped), images_, session.window.playback.time, size,
-                       session.services.levels);
+    Result<view::Frame> frame = graphics_.draw(kind, ui::shownScene(session, stepped), images_,
+                                               session.window.playback.time, size, session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;

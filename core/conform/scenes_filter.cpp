@@ -170,7 +170,7 @@ Scene seamless(int number, Dice& state, Dice& values) {
     texture.magFilter = texture.minFilter == MinFilter::Nearest ? MagFilter::Nearest : MagFilter::Linear;
     texture.mipmaps = MipPolicy::Generated;
     texture.baseLevel = 3 + number % 5; // 16 texels along an edge to one, so that edges are wide
-    texture.wrapS = state.any<Wrap>(); // which count no more
+    texture.wrapS = state.any<Wrap>();  // which count no more
     texture.wrapT = state.any<Wrap>();
     texture.borderColor = values.color();
     scene.passes[0].seamlessCubeMap = true;
@@ -233,8 +233,8 @@ Scene incomplete(int number, Dice& state, Dice& values) {
 Scene givenLevels(int number, Dice& state, Dice& values) {
     // Complete, with too few levels that are read, with too few that aren't, with one of another size.
     enum class Chain : std::uint8_t { Complete, Short, Limited, WrongSize };
-    constexpr std::array chains{Chain::Complete, Chain::Complete, Chain::Limited, Chain::Short,
-                                Chain::Complete, Chain::WrongSize};
+    constexpr std::array chains{Chain::Complete, Chain::Complete, Chain::Limited,
+                                Chain::Short,    Chain::Complete, Chain::WrongSize};
     constexpr int full = 8; // levels above a base of 256 texels
     const auto turn = static_cast<std::size_t>(number);
     const Chain chain = chains[turn % chains.size()];

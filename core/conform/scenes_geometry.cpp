@@ -88,11 +88,7 @@ Scene fog(int number, Dice& state, Dice& values) {
         scene.light.colorControl = state.any<ColorControl>();
         setLight(scene, values);
     }
-    pass.fog = {true,
-                mode,
-                values.number(0, 0.5F),
-                values.number(0, 4),
-                values.number(4.5F, 12),
+    pass.fog = {true,          mode, values.number(0, 0.5F), values.number(0, 4), values.number(4.5F, 12),
                 values.color()};
     if (values.chance(6)) // clear where it is far
         std::swap(pass.fog.start, pass.fog.end);

@@ -40,10 +40,7 @@ PlannedLevel firstLevel(const Unit& unit, const Texture& texture) {
 
 bool isTooLarge(const Unit& unit, const Texture& texture, const DriverFacts& driver) {
     const PlannedLevel level = firstLevel(unit, texture);
-    const int limit = unit.target == Target::Texture3D ? driver.max3DTextureSize
-                      : unit.target == Target::CubeMap ? driver.maxCubeMapSize
-                                                       : driver.maxTextureSize;
-    return std::max({level.width, level.height, level.depth}) > limit;
+    return std::max({level.width, level.height, level.depth}) > driver.mostTexels(unit.target);
 }
 
 constexpr bool isCompressed(const Texture& texture) {

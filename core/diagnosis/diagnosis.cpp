@@ -40,7 +40,8 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
 
 TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures,
                     const DriverFacts& driver) {
-    TargetFacts facts{target, planLevels(texture, pictures, target), {}, {}, baseFormat(texture.internalFormat)};
+    TargetFacts facts{
+        target, planLevels(texture, pictures, target), {}, {}, baseFormat(texture.internalFormat)};
     // Completeness asks for extents alone: these levels have no texels.
     reference::SampledTexture sampled;
     sampled.target = target;
@@ -99,8 +100,8 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     std::vector<Finding> findings;
     Report report(findings);
     for (const std::span<const Rule> rules :
-         {textureRules(), formatRules(), unitRules(), combineRules(), passRules(), modelRules(), lightRules(), sideRules(),
-          fogRules(), depthRules(), textureEffectRules()}) {
+         {textureRules(), formatRules(), unitRules(), combineRules(), passRules(), modelRules(), lightRules(),
+          sideRules(), fogRules(), depthRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);

@@ -27,6 +27,13 @@ struct DriverFacts {
     bool textureBorders = true; ///< a border of texels stays with its image
 
     bool operator==(const DriverFacts&) const = default;
+
+    /// How many texels the base level may have along each axis.
+    [[nodiscard]] constexpr int mostTexels(Target target) const {
+        return target == Target::Texture3D ? max3DTextureSize
+               : target == Target::CubeMap ? maxCubeMapSize
+                                           : maxTextureSize;
+    }
 };
 
 enum class Severity : std::uint32_t { Error, Warning, Note, Hint, Unused };
@@ -72,9 +79,9 @@ struct Finding {
     bool reportedByRenderer = false;
 };
 
-/// Everything that there is to say, errors first, then warnings, notes, hints and what is unused; each kind in
-/// the order of the rules. Reads no file: a texture whose file `images` doesn't hold counts as missing. Never
-/// fails, whatever the scene holds.
+/// Everything that there is to say, errors first, then warnings, notes, hints and what is unused; each kind
+/// in the order of the rules. Reads no file: a texture whose file `images` doesn't hold counts as missing.
+/// Never fails, whatever the scene holds.
 [[nodiscard]] std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images,
                                             const DriverFacts& driver = {});
 
@@ -84,8 +91,8 @@ struct Finding {
 /// Whether `path` is that of `whole`, a parameter or a struct, or of something in it.
 [[nodiscard]] bool isPartOf(std::string_view path, std::string_view whole);
 
-/// The first finding about a parameter: an error, a warning or a note about itself or about something in it; or
-/// a hint or what is unused, about itself or a struct that it is part of, unless the fix sets it. nullptr:
+/// The first finding about a parameter: an error, a warning or a note about itself or about something in it;
+/// or a hint or what is unused, about itself or a struct that it is part of, unless the fix sets it. nullptr:
 /// none.
 [[nodiscard]] const Finding* problemOf(const std::vector<Finding>& findings, std::string_view path);
 [[nodiscard]] const Finding* idleReasonOf(const std::vector<Finding>& findings, std::string_view path);

@@ -226,14 +226,14 @@ void forEachProjection(const Case& about, Visit visit) {
 void behindTheLight(const Case& about, Report& report) {
     if (about.scene.light.position.w == 0)
         return;
-    const auto [view, projection] = lightView(about.scene.light);
+    const LightView light = lightView(about.scene.light);
     forEachProjection(about, [&](const Unit& unit, const std::string& path, const Pass& pass) {
         if (!hasEyeCoordinates(unit))
             return;
         const bool reached = std::ranges::any_of(drawnModels(about.scene, pass), [&](std::size_t m) {
             const Model& model = about.scene.models[m];
             const glm::dmat4 clip =
-                projection * view * glm::dmat4(modelViewMatrix(about.scene.view, model, 0));
+                light.projection * light.view * glm::dmat4(modelViewMatrix(about.scene.view, model, 0));
             return std::ranges::any_of(meshOf(model).vertices, [&](const Vertex& vertex) {
                 const glm::dvec4 at = clip * glm::dvec4(vertex.position, 1);
                 return at.w < 0 && std::abs(at.x) < -at.w && std::abs(at.y) < -at.w;

@@ -135,13 +135,19 @@ constexpr std::array settings{
     Setting{keyOf<&Texture::compareMode>, noComparing},
     Setting{keyOf<&Texture::compareFunc>, noCompareFunc},
     Setting{keyOf<&Texture::depthMode>, noComparing},
-    Setting{keyOf<&Texture::flip>, noFlip},        Setting{keyOf<&Texture::internalFormat>, noInternalFormat},
-    Setting{keyOf<&Texture::npot>, noScaling},     Setting{keyOf<&Texture::wrapT>, noWrapT},
+    Setting{keyOf<&Texture::flip>, noFlip},
+    Setting{keyOf<&Texture::internalFormat>, noInternalFormat},
+    Setting{keyOf<&Texture::npot>, noScaling},
+    Setting{keyOf<&Texture::wrapT>, noWrapT},
     Setting{keyOf<&Texture::wrapS>, noWrapS},
-    Setting{keyOf<&Texture::wrapR>, noWrapR},      Setting{keyOf<&Texture::borderColor>, noBorderColor},
-    Setting{keyOf<&Texture::border>, noBorder},    Setting{keyOf<&Texture::mipFilter>, noMipmaps},
-    Setting{keyOf<&Texture::mipGamma>, noMipmaps}, Setting{keyOf<&Texture::maxLevel>, noMipmaps},
-    Setting{keyOf<&Texture::minLod>, noLod},       Setting{keyOf<&Texture::maxLod>, noLod},
+    Setting{keyOf<&Texture::wrapR>, noWrapR},
+    Setting{keyOf<&Texture::borderColor>, noBorderColor},
+    Setting{keyOf<&Texture::border>, noBorder},
+    Setting{keyOf<&Texture::mipFilter>, noMipmaps},
+    Setting{keyOf<&Texture::mipGamma>, noMipmaps},
+    Setting{keyOf<&Texture::maxLevel>, noMipmaps},
+    Setting{keyOf<&Texture::minLod>, noLod},
+    Setting{keyOf<&Texture::maxLod>, noLod},
     Setting{keyOf<&Texture::lodBias>, noLod},
 };
 
@@ -209,6 +215,17 @@ void levelsUnread(const Case& about, Report& report) {
         report.add(path + keyOf<&Texture::levels>(),
                    fmt::format("these levels are not read with mipmaps={}", nameOf(texture.mipmaps)),
                    Fix{"Read them", {{path + keyOf<&Texture::mipmaps>(), given}}});
+    }
+}
+
+/// What the light sees stays as it is in a depth texture.
+void depthsUnprepared(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const Texture& texture = about.scene.textures[i];
+        if (texture.source == SourceKind::LightDepth && isDepthTexture(texture) &&
+            !texture.preparation.empty())
+            report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::preparation>()),
+                       "depths from the light are not changed before they are compared");
     }
 }
 
@@ -299,6 +316,7 @@ constexpr std::array effectRuleRows{
     Rule{"own-border", Severity::Hint, ownBorder},
     Rule{"texture-not-shown", Severity::Hint, notShown},
     Rule{"levels-not-read", Severity::Hint, levelsUnread},
+    Rule{"depths-not-prepared", Severity::Hint, depthsUnprepared},
     Rule{"lost-alpha", Severity::Hint, alphaLost},
     Rule{"other-texture-choice", Severity::Unused, unused},
 };

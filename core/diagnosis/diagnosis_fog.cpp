@@ -20,6 +20,9 @@ namespace {
 /// From this share on one doesn't see it.
 constexpr float faint = 0.05F;
 
+/// Of the rows of a fog's start and end.
+constexpr float fogLimit = 1000;
+
 template<class Visit> ///< visit(pass, "passes[0].fog."), of passes that are drawn
 void forEachFog(const Scene& scene, Visit visit) {
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
@@ -67,17 +70,24 @@ std::string rounded(float value) {
 
 /// Fog that is thin where models are nearest, and thick where they are farthest.
 Fix fittingFog(const Fog& fog, const std::string& path, Distances distances) {
-    if (fog.mode == FogMode::Linear) {
-        const float end = std::max(distances.farthest, distances.nearest + 1);
-        return {fmt::format("From {} to {}", rounded(distances.nearest), rounded(end)),
-                {{path + keyOf<&Fog::start>(), rounded(distances.nearest)},
-                 {path + keyOf<&Fog::end>(), rounded(end)}}};
+    const bool isLinear = fog.mode == FogMode::Linear;
+    if (isLinear && distances.nearest < fogLimit - 1) {
+        const float around = std::max(0.0F, 1 - (distances.farthest - distances.nearest)) / 2;
+        const float end = std::min(distances.farthest + around, fogLimit);
+        const float start = std::min(distances.nearest - around, end - 1);
+        return {fmt::format("From {} to {}", rounded(start), rounded(end)),
+                {{path + keyOf<&Fog::start>(), rounded(start)}, {path + keyOf<&Fog::end>(), rounded(end)}}};
     }
     // Half of a colour is left in the middle.
     const float middle = std::max((distances.nearest + distances.farthest) / 2, 0.01F);
     const float thickness = std::log(2.0F);
-    const float density = (fog.mode == FogMode::Exp ? thickness : std::sqrt(thickness)) / middle;
-    return {"Set " + rounded(density), {{path + keyOf<&Fog::density>(), rounded(density)}}};
+    const float density = (fog.mode == FogMode::Exp2 ? std::sqrt(thickness) : thickness) / middle;
+    Fix fix{"Set " + rounded(density), {{path + keyOf<&Fog::density>(), rounded(density)}}};
+    if (isLinear) { // which ends before all that there is
+        fix.label = fmt::format("Make it {} with {}", nameOf(FogMode::Exp), rounded(density));
+        fix.assignments.push_back({path + keyOf<&Fog::mode>(), nameOf(FogMode::Exp)});
+    }
+    return fix;
 }
 
 bool isRange(const Fog& fog) {

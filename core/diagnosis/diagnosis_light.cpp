@@ -52,10 +52,10 @@ bool addsHighlight(const Scene& scene) {
 /// Whether coordinates follow the light, lit or not.
 bool movesCoordinates(const Scene& scene) {
     return usesLightView(scene) || std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [](const Unit& unit) {
-                   return unit.enabled && unit.emboss.enabled;
-               });
-    });
+               return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [](const Unit& unit) {
+                          return unit.enabled && unit.emboss.enabled;
+                      });
+           });
 }
 
 /// Whether glShadeModel matters without lighting.
@@ -125,8 +125,7 @@ void noLight(const Case& about, Report& report) {
             addAll(report, {pathOf<&Scene::material, &Material::shadeModel>}, blocked);
         return addAll(report,
                       {pathOf<&Scene::light, &Light::specular>, pathOf<&Scene::light, &Light::localViewer>,
-                       pathOf<&Scene::light, &Light::twoSide>,
-                       pathOf<&Scene::material, &Material::specular>,
+                       pathOf<&Scene::light, &Light::twoSide>, pathOf<&Scene::material, &Material::specular>,
                        pathOf<&Scene::material, &Material::shininess>},
                       blocked);
     }

@@ -33,7 +33,7 @@ struct ShapeRow {
 
 void otherShape(const Case& about, Report& report) {
     const std::vector round{Shape::Sphere,      Shape::Cylinder, Shape::Disk,
-                                   Shape::PartialDisk, Shape::Torus,    Shape::Teapot};
+                            Shape::PartialDisk, Shape::Torus,    Shape::Teapot};
     const std::array rows{
         ShapeRow{keyOf<&Model::slices>, round},
         ShapeRow{keyOf<&Model::stacks>, round},
@@ -91,8 +91,23 @@ void emptyMesh(const Case& about, Report& report) {
     }
 }
 
+void tooManyStacks(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Model& model = about.scene.models[m];
+        if (model.shape != Shape::Teapot || model.stacks <= maxTeapotStacks)
+            continue;
+        const std::string path = modelPath(m, keyOf<&Model::stacks>());
+        report.add(
+            path,
+            fmt::format("a {} has at most {} along each patch: it is drawn with so many", nameOf(model.shape),
+                        maxTeapotStacks),
+            Fix{fmt::format("Make it {}", maxTeapotStacks), {{path, std::to_string(maxTeapotStacks)}}});
+    }
+}
+
 constexpr std::array modelRuleRows{
     Rule{"empty-mesh", Severity::Warning, emptyMesh},
+    Rule{"too-many-stacks", Severity::Warning, tooManyStacks},
     Rule{"hidden-model", Severity::Hint, hiddenModel},
     Rule{"other-shape", Severity::Unused, otherShape},
     Rule{"other-primitive", Severity::Unused, otherPrimitive},

@@ -68,12 +68,13 @@ bool isOpenTowardsTheEye(const Scene& scene, const Model& model) {
 bool showsDarkBack(const Scene& scene, const Model& model) {
     if (isClosed(model) || partCorners(model) != 3 || glm::determinant(modelMatrix(model, 0)) == 0)
         return false;
+    if (model.shape == Shape::Cylinder && !isOpenTowardsTheEye(scene, model))
+        return false;
     const std::vector<SeenTriangle> triangles = trianglesOf(scene, model);
     const auto isDarkBack = [](const SeenTriangle& each) { return each.away && each.dark && !each.behind; };
     const auto isAway = [](const SeenTriangle& each) { return each.away; };
-    if (model.shape == Shape::Cylinder)
-        return isOpenTowardsTheEye(scene, model) && std::ranges::any_of(triangles, isDarkBack);
-    return std::ranges::any_of(triangles, isDarkBack) && std::ranges::all_of(triangles, isAway);
+    return std::ranges::any_of(triangles, isDarkBack) &&
+           (model.shape == Shape::Cylinder || std::ranges::all_of(triangles, isAway));
 }
 
 void darkBack(const Case& about, Report& report) {
@@ -86,7 +87,7 @@ void darkBack(const Case& about, Report& report) {
         for (const std::size_t model : drawnModels(scene, pass)) {
             if (!showsDarkBack(scene, scene.models[model]))
                 continue;
-            const std::string path = pathOf<&Scene::light, &Light::twoSide>();
+            const std::string& path = pathOf<&Scene::light, &Light::twoSide>();
             return report.add(
                 path,
                 fmt::format("the back of {} is in view and lit by the normals of its front, which "
@@ -103,6 +104,22 @@ bool hidesBacks(const Pass& pass) {
            (pass.depthFunc == CompareFunc::Less || pass.depthFunc == CompareFunc::LessEqual);
 }
 
+/// Whether the near plane leaves a closed shape whole.
+bool isBeforeTheEye(const Scene& scene, const Model& model) {
+    if (scene.view.projection != Projection::Perspective)
+        return true;
+    const glm::mat4 modelView = modelViewMatrix(scene.view, model, 0);
+    const auto near = static_cast<float>(clipPlanes(scene.view).near);
+    const float reach = model.shape == Shape::Torus ? 1 + model.tubeRadius : 1; // along each axis at most
+    bool boxIsBefore = true;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto side = [&](int axis) { return (corner >> axis & 1) != 0 ? reach : -reach; };
+        boxIsBefore &= (modelView * glm::vec4(side(0), side(1), side(2), 1)).z <= -near;
+    }
+    return boxIsBefore || std::ranges::none_of(trianglesOf(scene, model),
+                                               [](const SeenTriangle& each) { return each.behind; });
+}
+
 /// Whether a model has no back that one could see. A teapot has a spout, into which one looks.
 bool hasNoBack(const Scene& scene, const Pass& pass, const Model& model) {
     if (partCorners(model) != 3)
@@ -110,8 +127,7 @@ bool hasNoBack(const Scene& scene, const Pass& pass, const Model& model) {
     if (!isClosed(model) || model.shape == Shape::Teapot || !hidesBacks(pass) ||
         !(glm::determinant(modelMatrix(model, 0)) > 0))
         return false;
-    return std::ranges::none_of(trianglesOf(scene, model),
-                                [](const SeenTriangle& each) { return each.behind; });
+    return isBeforeTheEye(scene, model);
 }
 
 void noBack(const Case& about, Report& report) {

@@ -251,9 +251,7 @@ void nonPowerOfTwo(const Case& about, Report& report) {
 void sizeLimit(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         for (const TargetFacts& each : facts.targets) {
-            const int limit = each.target == Target::Texture3D ? about.driver.max3DTextureSize
-                              : each.target == Target::CubeMap ? about.driver.maxCubeMapSize
-                                                               : about.driver.maxTextureSize;
+            const int limit = about.driver.mostTexels(each.target);
             if (each.plan.levels.empty())
                 continue;
             const PlannedLevel& base = each.plan.levels.front();
@@ -262,6 +260,28 @@ void sizeLimit(const Case& about, Report& report) {
             report.add(path + imageKey(texture)(),
                        fmt::format("{} texels exceed the driver's {} for {}: drawn without it",
                                    extentsOf(base), limit, nameOf(each.target)));
+        }
+    });
+}
+
+/// Section 3.8.1: level k may have what is left of the driver's largest texture, halved k times.
+void levelSizeLimit(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (texture.mipmaps != MipPolicy::Given)
+            return;
+        for (const TargetFacts& each : facts.targets) {
+            const int limit = about.driver.mostTexels(each.target);
+            for (const PlannedLevel& level : each.plan.levels) {
+                const int most = limit >> level.number;
+                if (level.number == 0 || std::max({level.width, level.height, level.depth}) <= most)
+                    continue;
+                report.add(path + elementOf<&Texture::levels>(static_cast<std::size_t>(level.number) - 1),
+                           most == 0
+                               ? fmt::format("the driver has no level {}: uploaded without it", level.number)
+                               : fmt::format("{} texels exceed the driver's {} for level {}: uploaded "
+                                             "without it",
+                                             extentsOf(level), most, level.number));
+            }
         }
     });
 }
@@ -293,6 +313,7 @@ constexpr std::array textureRuleRows{
     Rule{"missing-file", Severity::Error, missingFile, true},
     Rule{"missing-part", Severity::Error, missingPart, true},
     Rule{"size-limit", Severity::Error, sizeLimit, true},
+    Rule{"level-size-limit", Severity::Error, levelSizeLimit},
     Rule{"incomplete", Severity::Warning, incomplete},
     Rule{"lod-range", Severity::Warning, lodRange},
     Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},

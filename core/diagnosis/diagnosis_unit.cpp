@@ -356,9 +356,8 @@ void noGeneration(const Case& about, Report& report) {
                 report.add(own + keyOf<&TexGen::eyePlane>(), reason);
         }
         // Without a matrix that could carry them over, coordinates that the target has not are lost.
-        const bool compares =
-            about.textureOf(unit) &&
-            comparesDepths(about.scene.textures[static_cast<std::size_t>(unit.texture)]);
+        const bool compares = about.textureOf(unit) &&
+                              comparesDepths(about.scene.textures[static_cast<std::size_t>(unit.texture)]);
         const int axes = compares ? 3 : coordinatesOf(unit.target); // r is compared
         for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];

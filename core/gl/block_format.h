@@ -56,8 +56,8 @@ static_assert(blockFormatRows.size() == 8);
            format == BlockFormat::Dxt5;
 }
 
-/// The base internal format (OpenGL 2.1, table 3.17 and the extensions' own tables). The formats of one and two
-/// channels have the red and green of RGB, and nothing else.
+/// The base internal format (OpenGL 2.1, table 3.17 and the extensions' own tables). The formats of one and
+/// two channels have the red and green of RGB, and nothing else.
 [[nodiscard]] constexpr BaseFormat baseFormat(BlockFormat format) {
     return isS3tc(format) && format != BlockFormat::Dxt1 ? BaseFormat::Rgba : BaseFormat::Rgb;
 }

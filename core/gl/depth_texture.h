@@ -27,7 +27,7 @@ enum class DepthMode : std::uint32_t {
 
 inline constexpr std::array compareModeRows{
     row(CompareMode::None, "GL_NONE", "None", "The depths themselves are what a sample gives.", "1.1"),
-    row(CompareMode::RToTexture, "GL_COMPARE_R_TO_TEXTURE", "Compare r with the texture",
+    row(CompareMode::RToTexture, "GL_COMPARE_R_TO_TEXTURE", "Compare r",
         "Each sample says whether r passes against the stored depth: 1 where it does, 0 where not. So a light's "
         "picture of depths casts shadows.",
         "1.4"),

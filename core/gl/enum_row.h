@@ -15,11 +15,11 @@
 namespace texplorer {
 
 struct EnumRow {
-    std::uint32_t value;    ///< GL's number, or our own for what GL has no enumerant for
-    std::string_view name;  ///< GL's name ("GL_REPEAT"), or the word in scene files ("cube")
-    std::string_view label; ///< what a panel shows
-    std::string_view help;  ///< one sentence for a student
-    std::string_view since; ///< "1.0", "1.3", or an extension's name; empty for our own words
+    std::uint32_t value;      ///< GL's number, or our own for what GL has no enumerant for
+    std::string_view name;    ///< GL's name ("GL_REPEAT"), or the word in scene files ("cube")
+    std::string_view label;   ///< what a panel shows
+    std::string_view help;    ///< one sentence for a student
+    std::string_view since;   ///< "1.0", "1.3", or an extension's name; empty for our own words
     std::string_view group{}; ///< what stands above those of a kind in a long list; empty: a short one
 };
 

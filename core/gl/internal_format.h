@@ -43,7 +43,7 @@ enum class Encoding : std::uint8_t {
 /// are eight.
 struct FormatFacts {
     InternalFormat format;
-    BaseFormat base; ///< of a depth texture GL_DEPTH_TEXTURE_MODE says it instead
+    BaseFormat base;                  ///< of a depth texture GL_DEPTH_TEXTURE_MODE says it instead
     std::array<std::uint8_t, 4> bits; ///< of red (luminance, intensity or depth), green, blue and alpha
     Encoding encoding = Encoding::Linear;
 };
@@ -135,8 +135,8 @@ inline constexpr auto internalFormatRows = [] {
         row(InternalFormat::Luminance4, "GL_LUMINANCE4", "Luminance 4", "16 greys.", "1.1"),
         row(InternalFormat::Luminance4Alpha4, "GL_LUMINANCE4_ALPHA4", "Luminance 4 + alpha 4",
             "16 greys and 16 steps of alpha: 8 bits a texel.", "1.1"),
-        row(InternalFormat::Intensity4, "GL_INTENSITY4", "Intensity 4", "16 steps, for colour and alpha alike.",
-            "1.1"),
+        row(InternalFormat::Intensity4, "GL_INTENSITY4", "Intensity 4",
+            "16 steps, for colour and alpha alike.", "1.1"),
         row(InternalFormat::Alpha4, "GL_ALPHA4", "Alpha 4", "16 steps of alpha, no colour.", "1.1"),
         row(InternalFormat::Srgb8Alpha8, "GL_SRGB8_ALPHA8", "sRGB + alpha",
             "The image's colours are sRGB, as most files' are: they become amounts of light before they are "
@@ -145,8 +145,8 @@ inline constexpr auto internalFormatRows = [] {
         row(InternalFormat::Srgb8, "GL_SRGB8", "sRGB", "Colours as sRGB, without alpha.", "2.1"),
         row(InternalFormat::Sluminance8Alpha8, "GL_SLUMINANCE8_ALPHA8", "sLuminance + alpha",
             "A grey by sRGB's curve, and alpha as it is.", "2.1"),
-        row(InternalFormat::Sluminance8, "GL_SLUMINANCE8", "sLuminance", "A grey by sRGB's curve, without alpha.",
-            "2.1"),
+        row(InternalFormat::Sluminance8, "GL_SLUMINANCE8", "sLuminance",
+            "A grey by sRGB's curve, without alpha.", "2.1"),
         row(InternalFormat::DepthComponent16, "GL_DEPTH_COMPONENT16", "Depth, 16 bits",
             "The image's red is a distance, from 0 (near) to 1 (far), in 65536 steps.", "1.4"),
         row(InternalFormat::DepthComponent24, "GL_DEPTH_COMPONENT24", "Depth, 24 bits",

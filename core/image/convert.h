@@ -7,8 +7,8 @@
 
 namespace texplorer {
 
-/// A pixel as OpenGL sees it (OpenGL 2.1, table 3.6): missing colours are 0, a missing alpha is 255, luminance
-/// is all three colours. A depth is a grey.
+/// A pixel as OpenGL sees it (OpenGL 2.1, table 3.6): missing colours are 0, a missing alpha is 255,
+/// luminance is all three colours. A depth is a grey.
 [[nodiscard]] inline std::array<std::uint8_t, 4> rgbaOf(PixelFormat format, const std::byte* pixel) {
     const auto value = [pixel](int i) { return std::to_integer<std::uint8_t>(pixel[i]); };
     switch (format) {

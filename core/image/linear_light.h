@@ -29,7 +29,7 @@ namespace texplorer {
 struct LinearLight {
     std::array<std::uint16_t, 256> light{};
     std::array<float, 256> exactLight{}; ///< 0 to 1
-    std::vector<std::uint8_t> stored; ///< 65536, for every amount of light
+    std::vector<std::uint8_t> stored;    ///< 65536, for every amount of light
 
     static const LinearLight& table(); ///< made when it is first asked for
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace texplorer {
 
@@ -37,6 +38,8 @@ void store(PixelFormat format, const Components& from, std::byte* texel) {
     case PixelFormat::Rgb8:
         for (std::size_t i = 0; i < 3; ++i)
             texel[i] = std::byte{from[i]};
+        return;
+    case PixelFormat::Depth32: // which no step makes
         return;
     }
 }
@@ -139,34 +142,32 @@ Image alphaFrom(const Image& image, const Image& other) {
 
 Image sharpened(const Image& image, float amount) {
     Image made = image;
-    const int components = bytesPerPixel(image.format);
+    const auto components = static_cast<std::size_t>(bytesPerPixel(image.format));
     const int alpha = alphaComponent(image.format);
-    const auto texelAt = [&image](int x, int y, int z) {
-        return image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1), z);
+    const std::size_t length = static_cast<std::size_t>(image.width) * components;
+    std::vector<int> sums(length); // of three rows, so that a texel adds up three columns
+    const auto rowAt = [&image](int y, int z) {
+        return image.at(0, std::clamp(y, 0, image.height - 1), z).data();
     };
-    const auto sharpen = [&](int x, int y, int z) {
-        std::array<int, 4> sums{};
-        for (int row = y - 1; row <= y + 1; ++row)
-            for (int column = x - 1; column <= x + 1; ++column) {
-                const ByteView texel = texelAt(column, row, z);
-                for (int i = 0; i < components; ++i)
-                    sums[static_cast<std::size_t>(i)] += valueOf(texel[static_cast<std::size_t>(i)]);
-            }
-        const std::span<std::byte> texel = made.at(x, y, z);
-        for (int i = 0; i < components; ++i) {
-            if (i == alpha)
+    const auto sharpenRow = [&](int y, int z) {
+        const std::array rows{rowAt(y - 1, z), rowAt(y, z), rowAt(y + 1, z)};
+        for (std::size_t i = 0; i < length; ++i)
+            sums[i] = valueOf(rows[0][i]) + valueOf(rows[1][i]) + valueOf(rows[2][i]);
+        std::byte* const row = made.at(0, y, z).data();
+        for (std::size_t i = 0; i < length; ++i) {
+            if (static_cast<int>(i % components) == alpha)
                 continue;
-            const auto at = static_cast<std::size_t>(i);
-            const int value = valueOf(texel[at]);
-            const double away = (9 * value - sums[at]) / 8.0; // the sum has the texel itself, too
+            const std::size_t left = i < components ? i : i - components;
+            const std::size_t right = i + components < length ? i + components : i;
+            const int value = valueOf(rows[1][i]);
+            const double away = (9 * value - sums[left] - sums[i] - sums[right]) / 8.0; // they have it, too
             const double moved = std::clamp(value + double{amount} * away, 0.0, 255.0);
-            texel[at] = static_cast<std::byte>(std::lround(moved));
+            row[i] = static_cast<std::byte>(std::lround(moved));
         }
     };
     for (int z = 0; z < image.depth; ++z)
         for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                sharpen(x, y, z);
+            sharpenRow(y, z);
     return made;
 }
 
@@ -174,7 +175,7 @@ Image sharpened(const Image& image, float amount) {
 
 Image prepared(Image image, const Operation& operation) {
     const bool colorless = image.format == PixelFormat::Alpha8;
-    if (image.empty())
+    if (image.empty() || image.format == PixelFormat::Depth32)
         return image;
     switch (operation.op) {
     case ImageOp::Scale:

@@ -45,7 +45,7 @@ struct Operation {
 };
 
 /// The image after an operation, in the least format that holds it.
-/// - Scale works as GL's pixel transfer does (OpenGL 2.1, section 3.6.4): on the components that the format
+/// - Scale works as GL's pixel transfer does (OpenGL 2.1, section 3.6.5): on the components that the format
 ///   stands for, where missing colours are 0 and a missing alpha is 1; then it clamps to [0, 1] and rounds
 ///   to the nearest of 256 values.
 /// - Luminance is (299 red + 587 green + 114 blue) / 1000, rounded.
@@ -54,7 +54,7 @@ struct Operation {
 /// - Sharpen takes each slice for itself, and a neighbour beyond an edge is the nearest texel of it:
 ///   c + amount * (c - mean of the eight), rounded and clamped. Alpha stays.
 /// An image of alpha alone has no colours: Invert, Luminance, LuminanceToAlpha and Sharpen return it as it
-/// is. An empty image stays empty.
+/// is. An image of depths stays as it is, and an empty one empty.
 [[nodiscard]] Image prepared(Image image, const Operation& operation);
 
 } // namespace texplorer

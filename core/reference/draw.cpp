@@ -31,15 +31,15 @@ tl::unexpected<Error> stopped() {
 struct ReferenceRenderer::State {
     TextureStore textures;
     LightDepths lightDepths;
-    DrawRequest seen; ///< with what the light sees, where the scene shows it
+    DrawRequest seen;                ///< with what the light sees, where the scene shows it
     std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
 
     /// The same where nothing shows what the light sees.
-    const DrawRequest& withLightDepths(const DrawRequest& request) {
+    const DrawRequest& withLightDepths(const DrawRequest& request, const DrawOptions& options) {
         if (!showsLightDepths(request.scene))
             return request;
         seen = request;
-        seen.images = lightDepths.addedTo(request.images, request.scene, request.time);
+        seen.images = lightDepths.addedTo(request.images, request.scene, request.time, options.stop);
         return seen;
     }
 
@@ -107,7 +107,7 @@ Result<Frame> ReferenceRenderer::draw(const DrawRequest& request, const DrawOpti
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        return state_->draw(state_->withLightDepths(request), options);
+        return state_->draw(state_->withLightDepths(request, options), options);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }
@@ -123,7 +123,7 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
                                 pixel.x, pixel.y));
     try {
         state_->textures.keepOnly(request.scene);
-        return explainPixel(state_->withLightDepths(request), pixel, options, state_->textures);
+        return explainPixel(state_->withLightDepths(request, options), pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "there is no memory for the scene's textures");
     }
@@ -136,7 +136,8 @@ Result<Contributions> ReferenceRenderer::contributions(const DrawRequest& reques
         return fail(size.error());
     try {
         state_->textures.keepOnly(request.scene);
-        return findContributions(state_->withLightDepths(request), question, options, state_->textures);
+        return findContributions(state_->withLightDepths(request, options), question, options,
+                                 state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }

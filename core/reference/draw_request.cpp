@@ -7,10 +7,11 @@
 namespace texplorer::reference {
 
 bool sameLevels(const DrawRequest& a, const DrawRequest& b) {
-    return std::ranges::equal(
-        a.scene.textures, b.scene.textures, [&](const Texture& one, const Texture& other) {
-            return imageSettings(one) == imageSettings(other) && a.images.picturesOf(one) == b.images.picturesOf(other);
-        });
+    return std::ranges::equal(a.scene.textures, b.scene.textures,
+                              [&](const Texture& one, const Texture& other) {
+                                  return imageSettings(one) == imageSettings(other) &&
+                                         a.images.picturesOf(one) == b.images.picturesOf(other);
+                              });
 }
 
 } // namespace texplorer::reference

@@ -31,8 +31,9 @@ std::vector<Model> seenModels(const Scene& scene) {
 /// The nearest depth of every texel.
 class DepthPicture {
 public:
-    explicit DepthPicture(int size)
+    DepthPicture(int size, std::stop_token stop)
         : size_(size)
+        , stop_(std::move(stop))
         , depths_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), farthestDepth) {}
 
     void draw(const Model& model, const glm::dmat4& modelView, const LightView& light) {
@@ -45,6 +46,8 @@ public:
         const glm::mat4 toClip(light.projection * light.view * modelView);
         std::vector<ShadedVertex> corners;
         eachPart(mesh, [&](std::span<const std::uint32_t> part, std::size_t) {
+            if (stop_.stop_requested())
+                return;
             corners.clear();
             for (const std::uint32_t vertex : part)
                 corners.push_back({.clip = toClip * glm::vec4(mesh.vertices[vertex].position, 1)});
@@ -71,6 +74,7 @@ private:
     }
 
     int size_;
+    std::stop_token stop_;
     std::vector<std::uint32_t> depths_;
 };
 
@@ -88,9 +92,9 @@ void forEachLightDepth(const Scene& scene, Visit visit) {
 
 } // namespace
 
-Image drawLightDepths(const Scene& scene, double time, int size) {
+Image drawLightDepths(const Scene& scene, double time, int size, const std::stop_token& stop) {
     const LightView light = lightView(scene.light);
-    DepthPicture picture(std::max(size, 1));
+    DepthPicture picture(std::max(size, 1), stop);
     for (const Model& model : seenModels(scene))
         picture.draw(model, glm::dmat4(modelViewMatrix(scene.view, model, time)), light);
     return picture.image();
@@ -102,7 +106,8 @@ bool showsLightDepths(const Scene& scene) {
     return any;
 }
 
-ImageSource LightDepths::addedTo(const ImageSource& images, const Scene& scene, double time) {
+ImageSource LightDepths::addedTo(const ImageSource& images, const Scene& scene, double time,
+                                 const std::stop_token& stop) {
     std::set<int> sizes;
     forEachLightDepth(scene, [&](const Texture& texture) {
         if (!images.holdsLightDepth(texture.depthSize))
@@ -124,10 +129,13 @@ ImageSource LightDepths::addedTo(const ImageSource& images, const Scene& scene, 
     std::erase_if(pictures_, [&](const auto& entry) { return !sizes.contains(entry.first); });
     ImageSource all = images;
     for (const int size : sizes) {
-        std::shared_ptr<const TextureImage>& picture = pictures_[size];
-        if (!picture)
-            picture = depthImage(drawLightDepths(scene, time, size));
-        all.putLightDepth(size, picture);
+        if (!pictures_.contains(size)) {
+            Image depths = drawLightDepths(scene, time, size, stop);
+            if (stop.stop_requested())
+                return all;
+            pictures_[size] = depthImage(std::move(depths));
+        }
+        all.putLightDepth(size, pictures_.at(size));
     }
     return all;
 }

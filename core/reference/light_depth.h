@@ -8,14 +8,16 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace texplorer::reference {
 
 /// The depths that the light sees through lightView() (core/scene/animation.h): Depth32, `size` x `size`, row
 /// 0 at the bottom, 24 bits each. Drawn are all models that a pass draws, those attached to the eye too, with
-/// a depth test of GL_LESS over the farthest depth.
-[[nodiscard]] Image drawLightDepths(const Scene& scene, double time, int size);
+/// a depth test of GL_LESS over the farthest depth. Unfinished after a stop request.
+[[nodiscard]] Image drawLightDepths(const Scene& scene, double time, int size,
+                                    const std::stop_token& stop = {});
 
 /// Whether a unit that is on shows what the light sees.
 [[nodiscard]] bool showsLightDepths(const Scene& scene);
@@ -23,8 +25,10 @@ namespace texplorer::reference {
 /// Those of a scene, made where something shows them and kept as long as nothing changes that they depend on.
 class LightDepths {
 public:
-    /// `images`, with what the light sees in every size that a unit shows and that isn't there yet.
-    [[nodiscard]] ImageSource addedTo(const ImageSource& images, const Scene& scene, double time);
+    /// `images`, with what the light sees in every size that a unit shows and that isn't there yet. After a
+    /// stop request some may be missing; what is unfinished is not kept.
+    [[nodiscard]] ImageSource addedTo(const ImageSource& images, const Scene& scene, double time,
+                                      const std::stop_token& stop = {});
 
 private:
     /// All that decides.

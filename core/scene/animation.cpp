@@ -133,8 +133,7 @@ LightView lightView(const Light& light) {
     const glm::dvec3 right = glm::normalize(glm::cross(vertical ? -axisZ : axisY, backwards));
     const glm::dvec3 up = glm::cross(backwards, right);
 
-    const glm::dmat4 turn = glm::transpose(
-        glm::dmat4{{right, 0}, {up, 0}, {backwards, 0}, {0, 0, 0, 1}});
+    const glm::dmat4 turn = glm::transpose(glm::dmat4{{right, 0}, {up, 0}, {backwards, 0}, {0, 0, 0, 1}});
     const double extent = slope * (parallel ? middle : nearest);
     return {glm::translate(turn, -eye),
             parallel ? glm::ortho(-extent, extent, -extent, extent, nearest, farthest)

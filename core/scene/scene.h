@@ -165,7 +165,7 @@ struct Texture : SamplerState {
     Transparency transparency = Transparency::File;
     glm::vec4 stencilColor{0, 0, 0, 1}; ///< for Transparency::Stencil; its alpha says nothing
     InternalFormat internalFormat = InternalFormat::Rgba; ///< of a texture that is not compressed
-    int border = 0; ///< 0 or 1: glTexImage's; see core/image/border.h
+    int border = 0;                                       ///< 0 or 1: glTexImage's; see core/image/border.h
     Compression compression = Compression::FromFile;
     CompressedFormat compressedFormat = CompressedFormat::Dxt1;
     EncodeQuality compressionQuality = EncodeQuality::Normal; ///< for Compression::Cached
@@ -287,8 +287,8 @@ inline constexpr std::array projectionRows{
 inline constexpr std::array sourceKindRows{
     row(SourceKind::Pattern, "pattern", "Built-in pattern", "An image that Texplorer draws itself."),
     row(SourceKind::File, "file", "Image file", "An image that is read from a file."),
-    row(SourceKind::LightDepth, "light-depth", "Depths from the light",
-        "How far away from the light each point is that it sees: a shadow map, drawn anew with every frame."),
+    row(SourceKind::LightDepth, "light-depth", "Shadow map",
+        "How far away from the light each point is that it sees, drawn anew with every frame."),
 };
 
 inline constexpr std::array matrixOpRows{
@@ -299,7 +299,7 @@ inline constexpr std::array matrixOpRows{
     row(MatrixOp::Multiply, "multiply", "Multiply", "Multiplies by 16 numbers (glMultMatrixf)."),
     row(MatrixOp::Load, "load", "Load",
         "Puts 16 numbers in the place of all that the steps before it made (glLoadMatrixf)."),
-    row(MatrixOp::Projector, "projector", "Light's view",
+    row(MatrixOp::Projector, "projector", "Projector",
         "From eye coordinates to the light's picture: s and t from 0 to 1 across it, r its depth. With "
         "coordinates that are generated in eye space, the light projects the image as a slide."),
 };

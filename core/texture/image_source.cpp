@@ -79,7 +79,7 @@ SharedImage farthestDepths(int size) {
         return image;
     Image depths = Image::uninitialised(PixelFormat::Depth32, extent, extent);
     std::ranges::fill(depths.pixels, std::byte{255});
-    const SharedImage image = depthImage(std::move(depths));
+    SharedImage image = depthImage(std::move(depths));
     known = image;
     return image;
 }

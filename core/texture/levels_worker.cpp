@@ -66,14 +66,16 @@ PreparedLevels make(const LevelsRequest& request, const LevelWork& work) {
 }
 
 /// What a person needs to see of what was done to each.
-void showPictures(LevelsSummary& summary, const LevelsRequest& request, const TextureLevels& levels) {
+void showPictures(LevelsSummary& summary, const LevelsRequest& request, const TextureLevels& levels,
+                  const std::stop_token& stop) {
     const auto small = [](const Image& image) {
         return std::make_shared<const Image>(thumbnailOf(image, LevelsSummary::thumbnailExtent));
     };
     const Texture& settings = request.settings;
     if (!settings.preparation.empty()) {
-        for (const Image& step : preparationOf(settings, request.pictures))
-            summary.steps.push_back(small(step));
+        eachPreparationStep(
+            settings, request.pictures, [&](const Image& image) { summary.steps.push_back(small(image)); },
+            stop);
     }
     if (settings.mipmaps != MipPolicy::Given)
         return;
@@ -88,7 +90,8 @@ void showPictures(LevelsSummary& summary, const LevelsRequest& request, const Te
     }
 }
 
-std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, const PreparedLevels& levels) {
+std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, const PreparedLevels& levels,
+                                               const std::stop_token& stop = {}) {
     auto summary = std::make_shared<LevelsSummary>();
     if (!levels) {
         summary->problem = describe(levels.error());
@@ -98,13 +101,14 @@ std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, con
     summary->byDriver = levels->driverFormat.has_value();
     summary->compressed = summary->byDriver ? levels->driverFormat : formatOf(levels->levels);
     summary->notes = levels->notes;
-    showPictures(*summary, request, *levels);
+    showPictures(*summary, request, *levels, stop);
     return summary;
 }
 
 /// The driver's levels, measured against what it was given.
 std::shared_ptr<const LevelsSummary> measure(const LevelsRequest& request, const PreparedLevels& from,
-                                             const std::vector<TextureLevel>& made) {
+                                             const std::vector<TextureLevel>& made,
+                                             const std::stop_token& stop) {
     auto summary = std::make_shared<LevelsSummary>();
     MipChain source;
     for (const TextureLevel& level : from->levels) {
@@ -115,7 +119,7 @@ std::shared_ptr<const LevelsSummary> measure(const LevelsRequest& request, const
     summary->byDriver = true;
     summary->compressed = formatOf(made);
     summary->notes = from->notes;
-    showPictures(*summary, request, *from);
+    showPictures(*summary, request, *from, stop);
     return summary;
 }
 
@@ -188,9 +192,10 @@ LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& re
 
 LevelsWorker::State::Done LevelsWorker::State::work(const Job& job, const LevelWork& how) {
     if (job.from)
-        return {job.ticket, nullptr, job.made.empty() ? nullptr : measure(job.request, *job.from, job.made)};
+        return {job.ticket, nullptr,
+                job.made.empty() ? nullptr : measure(job.request, *job.from, job.made, how.stop)};
     auto levels = std::make_shared<const PreparedLevels>(make(job.request, how));
-    auto summary = summarise(job.request, *levels);
+    auto summary = summarise(job.request, *levels, how.stop);
     return {job.ticket, std::move(levels), std::move(summary)};
 }
 

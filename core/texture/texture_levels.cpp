@@ -10,6 +10,7 @@
 #include "core/s3tc/decode.h"
 #include "core/s3tc/flip.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/texture/image_budget.h"
 #include "core/texture/level_plan.h"
 #include "core/texture/target_image.h"
 
@@ -93,7 +94,7 @@ public:
 
     Result<TextureLevels> run();
     [[nodiscard]] LevelPlan plan();
-    [[nodiscard]] std::vector<Image> steps() const;
+    void eachStep(const std::function<void(const Image&)>& visit) const;
 
 private:
     /// Whether rows are wanted as a naive loader gives them to OpenGL: the file's first row first.
@@ -121,6 +122,8 @@ private:
         return isCube() && image.faces != cubeFaceCount &&
                cubeLayout(widthOf(whole), heightOf(whole)) != CubeLayout::Same;
     }
+    /// What is made until then is of no use.
+    [[nodiscard]] bool isStopped() const { return work_.stop.stop_requested(); }
     [[nodiscard]] bool prepares() const { return !texture_.preparation.empty(); }
     /// Whether levels above the base have pictures of their own.
     [[nodiscard]] bool hasPictures() const {
@@ -148,13 +151,14 @@ private:
     [[nodiscard]] Result<void> takeBlocks();
     [[nodiscard]] Image decoded(const TextureImage& image, int face, int level, bool turned) const;
     template<class Visit>
-    [[nodiscard]] Image preparedPart(Image part, bool topFirst, int face, Visit visit) const;
+    [[nodiscard]] Image preparedPart(Image part, bool topFirst, int face, const Visit& visit) const;
     [[nodiscard]] Image pixels(const LevelPicture& picture, int face) const;
     [[nodiscard]] bool isTakenAsItIs(const LevelPicture& picture, const Surface& surface) const;
     [[nodiscard]] SharedSurface lend(const Surface& surface) const;
     void takePixels();
     void takePicture(const LevelPicture& picture, int face);
     void takeMade(int face);
+    [[nodiscard]] Result<void> checkRoom() const;
     void noteMissing();
     [[nodiscard]] Result<void> compress();
     [[nodiscard]] Result<void> compressHere();
@@ -303,8 +307,8 @@ Image Preparation::decoded(const TextureImage& image, int face, int level, bool 
 
 /// The part of a picture after all steps; visit(part) after each. `topFirst`: whether row 0 is the top one.
 template<class Visit>
-Image Preparation::preparedPart(Image part, bool topFirst, int face, Visit visit) const {
-    for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
+Image Preparation::preparedPart(Image part, bool topFirst, int face, const Visit& visit) const {
+    for (std::size_t i = 0; i < texture_.preparation.size() && !isStopped(); ++i) {
         const ImageStep& step = texture_.preparation[i];
         const TextureImage* from = step.op == ImageOp::AlphaFrom ? pictures_.other(i) : nullptr;
         Image other;
@@ -326,12 +330,10 @@ Image Preparation::pixels(const LevelPicture& picture, int face) const {
     return target_ == Target::Texture1D ? imageForTarget(part, target_) : part;
 }
 
-std::vector<Image> Preparation::steps() const {
-    std::vector<Image> images{decoded(image_, 0, 0, turns(basePicture()))};
-    const Image first = images.front();
-    static_cast<void>(preparedPart(first, isTopFirst(basePicture()), 0,
-                                   [&images](const Image& part) { images.push_back(part); }));
-    return images;
+void Preparation::eachStep(const std::function<void(const Image&)>& visit) const {
+    Image first = decoded(image_, 0, 0, turns(basePicture()));
+    visit(first);
+    static_cast<void>(preparedPart(std::move(first), isTopFirst(basePicture()), 0, visit));
 }
 
 /// Whether `pixels` and a policy's base would be a copy and nothing else.
@@ -392,10 +394,30 @@ void Preparation::takePixels() {
         if (texture_.mipmaps != MipPolicy::FromFile)
             takeMade(face);
         for (const LevelPicture& picture : levelPictures()) {
+            if (isStopped())
+                return;
             if (texture_.mipmaps == MipPolicy::FromFile || picture.number > 0)
                 takePicture(picture, face);
         }
     }
+}
+
+/// Each given level may name a picture as large as a file may be, and many textures may name the same one.
+Result<void> Preparation::checkRoom() const {
+    if (texture_.mipmaps != MipPolicy::Given)
+        return {};
+    std::uint64_t bytes = 0;
+    for (const LevelPicture& picture : levelPictures()) {
+        if (picture.number > 0 && !picture.fitted)
+            bytes += std::uint64_t{byteCount(picture.image->surface(0, 0))} *
+                     static_cast<std::uint64_t>(facesOf(target_));
+    }
+    if (bytes <= sceneImageBytes)
+        return {};
+    return fail(ErrorCode::TooLarge,
+                fmt::format("the pictures of the levels above its base need {} bytes, and together they may "
+                            "take {}",
+                            bytes, sceneImageBytesText()));
 }
 
 /// Of the files that are wanted beside the base's.
@@ -509,6 +531,8 @@ Result<TextureLevels> Preparation::run() {
                     "OpenGL has no depth textures for " + std::string(rowOf(target_).name));
     if (image_.faces > 1 && !isCube())
         note(fmt::format("the file is a cube map of {} faces; its first, +x, is drawn", image_.faces));
+    if (const Result<void> room = checkRoom(); !room)
+        return fail(room.error());
     noteMissing();
     if (fileOrder(texture_.source) && !isCube() && texture_.flip != FlipMode::None && image_.fileTopFirst)
         out_.lateFlip = texture_.flip == FlipMode::Coordinates ? LateFlip::Coordinates : LateFlip::Matrix;
@@ -520,6 +544,8 @@ Result<TextureLevels> Preparation::run() {
             return fail(taken.error());
     } else {
         takePixels();
+        if (isStopped())
+            return fail(ErrorCode::Cancelled, "making its levels was cancelled");
         if (const Result<void> compressed = compress(); !compressed)
             return fail(compressed.error());
     }
@@ -579,7 +605,7 @@ LevelPlan Preparation::plan() {
     plan.border = hasBorder() ? 1 : 0;
     if (texture_.mipmaps == MipPolicy::FromFile)
         return plan;
-    PlannedLevel level = extentsOfBase();
+    const PlannedLevel level = extentsOfBase();
     plan.levels = {level};
     for (const LevelPicture& picture : levelPictures()) {
         if (picture.number > 0)
@@ -589,11 +615,8 @@ LevelPlan Preparation::plan() {
     if (!generates())
         return plan;
     const int count = mipLevelCount(level.width, level.height, level.depth);
-    while (static_cast<int>(plan.levels.size()) < count) {
-        const auto half = [](int extent) { return std::max(1, extent / 2); };
-        level = {level.number + 1, half(level.width), half(level.height), half(level.depth)};
-        plan.levels.push_back(level);
-    }
+    for (int number = 1; number < count; ++number)
+        plan.levels.push_back(levelAbove(level, number));
     if (const int missing = missingLevel(count); texture_.mipmaps == MipPolicy::Missing && missing >= 0)
         plan.levels.erase(plan.levels.begin() + missing);
     return plan;
@@ -639,12 +662,20 @@ Result<TextureLevels> prepareLevels(const Texture& texture, const TexturePicture
     return run(texture, pictures, target, work, true);
 }
 
-std::vector<Image> preparationOf(const Texture& texture, const TexturePictures& pictures) {
+void eachPreparationStep(const Texture& texture, const TexturePictures& pictures,
+                         const std::function<void(const Image&)>& visit, const std::stop_token& stop) {
     if (!pictures.base || !hasPixels(*pictures.base))
-        return {};
+        return;
     Texture upright = texture;
     upright.flip = FlipMode::Pixels;
-    return Preparation(upright, pictures, Target::Texture2D, {}).steps();
+    const LevelWork work{.cache = {}, .stop = stop};
+    Preparation(upright, pictures, Target::Texture2D, work).eachStep(visit);
+}
+
+std::vector<Image> preparationOf(const Texture& texture, const TexturePictures& pictures) {
+    std::vector<Image> images;
+    eachPreparationStep(texture, pictures, [&images](const Image& image) { images.push_back(image); });
+    return images;
 }
 
 void decompress(TextureLevels& levels) {

@@ -12,6 +12,7 @@
 #include "core/texture/block_cache.h"
 #include "core/texture/texture_pictures.h"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -45,8 +46,8 @@ struct TextureLevels {
 };
 
 /// What compressing at run time (Compression::Cached) needs. It takes long where the cache doesn't have the
-/// blocks, at best quality two seconds a megatexel: a caller that must not wait calls prepareLevels on a
-/// thread of his own, with a `stop` that he can request.
+/// blocks, at best quality two seconds a megatexel, and so do many steps of a preparation: a caller that must
+/// not wait calls prepareLevels on a thread of his own, with a `stop` that he can request.
 struct LevelWork {
     BlockCache cache;    ///< where blocks are looked for and kept
     Progress progress{}; ///< of the compressing, on the thread that calls
@@ -69,16 +70,22 @@ struct LevelWork {
 /// the base is not null. What of it needs no change is not copied, so that a large image takes no more than
 /// its own memory and that of the mip levels above it. A file's level has the size of its picture, a
 /// pattern's the one that it has to have; where one isn't loaded there is no such level, which is a note.
+/// TooLarge: the pictures of given levels take more than sceneImageBytes together.
 [[nodiscard]] Result<TextureLevels> prepareLevels(const Texture& texture, const TexturePictures& pictures,
                                                   Target target = Target::Texture2D,
                                                   const LevelWork& work = {});
 
-/// The texture's picture before its preparation, and after each step of it: upright, bottom row first; of a
-/// cube map the first face, of a volume the middle slice. Empty where it isn't loaded.
+/// Calls visit(image) with the texture's picture before its preparation, and after each step of it: upright,
+/// bottom row first; of a cube map the first face, of a volume the middle slice. Never where it isn't loaded.
+/// A stop request within visit() makes it the last call.
+void eachPreparationStep(const Texture& texture, const TexturePictures& pictures,
+                         const std::function<void(const Image&)>& visit, const std::stop_token& stop = {});
+
+/// The images of all steps, where there is room for them.
 [[nodiscard]] std::vector<Image> preparationOf(const Texture& texture, const TexturePictures& pictures);
 
-/// Every level as pixels, 8 bits a component of the blocks' base format: for a driver
-/// without S3TC. The rest stays as it is.
+/// Every level as pixels, 8 bits a component of the blocks' base format: for a driver without S3TC. The rest
+/// stays as it is.
 void decompress(TextureLevels& levels);
 
 /// The texture with everything that prepareLevels ignores at its initial value: two textures whose settings

@@ -220,8 +220,14 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
         }
     }
     for (Texture& texture : scene.textures) {
-        if (!hasFiles)
+        if (hasFiles)
+            break;
+        if (texture.source == SourceKind::File)
             texture.source = SourceKind::Pattern;
+        for (GivenLevel& level : texture.levels)
+            level.source = SourceKind::Pattern;
+        for (ImageStep& step : texture.preparation)
+            step.source = SourceKind::Pattern;
     }
     for (Pass& pass : scene.passes) {
         if (dice.chance(2))
@@ -264,7 +270,7 @@ void letItBeSeen(Scene& scene) {
     if (!scene.textures.empty())
         pass.units[0].enabled = true;
     for (Pass& each : scene.passes) { // as thin as the models are far away
-        each.fog.density /= scene.view.distance;
+        each.fog.density = std::min(each.fog.density / scene.view.distance, 1000.0F);
         each.fog.end = std::min(each.fog.end + 2 * scene.view.distance, 1000.0F);
     }
 }

@@ -1,5 +1,6 @@
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
+#include "core/texture/image_source.h"
 #include "tests/random/random_scene.h"
 #include "tests/random/random_skip.h"
 
@@ -94,13 +95,18 @@ TEST(RandomScenes, DrawSomePartsTwice) {
     EXPECT_TRUE(drawsAPartTwice(model));
 }
 
-TEST(RandomScene, WithoutFilesHasPatternsAlone) {
+TEST(RandomScene, WithoutFilesNamesNone) {
     for (int number = 0; number < 30; ++number) {
-        for (const Texture& texture : randomScene(1, number, {}).scene.textures) {
-            EXPECT_EQ(texture.source, SourceKind::Pattern);
-            EXPECT_EQ(texture.file, "");
+        for (const FileName& name : fileNamesOf(randomScene(1, number, {}).scene)) {
+            EXPECT_FALSE(name.used) << name.path;
+            EXPECT_EQ(name.file, "");
         }
     }
+}
+
+TEST(RandomScene, HasFogThatAFileCanHold) {
+    const Scene scene = randomScene(90210, 111, {}).scene; // seen from nearby
+    EXPECT_TRUE(parseScene(writeScene(scene)));
 }
 
 /// What has occurred of every row and of every list.
@@ -193,9 +199,10 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
     EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
         std::size_t count = 0;
         for (const StructTable* table :
-             {&viewTable(), &lightTable(), &projectorTable(), &materialTable(), &modelTable(), &meshTable(), &textureTable(),
-              &givenLevelTable(), &imageStepTable(), &passTable(), &fogTable(), &unitTable(), &matrixStepTable(), &combineTable(), &embossTable(),
-              &texGenTable(0), &texGenTable(1), &texGenTable(2), &texGenTable(3)})
+             {&viewTable(), &lightTable(), &projectorTable(), &materialTable(), &modelTable(), &meshTable(),
+              &textureTable(), &givenLevelTable(), &imageStepTable(), &passTable(), &fogTable(), &unitTable(),
+              &matrixStepTable(), &combineTable(), &embossTable(), &texGenTable(0), &texGenTable(1),
+              &texGenTable(2), &texGenTable(3)})
             count += table->params.size();
         return count;
     }());

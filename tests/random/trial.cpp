@@ -34,8 +34,8 @@ std::string nameOf(RendererKind kind) {
 conform::Rule ruleFor(const Scene& scene, const conform::Pair& pair) {
     conform::Rule rule = conform::rules::lastBit;
     if (pair.has(RendererKind::Reference)) {
-        const bool foreign = std::ranges::find(scene.textures, MipPolicy::Given, &Texture::mipmaps) !=
-                             scene.textures.end();
+        const bool foreign =
+            std::ranges::find(scene.textures, MipPolicy::Given, &Texture::mipmaps) != scene.textures.end();
         rule = foreign ? conform::rules::foreignLevels : conform::rules::levelBlend;
         rule.explainedScene = 0.97;
     }

@@ -213,6 +213,7 @@ std::vector<Scene> variants() {
     scenes.push_back(shadows);
     scenes.back().textures[0].compareMode = CompareMode::None;
     scenes.back().textures[0].magFilter = MagFilter::Nearest;
+    scenes.back().textures[0].preparation = {{.op = ImageOp::Scale}, {.op = ImageOp::Invert}};
     scenes.push_back(shadows);
     scenes[17].passes[0].fog = {true, FogMode::Exp, 0.1F, 0, 1, {0.2F, 0.1F, 0.3F, 1}};
     scenes[18].passes[0].fog = {true, FogMode::Linear, 0.1F, 2, 9, {0.2F, 0.1F, 0.3F, 1}};

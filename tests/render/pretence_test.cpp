@@ -65,7 +65,7 @@ TEST(Pretence, TakesAwayWhatAWordSaysAndNothingElse) {
             EXPECT_EQ(each.isLacking(driver), &each == &word) << each.text;
         EXPECT_EQ(Pretence::parse({word.text})->text(), word.text);
     }
-    for (const view::PretenceRow& row : view::pretenceRows)
+    for (const view::PretenceRow& row : view::pretenceRows())
         EXPECT_EQ(
             std::ranges::count_if(
                 words, [&](const Word& each) { return std::string_view(each.text).starts_with(row.word); }),

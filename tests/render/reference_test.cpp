@@ -93,12 +93,7 @@ TEST_F(Reference, MixesTheSameFog) {
             scene.passes[0].units[0].enabled = false;
             scene.light.colorControl = ColorControl::SeparateSpecular;
             scene.view.distance = 2; // the near plane cuts the floor
-            scene.passes[0].fog = {true,
-                                   static_cast<FogMode>(mode.value),
-                                   0.2F,
-                                   1,
-                                   9,
-                                   {0.4F, 0.5F, 0.6F, 1}};
+            scene.passes[0].fog = {true, static_cast<FogMode>(mode.value), 0.2F, 1, 9, {0.4F, 0.5F, 0.6F, 1}};
             agree(scene, 0.001, 1);
             scene.view.projection = Projection::Orthographic;
             agree(scene, 0.001, 1);

@@ -1,5 +1,6 @@
 // What a pass is written as: only what its state uses.
 
+#include "app/render/shader_log.h"
 #include "app/render/shader_source.h"
 #include "tests/support/flat_scene.h"
 
@@ -78,10 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"TwoSidesWithoutLighting", [](Scene& s) { s.light.twoSide = true; }, "", ""},
         Case{"Fog", [](Scene& s) { s.passes[0].fog.enabled = true; }, "out float fogDistance",
              "exp(-fogDensity * fogDistance)"},
-        Case{"LinearFog",
-             [](Scene& s) {
-                 s.passes[0].fog = {.enabled = true, .mode = FogMode::Linear};
-             },
+        Case{"LinearFog", [](Scene& s) { s.passes[0].fog = {.enabled = true, .mode = FogMode::Linear}; },
              "out float fogDistance", "fogEnd - fogStart"},
         Case{"FogWithoutPerspective",
              [](Scene& s) {

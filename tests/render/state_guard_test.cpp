@@ -233,10 +233,10 @@ private:
         glActiveTexture(GL_TEXTURE2);
     }
     static void setFragments() {
-        for (const GLenum each : std::to_array<GLenum>(
-                 {GL_ALPHA_TEST, GL_BLEND, GL_CLIP_PLANE0, GL_COLOR_SUM, GL_CULL_FACE, GL_DEPTH_TEST, GL_FOG,
-                  GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE,
-                  GL_TEXTURE_CUBE_MAP_SEAMLESS}))
+        for (const GLenum each :
+             std::to_array<GLenum>({GL_ALPHA_TEST, GL_BLEND, GL_CLIP_PLANE0, GL_COLOR_SUM, GL_CULL_FACE,
+                                    GL_DEPTH_TEST, GL_FOG, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+                                    GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE, GL_TEXTURE_CUBE_MAP_SEAMLESS}))
             glEnable(each);
         constexpr std::array<double, 4> nothing{0, 0, 0, -1};
         glClipPlane(GL_CLIP_PLANE0, nothing.data());

@@ -160,7 +160,8 @@ INSTANTIATE_TEST_SUITE_P(All, TextureFormat,
 
 using TextureFormatOfFewBits = TextureFormat;
 
-// A driver may keep more bits than a format's name says, but not fewer: the numbers of the pixels would be lost.
+// A driver may keep more bits than a format's name says, but not fewer: the numbers of the pixels would be
+// lost.
 TEST_P(TextureFormatOfFewBits, StoresNoFewerBitsThanItsNameSays) {
     const std::array<int, 6> bits = storedBits();
     for (std::size_t i = 0; i < bits.size(); ++i) {

@@ -60,18 +60,19 @@ TEST_P(Preview, HasTheComponentsOfItsInternalFormat) {
 // REPLACE: what a format doesn't have comes from the fragment, which is white.
 INSTANTIATE_TEST_SUITE_P(
     Formats, Preview,
-    testing::Values(Case{"Rgba", InternalFormat::Rgba, {200, 100, 50, 128}},
-                    Case{"Rgb", InternalFormat::Rgb, {200, 100, 50, 255}},
-                    Case{"Luminance", InternalFormat::Luminance, {200, 200, 200, 255}},
-                    Case{"LuminanceAlpha", InternalFormat::LuminanceAlpha, {200, 200, 200, 128}},
-                    Case{"Intensity", InternalFormat::Intensity, {200, 200, 200, 200}},
-                    Case{"Alpha", InternalFormat::Alpha, {255, 255, 255, 128}},
-                    // 200, 100 and 50 are 12, 6 and 3 of 15 (11.8, 5.9, 2.9), 128 is 8 (7.5): 17 times as much.
-                    Case{"Rgba4", InternalFormat::Rgba4, {204, 102, 51, 136}},
-                    // 5 and 3 of 7, 1 of 3, in 255ths.
-                    Case{"R3G3B2", InternalFormat::R3G3B2, {182, 109, 85, 255}},
-                    // As the file has it, whatever curve the texture takes it by.
-                    Case{"Srgb", InternalFormat::Srgb8Alpha8, {200, 100, 50, 128}}),
+    testing::Values(
+        Case{"Rgba", InternalFormat::Rgba, {200, 100, 50, 128}},
+        Case{"Rgb", InternalFormat::Rgb, {200, 100, 50, 255}},
+        Case{"Luminance", InternalFormat::Luminance, {200, 200, 200, 255}},
+        Case{"LuminanceAlpha", InternalFormat::LuminanceAlpha, {200, 200, 200, 128}},
+        Case{"Intensity", InternalFormat::Intensity, {200, 200, 200, 200}},
+        Case{"Alpha", InternalFormat::Alpha, {255, 255, 255, 128}},
+        // 200, 100 and 50 are 12, 6 and 3 of 15 (11.8, 5.9, 2.9), 128 is 8 (7.5): 17 times as much.
+        Case{"Rgba4", InternalFormat::Rgba4, {204, 102, 51, 136}},
+        // 5 and 3 of 7, 1 of 3, in 255ths.
+        Case{"R3G3B2", InternalFormat::R3G3B2, {182, 109, 85, 255}},
+        // As the file has it, whatever curve the texture takes it by.
+        Case{"Srgb", InternalFormat::Srgb8Alpha8, {200, 100, 50, 128}}),
     [](const auto& test) { return test.param.name; });
 
 TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {

@@ -224,6 +224,13 @@ TEST_F(LoopTest, EveryClickWithinOneFrameCounts) {
     }
 }
 
+TEST_F(LoopTest, TheLastInputOfAClickIsFollowedByFramesToo) {
+    start();
+    run();
+    run({PointerMoved{100, 100}, ButtonChanged{0, true}, ButtonChanged{0, false}});
+    EXPECT_GE(drawn, 5) << "three that take the input, and two that show what came of it";
+}
+
 TEST_F(LoopTest, ADragWithinOneFrameMovesTheCameraAsFar) {
     start();
     run();

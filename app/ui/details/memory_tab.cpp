@@ -35,7 +35,8 @@ std::string psnrText(double psnr) {
 }
 
 LevelsRequest requestOf(Session& session, const Texture& texture) {
-    return {session.document.images.picturesOf(texture), imageSettings(texture), selectedUnit(session).target};
+    return {session.document.images.picturesOf(texture), imageSettings(texture),
+            selectedUnit(session).target};
 }
 
 /// Sentences about the bound texture: the renderer's, and those about levels that nobody has drawn yet.

@@ -52,9 +52,8 @@ std::vector<std::string> idleParts(const Scene& scene) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < scene.textures.size(); ++i) { // an image is uploaded in one of two ways
         const Compression compression = scene.textures[i].compression;
-        const bool compressed =
-            (compression == Compression::Driver || compression == Compression::Cached) &&
-            !isDepth(scene.textures[i].internalFormat);
+        const bool compressed = (compression == Compression::Driver || compression == Compression::Cached) &&
+                                !isDepth(scene.textures[i].internalFormat);
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         if (compressed) {
             parts.push_back(path + keyOf<&Texture::internalFormat>());
@@ -226,9 +225,9 @@ void addSteps(const Scene& scene, std::vector<std::vector<Command>>& blocks) {
             };
             std::vector<Command> steps;
             for (std::size_t i = 0; i < pass.units[u].matrix.size(); ++i) {
-                for (Command& each : stepCommands(pass.units[u].matrix[i],
-                                                  fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i)),
-                                                  scene.light)) {
+                for (Command& each :
+                     stepCommands(pass.units[u].matrix[i],
+                                  fmt::format("{}.{}", unit, elementOf<&Unit::matrix>(i)), scene.light)) {
                     steps.push_back(std::move(each));
                     if (steps.size() == 1) // behind the first heading
                         for (const char* text : {"glMatrixMode(GL_TEXTURE);", "glLoadIdentity();"})

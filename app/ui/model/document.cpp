@@ -12,7 +12,8 @@ Document::Document(Scene start, ImageSource source, std::filesystem::path savedA
     , saved(std::move(start))
     , images(std::move(source))
     , file(std::move(savedAs))
-    , needsFit(file.empty() || scene.view == defaultScene().view) {}
+    , needsFit(file.empty() || scene.view == defaultScene().view)
+    , used(filesOf(scene)) {}
 
 bool isDirty(const Document& document) {
     if (!document.file.empty())

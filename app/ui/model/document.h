@@ -34,6 +34,7 @@ struct Document {
     std::filesystem::path file;    ///< empty: never saved
     bool needsFit = false;         ///< the camera has not yet been fitted to the view's shape
     std::string lastChanged;       ///< the path of the parameter that was edited last
+    std::set<std::string> used;    ///< files that the scene used when that was last looked at
     std::vector<Load> loads;       ///< what is on its way, in the order in which it was asked for
     std::set<std::string> damaged; ///< files of `images` that changed and can't be read any more
 

@@ -9,8 +9,8 @@ namespace texplorer::ui {
 bool projectFromLight(Unit& unit);
 
 /// Makes a unit of a pass multiply by the light's shadows: it shows a new texture of what the light sees,
-/// which r is compared with, and the light projects it. Refused (false) where the scene has no room for a
-/// texture, or the matrix for two steps.
+/// which r is compared with, and the light projects it. What its texture matrix was goes. Refused (false)
+/// where the scene has no room for a texture.
 bool castShadows(Scene& scene, std::size_t pass, std::size_t unit);
 
 } // namespace texplorer::ui

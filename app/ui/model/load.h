@@ -22,6 +22,7 @@ struct Load {
         SetFile, ///< another file for a parameter that names one
         Scene,   ///< a whole scene with its images, and perhaps more images, as Add
         Reload,  ///< a file that has changed
+        Used,    ///< a file that the scene uses again, by an undo or another edit
     };
     Kind kind = Kind::Import;
     std::filesystem::path path{}; ///< what is opened

@@ -20,7 +20,7 @@ using Wanted = ImageLoader::Wanted;
 std::set<std::string> missingFiles(const Session& session, const Load& load) {
     if (load.kind == Load::Kind::Reload)
         return {load.file};
-    if (load.kind == Load::Kind::Import || load.kind == Load::Kind::SetFile)
+    if (load.kind == Load::Kind::Import || load.kind == Load::Kind::SetFile || load.kind == Load::Kind::Used)
         return session.document.images.holds(load.file) ? std::set<std::string>{} : std::set{load.file};
     std::set<std::string> files(load.added.begin(), load.added.end());
     if (load.kind == Load::Kind::Add)
@@ -138,6 +138,9 @@ bool finish(Session& session, Load& load) {
         putAll(session.document.images, load);
         finishReload(session, load);
         return true;
+    case Load::Kind::Used:
+        putAll(session.document.images, load);
+        return true;
     case Load::Kind::Scene:
         if (session.window.dialog != Dialog::None)
             return false;
@@ -218,6 +221,18 @@ void reloadChanged(Session& session) {
     }
 }
 
+/// An edit may bring a file into use that was never read: what a scene doesn't use isn't read with it.
+void loadUsed(Session& session) {
+    std::set<std::string> used = filesOf(session.document.scene);
+    for (const std::string& file : used) {
+        if (!file.empty() && !session.document.used.contains(file) && !session.document.images.holds(file))
+            start(
+                session,
+                {.kind = Load::Kind::Used, .path = session.document.images.directory() / file, .file = file});
+    }
+    session.document.used = std::move(used);
+}
+
 void watchFiles(Session& session) {
     std::vector<fs::path> paths;
     for (const std::string& file : session.document.images.files())
@@ -251,6 +266,7 @@ void start(Session& session, Load load) {
 
 bool receiveFiles(Session& session) {
     Services& services = session.services;
+    loadUsed(session);
     bool news = services.levels.receive();
     news |= services.files.receiveThumbnails();
     for (ImageLoader::Loaded& loaded : services.files.take()) {

@@ -9,7 +9,8 @@ struct Session;
 /// Starts to load. What is asked for happens in `receiveFiles`, or the user is told there why it can't.
 void start(Session& session, Load load);
 
-/// To be called between two frames: takes in what has been loaded, reloads files that have changed. True
+/// To be called between two frames: takes in what has been loaded, reloads files that have changed, and asks
+/// for those that an edit has brought into use. True
 /// where the window has something new to show.
 bool receiveFiles(Session& session);
 

@@ -125,8 +125,8 @@ std::string numbers(const glm::mat4& matrix) {
     return "{" + formatNumbers({&matrix[0].x, 16}, ", ") + "}";
 }
 
-/// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from -1 to 1
-/// to 0 to 1.
+/// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from -1 to
+/// 1 to 0 to 1.
 void addLightView(CallList& calls, const Light& light) {
     const std::string& op = keyOf<&MatrixStep::op>();
     const auto [view, projection] = lightView(light);

@@ -38,15 +38,15 @@ void lightButtons(Session& session) {
             if (edit())
                 recordEdit(session, label);
             else
-                say(session, "There is no room for it: the scene has too many textures, or the matrix steps.");
+                say(session, "There is no room for it: no more textures or matrix steps can be added.");
             sealEdit(session);
         }
         noteItem(label);
         helpTip(tip);
     };
-    button("Project from the light",
-           "The light becomes a slide projector: s, t, r and q are generated in eye coordinates, and the texture "
-           "matrix ends with the light's view.",
+    button("Slide projector",
+           "The light becomes a slide projector: s, t, r and q are generated in eye coordinates, and the "
+           "texture matrix ends with the projector.",
            [&] { return projectFromLight(selectedUnit(session)); });
     ImGui::SameLine(0, gap);
     button("Shadow map",

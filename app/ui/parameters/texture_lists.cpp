@@ -145,6 +145,15 @@ void levelExtents(const LevelPlan& plan, int number, Target target) {
                 "1. With another size the texture is incomplete.");
 }
 
+/// Of one level, where it is made.
+SharedPicture pictureOf(const LevelsSummary* summary, int level) {
+    if (!summary)
+        return nullptr;
+    const auto found =
+        std::ranges::find(summary->pictures, level, [](const auto& each) { return each.first; });
+    return found == summary->pictures.end() ? nullptr : found->second;
+}
+
 /// How many levels a complete texture has above its base.
 std::size_t levelsWanted(const LevelPlan& plan) {
     if (plan.levels.empty())
@@ -237,12 +246,7 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
         const std::string path = owner + elementOf<&Texture::levels>(i);
         const int number = static_cast<int>(i) + 1;
         ImGui::PushID(path.c_str());
-        SharedPicture picture;
-        for (const auto& [each, image] : summary ? summary->pictures : decltype(summary->pictures){}) {
-            if (each == number)
-                picture = image;
-        }
-        const PictureLines lines(pictures, picture, "picture:" + path);
+        const PictureLines lines(pictures, pictureOf(summary, number), "picture:" + path);
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("Level %d", number);
         ImGui::SameLine();

@@ -99,8 +99,8 @@ void ownTexture(Session& session) {
 std::shared_ptr<const LevelsSummary> summaryOf(Session& session, const Texture& texture) {
     if (texture.preparation.empty() && texture.mipmaps != MipPolicy::Given)
         return nullptr;
-    return session.services.levels.summary({session.document.images.picturesOf(texture),
-                                            imageSettings(texture), selectedUnit(session).target});
+    return session.services.levels.summary(
+        {session.document.images.picturesOf(texture), imageSettings(texture), selectedUnit(session).target});
 }
 
 /// What belongs below the rows of a group.

@@ -344,8 +344,8 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
     ImGui::PushID(line.path.c_str());
     drawControl(session, owner, row, line, width,
                 line.problem && line.problem->severity <= Severity::Warning ? color::problem
-                : line.changed ? color::changed
-                               : color::text);
+                : line.changed                                              ? color::changed
+                                                                            : color::text);
     if (line.problem)
         noteItem(line.path + "#problem");
     ImGui::PopID();
@@ -359,12 +359,13 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
 
     ImGui::PushID(line.path.c_str());
     const float em = ImGui::GetFontSize();
-    const float left = ImGui::GetWindowContentRegionMin().x; // where lines begin that aren't indented
+    // Controls stand below each other, beside lines that are indented, too.
+    const float indent = ImGui::GetCursorPosX() - ImGui::GetWindowContentRegionMin().x;
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * 1.3F;
     // A label that is a little wider than its column takes some of the control's.
     const float needed = textWidth(row.label) + (line.problem ? em * 1.2F : 0) + em * 0.4F;
-    const float labelWidth = std::floor(std::max(full * labelShare, needed));
+    const float labelWidth = std::floor(std::max((indent + full) * labelShare - indent, needed));
     const float least = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * narrowest;
     const bool isNarrow = full - labelWidth - resetWidth < least;
     const bool ownLine = isWide(row.kind) || isNarrow;
@@ -384,12 +385,12 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     }
     float controlWidth = full - resetWidth;
     if (!ownLine) {
-        ImGui::SameLine(left + labelWidth);
+        ImGui::SameLine(labelWidth); // from where the group begins
         controlWidth -= labelWidth;
     }
     drawControl(session, owner, row, line, controlWidth, color::text);
     if (line.changed) {
-        ImGui::SameLine(left + full - em);
+        ImGui::SameLine(full - em);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
         ImGui::PushStyleColor(ImGuiCol_Button, 0);
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);

@@ -143,8 +143,8 @@ struct FragmentExplanation {
     bool separateSpecular = false;
     bool twoSided = false;   ///< GL_LIGHT_MODEL_TWO_SIDE: what is seen from behind is lit otherwise
     bool fromBehind = false; ///< a triangle that runs clockwise in the window
-    glm::vec4 primary{1};   ///< interpolated
-    glm::vec4 secondary{0}; ///< the same; used under separate specular alone
+    glm::vec4 primary{1};    ///< interpolated
+    glm::vec4 secondary{0};  ///< the same; used under separate specular alone
     std::vector<UnitExplanation> units;
     std::vector<IdleUnit> idle;
     glm::vec4 textured{1};               ///< after the last unit

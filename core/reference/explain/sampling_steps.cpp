@@ -246,7 +246,8 @@ StepRow storedRow(const StoredTexel& stored) {
     StepRow row{"  stored", {{}}};
     for (std::size_t c = 0; c < stored.numbers.size(); ++c)
         row.cells.push_back(
-            {stored.largest[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.largest[c]), Ink::Dim});
+            {stored.largest[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.largest[c]),
+             Ink::Dim});
     return row;
 }
 
@@ -259,7 +260,8 @@ Step depthsStep(const UnitExplanation& unit) {
     Step step{StepKind::Texels, unit.unit, asks ? "Depths, compared" : "Depths", {}};
     step.swatch = color;
     const std::string function(rowOf(unit.sampler.compareFunc).name);
-    step.summary = asks ? fmt::format("r {} the depth: {}", function, numberText(result)) : numberText(result);
+    step.summary =
+        asks ? fmt::format("r {} the depth: {}", function, numberText(result)) : numberText(result);
     if (asks)
         step.rows.push_back({"r over q, clamped to 0 ... 1",
                              {{columnText(comparedDepth(unit.coords.p), depthDigits), Ink::R}}});
@@ -270,7 +272,8 @@ Step depthsStep(const UnitExplanation& unit) {
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
-        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) + (tap.border ? " border" : ""),
+        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
+                        (tap.border ? " border" : ""),
                     {{columnText(tap.weight)}, {columnText(tap.depth, depthDigits)}},
                     tap.color};
         if (asks) {
@@ -281,7 +284,8 @@ Step depthsStep(const UnitExplanation& unit) {
     }
     if (taps.size() > mostTapsShown)
         step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
-    step.rows.push_back({asks ? "filtered: the share that passes" : "filtered", {{columnText(result)}}, color});
+    step.rows.push_back(
+        {asks ? "filtered: the share that passes" : "filtered", {{columnText(result)}}, color});
     step.rows.push_back({"as " + std::string(rowOf(unit.sampler.depthMode).name),
                          {{fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g),
                                        numberText(color.b), numberText(color.a))}},
@@ -309,10 +313,10 @@ Step texelsStep(const UnitExplanation& unit) {
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
         const bool across = unit.sample.seamless && tap.index.z != unit.sample.cube->face;
-        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
-                        (tap.border ? " border"
-                         : across   ? " across the edge"
-                                    : ""),
+        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) + (tap.border ? " border"
+                                                                                  : across
+                                                                                      ? " across the edge"
+                                                                                      : ""),
                     {{columnText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)

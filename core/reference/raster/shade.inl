@@ -246,6 +246,8 @@ private:
     void fog(const Fog& fog) {
         const RowPlane distance(triangle_.fogDistance, offsetY_);
         for (int i = begin_; i < count_; i += laneCount) {
+            if (alive(i, allLanes) == 0)
+                continue;
             const Floats distances = distance.at(load(x_.data() + i)) * load(w_.data() + i);
             for (int lane = 0; lane < laneCount; ++lane)
                 fog_[static_cast<std::size_t>(i + lane)] = fogFactor(fog, distances[lane]);

@@ -364,7 +364,7 @@ private:
         const Places at01(levels, i.first, j.second);
         const Places at11(levels, i.second, j.second);
         const auto weighted = [&](Floats shares, const Places& places, std::size_t first)
-                                  __attribute__((always_inline)) {
+            __attribute__((always_inline)) {
             return spread(shares, first) *
                    joined([&](std::size_t lane) { return places(levels, first + lane); });
         };

@@ -105,8 +105,8 @@ Level levelOf(const Image& image, InternalFormat format, Target target, int bord
     const std::byte* pixel = image.pixels.data();
     for (glm::vec4& texel : level.texels) {
         const auto rgba = rgbaOf(image.format, pixel);
-        texel = sourceColor(facts.base, {values[0][rgba[0]], values[1][rgba[1]], values[2][rgba[2]],
-                                         values[3][rgba[3]]});
+        texel = sourceColor(facts.base,
+                            {values[0][rgba[0]], values[1][rgba[1]], values[2][rgba[2]], values[3][rgba[3]]});
         pixel += bytesPerPixel(image.format);
     }
     return level;

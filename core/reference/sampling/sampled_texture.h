@@ -35,7 +35,7 @@ struct SampledTexture : SamplerState {
     BaseFormat format = BaseFormat::Rgba; ///< decides what the environment does with a sample
     /// What the texels were made of; of blocks the one that bears their base format's name.
     InternalFormat internalFormat = InternalFormat::Rgba;
-    std::vector<Level> levels{};          ///< the index is GL's level number; of a cube map: of its face +x
+    std::vector<Level> levels{}; ///< the index is GL's level number; of a cube map: of its face +x
     std::vector<std::vector<Level>> otherFaces{}; ///< of a cube map: -x, +y, -y, +z, -z
 
     /// The level with this number, or nullptr. Faces as in CubeFace, counted from 0.
@@ -67,9 +67,9 @@ struct SampledTexture : SamplerState {
 /// Table 3.6: a pixel as RGBA, 0 to 1, before the internal format takes its part. A depth is a grey.
 [[nodiscard]] glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel);
 
-/// An image as a level: numbers of few bits as what they stand for (section 2.14.9), colours of sRGB as amounts
-/// of light (EXT_texture_sRGB). An image with a border has `border` texels more on each side of each of the
-/// target's axes.
+/// An image as a level: numbers of few bits as what they stand for (section 2.14.9), colours of sRGB as
+/// amounts of light (EXT_texture_sRGB). An image with a border has `border` texels more on each side of each
+/// of the target's axes.
 [[nodiscard]] Level levelOf(const Image& image, InternalFormat format, Target target = Target::Texture2D,
                             int border = 0);
 

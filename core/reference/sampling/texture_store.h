@@ -34,7 +34,7 @@ public:
 private:
     struct Slot {
         TexturePictures pictures; ///< held, so that no others can come to have these addresses
-        Texture settings; // those of imageSettings
+        Texture settings;         // those of imageSettings
         StoredTexture texture;
         int lastLevel = 1000;
         std::vector<std::string> notes; // repeated with every picture

@@ -36,7 +36,7 @@ constexpr std::array passRows{
     param<&Pass::blendDst>("blendDst", "Blending", "Destination factor", "glBlendFunc(blendSrc, {})",
                            "What the stored colour is multiplied by before both are added."),
     param<&Pass::seamlessCubeMap>(
-        "seamlessCubeMap", "Cube maps", "Seamless cube maps", "glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)",
+        "seamlessCubeMap", "Cube maps", "Seamless", "glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)",
         "Whether linear filtering goes on across the edges of a cube map's faces, instead of ending at each "
         "(OpenGL 3.2)."),
 };
@@ -44,7 +44,8 @@ constexpr std::array passRows{
 constexpr std::array fogRows{
     param<&Fog::enabled>("enabled", "Fog", "Fog", "glEnable(GL_FOG)",
                          "Whether colours fade with the distance, after texturing."),
-    param<&Fog::mode>("mode", "Fog", "Mode", "glFogi(GL_FOG_MODE, {})", "How fog thickens with the distance."),
+    param<&Fog::mode>("mode", "Fog", "Mode", "glFogi(GL_FOG_MODE, {})",
+                      "How fog thickens with the distance."),
     param<&Fog::density>("density", "Fog", "Density", "glFogf(GL_FOG_DENSITY, {})",
                          "How thick exponential fog is: at a distance of 1 / density a third is left.",
                          {0, 1000, 0.005F, {}}),

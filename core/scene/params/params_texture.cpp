@@ -13,9 +13,9 @@ constexpr std::array textureRows{
                              "Which built-in image, where that is the source."),
     param<&Texture::file>("file", "Image", "File", "",
                           "The path of an image, relative to the scene file, where a file is the source."),
-    param<&Texture::depthSize>("depthSize", "Image", "Light's picture", "",
-                               "How many texels the light's picture has on each side, where depths from the "
-                               "light are the source: few make shadows jagged.",
+    param<&Texture::depthSize>("depthSize", "Image", "Shadow map size", "",
+                               "How many texels the shadow map has on each side, where it is the source: "
+                               "few make shadows jagged.",
                                {1, 2048, 1, "texels"}),
     param<&Texture::flip>(
         "flip", "Image", "Flip", "",
@@ -139,9 +139,9 @@ constexpr std::array imageStepRows{
                             {-16, 16, 0.01F, {}}),
     param<&ImageStep::amount>("amount", "Step", "Amount", "", "How strongly it sharpens; 0 changes nothing.",
                               {0, 8, 0.01F, {}}),
-    pictureSource(
-        param<&ImageStep::source>("source", "Step", "Alpha's source", "",
-                                  "Whether the picture whose luminance becomes alpha is built in or a file.")),
+    pictureSource(param<&ImageStep::source>(
+        "source", "Step", "Alpha's source", "",
+        "Whether the picture whose luminance becomes alpha is built in or a file.")),
     param<&ImageStep::pattern>("pattern", "Step", "Alpha's pattern", "",
                                "Which built-in image becomes alpha."),
     param<&ImageStep::file>("file", "Step", "Alpha's file", "",

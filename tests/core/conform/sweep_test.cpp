@@ -542,7 +542,8 @@ INSTANTIATE_TEST_SUITE_P(
                                    for (std::size_t c = 0; c < 4; ++c) {
                                        const int bits = facts.bits.at(c);
                                        if (bits > 0 && bits < 8)
-                                           texel.at(c) = byteOf(texel.at(c) * largestNumber(bits) / 255, bits);
+                                           texel.at(c) =
+                                               byteOf(texel.at(c) * largestNumber(bits) / 255, bits);
                                    }
                                }},
                     WrongStore{"LowestBitsCutOff",
@@ -655,16 +656,14 @@ const Wrong wrongs[] = {
     {"DepthModeIgnored", "depth-textures",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.depthMode = DepthMode::Luminance; }); }},
     {"BorderOfDepthsLost", "depth-textures",
-     [](Scene& s) { eachTexture(s, [](Texture& t) { t.borderColor.r = 1 - t.borderColor.r; }); }, nullptr, 96},
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.borderColor.r = 1 - t.borderColor.r; }); }, nullptr,
+     96},
     {"DepthsAsColors", "depth-textures",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.internalFormat = InternalFormat::Luminance; }); }},
     {"ProjectedWithoutItsAngle", "projector", [](Scene& s) { s.light.projector.fieldOfView *= 1.1F; }},
     {"ProjectedInParallel", "projector", [](Scene& s) { s.light.position.w = 0; }},
     {"ProjectedFromAnotherPlace", "projector", [](Scene& s) { s.light.position.x += 0.1F; }},
-    {"ShadowsWithoutBias", "projector",
-     [](Scene& s) {
-         eachStep(s, [](MatrixStep& m) { m.amount.z = 0; });
-     }},
+    {"ShadowsWithoutBias", "projector", [](Scene& s) { eachStep(s, [](MatrixStep& m) { m.amount.z = 0; }); }},
     {"ShadowsOfOneModelAlone", "projector",
      [](Scene& s) { // what it hides from the light is lit
          if (s.textures[0].source == SourceKind::LightDepth)
@@ -771,14 +770,16 @@ const Wrong wrongs[] = {
              pass.seamlessCubeMap = false;
          for (Texture& texture : s.textures) // as llvmpipe does where it is off
              texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
-     }},
+     },
+     nullptr, 8},
     {"SeamlessOfTheSameFace", "seamless",
      [](Scene& s) {
          for (Pass& pass : s.passes)
              pass.seamlessCubeMap = false;
          for (Texture& texture : s.textures)
              texture.wrapS = texture.wrapT = Wrap::Repeat;
-     }},
+     },
+     nullptr, 8},
     {"CubesClampedToTheEdge", "cube-map",
      [](Scene& s) {
          eachTexture(s, [](Texture& t) {
@@ -805,11 +806,10 @@ const Wrong wrongs[] = {
     {"IncompleteDrawnAnyway", "incomplete",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.mipmaps = MipPolicy::Generated; }); }},
     {"GivenLevelsMade", "given-levels",
-     [](Scene& s) { eachTexture(s, [](Texture& t) { t.mipmaps = MipPolicy::Generated; }); }},
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.mipmaps = MipPolicy::Generated; }); }, nullptr, 8},
     {"GivenLevelsOneOff", "given-levels",
-     [](Scene& s) {
-         eachTexture(s, [](Texture& t) { std::ranges::rotate(t.levels, t.levels.end() - 1); });
-     }},
+     [](Scene& s) { eachTexture(s, [](Texture& t) { std::ranges::rotate(t.levels, t.levels.end() - 1); }); },
+     nullptr, 8},
     {"LevelsOfAnotherSizeFitted", "given-levels",
      [](Scene& s) {
          eachTexture(s, [](Texture& t) {
@@ -824,7 +824,8 @@ const Wrong wrongs[] = {
              if (t.maxLevel == 1000)
                  t.levels.resize(8);
          });
-     }},
+     },
+     nullptr, 16},
     {"PreparationIgnored", "preparation",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.preparation.clear(); }); }},
     {"PreparedBackwards", "preparation",

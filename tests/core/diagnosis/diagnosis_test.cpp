@@ -43,8 +43,9 @@ struct Stage {
         Image image = Image::uninitialised(PixelFormat::Luminance8, 128, 128);
         for (int y = 0; y < 128; ++y) {
             for (int x = 0; x < 128; ++x)
-                image.at(x, y)[0] =
-                    static_cast<std::byte>(smooth ? x + y : (x / 8 + y / 8) % 2 == 0 ? 0 : 255);
+                image.at(x, y)[0] = static_cast<std::byte>(smooth                     ? x + y
+                                                           : (x / 8 + y / 8) % 2 == 0 ? 0
+                                                                                      : 255);
         }
         images.put("greys", std::move(image));
     }
@@ -176,6 +177,25 @@ INSTANTIATE_TEST_SUITE_P(
                 s.showFile(64, 2);
             },
             [](Stage& s) { s.showFile(32, 2); }},
+        Row{"LevelTooLarge", "level-size-limit", Error, "textures[0].levels[1]",
+            "64 x 2 texels exceed the driver's 32 for level 2",
+            [](Stage& s) {
+                s.driver.maxTextureSize = 128;
+                s.showFile(64, 2);
+                s.texture().source = SourceKind::Pattern;
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels.resize(2);
+                s.texture().levels[1] = {.source = SourceKind::File, .file = "image"};
+            },
+            [](Stage& s) { s.driver.maxTextureSize = 256; }},
+        Row{"LevelThatTheDriverHasNot", "level-size-limit", Error, "textures[0].levels[14]",
+            "the driver has no level 15",
+            [](Stage& s) {
+                s.driver.maxTextureSize = 16384; // level 14 is the last
+                s.texture().mipmaps = MipPolicy::Given;
+                s.texture().levels.resize(15);
+            },
+            [](Stage& s) { s.texture().levels.resize(14); }},
         Row{"FacesNotSquare", "incomplete", Warning, "textures[0].file",
             "must be square, and they have 8 x 4",
             [](Stage& s) {
@@ -315,6 +335,14 @@ INSTANTIATE_TEST_SUITE_P(
                     {.op = ImageOp::AlphaFrom, .source = SourceKind::File, .file = "gone.png"}};
             },
             [](Stage& s) { s.texture().preparation[0].op = ImageOp::Invert; }},
+        Row{"DepthsThatAreNotPrepared", "depths-not-prepared", Hint, "textures[0].preparation",
+            "not changed before they are compared",
+            [](Stage& s) {
+                s.texture().source = SourceKind::LightDepth;
+                s.texture().internalFormat = InternalFormat::DepthComponent24;
+                s.texture().preparation = {{.op = ImageOp::Invert}};
+            },
+            [](Stage& s) { s.texture().internalFormat = InternalFormat::Luminance; }},
         Row{"LevelsThatAreNotRead", "levels-not-read", Hint, "textures[0].levels",
             "not read with mipmaps=generated", [](Stage& s) { s.texture().levels.resize(1); },
             [](Stage& s) { s.texture().mipmaps = MipPolicy::Given; }},
@@ -366,31 +394,31 @@ TEST(DiagnosisOfAll, OffersAPatternForALevelOfAnotherSize) {
 
 INSTANTIATE_TEST_SUITE_P(
     Format, Diagnosis,
-    testing::Values(
-        Row{"Bands", "banding", Note, "textures[0].internalFormat", "GL_RGB4 has 16 steps",
-            [](Stage& s) {
-                s.showGreys(true);
-                s.texture().internalFormat = InternalFormat::Rgb4;
-            }},
-        Row{"BandsUnlessTheImageHasSteps", "banding", Note, "textures[0].internalFormat", "bands",
-            [](Stage& s) {
-                s.showGreys(true);
-                s.texture().internalFormat = InternalFormat::R3G3B2;
-            },
-            [](Stage& s) { s.showGreys(false); }},
-        Row{"BandsUnlessCompressed", "banding", Note, "textures[0].internalFormat", "bands",
-            [](Stage& s) {
-                s.showGreys(true);
-                s.texture().internalFormat = InternalFormat::Luminance4;
-            },
-            [](Stage& s) { s.texture().compression = Compression::Cached; }},
-        Row{"SrgbNotEncoded", "srgb-not-encoded", Note, "textures[0].internalFormat", "darker than the image",
-            [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8Alpha8; }},
-        Row{"SrgbLevels", "srgb-levels", Warning, "textures[0].mipGamma", "too dark",
-            [](Stage& s) { s.texture().internalFormat = InternalFormat::Sluminance8; }},
-        Row{"SrgbLevelsUnlessSeen", "srgb-levels", Warning, "textures[0].mipGamma", "GL_SRGB8",
-            [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
-            [](Stage& s) { s.texture().minFilter = MinFilter::Linear; }}),
+    testing::Values(Row{"Bands", "banding", Note, "textures[0].internalFormat", "GL_RGB4 has 16 steps",
+                        [](Stage& s) {
+                            s.showGreys(true);
+                            s.texture().internalFormat = InternalFormat::Rgb4;
+                        }},
+                    Row{"BandsUnlessTheImageHasSteps", "banding", Note, "textures[0].internalFormat", "bands",
+                        [](Stage& s) {
+                            s.showGreys(true);
+                            s.texture().internalFormat = InternalFormat::R3G3B2;
+                        },
+                        [](Stage& s) { s.showGreys(false); }},
+                    Row{"BandsUnlessCompressed", "banding", Note, "textures[0].internalFormat", "bands",
+                        [](Stage& s) {
+                            s.showGreys(true);
+                            s.texture().internalFormat = InternalFormat::Luminance4;
+                        },
+                        [](Stage& s) { s.texture().compression = Compression::Cached; }},
+                    Row{"SrgbNotEncoded", "srgb-not-encoded", Note, "textures[0].internalFormat",
+                        "darker than the image",
+                        [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8Alpha8; }},
+                    Row{"SrgbLevels", "srgb-levels", Warning, "textures[0].mipGamma", "too dark",
+                        [](Stage& s) { s.texture().internalFormat = InternalFormat::Sluminance8; }},
+                    Row{"SrgbLevelsUnlessSeen", "srgb-levels", Warning, "textures[0].mipGamma", "GL_SRGB8",
+                        [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
+                        [](Stage& s) { s.texture().minFilter = MinFilter::Linear; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -785,6 +813,29 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 50, .end = 90};
             }},
+        Row{"LinearFogBeforeAFlatThing", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+            [](Stage& s) {
+                s.scene.models.resize(1);
+                s.scene.models[0] = {};
+                s.scene.models[0].shape = Shape::Quad;
+                s.scene.view.azimuth = s.scene.view.elevation = 0;
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
+            }},
+        // The fix ends at the limit of its row, or there is none within it.
+        Row{"LinearFogFarAway", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+            [](Stage& s) {
+                s.scene.models.resize(1);
+                s.scene.models[0].size = 100;
+                s.scene.view.distance = 990;
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
+            }},
+        Row{"LinearFogTooFarAway", "fog-of-no-use", Warning, "passes[0].fog.end", "all is hidden",
+            [](Stage& s) {
+                s.scene.models.resize(1);
+                s.scene.models[0].position.z = -1000;
+                s.scene.view.distance = 1000;
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear};
+            }},
         Row{"FogBackwards", "fog-range", Warning, "passes[0].fog.end", "ends at 2, before it starts at 9",
             [](Stage& s) {
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 9, .end = 2};
@@ -797,6 +848,11 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.scene.models[0].shape = Shape::Floor;
                 s.pass().fog = {.enabled = true, .density = 0.1F, .color = {1, 0.5F, 0, 1}};
+            }},
+        Row{"StacksOfATeapot", "too-many-stacks", Warning, "models[0].stacks", "has at most 24",
+            [](Stage& s) {
+                s.scene.models[0].shape = Shape::Teapot;
+                s.scene.models[0].stacks = 25;
             }},
         Row{"FogOff", "fog", Hint, "passes[0].fog.color", "the fog is off", [](Stage&) {},
             [](Stage& s) { s.pass().fog.enabled = true; }},
@@ -1003,7 +1059,8 @@ INSTANTIATE_TEST_SUITE_P(
                 castShadows(s);
                 s.unit().matrix.erase(s.unit().matrix.begin());
             }},
-        Row{"ShadowsMovedTheOtherWay", "shadow-acne", Warning, "passes[0].units[0].matrix[1].op", "translates r",
+        Row{"ShadowsMovedTheOtherWay", "shadow-acne", Warning, "passes[0].units[0].matrix[1].op",
+            "translates r",
             [](Stage& s) {
                 castShadows(s);
                 s.unit().matrix[0].amount.z = 0.01F;
@@ -1032,18 +1089,22 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"BehindTheLight", "behind-the-light", Note, "passes[0].units[0].matrix[1]", "upside down",
             [](Stage& s) {
                 castShadows(s);
-                s.scene.light.position = {0, 0, -20, 1}; // looks back at its target, and the models lie behind
+                s.scene.light.position = {0, 0, -20,
+                                          1}; // looks back at its target, and the models lie behind
                 s.scene.light.projector.target = {0, 0, -40};
             },
-            [](Stage& s) { s.scene.light.projector.target = {0, 0, -6}; }},
-        Row{"NothingProjected", "projector", Hint, "light.projector", "light's view", [](Stage&) {}, castShadows},
+            [](Stage& s) {
+                s.scene.light.projector.target = {0, 0, -6};
+            }},
+        Row{"NothingProjected", "projector", Hint, "light.projector", "light's view", [](Stage&) {},
+            castShadows},
         Row{"ComparingColors", "texture-setting", Hint, "textures[0].compareMode", "holds no depths",
             [](Stage&) {}, castShadows},
         Row{"FunctionWithoutComparing", "texture-setting", Hint, "textures[0].compareFunc",
             "nothing is compared: GL_NONE",
             [](Stage& s) { s.texture().internalFormat = InternalFormat::DepthComponent16; }, castShadows},
-        Row{"SizeOfAPattern", "other-texture-choice", Unused, "textures[0].depthSize", "pattern", [](Stage&) {},
-            castShadows},
+        Row{"SizeOfAPattern", "other-texture-choice", Unused, "textures[0].depthSize", "pattern",
+            [](Stage&) {}, castShadows},
         Row{"DepthsCompressed", "texture-setting", Hint, "textures[0].compression", "no compressed depth",
             [](Stage& s) { s.texture().internalFormat = InternalFormat::DepthComponent16; },
             [](Stage& s) { s.texture().internalFormat = InternalFormat::Rgba; }}),
@@ -1055,8 +1116,8 @@ TEST(DiagnosisOfDepths, HasNothingToSayOfAShadowMap) {
     stage.pass().lighting = false; // the light counts all the same
     for (const Finding& each : stage.findings()) {
         EXPECT_GE(each.severity, Hint) << each.path << ": " << each.sentence;
-        EXPECT_FALSE(each.path == "light" || each.path == "light.position" || each.path == "light.projector" ||
-                     each.path == "passes[0].units[0].texGenR.enabled")
+        EXPECT_FALSE(each.path == "light" || each.path == "light.position" ||
+                     each.path == "light.projector" || each.path == "passes[0].units[0].texGenR.enabled")
             << each.path << ": " << each.sentence;
     }
 }

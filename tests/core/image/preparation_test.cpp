@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -146,6 +147,27 @@ TEST(Sharpen, LeavesAlphaAndOtherSlicesAlone) {
     const Image made = prepared(imageOf(LuminanceAlpha8, 2, {40, 1, 80, 250, 200, 2, 200, 251}, 2),
                                 {.op = ImageOp::Sharpen, .amount = 1});
     EXPECT_EQ(bytesOf(made), (Bytes8{25, 1, 95, 250, 200, 2, 200, 251}));
+}
+
+TEST(Sharpen, IsTheSumOverEightNeighboursForEachColour) {
+    Bytes8 bytes;
+    for (unsigned i = 0, state = 1; i < 7 * 5 * 4 * 2; ++i, state = state * 1103515245U + 12345U)
+        bytes.push_back(static_cast<int>(state >> 24U));
+    const Bytes8 made =
+        bytesOf(prepared(imageOf(Rgba8, 7, bytes, 2), {.op = ImageOp::Sharpen, .amount = 0.25F}));
+    for (int i = 0; i < 7 * 5 * 4 * 2; ++i) {
+        const int c = i % 4;
+        const int x = i / 4 % 7;
+        const int y = i / 28 % 5;
+        const auto near = [&](int across, int up) {
+            const int texel = (i / 140 * 5 + std::clamp(y + up, 0, 4)) * 7 + std::clamp(x + across, 0, 6);
+            return bytes[static_cast<std::size_t>(4 * texel + c)];
+        };
+        const int sum = near(-1, -1) + near(0, -1) + near(1, -1) + near(-1, 0) + near(1, 0) + near(-1, 1) +
+                        near(0, 1) + near(1, 1);
+        const double expected = c == 3 ? near(0, 0) : near(0, 0) + 0.25 * (near(0, 0) - sum / 8.0);
+        EXPECT_EQ(made[static_cast<std::size_t>(i)], std::lround(std::clamp(expected, 0.0, 255.0))) << i;
+    }
 }
 
 TEST(Sharpen, ByNothingIsNoChange) {

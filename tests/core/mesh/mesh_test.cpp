@@ -109,11 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
              9 * 8,
              4},
         Case{"Torus32x16", {Shape::Torus, 32, 16}, 33 * 17, 32 * 16 * 2, 16},
-        Case{"Torus5x3",
-             {.shape = Shape::Torus, .slices = 5, .stacks = 3, .tubeRadius = 0.25F},
-             6 * 4,
-             30,
-             3},
+        Case{
+            "Torus5x3", {.shape = Shape::Torus, .slices = 5, .stacks = 3, .tubeRadius = 0.25F}, 6 * 4, 30, 3},
         // Ten rings of patches, two of which end in a pole.
         Case{"Teapot32x16", {Shape::Teapot, 32, 16}, 33 * 164, 32 * (160 * 2 - 2), 160},
         Case{"Teapot7x5", {Shape::Teapot, 7, 5}, 8 * 54, 7 * (50 * 2 - 2), 50},

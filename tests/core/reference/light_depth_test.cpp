@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
 
 namespace texplorer::reference::light_depth_test {
 namespace {
@@ -93,6 +94,17 @@ TEST(LightDepths, LeaveWhatSomebodyElseHasPut) {
     const auto own = depthImage(Image::uninitialised(PixelFormat::Depth32, 20, 20));
     images.putLightDepth(20, own);
     EXPECT_EQ(LightDepths().addedTo(images, scene, 0).find(scene.textures[0]), own);
+}
+
+TEST(LightDepths, AreNotKeptUnfinished) {
+    const Scene scene = squareBeforeTheLight();
+    LightDepths depths;
+    std::stop_source stop;
+    stop.request_stop();
+    const auto nothing = ImageSource().find(scene.textures[0]);
+    EXPECT_EQ(depths.addedTo({}, scene, 0, stop.get_token()).find(scene.textures[0]), nothing);
+    EXPECT_NE(depths.addedTo({}, scene, 0).find(scene.textures[0])->surfaces, nothing->surfaces);
+    EXPECT_EQ(depthOf(drawLightDepths(scene, 0, 20, stop.get_token()), 10, 10), 1);
 }
 
 // The square is compared with itself, and with what lies before it.

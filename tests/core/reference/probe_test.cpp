@@ -583,7 +583,12 @@ INSTANTIATE_TEST_SUITE_P(
                              it.material.shadeModel = ShadeModel::Flat;
                          }},
                     Case{"Torus", [](Scene& it) { showOnly(it, Shape::Torus); }},
-                    Case{"Teapot", [](Scene& it) { showOnly(it, Shape::Teapot); }},
+                    Case{"Teapot",
+                         [](Scene& it) {
+                             showOnly(it, Shape::Teapot);
+                             it.models[0].slices = 8;
+                             it.models[0].stacks = minStacks;
+                         }},
                     Case{"Cone",
                          [](Scene& it) {
                              showOnly(it, Shape::Cylinder);

@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
+#include <stop_token>
 
 namespace texplorer::given_levels_test {
 namespace {
@@ -270,6 +272,19 @@ TEST_F(GivenLevels, NeedPicturesThatTheSourceHas) {
     EXPECT_TRUE(images_.picturesOf(texture_).levels.empty());
 }
 
+TEST_F(GivenLevels, StayWithinWhatImagesMayTake) {
+    give("base", flat(2, 2, 1));
+    give("large", {});
+    TextureImage outline = fileOf(Image{PixelFormat::Luminance8, 16384, 16384, 1, {}}); // 256 MiB
+    images_.put("large", std::make_shared<const TextureImage>(std::move(outline)));
+    texture_.levels.resize(9, texture_.levels.front());
+    const auto levels = prepareLevels(texture_, images_.picturesOf(texture_));
+    ASSERT_FALSE(levels);
+    EXPECT_EQ(levels.error().code, ErrorCode::TooLarge);
+    EXPECT_EQ(levels.error().message, "the pictures of the levels above its base need 2415919104 bytes, and "
+                                      "together they may take 2 GiB");
+}
+
 class PreparedTexture : public GivenLevels {
 protected:
     static ImageStep step(ImageOp op) { return {.op = op}; }
@@ -338,6 +353,21 @@ TEST_F(PreparedTexture, IsDecompressedForIt) {
     const TextureLevels levels = made();
     EXPECT_TRUE(std::holds_alternative<Image>(*levels.levels.at(0).surface));
     EXPECT_THAT(levels.notes, ElementsAre(HasSubstr("needs pixels: decompressed")));
+}
+
+TEST_F(PreparedTexture, StopsBetweenItsSteps) {
+    give("base", flat(2, 2, 55));
+    texture_.preparation = {step(ImageOp::Invert), half()};
+    std::stop_source source;
+    const LevelWork work{.cache = {}, .stop = source.get_token()};
+    EXPECT_TRUE(prepareLevels(texture_, images_.picturesOf(texture_), Target::Texture2D, work));
+    int seen = 0;
+    const auto stopAtOnce = [&](const Image&) { seen += source.request_stop() ? 1 : 10; };
+    eachPreparationStep(texture_, images_.picturesOf(texture_), stopAtOnce, source.get_token());
+    EXPECT_EQ(seen, 1);
+    const auto stopped = prepareLevels(texture_, images_.picturesOf(texture_), Target::Texture2D, work);
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
 }
 
 TEST_F(PreparedTexture, ShowsEachStep) {

@@ -52,6 +52,20 @@ class TexturePictures(Texshot):
         self.assertEqual(self.picture_of(scene, "--level", "2").size, (4, 2))
         self.complains(1, "no level 3", "texture", scene, "-o", "-", "--level", "3")
 
+    def test_what_the_light_sees_is_drawn(self):
+        file = self.path / "light.json"
+        texture = {"source": "light-depth", "depthSize": 8, "internalFormat": "GL_DEPTH_COMPONENT24"}
+        projector = {"target": [0, 0, -6], "fieldOfView": 90, "nearest": 1, "farthest": 20}
+        light = {"position": [0, 0, 0, 1], "projector": projector}
+        view = {"distance": 6, "azimuth": 0, "elevation": 0}
+        models = [{"shape": "quad"}]
+        file.write_text(json.dumps({"view": view, "light": light, "models": models, "textures": [texture]}))
+        for options in ([], ["--step", "0"]):
+            seen = self.picture_of(file, *options)
+            self.assertEqual(seen.mode, "L")
+            self.assertEqual(seen.getpixel((0, 0)), 255)  # beside the quad
+            self.assertAlmostEqual(seen.getpixel((4, 4)), 255 * 20 / 19 * (1 - 1 / 6), delta=1)
+
     def test_wrong_calls(self):
         scene = self.scene(mipmaps="given", levels=[{"source": "file", "file": "gone.png"}])
         self.complains(1, "textures[0].levels[0].file", "texture", scene, "-o", "-")

@@ -188,6 +188,28 @@ TEST(Commands, NameSeamlessCubeMapsWhereThereIsACubeMap) {
     EXPECT_THAT(calls(scene), Contains("glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);"));
 }
 
+// Fog that is off is switched off and no more; of the distances and the density only what its mode asks for.
+TEST(Commands, SetOfFogWhatItsModeAsksFor) {
+    Scene scene = defaultScene();
+    Fog& fog = scene.passes[0].fog;
+    fog = {.mode = FogMode::Linear, .density = 0.5F, .start = 2, .end = 7, .color = {1, 0.5F, 0, 1}};
+    EXPECT_THAT(calls(scene), Contains("glDisable(GL_FOG);"));
+    EXPECT_THAT(calls(scene), Not(Contains(HasSubstr("glFog"))));
+    fog.enabled = true;
+    const std::vector<std::string> linear = calls(scene);
+    for (const char* call :
+         {"glEnable(GL_FOG);", "glFogi(GL_FOG_MODE, GL_LINEAR);", "glFogf(GL_FOG_START, 2);",
+          "glFogf(GL_FOG_END, 7);", "glFogfv(GL_FOG_COLOR, {1, 0.5, 0, 1});"})
+        EXPECT_THAT(linear, Contains(call));
+    EXPECT_THAT(linear, Not(Contains(HasSubstr("GL_FOG_DENSITY"))));
+    fog.mode = FogMode::Exp2;
+    const std::vector<std::string> squared = calls(scene);
+    EXPECT_THAT(squared, Contains("glFogi(GL_FOG_MODE, GL_EXP2);"));
+    EXPECT_THAT(squared, Contains("glFogf(GL_FOG_DENSITY, 0.5);"));
+    EXPECT_THAT(squared, Not(Contains(HasSubstr("GL_FOG_START"))));
+    EXPECT_THAT(squared, Not(Contains(HasSubstr("GL_FOG_END"))));
+}
+
 TEST(Commands, LeaveOutPassesThatAreOff) {
     Scene scene = defaultScene();
     scene.passes.push_back(scene.passes[0]);
@@ -262,16 +284,17 @@ TEST(Commands, UploadEachLevelThatIsGiven) {
 
 TEST(Commands, LeaveTheLastScalingToTheUpload) {
     Scene scene = defaultScene();
-    scene.textures[0].preparation = {{.op = ImageOp::Invert},
-                                     {.op = ImageOp::Scale, .factor = {0.5F, 1, 1, 1}, .bias = {0, 0.25F, 0, 0}}};
+    scene.textures[0].preparation = {
+        {.op = ImageOp::Invert}, {.op = ImageOp::Scale, .factor = {0.5F, 1, 1, 1}, .bias = {0, 0.25F, 0, 0}}};
     std::vector<std::string> around;
     for (const std::string& call : calls(scene)) {
         if (call.starts_with("glPixelTransferf") || call.starts_with("glTexImage"))
             around.push_back(call.substr(0, call.find(';')));
     }
-    EXPECT_THAT(around, ElementsAre("glPixelTransferf(GL_RED_SCALE, 0.5)", "glPixelTransferf(GL_GREEN_BIAS, 0.25)",
-                                    HasSubstr("glTexImage2D"), "glPixelTransferf(GL_RED_SCALE, 1)",
-                                    "glPixelTransferf(GL_GREEN_BIAS, 0)"));
+    EXPECT_THAT(around,
+                ElementsAre("glPixelTransferf(GL_RED_SCALE, 0.5)", "glPixelTransferf(GL_GREEN_BIAS, 0.25)",
+                            HasSubstr("glTexImage2D"), "glPixelTransferf(GL_RED_SCALE, 1)",
+                            "glPixelTransferf(GL_GREEN_BIAS, 0)"));
     std::swap(scene.textures[0].preparation[0], scene.textures[0].preparation[1]);
     EXPECT_THAT(calls(scene), Not(Contains(HasSubstr("glPixelTransfer")))) << "something is done after it";
 }

@@ -436,5 +436,40 @@ TEST_F(Loads, TheBrowserShowsSmallPictures) {
     EXPECT_EQ(red(), 50);
 }
 
+// What a scene doesn't use isn't read with it.
+TEST_F(Loads, AFileThatAnEditBringsIntoUseIsRead) {
+    (void)bmp("level.bmp", 50);
+    write("scene.json", R"({"version": 1, "textures": [{"mipmaps": "generated",
+        "levels": [{"source": "file", "file": "level.bmp"}, {"source": "file", "file": "missing.bmp"}]}]})");
+    ASSERT_TRUE(openScene(*session, folder / "scene.json").has_value());
+    waitForFiles(*session);
+    ASSERT_EQ(scene().textures.size(), 1U);
+    EXPECT_FALSE(session->document.images.holds("level.bmp"));
+    scene().textures[0].mipmaps = MipPolicy::Given;
+    recordEdit(*session, "Mipmaps");
+    framesUntil([this] { return session->document.images.holds("level.bmp"); });
+    framesUntil([this] { return session->document.loads.empty(); });
+    EXPECT_THAT(session->window.notice.text, HasSubstr("missing.bmp"));
+    session->window.notice = {};
+    frames(3);
+    EXPECT_TRUE(session->window.notice.text.empty()) << "it is said once";
+    EXPECT_EQ(session->document.history.undoName(), "Mipmaps");
+}
+
+// With a pattern as its source a file is kept, but not read.
+TEST_F(Loads, AFileThatUndoBringsIntoUseIsRead) {
+    write("scene.json", R"({"version": 1, "textures": [{"source": "pattern", "file": "red.bmp"}]})");
+    (void)bmp("red.bmp", 50);
+    ASSERT_TRUE(openScene(*session, folder / "scene.json").has_value());
+    waitForFiles(*session);
+    scene().textures[0].source = SourceKind::File;
+    recordEdit(*session, "Source");
+    undo(*session); // before it was read
+    frames(1);
+    EXPECT_TRUE(session->document.loads.empty());
+    redo(*session);
+    framesUntil([this] { return session->document.images.holds("red.bmp"); });
+}
+
 } // namespace
 } // namespace texplorer::ui::loads_test

@@ -234,6 +234,7 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().matrix.resize(1);
     unit().matrix[0].op = MatrixOp::Rotate;
     unit().envMode = EnvMode::Combine;
+    scene().passes[0].fog.enabled = true;
     for (TexGen* each : {&unit().texGenS, &unit().texGenT, &unit().texGenR, &unit().texGenQ})
         each->enabled = true;
     unit().texGenT.mode = TexGenMode::ObjectLinear;
@@ -261,10 +262,12 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     const std::string first = "passes[0].units[0]";
     expectRows({&s.view, nullptr, "view"}, viewTable());
     expectRows({&s.light, nullptr, "light"}, lightTable());
+    expectRows({&s.light.projector, nullptr, "light.projector"}, projectorTable());
     expectRows({&s.material, nullptr, "material"}, materialTable());
     expectRows({s.models.data(), nullptr, "models[0]"}, modelTable());
     expectRows({s.textures.data(), nullptr, "textures[0]"}, textureTable());
     expectRows({s.passes.data(), nullptr, "passes[0]"}, passTable());
+    expectRows({&s.passes[0].fog, nullptr, "passes[0].fog"}, fogTable());
     expectRows({&unit(), nullptr, first}, unitTable());
     expectRows({&unit().combine, nullptr, first + ".combine"}, combineTable());
     expectRows({&unit().texGenS, nullptr, first + ".texGenS"}, texGenTable(0));
@@ -405,6 +408,23 @@ TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
     EXPECT_TRUE(inert("mipFilter"));
     choose("textures[0].wrapR", "GL_CLAMP"); // it can be edited all the same
     EXPECT_EQ(texture().wrapR, Wrap::Clamp);
+}
+
+TEST_F(ParametersPanel, FogShowsItsSettingsWhereItIsOn) {
+    const auto fog = [this]() -> const Fog& { return scene().passes[0].fog; };
+    open("Pass");
+    scrollTo("passes[0].fog.enabled");
+    EXPECT_FALSE(has("passes[0].fog.mode"));
+    click("passes[0].fog.enabled");
+    EXPECT_TRUE(fog().enabled);
+    choose("passes[0].fog.mode", "GL_LINEAR");
+    EXPECT_EQ(fog().mode, FogMode::Linear);
+    key('Z', {ctrl});
+    EXPECT_EQ(fog().mode, FogMode::Exp);
+    EXPECT_TRUE(fog().enabled);
+    key('Z', {ctrl});
+    EXPECT_EQ(fog(), Fog{});
+    EXPECT_FALSE(session->document.history.canUndo());
 }
 
 TEST_F(ParametersPanel, EveryInternalFormatCanBeChosen) {

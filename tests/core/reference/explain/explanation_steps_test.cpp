@@ -176,26 +176,15 @@ INSTANTIATE_TEST_SUITE_P(
                  it.textures[0].internalFormat = InternalFormat::Luminance;
              },
              "GL_DECAL is undefined for GL_LUMINANCE: the incoming colour is passed on."},
-        // In the middle of the gradient is texel (128, 128) with the colour (128, 128, 127): 7.53 and 7.47 of 15.
-        Case{"FewBits",
-             [](Scene& it) {
-                 showGradient(it, InternalFormat::Rgba4);
-             },
+        // In the middle of the gradient is texel (128, 128) with the colour (128, 128, 127): 7.53 and 7.47
+        // of 15.
+        Case{"FewBits", [](Scene& it) { showGradient(it, InternalFormat::Rgba4); },
              "\n  stored |  | 8/15 | 8/15 | 7/15 | 15/15\nGL_RGBA4 has few bits: "},
-        Case{"AGreyOfFewBits",
-             [](Scene& it) {
-                 showGradient(it, InternalFormat::Luminance4Alpha4);
-             },
+        Case{"AGreyOfFewBits", [](Scene& it) { showGradient(it, InternalFormat::Luminance4Alpha4); },
              "\n  stored |  | 8/15 | 8/15 | 8/15 | 15/15\n"},
-        Case{"WhatAFormatDoesNotStore",
-             [](Scene& it) {
-                 showGradient(it, InternalFormat::R3G3B2);
-             },
+        Case{"WhatAFormatDoesNotStore", [](Scene& it) { showGradient(it, InternalFormat::R3G3B2); },
              "\n  stored |  | 4/7 | 4/7 | 1/3 | -\n"},
-        Case{"Srgb",
-             [](Scene& it) {
-                 showGradient(it, InternalFormat::Srgb8);
-             },
+        Case{"Srgb", [](Scene& it) { showGradient(it, InternalFormat::Srgb8); },
              "\n  stored |  | 128/255 | 128/255 | 127/255 | -\nGL_SRGB8 makes light of colours"},
         Case{"Combine",
              [](Scene& it) {

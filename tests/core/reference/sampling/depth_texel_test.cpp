@@ -51,8 +51,9 @@ TEST(DepthTexture, ComparesRWithTheDepth) {
                                                .compareMode = CompareMode::RToTexture,
                                                .compareFunc = function});
         for (int i = 0; i < 4; ++i)
-            EXPECT_TRUE(isNear(sample(texture, {at(i), 0.5F, 0.25F}, {}),
-                               glm::vec4(glm::vec3(static_cast<float>(passes.at(static_cast<std::size_t>(i)))), 1)))
+            EXPECT_TRUE(
+                isNear(sample(texture, {at(i), 0.5F, 0.25F}, {}),
+                       glm::vec4(glm::vec3(static_cast<float>(passes.at(static_cast<std::size_t>(i)))), 1)))
                 << rowOf(function).name << " " << i;
     }
 }

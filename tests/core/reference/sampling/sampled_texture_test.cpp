@@ -59,8 +59,8 @@ struct StoredCase {
 };
 class StoredTexel : public testing::TestWithParam<StoredCase> {};
 
-// Section 2.14.9: n = round(c (2^b - 1) / 255), worth n / (2^b - 1). With 4 bits 100 is 5.88, so 6 of 15, 150 is
-// 9 (8.82), 200 is 12 (11.8), 60 is 4 (3.5 and more). EXT_texture_sRGB: ((c / 255 + 0.055) / 1.055)^2.4.
+// Section 2.14.9: n = round(c (2^b - 1) / 255), worth n / (2^b - 1). With 4 bits 100 is 5.88, so 6 of 15, 150
+// is 9 (8.82), 200 is 12 (11.8), 60 is 4 (3.5 and more). EXT_texture_sRGB: ((c / 255 + 0.055) / 1.055)^2.4.
 TEST_P(StoredTexel, IsWhatItsNumbersStandFor) {
     const Image image = bytes(PixelFormat::Rgba8, 1, 1, {100, 150, 200, 60});
     EXPECT_TRUE(isNear(levelOf(image, GetParam().format).texels[0], GetParam().expected));

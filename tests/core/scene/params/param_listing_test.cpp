@@ -130,9 +130,10 @@ TEST(ListParamsJson, NamesEveryKind) {
 
 TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
     // What a file that names no more than its elements becomes.
-    const Scene scene = parseScene(R"({"version": 1, "models": [{}], "textures": [{"levels": [{}], "preparation": [{}]}],
+    const Scene scene =
+        parseScene(R"({"version": 1, "models": [{}], "textures": [{"levels": [{}], "preparation": [{}]}],
                                        "passes": [{"units": [{"matrix": [{}]}]}]})")
-                            .value();
+            .value();
     const auto json = nlohmann::json::parse(listParamsJson());
     const std::string text = "\n" + listParams();
     for (const auto& param : json.at("parameters")) {

@@ -1,0 +1,134 @@
+#include "app/view/pretence.h"
+
+#include "core/scene/params/param_text.h"
+#include "core/scene/scene.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace texplorer::view {
+
+namespace {
+
+constexpr std::array rows{
+    PretenceRow{"no-multitexture", "one texture unit, as before OpenGL 1.3", 0, 0,
+                [](Capabilities& driver, int) { driver.textureUnits = std::min(driver.textureUnits, 1); }},
+    PretenceRow{"units=", "so many texture units", 1, maxUnits,
+                [](Capabilities& driver, int number) {
+                    driver.textureUnits = std::min(driver.textureUnits, number);
+                }},
+    PretenceRow{"max-texture-size=",
+                "1D and 2D textures of so many texels along an axis (GL_MAX_TEXTURE_SIZE)", 1, 16384,
+                [](Capabilities& driver, int number) {
+                    driver.maxTextureSize = std::min(driver.maxTextureSize, number);
+                }},
+    PretenceRow{"max-3d-texture-size=", "3D textures likewise (GL_MAX_3D_TEXTURE_SIZE)", 1, 16384,
+                [](Capabilities& driver, int number) {
+                    driver.max3DTextureSize = std::min(driver.max3DTextureSize, number);
+                }},
+    PretenceRow{"max-cube-map-size=", "faces of cube maps likewise (GL_MAX_CUBE_MAP_TEXTURE_SIZE)", 1, 16384,
+                [](Capabilities& driver, int number) {
+                    driver.maxCubeMapSize = std::min(driver.maxCubeMapSize, number);
+                }},
+    PretenceRow{"no-npot",
+                "widths and heights that are powers of two only (no GL_ARB_texture_non_power_of_two)", 0, 0,
+                [](Capabilities& driver, int) { driver.nonPowerOfTwo = false; }},
+    PretenceRow{"no-s3tc", "no DXT1, DXT3 and DXT5 (no GL_EXT_texture_compression_s3tc)", 0, 0,
+                [](Capabilities& driver, int) { driver.s3tc = false; }},
+    PretenceRow{"no-rgtc", "no BC4 and BC5 (no GL_ARB_texture_compression_rgtc)", 0, 0,
+                [](Capabilities& driver, int) { driver.rgtc = false; }},
+    PretenceRow{"no-anisotropy", "no anisotropic filtering (no GL_EXT_texture_filter_anisotropic)", 0, 0,
+                [](Capabilities& driver, int) { driver.maxAnisotropy = 1; }},
+    PretenceRow{"max-anisotropy=", "an anisotropy of so much (GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)", 1, 16,
+                [](Capabilities& driver, int number) {
+                    driver.maxAnisotropy = std::min(driver.maxAnisotropy, static_cast<float>(number));
+                }},
+    PretenceRow{"no-seamless-cube-maps",
+                "cube maps whose faces end at their edges (no GL_ARB_seamless_cube_map)", 0, 0,
+                [](Capabilities& driver, int) { driver.seamlessCubeMaps = false; }},
+    PretenceRow{"no-shaders", "no GLSL 3.30, and so no shader renderer", 0, 0,
+                [](Capabilities& driver, int) { driver.shaders = false; }},
+};
+
+} // namespace
+
+std::span<const PretenceRow> pretenceRows() {
+    return rows;
+}
+
+Result<Pretence> Pretence::parse(const std::vector<std::string>& texts) {
+    Pretence pretence;
+    for (std::string_view text : texts) {
+        for (bool more = true; more;) {
+            const std::size_t end = std::min(text.find(','), text.size());
+            more = end < text.size(); // a comma at the end asks for one more
+            if (const Result<void> added = pretence.add(text.substr(0, end)); !added)
+                return fail(added.error());
+            text.remove_prefix(std::min(end + 1, text.size()));
+        }
+    }
+    return pretence;
+}
+
+Capabilities Pretence::of(Capabilities driver) const {
+    for (const Lack& each : lacks_) {
+        each.row->limit(driver, each.number);
+        driver.pretending.append(driver.pretending.empty() ? "" : ", ").append(wordOf(each));
+    }
+    return driver;
+}
+
+std::string Pretence::text() const {
+    std::string text;
+    for (const Lack& each : lacks_)
+        text.append(text.empty() ? "" : ",").append(wordOf(each));
+    return text;
+}
+
+std::string Pretence::wordOf(const Lack& lack) {
+    return std::string(lack.row->word) + (lack.row->high > 0 ? std::to_string(lack.number) : "");
+}
+
+Result<void> Pretence::add(std::string_view word) {
+    constexpr const char* option = "--pretend";
+    const std::size_t equals = std::min(word.find('='), word.size());
+    const std::string_view name = word.substr(0, equals);
+    const std::string_view number = word.substr(std::min(equals + 1, word.size()));
+    std::vector<std::string_view> names;
+    for (const PretenceRow& row : rows) {
+        const bool counts = row.high > 0;
+        names.push_back(row.word.substr(0, row.word.size() - (counts ? 1 : 0)));
+        if (names.back() != name)
+            continue;
+        if (!counts && equals < word.size())
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("{} takes no number, found {}", name, inQuotes(word)), option);
+        Lack lack{&row, 0};
+        if (counts) {
+            const char* const last = number.data() + number.size();
+            const auto [stop, error] = std::from_chars(number.data(), last, lack.number);
+            if (error != std::errc() || stop != last || lack.number < row.low || lack.number > row.high)
+                return fail(ErrorCode::OutOfRange,
+                            fmt::format("expected {} and a whole number from {} to {}, found {}", row.word,
+                                        row.low, row.high, inQuotes(word)),
+                            option);
+        }
+        lacks_.push_back(lack);
+        return {};
+    }
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("no driver lacks {}; {}", inQuotes(word), suggestName(name, names)), option);
+}
+
+std::string pretenceHelp() {
+    std::string help = "Treat the driver as if it lacked something that it has, as old ones do: ";
+    for (const PretenceRow& row : rows)
+        help += fmt::format("{}{}{}: {}", &row == rows.data() ? "" : "; ", row.word, row.high > 0 ? "N" : "",
+                            row.help);
+    return help + ". Several with commas between them.";
+}
+
+} // namespace texplorer::view
