@@ -10,9 +10,7 @@ namespace texplorer::stage {
 
 void ViewFrames::draw(ui::Session& session, view::Size size) {
     frames_.clear();
-    Scene stepped;
-    images_ = lightDepths_.addedTo(session.document.images, ui::shownScene(session, stepped),
-                                   session.window.playback.time);
+    addLightDepths(session);
     for (const RendererKind kind : ui::shownRenderers(session.window.view)) {
         const auto drawn = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
         if (drawn != frames_.end()) // compared with itself
@@ -39,6 +37,20 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
         addProblems(frame.problems);
         shaders_ = frame.shaders;
     }
+}
+
+/// The reference draws its own, on its own thread: where nothing else shows them, they aren't needed here.
+void ViewFrames::addLightDepths(const ui::Session& session) {
+    const Texture* bound = ui::boundTexture(session);
+    const auto isLive = [](RendererKind kind) { return kind != RendererKind::Reference; };
+    images_ = session.document.images;
+    if (!(bound && bound->source == SourceKind::LightDepth) &&
+        std::ranges::none_of(ui::shownRenderers(session.window.view), isLive) &&
+        session.window.shownTab != ui::Tab::Glsl)
+        return;
+    Scene stepped;
+    images_ =
+        lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.window.playback.time);
 }
 
 void ViewFrames::addProblems(const std::vector<std::string>& problems) {
@@ -78,8 +90,8 @@ ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view
 ui::ViewFrame ViewFrames::drawReference(ui::Session& session, view::Size size) {
     Scene stepped;
     const reference::DrawWorker::Frame& picture = session.services.reference.frame(
-        {ui::shownScene(session, stepped), session.document.images, session.window.playback.time, size.width,
-         size.height, session.window.view.anisotropy});
+        {ui::shownScene(session, stepped), images_, session.window.playback.time, size.width, size.height,
+         session.window.view.anisotropy});
     const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
             {shown, size, picture.milliseconds, picture.problems, false},

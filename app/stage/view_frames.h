@@ -53,6 +53,7 @@ private:
         std::shared_ptr<const Image> image;
     };
 
+    void addLightDepths(const ui::Session& session);
     [[nodiscard]] ui::ViewFrame drawLive(RendererKind kind, ui::Session& session, view::Size size);
     [[nodiscard]] ui::ViewFrame drawReference(ui::Session& session, view::Size size);
     void addProblems(const std::vector<std::string>& problems);

@@ -67,7 +67,7 @@ Fix generateEyeCoordinates(const std::string& unit) {
     return fix;
 }
 
-/// The step that is the light's view and comes first to the coordinates.
+/// The projector step, which comes first to the coordinates.
 const MatrixStep* projectorOf(const Unit& unit) {
     return !unit.matrix.empty() && unit.matrix.back().op == MatrixOp::Projector ? &unit.matrix.back()
                                                                                 : nullptr;
@@ -162,7 +162,7 @@ void projectsNothing(const Case& about, Report& report) {
     });
 }
 
-/// Whether a step before the light's view, which comes after it to the coordinates, takes something off r.
+/// Whether a step before the projector, which comes after it to the coordinates, takes something off r.
 bool lowersR(const Unit& unit) {
     return std::ranges::any_of(unit.matrix, [](const MatrixStep& step) {
         return step.op == MatrixOp::Translate && step.amount.z < 0;
@@ -212,7 +212,7 @@ void shadowAcne(const Case& about, Report& report) {
     });
 }
 
-template<class Visit> ///< visit(unit, path, pass), of units that are on and have the light's view
+template<class Visit> ///< visit(unit, path, pass), of units that are on and have a projector
 void forEachProjection(const Case& about, Visit visit) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t pass) {
         const bool has = std::ranges::any_of(
@@ -257,12 +257,12 @@ void lightInItsTarget(const Case& about, Report& report) {
     const std::string& position = pathOf<&Scene::light, &Light::position>();
     const std::string& target = pathOf<&Scene::light, &Light::projector>();
     if (parallel)
-        return report.add(position, "a direction of length 0: the light's view looks along -z",
+        return report.add(position, "a direction of length 0: the projector looks along -z",
                           Fix{"Shine along -z", {{position, "0,0,1,0"}}});
     glm::vec3 ahead = place / light.position.w;
     ahead.z += ahead.z > -900 ? -5.0F : 5.0F; // within what a parameter may be
     report.add(fmt::format("{}.{}", target, keyOf<&Projector::target>()),
-               "the light stands in its own target: its view looks along -z",
+               "the light stands in its own target: the projector looks along -z",
                Fix{"Look along z",
                    {{fmt::format("{}.{}", target, keyOf<&Projector::target>()),
                      fmt::format("{},{},{}", formatNumber(ahead.x), formatNumber(ahead.y),
@@ -282,7 +282,7 @@ void emptyRange(const Case& about, Report& report) {
                 {path + keyOf<&Projector::nearest>(), formatNumber(projector.farthest)}}};
     report.add(
         far,
-        fmt::format("the farthest distance, {}, is to be beyond the nearest, {}: the light's view ends "
+        fmt::format("the farthest distance, {}, is to be beyond the nearest, {}: the projector ends "
                     "right behind that",
                     formatNumber(projector.farthest), formatNumber(projector.nearest)),
         std::move(fix));
@@ -291,7 +291,7 @@ void emptyRange(const Case& about, Report& report) {
 void unusedProjector(const Case& about, Report& report) {
     if (!usesLightView(about.scene))
         report.add(pathOf<&Scene::light, &Light::projector>(),
-                   "no texture matrix has the light's view, and no texture what it sees");
+                   "no texture matrix has a projector step, and no texture is a shadow map");
 }
 
 constexpr std::array depthRuleRows{

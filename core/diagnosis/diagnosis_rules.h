@@ -90,13 +90,14 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> formatRules();        ///< what internal formats do to colours
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< which of their settings do nothing
 [[nodiscard]] std::span<const Rule> unitRules();
+[[nodiscard]] std::span<const Rule> cubeRules(); ///< the edges of faces
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
 [[nodiscard]] std::span<const Rule> modelRules();
 [[nodiscard]] std::span<const Rule> lightRules(); ///< material, too
 [[nodiscard]] std::span<const Rule> sideRules();  ///< front and back
 [[nodiscard]] std::span<const Rule> fogRules();
-[[nodiscard]] std::span<const Rule> depthRules(); ///< and the light's view
+[[nodiscard]] std::span<const Rule> depthRules(); ///< and the projector
 
 /// Whether a texture shows what the light sees, or is projected by it.
 [[nodiscard]] bool usesLightView(const Scene& scene);

@@ -19,11 +19,11 @@ namespace {
 static_assert(farthestDepth == (1U << lightDepthBits) - 1);
 
 /// Those that any pass draws, each once.
-std::vector<Model> seenModels(const Scene& scene) {
-    std::vector<Model> models;
+std::vector<std::size_t> seenModels(const Scene& scene) {
+    std::vector<std::size_t> models;
     for (std::size_t m = 0; m < scene.models.size(); ++m) {
         if (isDrawn(scene, m))
-            models.push_back(scene.models[m]);
+            models.push_back(m);
     }
     return models;
 }
@@ -95,8 +95,10 @@ void forEachLightDepth(const Scene& scene, Visit visit) {
 Image drawLightDepths(const Scene& scene, double time, int size, const std::stop_token& stop) {
     const LightView light = lightView(scene.light);
     DepthPicture picture(std::max(size, 1), stop);
-    for (const Model& model : seenModels(scene))
+    for (const std::size_t index : seenModels(scene)) {
+        const Model& model = scene.models[index];
         picture.draw(model, glm::dmat4(modelViewMatrix(scene.view, model, time)), light);
+    }
     return picture.image();
 }
 
@@ -104,6 +106,21 @@ bool showsLightDepths(const Scene& scene) {
     bool any = false;
     forEachLightDepth(scene, [&any](const Texture&) { any = true; });
     return any;
+}
+
+LightDepths::Seen::Seen(const Scene& scene, double when)
+    : view(scene.view)
+    , light(scene.light)
+    , time(when) {
+    for (const std::size_t model : seenModels(scene))
+        models.push_back(scene.models[model]);
+    turns = std::ranges::any_of(models, [](const Model& model) { return model.spin != glm::vec3(0); });
+}
+
+bool LightDepths::Seen::holds(const Scene& scene, double when) const {
+    return view == scene.view && light == scene.light && (!turns || time == when) &&
+           std::ranges::equal(models, seenModels(scene), {}, {},
+                              [&scene](std::size_t model) -> const Model& { return scene.models[model]; });
 }
 
 ImageSource LightDepths::addedTo(const ImageSource& images, const Scene& scene, double time,
@@ -117,13 +134,8 @@ ImageSource LightDepths::addedTo(const ImageSource& images, const Scene& scene, 
         *this = {};
         return images;
     }
-    Seen seen{scene.view, scene.light, seenModels(scene), 0};
-    const bool turns =
-        std::ranges::any_of(seen.models, [](const Model& model) { return model.spin != glm::vec3(0); });
-    if (turns)
-        seen.time = time;
-    if (seen_ != seen) {
-        seen_ = std::move(seen);
+    if (!seen_ || !seen_->holds(scene, time)) {
+        seen_.emplace(scene, time);
         pictures_.clear();
     }
     std::erase_if(pictures_, [&](const auto& entry) { return !sizes.contains(entry.first); });

@@ -36,9 +36,11 @@ private:
         View view;
         Light light;
         std::vector<Model> models; ///< that are drawn
-        double time = 0;           ///< of those that turn
+        double time;
+        bool turns; ///< whether the time counts
 
-        bool operator==(const Seen&) const = default;
+        Seen(const Scene& scene, double time);
+        [[nodiscard]] bool holds(const Scene& scene, double time) const;
     };
 
     std::optional<Seen> seen_;

@@ -181,7 +181,7 @@ struct Texture : SamplerState {
 };
 
 /// One glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
-/// change; or the light's view, which multiplies.
+/// change; or the projector, which multiplies.
 struct MatrixStep {
     MatrixOp op = MatrixOp::Translate;
     glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0

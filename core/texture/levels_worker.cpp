@@ -2,6 +2,7 @@
 
 #include "core/image/thumbnail.h"
 #include "core/s3tc/surface_pixels.h"
+#include "core/texture/target_image.h"
 
 #include <algorithm>
 #include <deque>
@@ -65,33 +66,32 @@ PreparedLevels make(const LevelsRequest& request, const LevelWork& work) {
     return prepareLevels(request.settings, request.pictures, request.target, work);
 }
 
-/// What a person needs to see of what was done to each.
-void showPictures(LevelsSummary& summary, const LevelsRequest& request, const TextureLevels& levels,
-                  const std::stop_token& stop) {
-    const auto small = [](const Image& image) {
-        return std::make_shared<const Image>(thumbnailOf(image, LevelsSummary::thumbnailExtent));
-    };
-    const Texture& settings = request.settings;
-    if (!settings.preparation.empty()) {
-        eachPreparationStep(
-            settings, request.pictures, [&](const Image& image) { summary.steps.push_back(small(image)); },
-            stop);
-    }
-    if (settings.mipmaps != MipPolicy::Given)
-        return;
+using Thumbnail = std::shared_ptr<const Image>;
+
+/// What a person needs to see of what was done to a picture: upright, of a volume the middle slice.
+Thumbnail smallOf(const Image& image, bool topFirst) {
+    constexpr int extent = LevelsSummary::thumbnailExtent;
+    Image small = thumbnailOf(image.depth > 1 ? imageForTarget(image, Target::Texture2D) : image, extent);
+    if (topFirst)
+        flipVertically(small);
+    return std::make_shared<const Image>(std::move(small));
+}
+
+std::vector<std::pair<int, Thumbnail>> givenPictures(const LevelsRequest& request,
+                                                     const TextureLevels& levels) {
+    std::vector<std::pair<int, Thumbnail>> pictures;
+    if (request.settings.mipmaps != MipPolicy::Given)
+        return pictures;
     const bool topFirst = request.target == Target::CubeMap || levels.lateFlip != LateFlip::None;
     for (const TextureLevel& level : levels.levels) {
-        if (level.face != 0)
-            continue;
-        Image image = toImage(level.surface);
-        if (topFirst)
-            flipVertically(image);
-        summary.pictures.emplace_back(level.number, small(image));
+        if (level.face == 0)
+            pictures.emplace_back(level.number, smallOf(toImage(level.surface), topFirst));
     }
+    return pictures;
 }
 
 std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, const PreparedLevels& levels,
-                                               const std::stop_token& stop = {}) {
+                                               std::vector<Thumbnail> steps = {}) {
     auto summary = std::make_shared<LevelsSummary>();
     if (!levels) {
         summary->problem = describe(levels.error());
@@ -101,15 +101,15 @@ std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, con
     summary->byDriver = levels->driverFormat.has_value();
     summary->compressed = summary->byDriver ? levels->driverFormat : formatOf(levels->levels);
     summary->notes = levels->notes;
-    showPictures(*summary, request, *levels, stop);
+    summary->steps = std::move(steps);
+    summary->pictures = givenPictures(request, *levels);
     return summary;
 }
 
-/// The driver's levels, measured against what it was given.
-std::shared_ptr<const LevelsSummary> measure(const LevelsRequest& request, const PreparedLevels& from,
-                                             const std::vector<TextureLevel>& made,
-                                             const std::stop_token& stop) {
-    auto summary = std::make_shared<LevelsSummary>();
+/// The driver's levels, measured against what it was given. `known` is what there was to say before.
+std::shared_ptr<const LevelsSummary>
+measure(const PreparedLevels& from, const std::vector<TextureLevel>& made, const LevelsSummary& known) {
+    auto summary = std::make_shared<LevelsSummary>(known);
     MipChain source;
     for (const TextureLevel& level : from->levels) {
         const Image* image = std::get_if<Image>(&*level.surface);
@@ -119,7 +119,6 @@ std::shared_ptr<const LevelsSummary> measure(const LevelsRequest& request, const
     summary->byDriver = true;
     summary->compressed = formatOf(made);
     summary->notes = from->notes;
-    showPictures(*summary, request, *from, stop);
     return summary;
 }
 
@@ -153,6 +152,7 @@ struct LevelsWorker::State {
         /// Measure `made` against this, or free it where there is none; nullptr: make levels.
         std::shared_ptr<const PreparedLevels> from;
         std::vector<TextureLevel> made;
+        std::shared_ptr<const LevelsSummary> known; ///< with `made`: what there is to say already, or nullptr
     };
     struct Done {
         Ticket ticket = 0;
@@ -193,9 +193,13 @@ LevelsWorker::State::Entry& LevelsWorker::State::entryOf(const LevelsRequest& re
 LevelsWorker::State::Done LevelsWorker::State::work(const Job& job, const LevelWork& how) {
     if (job.from)
         return {job.ticket, nullptr,
-                job.made.empty() ? nullptr : measure(job.request, *job.from, job.made, how.stop)};
-    auto levels = std::make_shared<const PreparedLevels>(make(job.request, how));
-    auto summary = summarise(job.request, *levels, how.stop);
+                job.made.empty() ? nullptr
+                                 : measure(*job.from, job.made, job.known ? *job.known : LevelsSummary{})};
+    std::vector<Thumbnail> steps;
+    LevelWork watched = how;
+    watched.step = [&steps](const Image& image, bool topFirst) { steps.push_back(smallOf(image, topFirst)); };
+    auto levels = std::make_shared<const PreparedLevels>(make(job.request, watched));
+    auto summary = summarise(job.request, *levels, std::move(steps));
     return {job.ticket, std::move(levels), std::move(summary)};
 }
 
@@ -208,7 +212,7 @@ std::optional<LevelsWorker::State::Done> LevelsWorker::State::work(const Making:
     };
     if (!job.from)
         say(0);
-    Done done = work(job, {levelWork.cache, say, task.stop()});
+    Done done = work(job, {levelWork.cache, say, task.stop(), {}});
     return done.summary ? std::optional(std::move(done)) : std::nullopt;
 }
 
@@ -216,7 +220,7 @@ std::optional<LevelsWorker::State::Done> LevelsWorker::State::work(const Making:
 void LevelsWorker::State::ask(Entry& entry) {
     if (entry.ticket != 0 || entry.cancelled)
         return;
-    Job job{++lastTicket, entry.request, {}, {}};
+    Job job{++lastTicket, entry.request, {}, {}, {}};
     if (when == When::WhenReady && !isQuick(entry.request)) {
         entry.ticket = job.ticket;
         return give(std::move(job));
@@ -264,7 +268,7 @@ void LevelsWorker::uploaded(const LevelsRequest& request, std::shared_ptr<const 
     if (!levels || !*levels)
         return;
     const bool later = isLive() && !isQuick(request);
-    State::Job job{++state_->lastTicket, request, std::move(levels), std::move(made)};
+    State::Job job{++state_->lastTicket, request, std::move(levels), std::move(made), {}};
     if (job.made.empty()) { // only to be freed, which the worker does
         if (later)
             state_->give(std::move(job));
@@ -273,6 +277,7 @@ void LevelsWorker::uploaded(const LevelsRequest& request, std::shared_ptr<const 
     State::Entry& entry = state_->entryOf(request);
     if (entry.ticket != 0)
         return;
+    job.known = entry.summary;
     if (!later) {
         entry.summary = State::work(job, state_->levelWork).summary;
         return;

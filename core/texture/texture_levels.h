@@ -52,6 +52,9 @@ struct LevelWork {
     BlockCache cache;    ///< where blocks are looked for and kept
     Progress progress{}; ///< of the compressing, on the thread that calls
     std::stop_token stop{};
+    /// Of the base level's first face, where there is a preparation: the image before it and after each step,
+    /// and whether its row 0 is the top one.
+    std::function<void(const Image& image, bool topFirst)> step{};
 };
 
 /// Applies `texture`'s preparation, flip, compression, mipmaps and power-of-two choices to the part of
@@ -80,9 +83,6 @@ struct LevelWork {
 /// A stop request within visit() makes it the last call.
 void eachPreparationStep(const Texture& texture, const TexturePictures& pictures,
                          const std::function<void(const Image&)>& visit, const std::stop_token& stop = {});
-
-/// The images of all steps, where there is room for them.
-[[nodiscard]] std::vector<Image> preparationOf(const Texture& texture, const TexturePictures& pictures);
 
 /// Every level as pixels, 8 bits a component of the blocks' base format: for a driver without S3TC. The rest
 /// stays as it is.

@@ -26,91 +26,6 @@ namespace {
 /// Of longer lists only what one sees is drawn.
 constexpr std::size_t longList = 100;
 
-std::string coordsPath(const Session& session) {
-    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
-                       session.window.selection.unit);
-}
-
-std::string meshPath(const Session& session, const std::string& key) {
-    return fmt::format("{}.{}.{}",
-                       elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),
-                       keyOf<&Model::mesh>(), key);
-}
-
-/// What each vertex has of one part, as four numbers of which so many count.
-struct PartRow {
-    VertexPart part;
-    const char* label;
-    std::array<const char*, 4> names; ///< over the columns
-    int components;
-    Range range;
-    std::string (*path)(const Session& session);
-    glm::vec4 (*read)(const Scene& scene, const Model& model, std::size_t vertex);
-    void (*write)(const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool together);
-    const char* edit; ///< what Undo calls it
-    const char* help;
-};
-
-const PartRow& rowOf(VertexPart part) {
-    static const std::array rows{
-        PartRow{VertexPart::Coordinates,
-                "Coordinates",
-                {"s", "t", "r", "q"},
-                4,
-                coordRange,
-                coordsPath,
-                nullptr,
-                nullptr,
-                "Move vertex",
-                "Where each vertex lies in the image"},
-        PartRow{VertexPart::Position,
-                "Position",
-                {"x", "y", "z", ""},
-                3,
-                {-1000, 1000, 0.01F, {}},
-                [](const Session& session) { return meshPath(session, keyOf<&MeshData::positions>()); },
-                [](const Scene&, const Model& model, std::size_t vertex) {
-                    return glm::vec4(model.mesh.positions[vertex], 1);
-                },
-                [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool together) {
-                    setPosition(model.mesh, vertex, glm::vec3(value), together);
-                },
-                "Position of vertex",
-                "glVertex3f: where each vertex is in the model"},
-        PartRow{VertexPart::Normal,
-                "Normal",
-                {"x", "y", "z", ""},
-                3,
-                {-1, 1, 0.005F, {}},
-                [](const Session& session) { return meshPath(session, keyOf<&MeshData::normals>()); },
-                [](const Scene&, const Model& model, std::size_t vertex) {
-                    return glm::vec4(givenNormal(model.mesh, vertex), 0);
-                },
-                [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool) {
-                    setNormal(model.mesh, vertex, glm::vec3(value));
-                },
-                "Normal of vertex",
-                "glNormal3f: where the surface looks at each vertex; it is brought to the length 1"},
-        PartRow{VertexPart::Color,
-                "Colour",
-                {"r", "g", "b", "a"},
-                4,
-                {0, 1, 0.005F, {}},
-                [](const Session& session) { return meshPath(session, keyOf<&MeshData::colors>()); },
-                [](const Scene& scene, const Model& model, std::size_t vertex) {
-                    const MeshData& mesh = model.mesh;
-                    return mesh.colors.size() == mesh.positions.size() ? mesh.colors[vertex]
-                                                                       : materialOf(scene, model).color;
-                },
-                [](const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool) {
-                    setColor(model.mesh, vertex, value, materialOf(scene, model).color);
-                },
-                "Colour of vertex",
-                "glColor4f: the colour of each vertex, in the place of the material's"},
-    };
-    return rows.at(static_cast<std::size_t>(part));
-}
-
 /// Records an edit that is a step of undo by itself.
 void recordStep(Session& session, std::string_view what, std::string_view path) {
     sealEdit(session);
@@ -234,7 +149,8 @@ void vertexButtons(Session& session, ButtonLine& line) {
 }
 
 /// Takes a list away again that every vertex but one may do without.
-void clearButton(Session& session, ButtonLine& line, const PartRow& part, auto& list, const char* help) {
+void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, auto& list,
+                 const char* help) {
     if (line.button("Clear", std::string("clear ") + part.label, help, !list.empty())) {
         list.clear();
         recordStep(session, std::string("Clear ") + part.label, part.path(session));
@@ -253,7 +169,7 @@ void partButtons(Session& session, VerticesTabState& state) {
     }
     for (const VertexPart part :
          {VertexPart::Coordinates, VertexPart::Position, VertexPart::Normal, VertexPart::Color}) {
-        const PartRow& row = rowOf(part);
+        const VertexPartRow& row = rowOf(part);
         if (line.choice(row.label, std::string("show ") + row.label, row.help, state.part == part))
             state.part = part;
     }
@@ -281,7 +197,7 @@ void partButtons(Session& session, VerticesTabState& state) {
 
 /// What is edited, while the list is drawn.
 struct List {
-    const PartRow& part;
+    const VertexPartRow& part;
     std::string path;
     const TexCoords& coords; ///< for VertexPart::Coordinates
     int components;
@@ -423,7 +339,7 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     helpTip("Shows the third and fourth coordinate: r for volumes, q for projected textures");
     partButtons(session, state);
     const bool own = selectedModel(session)->shape == Shape::Mesh;
-    const PartRow& part = rowOf(own ? state.part : VertexPart::Coordinates);
+    const VertexPartRow& part = rowOf(own ? state.part : VertexPart::Coordinates);
     const std::string path = part.path(session);
     const Finding* idle = idleReasonOf(session.document.findings, path);
     if (idle) {
@@ -432,6 +348,7 @@ void drawVerticesTab(Session& session, VerticesTabState& state) {
     }
 
     const Mesh& mesh = selectedMesh(session);
+    const std::shared_ptr<const Mesh> kept = session.window.mesh; // while rows edit what it is made of
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.window.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
     const bool two = part.part == VertexPart::Coordinates && !session.window.showRq &&

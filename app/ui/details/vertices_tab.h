@@ -1,13 +1,11 @@
 #pragma once
 
+#include "app/ui/details/vertex_parts.h"
 #include "app/ui/model/session.h"
 
 #include <optional>
 
 namespace texplorer::ui {
-
-/// What the list shows of each vertex. Shapes other than meshes have coordinates alone to edit.
-enum class VertexPart { Coordinates, Position, Normal, Color };
 
 /// What the tab remembers.
 struct VerticesTabState {

@@ -5,7 +5,7 @@
 namespace texplorer::ui {
 
 /// Makes the light project what a unit shows: s, t, r and q are generated in eye coordinates, and the texture
-/// matrix ends with the light's view. Its other steps stay. Refused (false) where the matrix has no room.
+/// matrix ends with the projector. Its other steps stay. Refused (false) where the matrix has no room.
 bool projectFromLight(Unit& unit);
 
 /// Makes a unit of a pass multiply by the light's shadows: it shows a new texture of what the light sees,

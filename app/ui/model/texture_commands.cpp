@@ -1,35 +1,15 @@
 #include "app/ui/model/texture_commands.h"
 
+#include "core/gl/pixel_transfer.h"
 #include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
 namespace texplorer::ui {
 namespace {
-
-/// What pixel transfer multiplies and adds (OpenGL 2.1, section 3.6.3, table 3.2).
-struct Transfer {
-    const char* name;
-    glm::vec4 ImageStep::*amount;
-    int component;
-    float initial;
-    Key key;
-};
-
-constexpr std::array transfers{
-    Transfer{"GL_RED_SCALE", &ImageStep::factor, 0, 1, keyOf<&ImageStep::factor>},
-    Transfer{"GL_GREEN_SCALE", &ImageStep::factor, 1, 1, keyOf<&ImageStep::factor>},
-    Transfer{"GL_BLUE_SCALE", &ImageStep::factor, 2, 1, keyOf<&ImageStep::factor>},
-    Transfer{"GL_ALPHA_SCALE", &ImageStep::factor, 3, 1, keyOf<&ImageStep::factor>},
-    Transfer{"GL_RED_BIAS", &ImageStep::bias, 0, 0, keyOf<&ImageStep::bias>},
-    Transfer{"GL_GREEN_BIAS", &ImageStep::bias, 1, 0, keyOf<&ImageStep::bias>},
-    Transfer{"GL_BLUE_BIAS", &ImageStep::bias, 2, 0, keyOf<&ImageStep::bias>},
-    Transfer{"GL_ALPHA_BIAS", &ImageStep::bias, 3, 0, keyOf<&ImageStep::bias>},
-};
 
 /// The step that can be left to the upload, after all others: nothing is done to the image between.
 const ImageStep* lastScale(const Texture& texture) {
@@ -40,15 +20,20 @@ const ImageStep* lastScale(const Texture& texture) {
 
 /// The calls that set what isn't initial, or set it back.
 std::vector<Command> transferCommands(const ImageStep& step, const std::string& path, bool back) {
+    constexpr int components = 4;
     std::vector<Command> calls;
-    for (const Transfer& each : transfers) {
-        const float amount = (step.*each.amount)[each.component];
-        if (amount != each.initial)
-            calls.push_back({Command::Kind::Call,
-                             fmt::format("glPixelTransferf({}, {});", each.name,
-                                         formatNumber(back ? each.initial : amount)),
-                             fmt::format("{}.{}", path, each.key()), true});
-    }
+    const auto add = [&](glm::vec4 amounts, float initial, std::size_t firstRow, const std::string& key) {
+        for (int i = 0; i < components; ++i) {
+            if (amounts[i] != initial)
+                calls.push_back({Command::Kind::Call,
+                                 fmt::format("glPixelTransferf({}, {});",
+                                             pixelTransferRows.at(firstRow + static_cast<std::size_t>(i)).name,
+                                             formatNumber(back ? initial : amounts[i])),
+                                 fmt::format("{}.{}", path, key), true});
+        }
+    };
+    add(step.factor, 1, 0, keyOf<&ImageStep::factor>());
+    add(step.bias, 0, components, keyOf<&ImageStep::bias>());
     return calls;
 }
 

@@ -1096,7 +1096,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Stage& s) {
                 s.scene.light.projector.target = {0, 0, -6};
             }},
-        Row{"NothingProjected", "projector", Hint, "light.projector", "light's view", [](Stage&) {},
+        Row{"NothingProjected", "projector", Hint, "light.projector", "projector step", [](Stage&) {},
             castShadows},
         Row{"ComparingColors", "texture-setting", Hint, "textures[0].compareMode", "holds no depths",
             [](Stage&) {}, castShadows},

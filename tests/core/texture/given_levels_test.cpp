@@ -21,6 +21,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Pair;
 
 /// Rows of single letters, the bottom one first: "ab" is a column of two texels.
 Image column(std::string_view rows) {
@@ -373,13 +374,33 @@ TEST_F(PreparedTexture, StopsBetweenItsSteps) {
 TEST_F(PreparedTexture, ShowsEachStep) {
     give("base", flat(2, 1, 55));
     texture_.preparation = {step(ImageOp::Invert), half(), step(ImageOp::LuminanceToAlpha)};
-    const std::vector<Image> steps = preparationOf(texture_, images_.picturesOf(texture_));
+    std::vector<Image> steps;
+    const auto keep = [&steps](const Image& image) { steps.push_back(image); };
+    eachPreparationStep(texture_, images_.picturesOf(texture_), keep);
     ASSERT_EQ(steps.size(), 4U);
     EXPECT_EQ(steps[0], flat(2, 1, 55));
     EXPECT_EQ(steps[1], flat(2, 1, 200));
     EXPECT_EQ(steps[2], flat(2, 1, 100));
     EXPECT_EQ(steps[3].format, PixelFormat::LuminanceAlpha8);
-    EXPECT_THAT(preparationOf(texture_, {}), IsEmpty());
+    steps.clear();
+    eachPreparationStep(texture_, {}, keep);
+    EXPECT_THAT(steps, IsEmpty());
+}
+
+TEST_F(PreparedTexture, ShowsEachStepWhileItIsTaken) {
+    give("base", column("ab"));
+    texture_.flip = FlipMode::None; // the file's first row, its top one, goes to t = 0
+    texture_.preparation = {step(ImageOp::Invert), step(ImageOp::Invert)};
+    std::vector<std::pair<std::string, bool>> seen;
+    const LevelWork work{.cache = {}, .step = [&](const Image& image, bool topFirst) {
+                             seen.emplace_back(rowsOf(image), topFirst);
+                         }};
+    ASSERT_TRUE(prepareLevels(texture_, images_.picturesOf(texture_), Target::Texture2D, work));
+    EXPECT_THAT(seen, ElementsAre(Pair("ba", true), Pair("\x9D\x9E", true), Pair("ba", true)));
+    seen.clear();
+    texture_.preparation.clear();
+    ASSERT_TRUE(prepareLevels(texture_, images_.picturesOf(texture_), Target::Texture2D, work));
+    EXPECT_THAT(seen, IsEmpty());
 }
 
 } // namespace

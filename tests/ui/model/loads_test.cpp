@@ -462,11 +462,13 @@ TEST_F(Loads, AFileThatUndoBringsIntoUseIsRead) {
     (void)bmp("red.bmp", 50);
     ASSERT_TRUE(openScene(*session, folder / "scene.json").has_value());
     waitForFiles(*session);
+    frames(1); // the camera is fitted in it: what is undone is the edit alone
     scene().textures[0].source = SourceKind::File;
     recordEdit(*session, "Source");
     undo(*session); // before it was read
     frames(1);
     EXPECT_TRUE(session->document.loads.empty());
+    ASSERT_TRUE(session->document.history.canRedo());
     redo(*session);
     framesUntil([this] { return session->document.images.holds("red.bmp"); });
 }
