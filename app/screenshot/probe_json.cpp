@@ -129,11 +129,15 @@ Json arrayOf(const std::vector<T>& elements) {
 }
 
 Json jsonOf(const UnitExplanation& unit) {
+    Json preparation = Json::array();
+    for (const ImageOp op : unit.preparation)
+        preparation.push_back(nameOf(op));
     Json json{{"unit", unit.unit},
               {"texture", unit.texture},
               {"target", nameOf(unit.target)},
               {"baseFormat", nameOf(unit.format)},
               {"internalFormat", nameOf(unit.internalFormat)},
+              {"preparation", preparation},
               {"generates",
                Json::array({unit.generates[0], unit.generates[1], unit.generates[2], unit.generates[3]})},
               {"atVertices", arrayOf(unit.vertices)},

@@ -111,9 +111,8 @@ void addTexture(CommandLine& line) {
     command.number("--level", options->level, 0, 30,
                    "The mip level as it is uploaded as GL_TEXTURE_2D, 0 the base, but upright and "
                    "decompressed.");
-    command.footer(
-        "Without --step and --level it is the base level, as it is uploaded. A shadow map "
-        "is that at time 0.");
+    command.footer("Without --step and --level it is the base level, as it is uploaded. A shadow map "
+                   "is that at time 0.");
     command.onCall([options] { return writeTexture(*options); });
 }
 

@@ -49,8 +49,7 @@ void ViewFrames::addLightDepths(const ui::Session& session) {
         session.window.shownTab != ui::Tab::Glsl)
         return;
     Scene stepped;
-    images_ =
-        lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.window.playback.time);
+    images_ = lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.window.playback.time);
 }
 
 void ViewFrames::addProblems(const std::vector<std::string>& problems) {

@@ -280,12 +280,11 @@ void emptyRange(const Case& about, Report& report) {
         fix = {"Exchange them",
                {{far, formatNumber(projector.nearest)},
                 {path + keyOf<&Projector::nearest>(), formatNumber(projector.farthest)}}};
-    report.add(
-        far,
-        fmt::format("the farthest distance, {}, is to be beyond the nearest, {}: the projector ends "
-                    "right behind that",
-                    formatNumber(projector.farthest), formatNumber(projector.nearest)),
-        std::move(fix));
+    report.add(far,
+               fmt::format("the farthest distance, {}, is to be beyond the nearest, {}: the projector ends "
+                           "right behind that",
+                           formatNumber(projector.farthest), formatNumber(projector.nearest)),
+               std::move(fix));
 }
 
 void unusedProjector(const Case& about, Report& report) {

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace texplorer::reference {
 
@@ -251,6 +252,10 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.target = state.texture->target;
         unit.format = state.texture->format;
         unit.internalFormat = state.texture->internalFormat;
+        const Texture& texture = scene_.textures[static_cast<std::size_t>(unit.texture)];
+        // What the light sees stays as it is: see texture_levels.h.
+        if (texture.source != SourceKind::LightDepth || !isDepth(texture.internalFormat))
+            std::ranges::transform(texture.preparation, std::back_inserter(unit.preparation), &ImageStep::op);
         unit.generates = {state.unit->texGenS.enabled, state.unit->texGenT.enabled,
                           state.unit->texGenR.enabled, state.unit->texGenQ.enabled};
         unit.embosses = state.unit->emboss.enabled;

@@ -23,8 +23,9 @@ constexpr std::array exampleRows{
     Example{"contours.json", "Contour lines",
             "Generated coordinates: s is the height of a vertex, so that equal heights have one colour."},
     Example{"teapot.json", "Teapot", "M. Newell's: the image goes once around each of its four parts."},
-    Example{"internal-formats.json", "Few bits, and sRGB",
-            "One smooth picture with 8 bits a component and with 4; below taken for sRGB, and with 3, 3 and 2."},
+    Example{
+        "internal-formats.json", "Few bits, and sRGB",
+        "One smooth picture with 8 bits a component and with 4; below taken for sRGB, and with 3, 3 and 2."},
     Example{"levels.json", "A picture for each level",
             "Mip levels that are given one by one: one sees which of them is sampled where."},
     Example{"environment.json", "Environment map", "GL_SPHERE_MAP: the surface mirrors a picture."},

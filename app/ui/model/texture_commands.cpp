@@ -25,11 +25,12 @@ std::vector<Command> transferCommands(const ImageStep& step, const std::string& 
     const auto add = [&](glm::vec4 amounts, float initial, std::size_t firstRow, const std::string& key) {
         for (int i = 0; i < components; ++i) {
             if (amounts[i] != initial)
-                calls.push_back({Command::Kind::Call,
-                                 fmt::format("glPixelTransferf({}, {});",
-                                             pixelTransferRows.at(firstRow + static_cast<std::size_t>(i)).name,
-                                             formatNumber(back ? initial : amounts[i])),
-                                 fmt::format("{}.{}", path, key), true});
+                calls.push_back(
+                    {Command::Kind::Call,
+                     fmt::format("glPixelTransferf({}, {});",
+                                 pixelTransferRows.at(firstRow + static_cast<std::size_t>(i)).name,
+                                 formatNumber(back ? initial : amounts[i])),
+                     fmt::format("{}.{}", path, key), true});
         }
     };
     add(step.factor, 1, 0, keyOf<&ImageStep::factor>());

@@ -65,6 +65,7 @@ struct UnitExplanation {
     Target target = Target::Texture2D;
     BaseFormat format = BaseFormat::Rgba;
     InternalFormat internalFormat = InternalFormat::Rgba; ///< of blocks the one of their base format
+    std::vector<ImageOp> preparation{}; ///< what was done to the image before it became a texture
 
     std::array<bool, 4> generates{};       ///< which of s, t, r and q are generated
     bool embosses = false;                 ///< whether coordinates follow the light

@@ -251,6 +251,14 @@ StepRow storedRow(const StoredTexel& stored) {
     return row;
 }
 
+/// What a texel is not as the image's file has it, and why; empty where it is.
+std::string preparedSentence(const UnitExplanation& unit) {
+    std::string names;
+    for (const ImageOp op : unit.preparation)
+        names += (names.empty() ? "" : ", ") + std::string(rowOf(op).label);
+    return names.empty() ? names : fmt::format("The image was prepared before: {}.", names);
+}
+
 /// Section 3.8.14.
 Step depthsStep(const UnitExplanation& unit) {
     const bool asks = compares(unit);
@@ -284,6 +292,8 @@ Step depthsStep(const UnitExplanation& unit) {
     }
     if (taps.size() > mostTapsShown)
         step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
+    if (const std::string sentence = preparedSentence(unit); !sentence.empty())
+        step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     step.rows.push_back(
         {asks ? "filtered: the share that passes" : "filtered", {{columnText(result)}}, color});
     step.rows.push_back({"as " + std::string(rowOf(unit.sampler.depthMode).name),
@@ -327,8 +337,10 @@ Step texelsStep(const UnitExplanation& unit) {
     }
     if (taps.size() > mostTapsShown)
         step.rows.push_back({fmt::format("and {} more, of lesser weight", taps.size() - mostTapsShown)});
-    if (std::string sentence = storedSentence(unit.internalFormat); !sentence.empty())
-        step.rows.push_back({std::move(sentence), {}, {}, false, Ink::Dim});
+    for (const std::string& sentence : {preparedSentence(unit), storedSentence(unit.internalFormat)}) {
+        if (!sentence.empty())
+            step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
+    }
     StepRow sum{"filtered", {{columnText(1)}}, color};
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});

@@ -186,6 +186,11 @@ INSTANTIATE_TEST_SUITE_P(
              "\n  stored |  | 4/7 | 4/7 | 1/3 | -\n"},
         Case{"Srgb", [](Scene& it) { showGradient(it, InternalFormat::Srgb8); },
              "\n  stored |  | 128/255 | 128/255 | 127/255 | -\nGL_SRGB8 makes light of colours"},
+        Case{"Prepared",
+             [](Scene& it) {
+                 it.textures[0].preparation = {{.op = ImageOp::Invert}, {.op = ImageOp::Sharpen}};
+             },
+             "\nThe image was prepared before: Invert, Sharpen.\n"},
         Case{"Combine",
              [](Scene& it) {
                  it.passes[0].units[0].envMode = EnvMode::Combine;
