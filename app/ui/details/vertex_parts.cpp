@@ -1,0 +1,83 @@
+#include "app/ui/details/vertex_parts.h"
+
+#include "app/ui/model/tex_coord_edits.h"
+#include "core/scene/mesh_edits.h"
+#include "core/scene/model_mesh.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+namespace texplorer::ui {
+
+std::string coordsPath(const Session& session) {
+    return fmt::format("models[{}].texCoords{}", session.window.selection.model,
+                       session.window.selection.unit);
+}
+
+std::string meshPath(const Session& session, const std::string& key) {
+    return fmt::format("{}.{}.{}",
+                       elementOf<&Scene::models>(static_cast<std::size_t>(session.window.selection.model)),
+                       keyOf<&Model::mesh>(), key);
+}
+
+const VertexPartRow& rowOf(VertexPart part) {
+    static const std::array rows{
+        VertexPartRow{VertexPart::Coordinates,
+                      "Coordinates",
+                      {"s", "t", "r", "q"},
+                      4,
+                      coordRange,
+                      coordsPath,
+                      nullptr,
+                      nullptr,
+                      "Move vertex",
+                      "Where each vertex lies in the image"},
+        VertexPartRow{VertexPart::Position,
+                      "Position",
+                      {"x", "y", "z", ""},
+                      3,
+                      {-1000, 1000, 0.01F, {}},
+                      [](const Session& session) { return meshPath(session, keyOf<&MeshData::positions>()); },
+                      [](const Scene&, const Model& model, std::size_t vertex) {
+                          return glm::vec4(model.mesh.positions[vertex], 1);
+                      },
+                      [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool together) {
+                          setPosition(model.mesh, vertex, glm::vec3(value), together);
+                      },
+                      "Position of vertex",
+                      "glVertex3f: where each vertex is in the model"},
+        VertexPartRow{VertexPart::Normal,
+                      "Normal",
+                      {"x", "y", "z", ""},
+                      3,
+                      {-1, 1, 0.005F, {}},
+                      [](const Session& session) { return meshPath(session, keyOf<&MeshData::normals>()); },
+                      [](const Scene&, const Model& model, std::size_t vertex) {
+                          return glm::vec4(givenNormal(model.mesh, vertex), 0);
+                      },
+                      [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool) {
+                          setNormal(model.mesh, vertex, glm::vec3(value));
+                      },
+                      "Normal of vertex",
+                      "glNormal3f: where the surface looks at each vertex; it is brought to the length 1"},
+        VertexPartRow{VertexPart::Color,
+                      "Colour",
+                      {"r", "g", "b", "a"},
+                      4,
+                      {0, 1, 0.005F, {}},
+                      [](const Session& session) { return meshPath(session, keyOf<&MeshData::colors>()); },
+                      [](const Scene& scene, const Model& model, std::size_t vertex) {
+                          const MeshData& mesh = model.mesh;
+                          return mesh.colors.size() == mesh.positions.size() ? mesh.colors[vertex]
+                                                                             : materialOf(scene, model).color;
+                      },
+                      [](const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool) {
+                          setColor(model.mesh, vertex, value, materialOf(scene, model).color);
+                      },
+                      "Colour of vertex",
+                      "glColor4f: the colour of each vertex, in the place of the material's"},
+    };
+    return rows.at(static_cast<std::size_t>(part));
+}
+
+} // namespace texplorer::ui

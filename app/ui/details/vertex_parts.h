@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+#include "core/scene/params/params.h"
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <string>
+
+namespace texplorer::ui {
+
+/// What the list shows of each vertex. Shapes other than meshes have coordinates alone to edit.
+enum class VertexPart : std::uint8_t { Coordinates, Position, Normal, Color };
+
+/// What each vertex has of one part, as four numbers of which so many count.
+struct VertexPartRow {
+    VertexPart part;
+    const char* label;
+    std::array<const char*, 4> names; ///< over the columns
+    int components;
+    Range range;
+    std::string (*path)(const Session& session);
+    glm::vec4 (*read)(const Scene& scene, const Model& model, std::size_t vertex);
+    void (*write)(const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool together);
+    const char* edit; ///< what Undo calls it
+    const char* help;
+};
+
+[[nodiscard]] const VertexPartRow& rowOf(VertexPart part);
+
+/// The parameter that holds the selected model's coordinates for the selected unit.
+[[nodiscard]] std::string coordsPath(const Session& session);
+/// A list of the selected model's mesh.
+[[nodiscard]] std::string meshPath(const Session& session, const std::string& key);
+
+} // namespace texplorer::ui

@@ -1,0 +1,280 @@
+#include "core/texture/level_maker.h"
+
+#include "core/image/border.h"
+#include "core/image/depth_pixels.h"
+#include "core/image/power_of_two.h"
+#include "core/image/preparation.h"
+#include "core/image/resample.h"
+#include "core/image/stored_numbers.h"
+#include "core/s3tc/surface_pixels.h"
+#include "core/texture/image_budget.h"
+#include "core/texture/target_image.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace texplorer {
+
+namespace {
+
+std::array<std::uint8_t, 3> stencil(const Texture& texture) {
+    const auto byte = [&](int i) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(texture.stencilColor[i], 0.0F, 1.0F)));
+    };
+    return {byte(0), byte(1), byte(2)};
+}
+
+bool areDepths(const TextureImage& image) {
+    const Image* base = image.surfaces.empty() ? nullptr : std::get_if<Image>(&image.surfaces.front());
+    return base && base->format == PixelFormat::Depth32;
+}
+
+} // namespace
+
+Texture settingsFor(const Texture& texture, const TextureImage& image) {
+    Texture settings = texture;
+    if (!areDepths(image) || !isDepth(texture.internalFormat))
+        return settings;
+    if (texture.mipmaps != MipPolicy::FromFile)
+        settings.mipmaps = MipPolicy::None;
+    settings.npot = NpotPolicy::Keep;
+    settings.transparency = Transparency::File;
+    settings.levels.clear();
+    settings.preparation.clear();
+    return settings;
+}
+
+bool holdsPicture(const TextureImage* image) {
+    return image && !image->surfaces.empty() && byteCount(image->surfaces.front()) > 0;
+}
+
+/// How many levels of the base's file are taken.
+int LevelMaker::levelCount() const {
+    if (texture_.mipmaps != MipPolicy::FromFile)
+        return 1;
+    const PlannedLevel first = extentsOfPicture(basePicture());
+    const int full = mipLevelCount(first.width, first.height, first.depth);
+    return std::min(image_.levels, full);
+}
+
+/// Those of all levels that aren't made of others.
+std::vector<LevelPicture> LevelMaker::levelPictures() const {
+    std::vector<LevelPicture> pictures;
+    for (int level = 0; level < levelCount(); ++level)
+        pictures.push_back({level, &image_, texture_.source, level});
+    if (texture_.mipmaps != MipPolicy::Given)
+        return pictures;
+    for (std::size_t i = 0; i < texture_.levels.size(); ++i) {
+        const SourceKind source = texture_.levels[i].source;
+        if (const TextureImage* image = pictures_.level(i); holdsPicture(image))
+            pictures.push_back({static_cast<int>(i) + 1, image, source, 0, source == SourceKind::Pattern});
+    }
+    return pictures;
+}
+
+/// The part of a picture after all steps; visit(part) after each. `topFirst`: whether row 0 is the top one.
+template<class Visit>
+Image LevelMaker::preparedPart(Image part, bool topFirst, int face, const Visit& visit) const {
+    for (std::size_t i = 0; i < texture_.preparation.size() && !isStopped(); ++i) {
+        const ImageStep& step = texture_.preparation[i];
+        const TextureImage* from = step.op == ImageOp::AlphaFrom ? pictures_.other(i) : nullptr;
+        Image other;
+        if (from && hasPixels(*from))
+            other = decoded(*from, face, 0, from->topFirst != topFirst);
+        part = prepared(std::move(part), {step.op, step.factor, step.bias, step.amount, &other});
+        visit(part);
+    }
+    return part;
+}
+
+/// One face's part of a level for the target, the right way up.
+Image LevelMaker::pixels(const LevelPicture& picture, int face) const {
+    const bool topFirst = isTopFirst(picture);
+    const bool shown = work_.step && prepares() && picture.number == 0 && face == 0;
+    const auto show = [&](const Image& image) {
+        if (shown)
+            work_.step(image, topFirst);
+    };
+    Image part = decoded(*picture.image, face, picture.fileLevel, turns(picture));
+    show(part);
+    part = preparedPart(std::move(part), topFirst, face, show);
+    if (texture_.transparency != Transparency::File)
+        part = applyTransparency(std::move(part), texture_.transparency, stencil(texture_));
+    // A line is the middle row of the picture as it is uploaded: it is taken after the flip.
+    return target_ == Target::Texture1D ? imageForTarget(part, target_) : part;
+}
+
+void LevelMaker::eachStep(const std::function<void(const Image&)>& visit) const {
+    Image first = decoded(image_, 0, 0, turns(basePicture()));
+    visit(first);
+    static_cast<void>(preparedPart(std::move(first), isTopFirst(basePicture()), 0, visit));
+}
+
+/// Whether `pixels` and a policy's base would be a copy and nothing else.
+bool LevelMaker::isTakenAsItIs(const LevelPicture& picture, const Surface& surface) const {
+    const Image* image = std::get_if<Image>(&surface);
+    const bool whole = image && (image->depth == 1 || axesOf(target_) == 3) &&
+                       (target_ != Target::Texture1D || image->height == 1) &&
+                       (image->format != PixelFormat::Depth32 || isDepth(texture_.internalFormat));
+    return lends_ && whole && picture.image == &image_ && !picture.fitted && !turns(picture) &&
+           !cutsFaces(image_) && !hasBorder() && !prepares() && texture_.transparency == Transparency::File &&
+           (texture_.npot != NpotPolicy::PowerOfTwo || texture_.mipmaps == MipPolicy::FromFile ||
+            arePowersOfTwo(image->width, image->height, image->depth));
+}
+
+SharedSurface LevelMaker::lend(const Surface& surface) const {
+    return SharedSurface(std::shared_ptr<const Surface>(pictures_.base, &surface));
+}
+
+/// A level that has a picture of its own: one of the base's file, or a given one.
+void LevelMaker::takePicture(const LevelPicture& picture, int face) {
+    if (const Surface& from = surface(*picture.image, face, picture.fileLevel);
+        isTakenAsItIs(picture, from)) {
+        out_.levels.push_back({picture.number, lend(from), face});
+        return;
+    }
+    Image image = pixels(picture, face);
+    const bool repeatsEdges = texture_.mipmaps == MipPolicy::FromFile || picture.fitted ||
+                              !hasBorderExtents(image, axesOf(target_));
+    if (picture.fitted) {
+        const PlannedLevel fit = levelAbove(extentsOfBase(), picture.number);
+        image = scaleByCoverage(image, fit.width, fit.height, fit.depth);
+    }
+    if (hasBorder() && repeatsEdges)
+        image = repeatEdges(image, axesOf(target_));
+    out_.levels.push_back({picture.number, std::move(image), face});
+}
+
+/// The base, and what the policy makes of it.
+void LevelMaker::takeMade(int face) {
+    const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot};
+    MipChain chain;
+    int number = 0;
+    if (const Surface& from = surface(image_, face, 0); isTakenAsItIs(basePicture(), from)) {
+        out_.levels.push_back({number++, lend(from), face});
+        chain = mipLevelsAbove(texture_.mipmaps, std::get<Image>(from), options);
+    } else if (hasBorder())
+        chain =
+            applyMipPolicyWithBorder(texture_.mipmaps, pixels(basePicture(), face), axesOf(target_), options);
+    else
+        chain = applyMipPolicy(texture_.mipmaps, pixels(basePicture(), face), options);
+    for (Image& level : chain)
+        out_.levels.push_back({number++, std::move(level), face});
+}
+
+void LevelMaker::takePixels() {
+    out_.border = hasBorder() ? 1 : 0;
+    for (int face = 0; face < facesOf(target_); ++face) {
+        if (texture_.mipmaps != MipPolicy::FromFile)
+            takeMade(face);
+        for (const LevelPicture& picture : levelPictures()) {
+            if (isStopped())
+                return;
+            if (texture_.mipmaps == MipPolicy::FromFile || picture.number > 0)
+                takePicture(picture, face);
+        }
+    }
+}
+
+/// Each given level may name a picture as large as a file may be, and many textures may name the same one.
+Result<void> LevelMaker::checkRoom() const {
+    if (texture_.mipmaps != MipPolicy::Given)
+        return {};
+    std::uint64_t bytes = 0;
+    for (const LevelPicture& picture : levelPictures()) {
+        if (picture.number > 0 && !picture.fitted)
+            bytes += std::uint64_t{byteCount(picture.image->surface(0, 0))} *
+                     static_cast<std::uint64_t>(facesOf(target_));
+    }
+    if (bytes <= sceneImageBytes)
+        return {};
+    return fail(ErrorCode::TooLarge,
+                fmt::format("the pictures of the levels above its base need {} bytes, and together they may "
+                            "take {}",
+                            bytes, sceneImageBytesText()));
+}
+
+/// Of the files that are wanted beside the base's.
+void LevelMaker::noteMissing() {
+    const auto reason = [](const std::string& file) {
+        return file.empty() ? std::string("no file is chosen") : file + " is not loaded";
+    };
+    for (std::size_t i = 0; i < texture_.levels.size() && texture_.mipmaps == MipPolicy::Given; ++i) {
+        if (!holdsPicture(pictures_.level(i)))
+            note(fmt::format("levels[{}]: {}; uploaded without it", i, reason(texture_.levels[i].file)));
+    }
+    for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
+        const ImageStep& step = texture_.preparation[i];
+        if (step.op == ImageOp::AlphaFrom && !holdsPicture(pictures_.other(i)))
+            note(fmt::format("preparation[{}]: {}; left out", i, reason(step.file)));
+    }
+}
+
+void LevelMaker::leaveOneOut() {
+    const int missing = missingLevel(out_.levels.empty() ? 0 : out_.levels.back().number + 1);
+    if (missing < 0)
+        return note("there is only a base level: none can be left out");
+    for (std::size_t i = out_.levels.size(); i-- > 0;) {
+        if (out_.levels[i].number != missing)
+            continue;
+        out_.levels.erase(out_.levels.begin() + static_cast<std::ptrdiff_t>(i));
+        if (!out_.source.empty())
+            out_.source.erase(out_.source.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+/// Each level for itself, after it was made of those that are not rounded.
+void LevelMaker::roundToBits() {
+    if (isDepth(out_.internalFormat)) {
+        const int bits = factsOf(out_.internalFormat).bits[0];
+        for (TextureLevel& level : out_.levels) {
+            const Image* image = std::get_if<Image>(&*level.surface);
+            if (image && (image->format != PixelFormat::Depth32 || bits < lightDepthBits))
+                level.surface = depthsOf(*image, bits);
+        }
+        return;
+    }
+    if (!hasFewBits(out_.internalFormat) || out_.driverFormat)
+        return;
+    for (TextureLevel& level : out_.levels) {
+        if (const Image* image = std::get_if<Image>(&*level.surface))
+            level.surface = withStoredNumbers(*image, out_.internalFormat);
+    }
+}
+
+Result<TextureLevels> LevelMaker::run() {
+    if (isDepth(texture_.internalFormat) && !takesDepths(target_))
+        return fail(ErrorCode::Unsupported,
+                    "OpenGL has no depth textures for " + std::string(rowOf(target_).name));
+    if (image_.faces > 1 && !isCube())
+        note(fmt::format("the file is a cube map of {} faces; its first, +x, is drawn", image_.faces));
+    if (const Result<void> room = checkRoom(); !room)
+        return fail(room.error());
+    noteMissing();
+    if (fileOrder(texture_.source) && !isCube() && texture_.flip != FlipMode::None && image_.fileTopFirst)
+        out_.lateFlip = texture_.flip == FlipMode::Coordinates ? LateFlip::Coordinates : LateFlip::Matrix;
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        out_.lastLevel = levelCount() - 1;
+
+    if (keepsBlocks()) {
+        if (const Result<void> taken = takeBlocks(); !taken)
+            return fail(taken.error());
+    } else {
+        takePixels();
+        if (isStopped())
+            return fail(ErrorCode::Cancelled, "making its levels was cancelled");
+        if (const Result<void> compressed = compress(); !compressed)
+            return fail(compressed.error());
+    }
+    if (texture_.mipmaps == MipPolicy::Missing)
+        leaveOneOut();
+    out_.internalFormat = texture_.internalFormat;
+    roundToBits();
+    return std::move(out_);
+}
+
+} // namespace texplorer

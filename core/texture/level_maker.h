@@ -1,0 +1,132 @@
+#pragma once
+
+// Makes the levels of one texture: what texture_levels.h and level_plan.h promise. Its functions stand in the
+// file that says what they are about: level_maker.cpp (from pictures to levels), level_blocks.cpp (compressed
+// ones), level_plan.cpp (extents alone).
+
+#include "core/base/result.h"
+#include "core/gl/sampling.h"
+#include "core/image/cube_faces.h"
+#include "core/texture/level_plan.h"
+#include "core/texture/texture_levels.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace texplorer {
+
+/// The settings that count for an image. What the light sees stays as it is in a depth texture: an average of
+/// depths is the depth of nothing.
+[[nodiscard]] Texture settingsFor(const Texture& texture, const TextureImage& image);
+
+/// Whether there is a picture, be it an outline.
+[[nodiscard]] bool holdsPicture(const TextureImage* image);
+
+/// What a level is made of.
+struct LevelPicture {
+    int number = 0;                      ///< GL's
+    const TextureImage* image = nullptr; ///< never null
+    SourceKind source = SourceKind::Pattern;
+    int fileLevel = 0;   ///< which of the image's levels
+    bool fitted = false; ///< it is scaled to the size that the level has to have
+};
+
+class LevelMaker {
+public:
+    /// `pictures` has a base. `lends`: whether its surfaces may be lent.
+    LevelMaker(const Texture& texture, const TexturePictures& pictures, Target target, const LevelWork& work,
+               bool lends = false)
+        : texture_(settingsFor(texture, *pictures.base))
+        , pictures_(pictures)
+        , image_(*pictures.base)
+        , lends_(lends)
+        , target_(target)
+        , work_(work) {}
+
+    Result<TextureLevels> run();
+    [[nodiscard]] LevelPlan plan();
+    void eachStep(const std::function<void(const Image&)>& visit) const;
+
+private:
+    /// Whether rows are wanted as a naive loader gives them to OpenGL: the file's first row first.
+    [[nodiscard]] bool fileOrder(SourceKind source) const {
+        const bool drawnHere = isCube() && source == SourceKind::Pattern; // has no file
+        return !drawnHere && (texture_.flip == FlipMode::Coordinates || texture_.flip == FlipMode::Matrix ||
+                              texture_.flip == FlipMode::None);
+    }
+    /// Whether the top row of a picture goes to t = 0. What is turned later, is turned with the base level.
+    [[nodiscard]] bool isTopFirst(const LevelPicture& picture) const {
+        if (!fileOrder(picture.source))
+            return isCube();
+        const bool turnedLater = !isCube() && texture_.flip != FlipMode::None;
+        return turnedLater ? image_.fileTopFirst : picture.image->fileTopFirst;
+    }
+    /// Whether the rows have to change places before the upload.
+    [[nodiscard]] bool turns(const LevelPicture& picture) const {
+        return picture.image->topFirst != isTopFirst(picture);
+    }
+    /// Then the top row of a picture goes to t = 0 (core/image/cube_faces.h).
+    [[nodiscard]] bool isCube() const { return target_ == Target::CubeMap; }
+    /// Whether the faces of a cube map have to be found in one picture.
+    [[nodiscard]] bool cutsFaces(const TextureImage& image) const {
+        const Surface& whole = image.surface(0, 0);
+        return isCube() && image.faces != cubeFaceCount &&
+               cubeLayout(widthOf(whole), heightOf(whole)) != CubeLayout::Same;
+    }
+    /// What is made until then is of no use.
+    [[nodiscard]] bool isStopped() const { return work_.stop.stop_requested(); }
+    [[nodiscard]] bool prepares() const { return !texture_.preparation.empty(); }
+    /// Whether levels above the base have pictures of their own.
+    [[nodiscard]] bool hasPictures() const {
+        return texture_.mipmaps == MipPolicy::FromFile || texture_.mipmaps == MipPolicy::Given;
+    }
+    [[nodiscard]] bool generates() const {
+        return texture_.mipmaps == MipPolicy::Generated || texture_.mipmaps == MipPolicy::Colored ||
+               texture_.mipmaps == MipPolicy::Missing;
+    }
+    [[nodiscard]] bool hasBorder() const { return texture_.border != 0; }
+    [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }
+    [[nodiscard]] LevelPicture basePicture() const { return {0, &image_, texture_.source}; }
+    /// A file without faces has the same for all.
+    [[nodiscard]] static const Surface& surface(const TextureImage& image, int face, int level) {
+        return image.surface(image.faces == cubeFaceCount ? face : 0, level);
+    }
+
+    [[nodiscard]] int levelCount() const;
+    [[nodiscard]] std::vector<LevelPicture> levelPictures() const;
+    [[nodiscard]] PlannedLevel extentsOfPicture(const LevelPicture& picture) const;
+    [[nodiscard]] PlannedLevel withoutOwnBorder(PlannedLevel level) const;
+    [[nodiscard]] PlannedLevel extentsOfBase() const;
+    [[nodiscard]] bool keepsBlocks();
+    [[nodiscard]] bool haveSameBlocks();
+    [[nodiscard]] Result<void> takeBlocks();
+    [[nodiscard]] Image decoded(const TextureImage& image, int face, int level, bool turned) const;
+    template<class Visit>
+    [[nodiscard]] Image preparedPart(Image part, bool topFirst, int face, const Visit& visit) const;
+    [[nodiscard]] Image pixels(const LevelPicture& picture, int face) const;
+    [[nodiscard]] bool isTakenAsItIs(const LevelPicture& picture, const Surface& surface) const;
+    [[nodiscard]] SharedSurface lend(const Surface& surface) const;
+    void takePixels();
+    void takePicture(const LevelPicture& picture, int face);
+    void takeMade(int face);
+    [[nodiscard]] Result<void> checkRoom() const;
+    void noteMissing();
+    [[nodiscard]] Result<void> compress();
+    [[nodiscard]] Result<void> compressHere();
+    [[nodiscard]] Result<void> compressHere(std::span<TextureLevel> levels);
+    void leaveOneOut();
+    void roundToBits();
+    void note(std::string sentence) { out_.notes.push_back(std::move(sentence)); }
+
+    const Texture texture_;
+    const TexturePictures& pictures_;
+    const TextureImage& image_; ///< the base's
+    bool lends_;
+    Target target_;
+    const LevelWork& work_;
+    TextureLevels out_;
+};
+
+} // namespace texplorer

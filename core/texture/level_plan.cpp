@@ -1,0 +1,89 @@
+// Which levels there will be, and how large they are.
+
+#include "core/texture/level_plan.h"
+
+#include "core/image/border.h"
+#include "core/image/power_of_two.h"
+#include "core/image/resample.h"
+#include "core/texture/level_maker.h"
+
+#include <algorithm>
+
+namespace texplorer {
+
+/// The part of a picture that the target takes.
+PlannedLevel LevelMaker::extentsOfPicture(const LevelPicture& picture) const {
+    const Surface& surface = picture.image->surface(0, picture.fileLevel);
+    if (cutsFaces(*picture.image)) {
+        const auto [width, height] = cubeFaceExtents(widthOf(surface), heightOf(surface));
+        return {picture.number, width, height, 1};
+    }
+    return {picture.number, widthOf(surface), target_ == Target::Texture1D ? 1 : heightOf(surface),
+            target_ == Target::Texture3D ? depthOf(surface) : 1};
+}
+
+/// What is left where the outermost texels are taken for the border.
+PlannedLevel LevelMaker::withoutOwnBorder(PlannedLevel level) const {
+    const int axes = axesOf(target_);
+    if (!hasBorder() || !hasBorderExtents(level.width, level.height, level.depth, axes))
+        return level;
+    return {level.number, level.width - 2, level.height - (axes > 1 ? 2 : 0),
+            level.depth - (axes > 2 ? 2 : 0)};
+}
+
+/// As it is uploaded, without its border.
+PlannedLevel LevelMaker::extentsOfBase() const {
+    const PlannedLevel whole = extentsOfPicture(basePicture());
+    const PlannedLevel level = withoutOwnBorder(whole);
+    if (level != whole || texture_.npot != NpotPolicy::PowerOfTwo)
+        return level;
+    return {0, nearestPowerOfTwo(level.width), nearestPowerOfTwo(level.height),
+            nearestPowerOfTwo(level.depth)};
+}
+
+LevelPlan LevelMaker::plan() {
+    LevelPlan plan;
+    if (isDepth(texture_.internalFormat) && !takesDepths(target_))
+        return plan;
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        plan.lastLevel = levelCount() - 1;
+    for (const LevelPicture& picture : levelPictures())
+        plan.levels.push_back(extentsOfPicture(picture));
+    if (keepsBlocks()) {
+        plan.blocks = std::get<BlockImage>(base()).format;
+        return plan;
+    }
+    const bool compresses =
+        texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
+    if (compresses && axesOf(target_) == 2 && !hasBorder() && !isDepth(texture_.internalFormat))
+        plan.blocks = blockFormat(texture_.compressedFormat);
+    plan.border = hasBorder() ? 1 : 0;
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        return plan;
+    const PlannedLevel level = extentsOfBase();
+    plan.levels = {level};
+    for (const LevelPicture& picture : levelPictures()) {
+        if (picture.number > 0)
+            plan.levels.push_back(picture.fitted ? levelAbove(level, picture.number)
+                                                 : withoutOwnBorder(extentsOfPicture(picture)));
+    }
+    if (!generates())
+        return plan;
+    const int count = mipLevelCount(level.width, level.height, level.depth);
+    for (int number = 1; number < count; ++number)
+        plan.levels.push_back(levelAbove(level, number));
+    if (const int missing = missingLevel(count); texture_.mipmaps == MipPolicy::Missing && missing >= 0)
+        plan.levels.erase(plan.levels.begin() + missing);
+    return plan;
+}
+
+PlannedLevel levelAbove(const PlannedLevel& base, int number) {
+    const auto extent = [number](int texels) { return std::max(1, texels >> number); };
+    return {number, extent(base.width), extent(base.height), extent(base.depth)};
+}
+
+LevelPlan planLevels(const Texture& texture, const TexturePictures& pictures, Target target) {
+    return holdsPicture(pictures.base.get()) ? LevelMaker(texture, pictures, target, {}).plan() : LevelPlan{};
+}
+
+} // namespace texplorer
