@@ -285,7 +285,7 @@ inline constexpr std::array projectionRows{
 };
 
 inline constexpr std::array sourceKindRows{
-    row(SourceKind::Pattern, "pattern", "Built-in pattern", "An image that Texplorer draws itself."),
+    row(SourceKind::Pattern, "pattern", "Built-in", "A pattern that Texplorer draws itself."),
     row(SourceKind::File, "file", "Image file", "An image that is read from a file."),
     row(SourceKind::LightDepth, "light-depth", "Shadow map",
         "How far away from the light each point is that it sees, drawn anew with every frame."),
