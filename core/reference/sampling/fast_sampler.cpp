@@ -22,7 +22,10 @@ FastSampler::FastSampler(const SampledTexture& sampled, const SampleOptions& sam
         const Level* level = sampled.level(sampled.baseLevel + step);
         if (!level || level->border != 0)
             return;
-        planes[static_cast<std::size_t>(step)] = {level->texels.data(), level->width, level->height,
+        planes[static_cast<std::size_t>(step)] = {level->texels.data(),
+                                                  level->bytes.empty() ? nullptr : level->bytes.data(),
+                                                  level->width,
+                                                  level->height,
                                                   static_cast<float>(level->width),
                                                   static_cast<float>(level->height)};
     }

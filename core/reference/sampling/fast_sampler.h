@@ -39,6 +39,7 @@ struct FastSampler {
     /// A level as it is read.
     struct Plane {
         const glm::vec4* texels = nullptr;
+        const std::int32_t* bytes = nullptr; ///< the same, where the level has them
         int width = 1;
         int height = 1;
         float fWidth = 1;

@@ -41,6 +41,50 @@ template<class ColorOf>
 #endif
 }
 
+/// Numbers of neighbours in memory, each for every component of a colour.
+[[nodiscard, gnu::always_inline]] inline Floats spreadFrom(const float* numbers) {
+    return joined([&](std::size_t i) { return numbers[i] - Color{}; });
+}
+
+/// n / 255 of a byte, to the last bit and without a division: n * 257 / 65536, which a float holds, and a
+/// 65536th of itself.
+template<class Number>
+[[nodiscard]] constexpr Number of255(Number n) {
+    return n * (257 / 65536.0F) + n * (1 / 255.0F / 65536);
+}
+static_assert([] {
+    for (int n = 0; n < 256; ++n) {
+        if (of255(static_cast<float>(n)) != static_cast<float>(n) / 255)
+            return false;
+    }
+    return true;
+}());
+
+/// What bytes stand for: `pixelAt` gives the four of each colour.
+template<class PixelAt>
+[[nodiscard, gnu::always_inline]] inline Floats numbersOf(const PixelAt& pixelAt) {
+#if TEXPLORER_LANES == 8
+    const __m128i bytes = _mm_setr_epi32(pixelAt(0), pixelAt(1), 0, 0);
+    return of255(toFloats(reinterpret_cast<Ints>(_mm256_cvtepu8_epi32(bytes))));
+#elif defined(__SSE2__)
+    const __m128i shorts = _mm_unpacklo_epi8(_mm_cvtsi32_si128(pixelAt(0)), _mm_setzero_si128());
+    return of255(toFloats(reinterpret_cast<Ints>(_mm_unpacklo_epi16(shorts, _mm_setzero_si128()))));
+#else
+    const auto bytes = std::bit_cast<std::array<std::uint8_t, 4>>(pixelAt(0));
+    return of255(toFloats(Ints{bytes[0], bytes[1], bytes[2], bytes[3]}));
+#endif
+}
+
+/// Texels of a level, as many.
+[[nodiscard, gnu::always_inline]] inline Floats texelsAt(const glm::vec4* texels,
+                                                         const std::int32_t* places) {
+    return joined([&](std::size_t i) { return loadColor(texels + places[i]); });
+}
+[[nodiscard, gnu::always_inline]] inline Floats texelsAt(const std::int32_t* texels,
+                                                         const std::int32_t* places) {
+    return numbersOf([&](std::size_t i) { return texels[places[i]]; });
+}
+
 [[nodiscard]] Floats clamped(Floats values, Floats low, Floats high) {
     return greater(lesser(values, high), low);
 }
@@ -119,6 +163,9 @@ public:
     void sampleBase(const SampleRow& row, int count, glm::vec4* colors) const {
         const OneLevel base(sampler_.planes[0]);
         const bool linear = texture_.magFilter == MagFilter::Linear;
+        if (axes > 1 && linear && !usesBorder_)
+            return base.shared.bytes ? weighBase(base, base.shared.bytes, row, count, colors)
+                                     : weighBase(base, base.shared.texels, row, count, colors);
         for (int at = 0; at < count; at += laneCount) {
             const Floats s = load(row.s.data() + at);
             const Floats t = axes > 1 ? load(row.t.data() + at) : floats(0);
@@ -202,6 +249,19 @@ private:
         }
 
         [[nodiscard]] const Plane& of(std::size_t lane) const { return *planes[lane]; }
+    };
+
+    /// Four texels of each pixel: where they lie in their level, and their shares.
+    struct Corners {
+        std::array<Ints, 4> places;
+        std::array<Floats, 4> shares;
+
+        template<class Of>
+        Corners(const Of& levels, const TexelPairs& i, const TexelPairs& j)
+            : places{j.first * levels.rowLength + i.first, j.first * levels.rowLength + i.second,
+                     j.second * levels.rowLength + i.first, j.second * levels.rowLength + i.second}
+            , shares{(1.0F - i.share) * (1.0F - j.share), i.share * (1.0F - j.share),
+                     (1.0F - i.share) * j.share, i.share * j.share} {}
     };
 
     /// Where a texel of each pixel lies in its level, in memory: registers are slow to take numbers from one
@@ -328,6 +388,34 @@ private:
         return colors;
     }
 
+    /// LINEAR at the base level, without a border. First where all texels lie, then what they are: so memory
+    /// is asked for many of them at a time.
+    template<class Texel>
+    void weighBase(const OneLevel& base, const Texel* texels, const SampleRow& row, int count,
+                   glm::vec4* colors) const {
+        std::array<std::array<std::int32_t, SampleRow::capacity>, 4> places;
+        std::array<SampleRow::Numbers, 4> shares;
+        for (int at = 0; at < count; at += laneCount) {
+            const Floats u = wrapped(texture_.wrapS, load(row.s.data() + at), base.width);
+            const Floats v = wrapped(texture_.wrapT, load(row.t.data() + at), base.height);
+            const Corners corners(base, {texture_.wrapS, u, base.width}, {texture_.wrapT, v, base.height});
+            for (std::size_t corner = 0; corner < 4; ++corner) {
+                store(corners.places[corner], places[corner].data() + at);
+                store(corners.shares[corner], shares[corner].data() + at);
+            }
+        }
+        for (int at = 0; at < count; at += laneCount) {
+            for (std::size_t first = 0; first < laneCount; first += colorsAtOnce) {
+                const std::size_t from = static_cast<std::size_t>(at) + first;
+                const auto weighted = [&](std::size_t corner) __attribute__((always_inline)) {
+                    return spreadFrom(shares[corner].data() + from) *
+                           texelsAt(texels, places[corner].data() + from);
+                };
+                store(weighted(0) + weighted(1) + weighted(2) + weighted(3), colors + from);
+            }
+        }
+    }
+
     /// LINEAR: equations 3.23 and 3.24.
     template<class Of>
     [[nodiscard, gnu::always_inline]] Colors linearly(const Of& levels, Floats s, Floats t) const {
@@ -345,32 +433,30 @@ private:
         }
         const Wrap wrapT = texture_.wrapT;
         const TexelPairs j(wrapT, wrapped(wrapT, t, levels.height), levels.height);
-        const Floats share00 = (1.0F - i.share) * (1.0F - j.share);
-        const Floats share10 = i.share * (1.0F - j.share);
-        const Floats share01 = (1.0F - i.share) * j.share;
-        const Floats share11 = i.share * j.share;
+        const Corners corners(levels, i, j);
+        const std::array<Floats, 4>& shares = corners.shares;
         if (usesBorder_) {
             forEachLane([&](std::size_t lane) __attribute__((always_inline)) {
                 const Plane& plane = levels.of(lane);
-                colors[lane] = share00[lane] * texelOrBorder(plane, i.first[lane], j.first[lane]) +
-                               share10[lane] * texelOrBorder(plane, i.second[lane], j.first[lane]) +
-                               share01[lane] * texelOrBorder(plane, i.first[lane], j.second[lane]) +
-                               share11[lane] * texelOrBorder(plane, i.second[lane], j.second[lane]);
+                colors[lane] = shares[0][lane] * texelOrBorder(plane, i.first[lane], j.first[lane]) +
+                               shares[1][lane] * texelOrBorder(plane, i.second[lane], j.first[lane]) +
+                               shares[2][lane] * texelOrBorder(plane, i.first[lane], j.second[lane]) +
+                               shares[3][lane] * texelOrBorder(plane, i.second[lane], j.second[lane]);
             });
             return colors;
         }
-        const Places at00(levels, i.first, j.first);
-        const Places at10(levels, i.second, j.first);
-        const Places at01(levels, i.first, j.second);
-        const Places at11(levels, i.second, j.second);
-        const auto weighted = [&](Floats shares, const Places& places, std::size_t first)
+        const Places at00(corners.places[0]);
+        const Places at10(corners.places[1]);
+        const Places at01(corners.places[2]);
+        const Places at11(corners.places[3]);
+        const auto weighted = [&](Floats share, const Places& places, std::size_t first)
             __attribute__((always_inline)) {
-            return spread(shares, first) *
+            return spread(share, first) *
                    joined([&](std::size_t lane) { return places(levels, first + lane); });
         };
         for (std::size_t first = 0; first < laneCount; first += colorsAtOnce)
-            store(weighted(share00, at00, first) + weighted(share10, at10, first) +
-                      weighted(share01, at01, first) + weighted(share11, at11, first),
+            store(weighted(shares[0], at00, first) + weighted(shares[1], at10, first) +
+                      weighted(shares[2], at01, first) + weighted(shares[3], at11, first),
                   colors.data() + first);
         return colors;
     }

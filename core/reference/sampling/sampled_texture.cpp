@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 
 namespace texplorer::reference {
@@ -112,6 +113,22 @@ Level levelOf(const Image& image, InternalFormat format, Target target, int bord
     return level;
 }
 
+std::vector<std::int32_t> bytesOf(std::span<const glm::vec4> texels) {
+    std::vector<std::int32_t> bytes(texels.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        std::array<std::uint8_t, 4> numbers{};
+        for (int component = 0; component < 4; ++component) {
+            const float value = texels[i][component];
+            const auto number = static_cast<int>(value >= 0 && value <= 1 ? value * 255 + 0.5F : 0);
+            if (value != static_cast<float>(number) / 255)
+                return {};
+            numbers[static_cast<std::size_t>(component)] = static_cast<std::uint8_t>(number);
+        }
+        bytes[i] = std::bit_cast<std::int32_t>(numbers);
+    }
+    return bytes;
+}
+
 Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevels& levels, Target target,
                                       std::vector<std::string>& notes, const std::stop_token& stop) {
     SampledTexture sampled;
@@ -134,6 +151,10 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
         if (!encoded)
             return fail(encoded.error());
         level = blockLevel(*encoded);
+    }
+    if (target == Target::Texture2D) {
+        for (Level& level : sampled.levels)
+            level.bytes = bytesOf(level.texels);
     }
     if (levels.driverFormat)
         notes.push_back(fmt::format(

@@ -180,6 +180,26 @@ INSTANTIATE_TEST_SUITE_P(
         return std::string(std::get<0>(test.param).name) + "_" + std::to_string(test.index);
     });
 
+TEST(FastSampler, ReadsTheBytesOfTexelsLikeTheTexels) {
+    Numbers numbers;
+    for (const glm::ivec3 size : {glm::ivec3(64, 64, 1), glm::ivec3(19, 5, 1), glm::ivec3(1)}) {
+        SampledTexture made = texture(Target::Texture2D, size);
+        made.minFilter = MinFilter::Linear;
+        made.levels[0].bytes = bytesOf(made.levels[0].texels);
+        ASSERT_EQ(made.levels[0].bytes.size(), made.levels[0].texels.size());
+        EXPECT_EQ(FastSampler(made, {}).planes[0].bytes, made.levels[0].bytes.data());
+        for (const EnumRow& s : wrapRows) {
+            for (const EnumRow& t : wrapRows) {
+                SCOPED_TRACE(std::string(s.name) + " " + std::string(t.name));
+                made.wrapS = static_cast<Wrap>(s.value);
+                made.wrapT = static_cast<Wrap>(t.value);
+                for (int i = 0; i < 8; ++i)
+                    expectTheSame(made, {}, randomRow(numbers));
+            }
+        }
+    }
+}
+
 // What changes lambda, and which levels there are.
 struct Parameters {
     const char* name;

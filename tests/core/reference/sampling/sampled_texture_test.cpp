@@ -3,6 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
 namespace texplorer::reference::sampled_texture_test {
 namespace {
 
@@ -96,6 +102,17 @@ TEST(StoredTexel, OfADarkSrgbColorLiesOnTheLine) {
     EXPECT_NEAR(level.texels[1].r, 0.0033465, 1e-7); // (0.043137 + 0.055) / 1.055 to the power of 2.4
 }
 
+TEST(BytesOf, AreThoseOfTexelsThatAre255ths) {
+    const std::array texels{glm::vec4(0, 1, 128, 255) / 255.0F, glm::vec4(6, 9, 0, 15) / 15.0F};
+    const std::vector<std::int32_t> found = bytesOf(texels);
+    std::array<int, 8> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = std::to_integer<int>(std::as_bytes(std::span(found))[i]);
+    EXPECT_THAT(numbers, testing::ElementsAre(0, 1, 128, 255, 102, 153, 0, 255));
+    for (const float odd : {12 / 31.0F, 0.5F, -1 / 255.0F, 256 / 255.0F, std::nanf("")})
+        EXPECT_THAT(bytesOf(std::array{texels[0], glm::vec4(0, 0, odd, 1)}), testing::IsEmpty()) << odd;
+}
+
 TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     Texture texture;
     texture.internalFormat = InternalFormat::Luminance;
@@ -121,6 +138,8 @@ TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     ASSERT_NE(sampled.level(0), nullptr);
     EXPECT_EQ(sampled.level(1), nullptr);
     EXPECT_TRUE(isNear(sampled.level(0)->texels[1], {0.2F, 0.2F, 0.2F, 1}));
+    EXPECT_EQ(sampled.level(0)->bytes, bytesOf(sampled.level(0)->texels));
+    EXPECT_EQ(sampled.level(0)->bytes.size(), 2U);
     EXPECT_THAT(notes, testing::IsEmpty());
 }
 
