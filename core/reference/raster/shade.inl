@@ -22,8 +22,8 @@ struct RowPlane {
 };
 
 /// glm::clamp to [0, 1], which keeps a NaN.
-[[nodiscard]] Color clampedToOne(Color color) {
-    return lesser(Color{1, 1, 1, 1}, greater(Color{}, color));
+[[nodiscard]] Floats clampedToOne(Floats colors) {
+    return lesser(floats(1), greater(floats(0), colors));
 }
 
 /// fragmentDepth() of shade.h. The products are exact in double precision.
@@ -72,8 +72,27 @@ struct RowPlane {
     return ints(-1);
 }
 
+/// One colour, as often as there is room for it.
+[[nodiscard]] Floats repeated(const glm::vec4& color) {
+    return joined([&](std::size_t) { return loadColor(color); });
+}
+/// The alpha of each colour in all its components.
+[[nodiscard]] Floats alphas(Floats colors) {
+#if TEXPLORER_LANES == 8
+    return _mm256_permute_ps(colors, 0xFF);
+#elif defined(__SSE2__)
+    return _mm_shuffle_ps(colors, colors, 0xFF);
+#else
+    return floats(colors[3]);
+#endif
+}
+/// Colours with the alpha of others.
+[[nodiscard]] Floats withAlphas(Floats colors, Floats others) {
+    return laneNumbers() % 4 == 3 ? others : colors;
+}
+
 /// One function of tables 3.21 and 3.22, all four components; see environment.cpp.
-[[nodiscard]] Color byFunction(EnvFunction function, Color previous, Color source, Color constant) {
+[[nodiscard]] Floats byFunction(EnvFunction function, Floats previous, Floats source, Floats constant) {
     switch (function) {
     case EnvFunction::Previous:
     case EnvFunction::Undefined:
@@ -85,50 +104,51 @@ struct RowPlane {
     case EnvFunction::Sum:
         return previous + source;
     case EnvFunction::Decal:
-        return previous * (1 - source[3]) + source * source[3];
+        return previous * (1.0F - alphas(source)) + source * alphas(source);
     case EnvFunction::Blend:
         return previous * (1.0F - source) + constant * source;
     }
     return previous;
 }
 
-/// Colours are stored in fours, whatever the number of lanes: they are bytes then.
-constexpr int groupSize = 4;
-using Group = std::array<Color, groupSize>;
+/// The colours of laneCount pixels.
+using Group = std::array<Floats, laneCount / colorsAtOnce>;
 
-[[nodiscard]] glm::vec4 vectorOf(Color color) {
-    return {color[0], color[1], color[2], color[3]};
-}
-
-/// Their bytes.
-[[nodiscard, gnu::always_inline]] inline ColorBits packed(const Group& colors) {
+/// Their bytes, a pixel in each lane.
+[[nodiscard, gnu::always_inline]] inline Ints packed(const Group& colors) {
 #if defined(__SSE2__)
+    using Integers = long long __attribute__((vector_size(sizeof(Floats))));
     const auto rounded = [&](std::size_t i) __attribute__((always_inline)) {
         // NaN becomes 0: of two operands one of which is NaN, the second is taken.
-        const Color clamped = lesser(greater(colors[i], Color{}), Color{1, 1, 1, 1});
-        return _mm_cvttps_epi32(clamped * 255.0F + 0.5F);
+        const Floats clamped = lesser(greater(colors[i], floats(0)), floats(1));
+        return reinterpret_cast<Integers>(truncated(clamped * 255.0F + 0.5F));
     };
-    return reinterpret_cast<ColorBits>(
+#endif
+#if TEXPLORER_LANES == 8
+    // Packing keeps to each half of a vector, so every second pixel comes to lie in the upper one.
+    const __m256i halves = _mm256_packus_epi16(_mm256_packs_epi32(rounded(0), rounded(1)),
+                                               _mm256_packs_epi32(rounded(2), rounded(3)));
+    return reinterpret_cast<Ints>(
+        _mm256_permutevar8x32_epi32(halves, _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7)));
+#elif defined(__SSE2__)
+    return reinterpret_cast<Ints>(
         _mm_packus_epi16(_mm_packs_epi32(rounded(0), rounded(1)), _mm_packs_epi32(rounded(2), rounded(3))));
 #else
-    std::array<std::byte, 4 * groupSize> bytes{};
-    for (std::size_t i = 0; i < groupSize; ++i)
-        reference::store(vectorOf(colors[i]), bytes.data() + 4 * i);
-    ColorBits pixels;
-    std::memcpy(&pixels, bytes.data(), sizeof pixels);
+    Ints pixels;
+    for (std::size_t i = 0; i < laneCount; ++i)
+        reference::store({colors[i][0], colors[i][1], colors[i][2], colors[i][3]},
+                         reinterpret_cast<std::byte*>(&pixels) + 4 * i);
     return pixels;
 #endif
 }
 
 /// colorOf() of stored_color.h, of as many pixels.
 [[nodiscard, gnu::always_inline]] inline Group unpacked(const std::byte* pixels) {
-    using Bytes = std::uint8_t __attribute__((vector_size(4)));
+    std::array<std::int32_t, laneCount> words;
+    std::memcpy(words.data(), pixels, sizeof words);
     Group colors;
-    for (std::size_t i = 0; i < groupSize; ++i) {
-        Bytes bytes;
-        std::memcpy(&bytes, pixels + 4 * i, sizeof bytes);
-        colors[i] = __builtin_convertvector(bytes, Color) / 255.0F;
-    }
+    for (std::size_t part = 0; part < colors.size(); ++part)
+        colors[part] = numbersOf([&](std::size_t i) { return words[part * colorsAtOnce + i]; });
     return colors;
 }
 
@@ -178,15 +198,10 @@ private:
         return toFloats(ints(firstX_ + i) + laneNumbers()) - triangle_.origin.x;
     }
 
-    static constexpr Mask wholeGroup = (1U << groupSize) - 1;
-    static constexpr Mask allLanes = (1U << laneCount) - 1;
-
-    /// Which of a group, or of so many lanes, are still there.
-    [[nodiscard]] Mask alive(int i, Mask all) const { return alive_ >> i & all; }
-    template<class Work>
-    void forEachAlive(int i, Mask all, const Work& work) const {
-        for (Mask left = alive(i, all); left != 0; left &= left - 1)
-            work(std::countr_zero(left));
+    /// Which of so many lanes are still there.
+    [[nodiscard]] Mask alive(int i) const { return alive_ >> i & ((1U << laneCount) - 1); }
+    [[nodiscard]] Ints aliveLanes(int i) const {
+        return (ints(static_cast<int>(alive(i))) & (1 << laneNumbers())) != 0;
     }
 
     bool testDepth() {
@@ -246,7 +261,7 @@ private:
     void fog(const Fog& fog) {
         const RowPlane distance(triangle_.fogDistance, offsetY_);
         for (int i = begin_; i < count_; i += laneCount) {
-            if (alive(i, allLanes) == 0)
+            if (alive(i) == 0)
                 continue;
             const Floats distances = distance.at(load(x_.data() + i)) * load(w_.data() + i);
             for (int lane = 0; lane < laneCount; ++lane)
@@ -256,171 +271,180 @@ private:
 
     /// fragmentColor() of shade.h, then sections 4.1.4 (alpha test) and 4.1.8 (blending).
     void color() {
-        const TextureStep& first = pass_.steps[0];
-        const bool modulates = pass_.stepCount == 1 && first.cell.color == EnvFunction::Product &&
-                               first.cell.alpha == EnvFunction::Product && !pass_.separateSpecular &&
-                               !pass_.fog;
         if (triangle_.evenPrimary) {
-            const Color even = clampedToOne(loadColor(*triangle_.evenPrimary));
-            const auto primary = [even](std::size_t) { return even; };
-            modulates ? modulate(samples_[first.unit], primary) : texture(primary);
+            const Floats even = clampedToOne(repeated(*triangle_.evenPrimary));
+            texture([even](std::size_t) { return even; });
         } else {
-            const Color start =
-                loadColor(triangle_.primary.origin) + loadColor(triangle_.primary.dy) * offsetY_;
-            const auto primary = [&, start, dx = loadColor(triangle_.primary.dx)](std::size_t i) {
-                return clampedToOne((start + dx * x_[i]) * w_[i]);
-            };
-            modulates ? modulate(samples_[first.unit], primary) : texture(primary);
-        }
-    }
-
-    /// What most scenes do. What is stored at once is clamped then.
-    template<class Primary>
-    [[gnu::always_inline]] void modulate(const Samples& samples, const Primary& primary) {
-        const bool stored = !pass_.pass->alphaTest && !pass_.pass->blend;
-        for (int i = begin_; i < count_; i += groupSize) {
-            const auto at = static_cast<std::size_t>(i);
-            Group colors{primary(at) * loadColor(samples[at]), primary(at + 1) * loadColor(samples[at + 1]),
-                         primary(at + 2) * loadColor(samples[at + 2]),
-                         primary(at + 3) * loadColor(samples[at + 3])};
-            if (stored) {
-                write(i, colors);
-                continue;
-            }
-            for (Color& color : colors)
-                color = clampedToOne(color);
-            finish(i, colors);
+            const Plane<glm::vec4>& plane = triangle_.primary;
+            const Floats start = repeated(plane.origin) + repeated(plane.dy) * offsetY_;
+            texture([this, start, dx = repeated(plane.dx)](std::size_t at) {
+                return clampedToOne((start + dx * spreadFrom(&x_[at])) * spreadFrom(&w_[at]));
+            });
         }
     }
 
     template<class Primary>
     void texture(const Primary& primaryAt) {
-        const Color fogColor = pass_.fog ? clampedToOne(loadColor(pass_.fog->color)) : Color{};
-        for (int i = begin_; i < count_; i += groupSize) {
-            if (alive(i, wholeGroup) == 0)
+        const TextureStep& first = pass_.steps[0];
+        const bool simple = pass_.stepCount == 1 && !pass_.separateSpecular && !pass_.fog;
+        if (simple && first.cell.color == EnvFunction::Product) {
+            if (first.cell.alpha == EnvFunction::Product)
+                return modulate<true>(samples_[first.unit], primaryAt);
+            if (first.cell.alpha == EnvFunction::Previous)
+                return modulate<false>(samples_[first.unit], primaryAt);
+        }
+        eachGroup([&](std::size_t at) {
+            const Floats primary = primaryAt(at);
+            Floats result = primary;
+            for (const TextureStep& step : std::span(pass_.steps).first(pass_.stepCount))
+                result = applied(step, at, primary, result);
+            if (pass_.separateSpecular)
+                result = clampedToOne(result + secondary(at));
+            if (pass_.fog) {
+                const Floats left = spreadFrom(&fog_[at]);
+                const Floats mixed = result * left + clampedToOne(repeated(pass_.fog->color)) * (1.0F - left);
+                result = withAlphas(mixed, result);
+            }
+            return result;
+        });
+    }
+
+    /// What most scenes do, to alpha as well or not.
+    template<bool alsoAlpha, class Primary>
+    [[gnu::always_inline]] void modulate(const Samples& samples, const Primary& primaryAt) {
+        eachGroup([&](std::size_t at) __attribute__((always_inline)) {
+            const Floats primary = primaryAt(at);
+            const Floats product = primary * loadAs<Floats>(&samples[at]);
+            return clampedToOne(alsoAlpha ? product : withAlphas(product, primary));
+        });
+    }
+
+    /// Finishes the pixels with the colours that `colorsAt` gives, colorsAtOnce of them from a place on.
+    template<class ColorsAt>
+    [[gnu::always_inline]] void eachGroup(const ColorsAt& colorsAt) {
+        for (int i = begin_; i < count_; i += laneCount) {
+            if (alive(i) == 0)
                 continue;
             Group colors;
-            for (int lane = 0; lane < groupSize; ++lane) {
-                const auto at = static_cast<std::size_t>(i + lane);
-                const Color primary = primaryAt(at);
-                Color& result = colors[static_cast<std::size_t>(lane)];
-                result = primary;
-                for (const TextureStep& step : std::span(pass_.steps).first(pass_.stepCount))
-                    result = applied(step, at, primary, result);
-                if (pass_.separateSpecular)
-                    result = clampedToOne(result + secondary(at));
-                if (pass_.fog) {
-                    const Color mixed = result * fog_[at] + fogColor * (1 - fog_[at]);
-                    result = ColorBits{0, 0, 0, -1} ? result : mixed;
-                }
-            }
+            for (std::size_t part = 0; part < colors.size(); ++part)
+                colors[part] = colorsAt(static_cast<std::size_t>(i) + part * colorsAtOnce);
             finish(i, colors);
         }
     }
 
-    [[nodiscard]] Color secondary(std::size_t i) const {
+    [[nodiscard]] Floats secondary(std::size_t at) const {
         const Plane<glm::vec4>& plane = triangle_.secondary;
-        return clampedToOne(
-            (loadColor(plane.origin) + loadColor(plane.dy) * offsetY_ + loadColor(plane.dx) * x_[i]) * w_[i]);
+        return clampedToOne((repeated(plane.origin) + repeated(plane.dy) * offsetY_ +
+                             repeated(plane.dx) * spreadFrom(&x_[at])) *
+                            spreadFrom(&w_[at]));
     }
 
-    [[nodiscard]] Color applied(const TextureStep& step, std::size_t at, Color primary,
-                                Color previous) const {
-        const Color source = loadColor(samples_[step.unit][at]);
+    [[nodiscard]] Floats applied(const TextureStep& step, std::size_t at, Floats primary,
+                                 Floats previous) const {
         if (step.combines)
             return combined(step, at, primary, previous);
-        const Color constant = loadColor(pass_.units[step.unit].envColor);
-        const Color color = byFunction(step.cell.color, previous, source, constant);
-        const Color alpha = step.cell.alpha == step.cell.color
-                                ? color
-                                : byFunction(step.cell.alpha, previous, source, constant);
-        return clampedToOne(ColorBits{0, 0, 0, -1} ? alpha : color);
+        const auto source = loadAs<Floats>(&samples_[step.unit][at]);
+        const Floats constant = repeated(pass_.units[step.unit].envColor);
+        const Floats color = byFunction(step.cell.color, previous, source, constant);
+        if (step.cell.alpha == step.cell.color)
+            return clampedToOne(color);
+        return clampedToOne(withAlphas(color, byFunction(step.cell.alpha, previous, source, constant)));
     }
 
-    [[nodiscard]] Color combined(const TextureStep& step, std::size_t at, Color primary,
-                                 Color previous) const {
-        std::array<const glm::vec4*, maxUnits> sources{};
-        for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
-            if (pass_.units[u].texture)
-                sources[u] = &samples_[u][at];
-        }
+    [[nodiscard]] Floats combined(const TextureStep& step, std::size_t at, Floats primary,
+                                  Floats previous) const {
+        std::array<glm::vec4, colorsAtOnce> primaries;
+        std::array<glm::vec4, colorsAtOnce> results;
+        store(primary, primaries.data());
+        store(previous, results.data());
         const UnitState& unit = pass_.units[step.unit];
-        return loadColor(
-            evaluate(unit.unit->combine,
-                     {vectorOf(previous), samples_[step.unit][at], unit.envColor, vectorOf(primary)}, sources)
-                .color);
+        for (std::size_t i = 0; i < colorsAtOnce; ++i) {
+            std::array<const glm::vec4*, maxUnits> sources{};
+            for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
+                if (pass_.units[u].texture)
+                    sources[u] = &samples_[u][at + i];
+            }
+            results[i] =
+                evaluate(unit.unit->combine,
+                         {results[i], samples_[step.unit][at + i], unit.envColor, primaries[i]}, sources)
+                    .color;
+        }
+        return loadAs<Floats>(results.data());
     }
 
-    void finish(int i, const Group& colors) {
+    [[gnu::always_inline]] void finish(int i, const Group& colors) {
         const Pass& pass = *pass_.pass;
-        if (pass.alphaTest) {
-            const float with = std::clamp(pass.alphaRef, 0.0F, 1.0F);
-            forEachAlive(i, wholeGroup, [&](int lane) {
-                if (!passes(pass.alphaFunc, colors[static_cast<std::size_t>(lane)][3], with))
-                    alive_ &= ~(Mask{1} << (i + lane));
-            });
-        }
+        if (pass.alphaTest)
+            testAlpha(i, colors);
         write(i, pass.blend ? blended(i, colors) : colors);
     }
 
-    /// blend() of fragment.h, before the clamp, which follows when it is stored.
-    [[nodiscard]] Group blended(int i, const Group& colors) const {
-        const Group there = unpacked(pixels_ + std::ptrdiff_t{4} * i);
-        Group result;
-        for (std::size_t lane = 0; lane < groupSize; ++lane) {
-            const Color source = colors[lane];
-            const Color destination = there[lane];
-            result[lane] = source * factor(pass_.pass->blendSrc, source, destination) +
-                           destination * factor(pass_.pass->blendDst, source, destination);
+    void testAlpha(int i, const Group& colors) {
+        std::array<glm::vec4, laneCount> numbers;
+        std::memcpy(numbers.data(), colors.data(), sizeof numbers);
+        const float with = std::clamp(pass_.pass->alphaRef, 0.0F, 1.0F);
+        for (std::size_t lane = 0; lane < laneCount; ++lane) {
+            if (!passes(pass_.pass->alphaFunc, numbers[lane].a, with))
+                alive_ &= ~(Mask{1} << (static_cast<std::size_t>(i) + lane));
         }
+    }
+
+    /// blend() of fragment.h, before the clamp, which follows when it is stored.
+    [[nodiscard]] Group blended(int i, const Group& sources) const {
+        const Group destinations = unpacked(pixels_ + std::ptrdiff_t{4} * i);
+        const Group bySource = factors(pass_.pass->blendSrc, sources, destinations);
+        const Group byDestination = factors(pass_.pass->blendDst, sources, destinations);
+        Group result;
+        for (std::size_t part = 0; part < result.size(); ++part)
+            result[part] = sources[part] * bySource[part] + destinations[part] * byDestination[part];
         return result;
     }
 
     /// blendFactor() of fragment.h.
-    [[nodiscard, gnu::always_inline]] static Color factor(BlendFactor factor, Color source,
-                                                          Color destination) {
+    [[nodiscard]] static Group factors(BlendFactor factor, const Group& sources, const Group& destinations) {
+        const auto each = [&](const auto& factorOf) {
+            Group result;
+            for (std::size_t part = 0; part < result.size(); ++part)
+                result[part] = factorOf(part);
+            return result;
+        };
         switch (factor) {
         case BlendFactor::Zero:
-            return Color{};
+            return each([&](std::size_t) { return floats(0); });
         case BlendFactor::One:
             break;
         case BlendFactor::SrcColor:
-            return source;
+            return sources;
         case BlendFactor::OneMinusSrcColor:
-            return 1.0F - source;
+            return each([&](std::size_t part) { return 1.0F - sources[part]; });
         case BlendFactor::SrcAlpha:
-            return source[3] - Color{};
+            return each([&](std::size_t part) { return alphas(sources[part]); });
         case BlendFactor::OneMinusSrcAlpha:
-            return (1 - source[3]) - Color{};
+            return each([&](std::size_t part) { return 1.0F - alphas(sources[part]); });
         case BlendFactor::DstAlpha:
-            return destination[3] - Color{};
+            return each([&](std::size_t part) { return alphas(destinations[part]); });
         case BlendFactor::OneMinusDstAlpha:
-            return (1 - destination[3]) - Color{};
+            return each([&](std::size_t part) { return 1.0F - alphas(destinations[part]); });
         case BlendFactor::DstColor:
-            return destination;
+            return destinations;
         case BlendFactor::OneMinusDstColor:
-            return 1.0F - destination;
+            return each([&](std::size_t part) { return 1.0F - destinations[part]; });
         }
-        return Color{1, 1, 1, 1};
+        return each([&](std::size_t) { return floats(1); });
     }
 
     [[gnu::always_inline]] void write(int i, const Group& colors) {
         std::byte* pixels = pixels_ + std::ptrdiff_t{4} * i;
-        ColorBits bytes = packed(colors);
-        if (const Mask here = alive(i, wholeGroup); here != wholeGroup) {
-            ColorBits there;
-            std::memcpy(&there, pixels, sizeof there);
-            const int bits = static_cast<int>(here);
-            bytes = (ColorBits{bits, bits, bits, bits} & ColorBits{1, 2, 4, 8}) != 0 ? bytes : there;
-        }
-        std::memcpy(pixels, &bytes, sizeof bytes);
+        Ints there;
+        std::memcpy(&there, pixels, sizeof there);
+        there = aliveLanes(i) ? packed(colors) : there;
+        std::memcpy(pixels, &there, sizeof there);
     }
 
     void writeDepth() {
-        for (int i = begin_; i < count_; i += laneCount) {
-            const Ints here = (ints(static_cast<int>(alive(i, allLanes))) & (1 << laneNumbers())) != 0;
-            store(here ? loadAs<Ints>(depth_.data() + i) : loadAs<Ints>(depthBuffer_ + i), depthBuffer_ + i);
-        }
+        for (int i = begin_; i < count_; i += laneCount)
+            store(aliveLanes(i) ? loadAs<Ints>(depth_.data() + i) : loadAs<Ints>(depthBuffer_ + i),
+                  depthBuffer_ + i);
     }
 
     const Triangle& triangle_;

@@ -25,7 +25,7 @@ using ColorBits = std::int32_t __attribute__((vector_size(16)));
 
 template<class Lanes, class T>
 [[nodiscard]] Lanes loadAs(const T* from) {
-    static_assert(sizeof(T) == 4 || sizeof(T) == sizeof(Lanes));
+    static_assert(sizeof(T) == 4 || sizeof(T) == 16 || sizeof(T) == sizeof(Lanes));
     Lanes lanes;
     std::memcpy(&lanes, from, sizeof lanes);
     return lanes;
@@ -72,15 +72,6 @@ void store(Lanes lanes, T* to) {
     return a > b ? a : b;
 #endif
 }
-
-#if TEXPLORER_LANES != 4
-[[nodiscard]] inline Color lesser(Color a, Color b) {
-    return _mm_min_ps(a, b);
-}
-[[nodiscard]] inline Color greater(Color a, Color b) {
-    return _mm_max_ps(a, b);
-}
-#endif
 
 [[nodiscard]] inline Floats rooted(Floats values) {
 #if TEXPLORER_LANES == 8

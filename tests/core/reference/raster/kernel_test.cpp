@@ -208,6 +208,25 @@ TEST(Kernel, GivesTheBytesOfTheLiteralOneForEveryDepthFunction) {
     }
 }
 
+TEST(Kernel, GivesTheBytesOfTheLiteralOneForEveryBlendFactor) {
+    Scene scene = defaultScene();
+    scene.textures[0].pattern = Pattern::Tree;
+    scene.material.color = {0.9F, 0.7F, 0.5F, 0.8F};
+    scene.view.background = {0.2F, 0.4F, 0.6F, 0.3F};
+    Pass& pass = scene.passes[0];
+    pass.lighting = false;
+    pass.blend = true;
+    for (const EnumRow& row : blendFactorRows) {
+        SCOPED_TRACE(row.name);
+        pass.blendSrc = static_cast<BlendFactor>(row.value);
+        pass.blendDst = BlendFactor::OneMinusSrcAlpha;
+        expectTheSame(scene);
+        pass.blendDst = pass.blendSrc;
+        pass.blendSrc = BlendFactor::DstAlpha;
+        expectTheSame(scene);
+    }
+}
+
 TEST(Kernel, GivesTheBytesOfTheLiteralOneWithOtherOptions) {
     for (Scene scene : {defaultScene(), floorScene()}) {
         scene.view.perspectiveHint = HintMode::Fastest;
