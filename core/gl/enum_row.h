@@ -21,6 +21,7 @@ struct EnumRow {
     std::string_view help;    ///< one sentence for a student
     std::string_view since;   ///< "1.0", "1.3", or an extension's name; empty for our own words
     std::string_view group{}; ///< what stands above those of a kind in a long list; empty: a short one
+    std::string_view brief{}; ///< the label where it has little room, in its group; empty: the label is short
 };
 
 /// Specialised beside every enum: `static constexpr std::span<const EnumRow> rows`.
@@ -36,6 +37,11 @@ template<class E>
 constexpr EnumRow row(E value, std::string_view name, std::string_view label, std::string_view help,
                       std::string_view since = {}) {
     return {static_cast<std::uint32_t>(value), name, label, help, since};
+}
+
+/// What a button shows.
+[[nodiscard]] constexpr std::string_view briefOf(const EnumRow& row) {
+    return row.brief.empty() ? row.label : row.brief;
 }
 
 /// The row with this number, or nullptr.

@@ -70,35 +70,51 @@ inline constexpr std::array magFilterRows{
         "Blend the 2 x 2 texels around the sample by distance: smooth, a little blurred.", "1.0"),
 };
 
+/// With the words of a button: a line for each way to use the levels.
+constexpr EnumRow minFilterRow(MinFilter value, std::string_view name, std::string_view label,
+                               std::string_view help, std::string_view levels, std::string_view brief = {}) {
+    return {static_cast<std::uint32_t>(value), name, label, help, "1.0", levels, brief};
+}
+
 inline constexpr std::array minFilterRows{
-    row(MinFilter::Nearest, "GL_NEAREST", "Nearest",
-        "One texel of the base level, however many the pixel covers: shimmers and aliases.", "1.0"),
-    row(MinFilter::Linear, "GL_LINEAR", "Linear",
-        "2 x 2 texels of the base level: still aliases once a pixel covers more than two texels.", "1.0"),
-    row(MinFilter::NearestMipmapNearest, "GL_NEAREST_MIPMAP_NEAREST", "Nearest, nearest mip",
-        "One texel of the one mip level that fits the pixel best.", "1.0"),
-    row(MinFilter::LinearMipmapNearest, "GL_LINEAR_MIPMAP_NEAREST", "Linear, nearest mip",
-        "2 x 2 texels of the best mip level; the step from level to level shows as a band.", "1.0"),
-    row(MinFilter::NearestMipmapLinear, "GL_NEAREST_MIPMAP_LINEAR", "Nearest, blended mips",
-        "One texel from each of two mip levels, blended. GL's initial value: without mipmaps the texture is "
-        "incomplete.",
-        "1.0"),
-    row(MinFilter::LinearMipmapLinear, "GL_LINEAR_MIPMAP_LINEAR", "Trilinear",
-        "2 x 2 texels from each of two mip levels, blended: no bands, the smoothest of the six.", "1.0"),
+    minFilterRow(MinFilter::Nearest, "GL_NEAREST", "Nearest",
+                 "One texel of the base level, however many the pixel covers: shimmers and aliases.",
+                 "No mipmaps"),
+    minFilterRow(MinFilter::Linear, "GL_LINEAR", "Linear",
+                 "2 x 2 texels of the base level: still aliases once a pixel covers more than two texels.",
+                 "No mipmaps"),
+    minFilterRow(MinFilter::NearestMipmapNearest, "GL_NEAREST_MIPMAP_NEAREST", "Nearest, nearest mip",
+                 "One texel of the one mip level that fits the pixel best.", "Nearest mip", "Nearest"),
+    minFilterRow(MinFilter::LinearMipmapNearest, "GL_LINEAR_MIPMAP_NEAREST", "Linear, nearest mip",
+                 "2 x 2 texels of the best mip level; the step from level to level shows as a band.",
+                 "Nearest mip", "Linear"),
+    minFilterRow(MinFilter::NearestMipmapLinear, "GL_NEAREST_MIPMAP_LINEAR", "Nearest, blended mips",
+                 "One texel from each of two mip levels, blended. GL's initial value: without mipmaps the "
+                 "texture is incomplete.",
+                 "Blended mips", "Nearest"),
+    minFilterRow(MinFilter::LinearMipmapLinear, "GL_LINEAR_MIPMAP_LINEAR", "Trilinear",
+                 "2 x 2 texels from each of two mip levels, blended: no bands, the smoothest of the six.",
+                 "Blended mips"),
 };
 
+constexpr EnumRow wrapRow(Wrap value, std::string_view name, std::string_view label, std::string_view help,
+                          std::string_view since, std::string_view brief = {}) {
+    return {static_cast<std::uint32_t>(value), name, label, help, since, {}, brief};
+}
+
 inline constexpr std::array wrapRows{
-    row(Wrap::Repeat, "GL_REPEAT", "Repeat", "Drop the integer part of the coordinate: the image tiles.",
-        "1.0"),
-    row(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", "Mirrored repeat",
-        "Tile, with every second copy reversed, so that edges meet without a seam.", "1.4"),
-    row(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", "Clamp to edge",
-        "Outside of the image its outermost texel goes on for ever.", "1.2"),
-    row(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", "Clamp to border",
-        "Outside of the image there is the border colour.", "1.3"),
-    row(Wrap::Clamp, "GL_CLAMP", "Clamp (legacy)",
+    wrapRow(Wrap::Repeat, "GL_REPEAT", "Repeat", "Drop the integer part of the coordinate: the image tiles.",
+            "1.0"),
+    wrapRow(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", "Mirrored repeat",
+            "Tile, with every second copy reversed, so that edges meet without a seam.", "1.4", "Mirror"),
+    wrapRow(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", "Clamp to edge",
+            "Outside of the image its outermost texel goes on for ever.", "1.2", "Edge"),
+    wrapRow(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", "Clamp to border",
+            "Outside of the image there is the border colour.", "1.3", "Border"),
+    wrapRow(
+        Wrap::Clamp, "GL_CLAMP", "Clamp (legacy)",
         "Clamp the coordinate to [0, 1]: under a linear filter the edge is half image, half border colour.",
-        "1.0"),
+        "1.0", "Clamp"),
 };
 
 inline constexpr std::array targetRows{

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/reference/contributions.h"
+#include "core/reference/level_map.h"
 #include "core/reference/light_depth.h"
 #include "core/reference/probe.h"
 #include "core/reference/raster/kernel.h"
@@ -138,6 +139,18 @@ Result<Contributions> ReferenceRenderer::contributions(const DrawRequest& reques
         state_->textures.keepOnly(request.scene);
         return findContributions(state_->withLightDepths(request, options), question, options,
                                  state_->textures);
+    } catch (const std::bad_alloc&) {
+        return noMemory(request);
+    }
+}
+
+Result<LevelMap> ReferenceRenderer::levels(const DrawRequest& request, const LevelQuestion& question,
+                                           const DrawOptions& options) {
+    if (const Result<void> size = checkSize(request); !size)
+        return fail(size.error());
+    try {
+        state_->textures.keepOnly(request.scene);
+        return findLevels(state_->withLightDepths(request, options), question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }

@@ -15,6 +15,8 @@ struct Explanation; // see probe.h
 struct PixelPlace;
 struct Contributions; // see contributions.h
 struct TexelQuestion;
+struct LevelMap; // see level_map.h
+struct LevelQuestion;
 
 /// How a frame is come by: it is the same whatever these are.
 struct DrawOptions {
@@ -57,6 +59,10 @@ public:
     /// Which pixels of that picture a texel has a share in: see contributions.h.
     [[nodiscard]] Result<Contributions>
     contributions(const DrawRequest& request, const TexelQuestion& question, const DrawOptions& options = {});
+
+    /// Which levels the pixels of that picture read: see level_map.h.
+    [[nodiscard]] Result<LevelMap> levels(const DrawRequest& request, const LevelQuestion& question,
+                                          const DrawOptions& options = {});
 
     /// Gives back the memory that it holds for the next picture.
     void rest();

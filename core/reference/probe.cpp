@@ -270,7 +270,7 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
             unit.vertices.push_back(steps);
         }
         unit.matrix = state.matrix;
-        unit.flipped = state.flipsCoordinates;
+        unit.flipped = state.flip == LateFlip::Coordinates;
         const TexturePlace place = texturePlace(cover.triangle, u, offset);
         unit.pixel.transformed = place.homogeneous;
         unit.coords = place.coords;

@@ -1,5 +1,8 @@
 #include "core/scene/history.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace texplorer {
 
 History::History(Scene initial, std::size_t limit)
@@ -14,6 +17,7 @@ void History::record(const Scene& scene, std::string_view what) {
                  steps_.end()); // no redo any more
     if (!sealed_ && !what.empty() && steps_[position_].what == what) {
         steps_[position_].scene = scene;
+        steps_[position_].picture.reset();
         return;
     }
     steps_.push_back({scene, std::string(what)});
@@ -27,6 +31,13 @@ void History::seal() {
     sealed_ = true;
 }
 
+void History::replaceView(const View& from, const View& to) {
+    for (Step& step : steps_) {
+        if (step.scene.view == from)
+            step.scene.view = to;
+    }
+}
+
 const Scene& History::undo() {
     if (canUndo())
         --position_;
@@ -37,6 +48,12 @@ const Scene& History::undo() {
 const Scene& History::redo() {
     if (canRedo())
         ++position_;
+    seal();
+    return current();
+}
+
+const Scene& History::goTo(std::size_t step) {
+    position_ = std::min(step, steps_.size() - 1);
     seal();
     return current();
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/image/image.h"
 #include "core/scene/scene.h"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer {
@@ -16,6 +19,9 @@ public:
     [[nodiscard]] const Scene& current() const { return steps_[position_].scene; }
     void record(const Scene& scene, std::string_view what);
     void seal();
+    /// Every step whose camera is `from` has `to` from now on. For what isn't an edit: a camera that follows
+    /// the shape of its view.
+    void replaceView(const View& from, const View& to);
 
     [[nodiscard]] bool canUndo() const { return position_ > 0; }
     [[nodiscard]] bool canRedo() const { return position_ + 1 < steps_.size(); }
@@ -25,10 +31,24 @@ public:
     [[nodiscard]] std::string_view undoName() const; ///< what undo would take back; empty where nothing
     [[nodiscard]] std::string_view redoName() const;
 
+    // The steps as a list, the oldest first. The first one has no name: it is where all began, or the oldest
+    // that is still remembered.
+    [[nodiscard]] std::size_t size() const { return steps_.size(); }
+    [[nodiscard]] std::size_t position() const { return position_; } ///< of `current`
+    [[nodiscard]] const std::string& nameOf(std::size_t step) const { return steps_[step].what; }
+    const Scene& goTo(std::size_t step); ///< as many undos or redos; returns current()
+
+    /// A small picture of a step; nullptr: nobody has made one. It is given up when the step goes on.
+    [[nodiscard]] const std::shared_ptr<const Image>& pictureOf(std::size_t step) const {
+        return steps_[step].picture;
+    }
+    void setPicture(std::shared_ptr<const Image> picture) { steps_[position_].picture = std::move(picture); }
+
 private:
     struct Step {
         Scene scene;
         std::string what; ///< the edit that led here
+        std::shared_ptr<const Image> picture{};
     };
     std::vector<Step> steps_;
     std::size_t position_ = 0;

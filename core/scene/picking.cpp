@@ -113,11 +113,18 @@ std::optional<glm::vec2> projectVertex(const Scene& scene, std::size_t model, st
     if (model >= scene.models.size())
         return std::nullopt;
     const Model& placed = scene.models[model];
-    const Mesh mesh = meshOf(placed);
-    if (vertex >= mesh.vertices.size())
-        return std::nullopt;
-    return project(projectionMatrix(scene.view, aspect) * modelViewMatrix(scene.view, placed, time),
-                   mesh.vertices[vertex].position);
+    return projectVertices(scene, placed, meshOf(placed), {&vertex, 1}, time, aspect).front();
+}
+
+std::vector<std::optional<glm::vec2>> projectVertices(const Scene& scene, const Model& model,
+                                                      const Mesh& mesh, std::span<const std::size_t> vertices,
+                                                      double time, float aspect) {
+    const glm::mat4 toClip = projectionMatrix(scene.view, aspect) * modelViewMatrix(scene.view, model, time);
+    std::vector<std::optional<glm::vec2>> places;
+    for (const std::size_t vertex : vertices)
+        places.push_back(vertex < mesh.vertices.size() ? project(toClip, mesh.vertices[vertex].position)
+                                                       : std::nullopt);
+    return places;
 }
 
 std::optional<PickedVertex> pickVertex(const Scene& scene, double time, float aspect, glm::vec2 point,

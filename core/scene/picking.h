@@ -5,6 +5,8 @@
 #include <glm/vec2.hpp>
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace texplorer {
 
@@ -24,6 +26,12 @@ inline constexpr float pickRadius = 0.03F;
 /// and far planes, or where there is no such vertex. `aspect` is width / height of the picture.
 [[nodiscard]] std::optional<glm::vec2> projectVertex(const Scene& scene, std::size_t model,
                                                      std::size_t vertex, double time, float aspect);
+
+/// The same of several vertices of a model, whose mesh this is.
+[[nodiscard]] std::vector<std::optional<glm::vec2>> projectVertices(const Scene& scene, const Model& model,
+                                                                    const Mesh& mesh,
+                                                                    std::span<const std::size_t> vertices,
+                                                                    double time, float aspect);
 
 /// The vertex nearest to a point, within `radius`, that one sees: on a visible model, not on the far side of
 /// its own cube or sphere, not behind another model. Where several coincide, as at a corner of the cube, it

@@ -14,6 +14,12 @@ TexCoords effectiveTexCoords(const Model& model, const Mesh& mesh, int unit) {
     return list;
 }
 
+glm::vec4 effectiveTexCoord(const Model& model, const Mesh& mesh, int unit, std::size_t vertex) {
+    assert(unit >= 0 && unit < maxUnits && vertex < mesh.vertices.size());
+    const TexCoords& own = model.texCoords[static_cast<std::size_t>(unit)];
+    return own.size() == mesh.vertices.size() ? own[vertex] : mesh.vertices[vertex].texCoord;
+}
+
 void setTexCoord(Model& model, const Mesh& mesh, int unit, std::size_t vertex, glm::vec4 value) {
     if (vertex >= mesh.vertices.size())
         return;

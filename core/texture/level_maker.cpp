@@ -8,6 +8,7 @@
 #include "core/image/stored_numbers.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/image_budget.h"
+#include "core/texture/late_flip.h"
 #include "core/texture/target_image.h"
 
 #include <fmt/core.h>
@@ -255,8 +256,7 @@ Result<TextureLevels> LevelMaker::run() {
     if (const Result<void> room = checkRoom(); !room)
         return fail(room.error());
     noteMissing();
-    if (fileOrder(texture_.source) && !isCube() && texture_.flip != FlipMode::None && image_.fileTopFirst)
-        out_.lateFlip = texture_.flip == FlipMode::Coordinates ? LateFlip::Coordinates : LateFlip::Matrix;
+    out_.lateFlip = lateFlipOf(texture_, image_, target_);
     if (texture_.mipmaps == MipPolicy::FromFile)
         out_.lastLevel = levelCount() - 1;
 

@@ -1,10 +1,12 @@
 #include "core/texture/levels_worker.h"
 
+#include "core/image/convert.h"
 #include "core/image/thumbnail.h"
 #include "core/s3tc/surface_pixels.h"
 #include "core/texture/target_image.h"
 
 #include <algorithm>
+#include <cstring>
 #include <deque>
 #include <filesystem>
 #include <utility>
@@ -77,6 +79,58 @@ Thumbnail smallOf(const Image& image, bool topFirst) {
     return std::make_shared<const Image>(std::move(small));
 }
 
+/// Every nth texel along both axes, so that there are at most twice as many as are shown: an average of all
+/// of a large level would hold its upload up.
+Image thinned(Image image) {
+    constexpr int most = 2 * LevelsSummary::levelExtent;
+    const int step = (std::max(image.width, image.height) + most - 1) / most;
+    if (step <= 1)
+        return image;
+    Image thin =
+        Image::uninitialised(image.format, (image.width + step - 1) / step, (image.height + step - 1) / step);
+    for (int y = 0; y < thin.height; ++y) {
+        for (int x = 0; x < thin.width; ++x)
+            std::ranges::copy(std::as_const(image).at(x * step, y * step), thin.at(x, y).begin());
+    }
+    return thin;
+}
+
+/// Rgba8, at most levelExtent a side. What has alpha alone is white that fades, as in every thumbnail.
+Image levelPicture(const Image& level) {
+    if (level.format == PixelFormat::Alpha8 ||
+        std::max(level.width, level.height) > LevelsSummary::levelExtent)
+        return thumbnailOf(level, LevelsSummary::levelExtent);
+    if (level.format == PixelFormat::Rgba8)
+        return level;
+    Image picture = Image::uninitialised(PixelFormat::Rgba8, level.width, level.height);
+    for (int y = 0; y < level.height; ++y) {
+        for (int x = 0; x < level.width; ++x) {
+            const auto color = rgbaOf(level.format, level.at(x, y).data());
+            std::memcpy(picture.at(x, y).data(), color.data(), color.size());
+        }
+    }
+    return picture;
+}
+
+/// A level's surface as the texture has it; what is left to do about a picture that is upside down is done.
+std::vector<std::pair<int, Thumbnail>> levelPictures(const LevelsRequest& request,
+                                                     const TextureLevels& levels) {
+    std::vector<std::pair<int, Thumbnail>> pictures;
+    const bool topFirst = request.target == Target::CubeMap || levels.lateFlip != LateFlip::None;
+    for (const TextureLevel& level : levels.levels) {
+        if (level.face != 0)
+            continue;
+        Image whole = toImage(level.surface);
+        if (whole.depth > 1)
+            whole = imageForTarget(whole, Target::Texture2D);
+        Image small = levelPicture(thinned(std::move(whole)));
+        if (topFirst)
+            flipVertically(small);
+        pictures.emplace_back(level.number, std::make_shared<const Image>(std::move(small)));
+    }
+    return pictures;
+}
+
 std::vector<std::pair<int, Thumbnail>> givenPictures(const LevelsRequest& request,
                                                      const TextureLevels& levels) {
     std::vector<std::pair<int, Thumbnail>> pictures;
@@ -103,6 +157,7 @@ std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, con
     summary->notes = levels->notes;
     summary->steps = std::move(steps);
     summary->pictures = givenPictures(request, *levels);
+    summary->levels = levelPictures(request, *levels);
     return summary;
 }
 

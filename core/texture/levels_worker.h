@@ -27,7 +27,12 @@ struct LevelsSummary {
     /// The same of levels that are given one by one: of those that there are, each with its number.
     std::vector<std::pair<int, std::shared_ptr<const Image>>> pictures;
 
+    /// Of each level, upright, of a cube map its first face: texel by texel up to levelExtent a side, what is
+    /// larger reduced to that.
+    std::vector<std::pair<int, std::shared_ptr<const Image>>> levels;
+
     static constexpr int thumbnailExtent = 64;
+    static constexpr int levelExtent = 256;
 };
 
 /// Makes levels: small ones while one waits, large ones on a thread of its own, one after the other. All

@@ -1,10 +1,9 @@
 #include "core/reference/shading/pass_state.h"
 
-#include "core/scene/animation.h"
+#include "core/reference/shading/coordinates.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
-#include <glm/ext/matrix_transform.hpp>
 
 namespace texplorer::reference {
 
@@ -21,10 +20,8 @@ UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& sto
     state.sampling.seamlessCubeMap = pass.seamlessCubeMap;
     if (state.texture)
         state.sampler = FastSampler(*state.texture, state.sampling);
-    if (stored.lateFlip == LateFlip::Matrix)
-        state.matrix = glm::scale(glm::translate(glm::mat4(1), {0, 1, 0}), {1, -1, 1});
-    state.matrix *= textureMatrix(unit.matrix, time, light);
-    state.flipsCoordinates = stored.lateFlip == LateFlip::Coordinates;
+    state.matrix = coordinateMatrix(unit, stored.lateFlip, time, light);
+    state.flip = stored.lateFlip;
     return state;
 }
 

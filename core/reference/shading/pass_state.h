@@ -24,7 +24,7 @@ struct UnitState {
     SampleOptions sampling{};
     FastSampler sampler{}; ///< of `texture`, with `sampling`
     glm::mat4 matrix{1};
-    bool flipsCoordinates = false; ///< t becomes q - t before the matrix
+    LateFlip flip = LateFlip::None; ///< with Coordinates t becomes q - t before generation
 };
 
 /// What a unit that has a texture does to the colour.

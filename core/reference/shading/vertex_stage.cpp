@@ -1,30 +1,11 @@
 #include "core/reference/shading/vertex_stage.h"
 
-#include "core/reference/shading/tex_gen.h"
 #include "core/scene/emboss.h"
 #include "core/scene/model_mesh.h"
-
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 
 #include <cmath>
 
 namespace texplorer::reference {
-
-namespace {
-
-/// The cofactors: the inverse transpose but for a factor, which GL_NORMALIZE takes away again. They exist for
-/// a model of size 0, too.
-glm::mat3 cofactors(const glm::mat3& m) {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-
-glm::vec3 normalized(glm::vec3 v) {
-    const float length = glm::length(v);
-    return length > 0 && std::isfinite(length) ? v / length : glm::vec3(0);
-}
-
-} // namespace
 
 VertexStage::VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
                          const glm::mat4& modelview, const glm::mat4& projection)
@@ -32,21 +13,17 @@ VertexStage::VertexStage(const Scene& scene, const PassState& pass, const Model&
     , pass_(pass)
     , material_(materialOf(scene, model))
     , colored_(mesh.colored)
-    , modelview_(modelview)
-    , clip_(projection * modelview)
-    , normal_(cofactors(glm::mat3(modelview))) {
-    if (glm::dot(normal_[0], glm::vec3(modelview[0])) < 0) // a model of negative size is mirrored
-        normal_ *= -1.0F;
-}
+    , eye_(modelview)
+    , clip_(projection * modelview) {}
 
 VertexRecord VertexStage::explain(const Vertex& vertex,
                                   const std::array<glm::vec4, maxUnits>& texCoords) const {
     VertexRecord record;
     ShadedVertex& shaded = record.shaded;
     shaded.clip = clip(vertex);
-    const glm::vec4 position(vertex.position, 1);
-    record.eye = modelview_ * position;
-    record.normal = normalized(normal_ * vertex.normal);
+    const GenerationInputs inputs = eye_(vertex);
+    record.eye = inputs.eye;
+    record.normal = inputs.normal;
     const glm::vec4 current = colored_ ? vertex.color : material_.color;
     const Reflectance surface(material_, current);
     if (pass_.pass->lighting)
@@ -63,12 +40,9 @@ VertexRecord VertexStage::explain(const Vertex& vertex,
     shaded.fogDistance = std::abs(record.eye.z);
     for (std::size_t u = 0; u < static_cast<std::size_t>(pass_.unitsUsed); ++u) {
         const UnitState& unit = pass_.units[u];
-        glm::vec4 coord = texCoords[u];
         if (!unit.texture)
             continue;
-        if (unit.flipsCoordinates)
-            coord.t = coord.q - coord.t;
-        record.generated[u] = generateCoordinates(*unit.unit, coord, {position, record.eye, record.normal});
+        record.generated[u] = generatedCoordinates(*unit.unit, unit.flip, texCoords[u], inputs);
         shaded.texCoords[u] = unit.matrix * record.generated[u]; // section 2.11.2
     }
     return record;

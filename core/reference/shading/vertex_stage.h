@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
+#include "core/reference/shading/coordinates.h"
 #include "core/reference/shading/lighting.h"
 #include "core/reference/shading/pass_state.h"
 #include "core/reference/shading/vertex.h"
@@ -45,9 +46,8 @@ private:
     const PassState& pass_;
     const Material& material_;
     bool colored_; ///< whether a vertex's colour takes the place of glColor
-    glm::mat4 modelview_;
+    EyeSpace eye_;
     glm::mat4 clip_;
-    glm::mat3 normal_; ///< the inverse transpose of modelview (section 2.11.3)
 };
 
 /// The coordinates of a model's vertices, a list for each unit that takes part in a pass.

@@ -83,6 +83,17 @@ std::string callFor(const ParamRow& row, Target target) {
     return call;
 }
 
+std::string_view glNameOf(const ParamRow& row) {
+    const std::string_view call = row.glCall;
+    const std::string_view before = call.substr(0, std::min(call.size(), call.find("{}")));
+    // The last name before the value: the others say what of.
+    if (const std::size_t at = before.rfind("GL_"); at != std::string_view::npos)
+        return before.substr(at, before.find_first_of(",)", at) - at);
+    constexpr std::string_view alone = "({})";
+    const bool named = call.ends_with(alone) && !call.starts_with("glEnable");
+    return named ? call.substr(0, call.size() - alone.size()) : std::string_view{};
+}
+
 std::string formatCall(const ParamRow& row, const Value& value, Target target) {
     constexpr std::string_view place = "{}";
     constexpr std::string_view negated = "-{}"; // of every component, and without a second sign

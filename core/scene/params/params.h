@@ -45,6 +45,8 @@ struct Range {
     float max = 1;
     float step = 0.01F;
     std::string_view unit = {}; ///< "deg", "deg/s", "texels"; empty for a plain number
+    std::string_view initially =
+        {}; ///< what the initial value stands for, where its number says nothing: "no limit"
 };
 
 /// Tells the members of all structs apart, whatever their types: `memberId<&Texture::minFilter>`.
@@ -151,6 +153,10 @@ inline constexpr std::size_t maxTextBytes = 4096;
 /// "glDisable(GL_BLEND)"; empty where GL has no such state.
 [[nodiscard]] std::string formatCall(const ParamRow& row, const Value& value,
                                      Target target = Target::Texture2D);
+
+/// What OpenGL calls the parameter itself: "GL_TEXTURE_WRAP_S", "GL_LIGHTING"; the function where the value
+/// is all that it takes, "glColor4f"; else empty.
+[[nodiscard]] std::string_view glNameOf(const ParamRow& row);
 
 /// Calls `visit` for every parameter of a scene in table order; `path` is "textures[0].minFilter".
 void forEachParam(

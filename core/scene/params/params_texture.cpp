@@ -76,17 +76,18 @@ constexpr std::array textureRows{
     param<&Texture::baseLevel>(
         "baseLevel", "Mipmaps", "Base level", "glTexParameteri({target}, GL_TEXTURE_BASE_LEVEL, {})",
         "The largest mip level that is used; 0 is the image itself.", {0, 1000, 0.05F, {}}),
-    param<&Texture::maxLevel>(
-        "maxLevel", "Mipmaps", "Max level", "glTexParameteri({target}, GL_TEXTURE_MAX_LEVEL, {})",
-        "The smallest mip level that is used. Levels beyond it need not exist.", {0, 1000, 0.05F, {}}),
+    param<&Texture::maxLevel>("maxLevel", "Mipmaps", "Max level",
+                              "glTexParameteri({target}, GL_TEXTURE_MAX_LEVEL, {})",
+                              "The smallest mip level that is used. Levels beyond it need not exist.",
+                              {0, 1000, 0.05F, {}, "no limit"}),
     param<&Texture::minLod>("minLod", "Mipmaps", "Min LOD",
                             "glTexParameterf({target}, GL_TEXTURE_MIN_LOD, {})",
                             "The level of detail never falls below this: 2 hides the two sharpest levels.",
-                            {-1000, 1000, 0.02F, "levels"}),
+                            {-1000, 1000, 0.02F, "levels", "no limit"}),
     param<&Texture::maxLod>(
         "maxLod", "Mipmaps", "Max LOD", "glTexParameterf({target}, GL_TEXTURE_MAX_LOD, {})",
         "The level of detail never rises above this: 0 keeps far surfaces sharp, and aliased.",
-        {-1000, 1000, 0.02F, "levels"}),
+        {-1000, 1000, 0.02F, "levels", "no limit"}),
     param<&Texture::lodBias>(
         "lodBias", "Mipmaps", "LOD bias", "glTexParameterf({target}, GL_TEXTURE_LOD_BIAS, {})",
         "Added to the level of detail before the limits, beside the bias of the unit: above 0 blurs, below 0 "

@@ -98,11 +98,59 @@ TEST(History, KeepsAtMostItsLimit) {
     EXPECT_FALSE(history.canUndo());
 }
 
+TEST(History, ACameraIsReplacedInEveryStepThatHasIt) {
+    Scene other = numbered(2);
+    other.passes.resize(2);
+    Scene moved = numbered(3);
+    History history(numbered(2));
+    history.record(other, "Add pass");
+    history.record(moved, "Orbit");
+    history.replaceView(numbered(2).view, numbered(7).view);
+    EXPECT_EQ(number(history.current()), 3);
+    EXPECT_EQ(number(history.undo()), 7);
+    EXPECT_EQ(history.current().passes.size(), 2U);
+    EXPECT_EQ(number(history.undo()), 7);
+    EXPECT_EQ(history.undoName(), "");
+}
+
 TEST(History, ALimitOfZeroKeepsTheCurrentSceneAlone) {
     History history(numbered(1), 0);
     history.record(numbered(2), "a");
     EXPECT_EQ(number(history.current()), 2);
     EXPECT_FALSE(history.canUndo());
+}
+
+TEST(History, IsAListOfStepsToWhichOneGoes) {
+    History history(numbered(1));
+    history.record(numbered(2), "a");
+    history.record(numbered(3), "b");
+    ASSERT_EQ(history.size(), 3U);
+    EXPECT_EQ(history.position(), 2U);
+    EXPECT_EQ(history.nameOf(0), "");
+    EXPECT_EQ(history.nameOf(2), "b");
+    EXPECT_EQ(number(history.goTo(0)), 1);
+    EXPECT_EQ(history.redoName(), "a");
+    EXPECT_EQ(number(history.goTo(2)), 3);
+    EXPECT_EQ(number(history.goTo(99)), 3) << "the last one";
+    history.record(numbered(4), "b");
+    EXPECT_EQ(history.size(), 4U) << "going somewhere ends a step";
+}
+
+TEST(History, AStepsPictureIsGivenUpWhenItGoesOn) {
+    History history(numbered(1), 2);
+    const auto picture = std::make_shared<const Image>();
+    EXPECT_EQ(history.pictureOf(0), nullptr);
+    history.setPicture(picture);
+    EXPECT_EQ(history.pictureOf(0), picture);
+    history.record(numbered(2), "Azimuth");
+    EXPECT_EQ(history.pictureOf(0), picture);
+    history.setPicture(picture);
+    history.record(numbered(3), "Azimuth");
+    EXPECT_EQ(history.pictureOf(1), nullptr);
+    history.record(numbered(4), "b");
+    history.record(numbered(5), "c");
+    EXPECT_EQ(history.size(), 3U);
+    EXPECT_EQ(picture.use_count(), 1) << "what is forgotten takes its picture along";
 }
 
 } // namespace

@@ -19,6 +19,8 @@ TEST_F(TexCoordsOfAQuad, AreThoseOfTheMeshUnlessTheSceneHasOnes) {
     model_.texCoords[2].assign(mesh_.vertices.size(), own_);
     EXPECT_EQ(effectiveTexCoords(model_, mesh_, 2)[1], own_);
     EXPECT_EQ(effectiveTexCoords(model_, mesh_, 1)[1], mesh_.vertices[1].texCoord);
+    EXPECT_EQ(effectiveTexCoord(model_, mesh_, 2, 1), own_);
+    EXPECT_EQ(effectiveTexCoord(model_, mesh_, 1, 1), mesh_.vertices[1].texCoord);
 }
 
 TEST_F(TexCoordsOfAQuad, AreThoseOfTheMeshWhereAListDoesNotFit) {

@@ -1,3 +1,4 @@
+#include "core/image/mip_colors.h"
 #include "core/texture/levels_worker.h"
 #include "tests/support/no_threads.h"
 
@@ -90,6 +91,41 @@ TEST(LevelsWorker, AnErrorIsAnAnswer) {
     ASSERT_NE(levels, nullptr);
     EXPECT_FALSE(levels->has_value());
     EXPECT_THAT(worker.summary(empty)->problem, HasSubstr("empty"));
+}
+
+TEST(LevelsWorker, ASummaryHasAPictureOfEachLevel) {
+    LevelsWorker worker(LevelsWorker::When::AtOnce);
+    const auto summary = worker.summary(requestFor(large, MipPolicy::Colored));
+    ASSERT_EQ(summary->levels.size(), 11U);
+    for (const auto& [number, picture] : summary->levels) {
+        const int extent = std::min(large >> number, LevelsSummary::levelExtent);
+        EXPECT_EQ(picture->format, PixelFormat::Rgba8);
+        EXPECT_EQ(picture->width, extent) << number;
+        EXPECT_EQ(picture->height, extent) << number;
+        if (number == 0) // the image's own
+            continue;
+        const auto color = mipColor(number);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_EQ(std::to_integer<int>(picture->at(extent / 2, extent / 2)[i]), color[i]) << number;
+    }
+}
+
+// What a file has on top stays on top, whichever way its rows are uploaded.
+TEST(LevelsWorker, PicturesOfLevelsAreUpright) {
+    for (const FlipMode flip : {FlipMode::Blocks, FlipMode::Coordinates, FlipMode::Matrix}) {
+        LevelsRequest request = requestFor(small, MipPolicy::None);
+        Image image{
+            PixelFormat::Luminance8, 1, 2, 1, {std::byte{0}, std::byte{255}}}; // the lower row is black
+        TextureImage file = textureOf(std::move(image), {});
+        file.fileTopFirst = true;
+        request.pictures.base = std::make_shared<const TextureImage>(std::move(file));
+        request.settings.flip = flip;
+        LevelsWorker worker(LevelsWorker::When::AtOnce);
+        const auto summary = worker.summary(request);
+        ASSERT_EQ(summary->levels.size(), 1U);
+        EXPECT_EQ(summary->levels[0].second->at(0, 0)[0], std::byte{0}) << rowOf(flip).name;
+        EXPECT_EQ(summary->levels[0].second->at(0, 1)[0], std::byte{255}) << rowOf(flip).name;
+    }
 }
 
 TEST(LevelsWorker, ASummaryTellsBytesAndRatio) {

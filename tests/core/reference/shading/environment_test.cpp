@@ -7,6 +7,14 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <random>
+#include <string>
+#include <string_view>
+#include <utility>
+
 namespace texplorer::reference::environment_test {
 namespace {
 
@@ -45,6 +53,95 @@ TEST_P(EnvironmentRule, SaysTheSameInItsEquation) {
     const glm::vec4 said{resultIn(equations.color.numbers[0]), resultIn(equations.color.numbers[1]),
                          resultIn(equations.color.numbers[2]), resultIn(equations.alpha.numbers[0])};
     EXPECT_TRUE(isNear(said, expected.value_or(previous), 1e-4F));
+}
+
+/// What a reader works out who takes an equation at its word: + and -, before them *, and parentheses.
+class Reader {
+public:
+    Reader(std::string_view text, std::map<std::string, float> values)
+        : text_(text)
+        , values_(std::move(values)) {}
+
+    float sum() {
+        float result = product();
+        for (;;) {
+            if (take('+'))
+                result += product();
+            else if (take('-'))
+                result -= product();
+            else
+                return result;
+        }
+    }
+
+private:
+    float product() {
+        float result = factor();
+        while (take('*'))
+            result *= factor();
+        return result;
+    }
+    float factor() {
+        if (take('(')) {
+            const float result = sum();
+            EXPECT_TRUE(take(')')) << text_;
+            return result;
+        }
+        std::string word;
+        while (!text_.empty() && std::isalnum(static_cast<unsigned char>(text_.front())) != 0) {
+            word += text_.front();
+            text_.remove_prefix(1);
+        }
+        if (word == "1")
+            return 1;
+        EXPECT_TRUE(values_.contains(word)) << word;
+        return values_[word];
+    }
+    bool take(char sign) {
+        while (text_.starts_with(' '))
+            text_.remove_prefix(1);
+        if (!text_.starts_with(sign))
+            return false;
+        text_.remove_prefix(1);
+        while (text_.starts_with(' '))
+            text_.remove_prefix(1);
+        return true;
+    }
+
+    std::string_view text_;
+    std::map<std::string, float> values_;
+};
+
+TEST(Equation, IsWhatIsComputedWhateverTheColours) {
+    std::mt19937 dice(1);
+    std::uniform_real_distribution<float> any(0, 1);
+    const auto color = [&] { return glm::vec4(any(dice), any(dice), any(dice), any(dice)); };
+    for (const EnumRow& mode : envModeRows) {
+        for (const EnumRow& base : baseFormatRows) {
+            const auto format = static_cast<BaseFormat>(base.value);
+            for (int i = 0; i < 20; ++i) {
+                const EnvironmentInputs in{color(), sourceColor(format, color()), color(), color()};
+                const auto envMode = static_cast<EnvMode>(mode.value);
+                const EnvironmentEquations said = equationsOf(envMode, format, in);
+                const EnvironmentResult made = evaluate(envMode, format, in);
+                ASSERT_EQ(said.undefined, made.undefined);
+                if (said.undefined)
+                    continue;
+                for (int c = 0; c < 4; ++c) {
+                    const std::string& symbols = c < 3 ? said.color.symbols : said.alpha.symbols;
+                    Reader reader(std::string_view(symbols).substr(std::string_view("Cv = ").size()),
+                                  {{"Cp", in.previous[c]},
+                                   {"Cs", in.source[c]},
+                                   {"Cc", in.constant[c]},
+                                   {"Ap", in.previous.a},
+                                   {"As", in.source.a},
+                                   {"Ac", in.constant.a}});
+                    EXPECT_NEAR(std::clamp(reader.sum(), 0.0F, 1.0F), made.color[c], 1e-6F)
+                        << mode.name << ' ' << base.name << ": " << symbols;
+                }
+            }
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Tables, EnvironmentRule, testing::ValuesIn(environmentCases),

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace texplorer::gl_call_test {
 namespace {
 
@@ -61,6 +63,31 @@ INSTANTIATE_TEST_SUITE_P(
              "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE)"},
         Call{"None", modelTable, "shape", "cube", ""}),
     [](const auto& test) { return std::string(test.param.name); });
+
+struct Name {
+    const StructTable& (*table)();
+    const char* key;
+    const char* name;
+};
+
+TEST(GlNames, AreThoseOfTheParameters) {
+    constexpr std::array names{
+        Name{textureTable, "wrapS", "GL_TEXTURE_WRAP_S"},
+        Name{textureTable, "maxAnisotropy", "GL_TEXTURE_MAX_ANISOTROPY_EXT"},
+        Name{textureTable, "internalFormat", ""}, // an argument of glTexImage
+        Name{textureTable, "pattern", ""},
+        Name{unitTable, "envColor", "GL_TEXTURE_ENV_COLOR"},
+        Name{unitTable, "enabled", ""}, // the target's
+        Name{passTable, "lighting", "GL_LIGHTING"},
+        Name{passTable, "depthFunc", "glDepthFunc"},
+        Name{passTable, "alphaRef", ""}, // one of two numbers
+        Name{lightTable, "position", "GL_POSITION"},
+        Name{materialTable, "color", "glColor4f"},
+        Name{viewTable, "azimuth", ""},
+    };
+    for (const Name& each : names)
+        EXPECT_EQ(glNameOf(*findParam(each.table(), each.key)), each.name) << each.key;
+}
 
 } // namespace
 } // namespace texplorer::gl_call_test

@@ -39,7 +39,8 @@ Params paramsOf(const Scene& scene) {
 
 /// Every value worth trying: both ends of a range, each choice.
 std::vector<Value> valuesOf(const ParamRow& row) {
-    const auto [min, max, step, unit] = row.range;
+    const float min = row.range.min;
+    const float max = row.range.max;
     switch (row.kind) {
     case Kind::Bool:
         return {true, false};

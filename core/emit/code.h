@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texplorer::emit {
+
+/// A piece of a line of C. What stands for a parameter's value names it, so that a panel can make a control
+/// of it.
+struct Part {
+    enum class Kind {
+        Plain,   ///< brackets, commas, names that stay
+        Call,    ///< the name of a function
+        Number,  ///< of an Int, a Float or one component of what has several
+        Choice,  ///< an enumerant
+        Switch,  ///< glEnable or glDisable, GL_TRUE or GL_FALSE
+        Comment, ///< with what makes it one
+    };
+
+    Kind kind = Kind::Plain;
+    std::string text;
+    std::string path{};   ///< the parameter that it is about, "textures[0].wrapS"; empty: none
+    int component = -1;   ///< which of a vector's, a matrix's or a vertex's numbers; -1: it has one
+    bool negated = false; ///< the number stands there with the other sign
+    int occurrence = 0;   ///< how many before it stand for the same value
+
+    bool operator==(const Part&) const = default;
+};
+
+struct Line {
+    std::vector<Part> parts;
+    /// Whether OpenGL's state would be another without it. Else it sets what is set already.
+    bool needed = true;
+    bool heading = false; ///< a comment over what follows, up to the next one
+
+    bool operator==(const Line&) const = default;
+};
+
+[[nodiscard]] std::string textOf(const Line& line);
+
+/// Whether a line has to do with a parameter.
+[[nodiscard]] bool mentions(const Line& line, std::string_view path);
+
+/// The lines as a text, each ended by a newline, with an empty one before headings: those that are needed, or
+/// all.
+[[nodiscard]] std::string textOf(const std::vector<Line>& lines, bool all);
+
+/// Breaks a line into rows of at most `columns` characters where that can be done: after a comma or a
+/// bracket, numbers in braces only where nothing else helps. Rows after the first begin with four spaces
+/// more.
+[[nodiscard]] std::vector<std::vector<Part>> wrapped(const Line& line, std::size_t columns);
+
+} // namespace texplorer::emit

@@ -1,0 +1,291 @@
+#include "core/emit/code_writer.h"
+
+#include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <tuple>
+#include <utility>
+
+namespace texplorer::emit {
+namespace {
+
+bool isVector(Kind kind) {
+    return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Color;
+}
+
+/// glLightfv takes a pointer to its numbers, glColor4f takes them one by one.
+bool takesPointer(std::string_view callText) {
+    return callText.substr(0, callText.find('(')).ends_with('v');
+}
+
+/// GLU's functions take doubles.
+Literal literalOf(std::string_view callText) {
+    return callText.starts_with("glu") ? Literal::Double : Literal::Float;
+}
+
+std::span<const float> numbersOf(const Value& value) {
+    if (const auto* three = std::get_if<glm::vec3>(&value))
+        return {&three->x, 3};
+    if (const auto* four = std::get_if<glm::vec4>(&value))
+        return {&four->x, 4};
+    return {};
+}
+
+bool isWordCharacter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// A value where a call takes it.
+std::vector<Part> valueParts(const ParamRow& row, const Value& value, const std::string& path,
+                             std::string_view callText, bool negated) {
+    switch (row.kind) {
+    case Kind::Bool: {
+        const bool on = std::get<bool>(value);
+        return {{Part::Kind::Switch, on ? "GL_TRUE" : "GL_FALSE", path}};
+    }
+    case Kind::Int:
+        return {whole(std::get<int>(value), path)};
+    case Kind::Float: {
+        const float one = std::get<float>(value);
+        return numbers({&one, 1}, path, literalOf(callText), negated);
+    }
+    case Kind::Vec3:
+    case Kind::Vec4:
+    case Kind::Color:
+        return numbers(numbersOf(value), path, literalOf(callText), negated);
+    case Kind::Enum: {
+        const EnumRow* found = findRow(row.choices, std::get<EnumValue>(value).number);
+        return {choice(found ? found->name : "0", path)};
+    }
+    default:
+        return {};
+    }
+}
+
+/// The brackets of a row's call, with its value and those of the rows beside it: "({}, alphaRef);".
+std::vector<Part> argumentsOf(const Holder& holder, const ParamRow& own, std::string_view words) {
+    return filled(words, [&](std::string_view word) -> std::optional<std::vector<Part>> {
+        const bool isOwn = word.ends_with("{}");
+        const ParamRow* row = isOwn ? &own : findParam(holder.table, word);
+        if (!row)
+            return std::nullopt;
+        const std::string path = fmt::format("{}.{}", holder.path, row->key);
+        if (takesPointer(own.glCall) && isVector(row->kind))
+            return std::vector<Part>{{Part::Kind::Plain, joined(holder.variable, row->key), path}};
+        return valueParts(*row, row->read(holder.values), path, own.glCall, word.starts_with('-'));
+    });
+}
+
+} // namespace
+
+std::string literal(float number, Literal as) {
+    std::string text = formatNumber(number == 0 ? 0 : number); // 0 has no sign
+    if (text.find_first_of(".e") == std::string::npos)
+        text += ".0";
+    return as == Literal::Float ? text + "f" : text;
+}
+
+Part plain(std::string text) {
+    return {Part::Kind::Plain, std::move(text)};
+}
+
+Part call(std::string_view name) {
+    return {Part::Kind::Call, std::string(name)};
+}
+
+Part number(float value, std::string path, int component, Literal as) {
+    return {path.empty() ? Part::Kind::Plain : Part::Kind::Number, literal(value, as), std::move(path),
+            component};
+}
+
+Part whole(int value, std::string path) {
+    return {path.empty() ? Part::Kind::Plain : Part::Kind::Number, fmt::format("{}", value), std::move(path)};
+}
+
+Part choice(std::string_view name, std::string path) {
+    return {Part::Kind::Choice, std::string(name), std::move(path)};
+}
+
+Part enabling(bool on, std::string path) {
+    return {Part::Kind::Switch, on ? "glEnable" : "glDisable", std::move(path)};
+}
+
+std::vector<Part> numbers(std::span<const float> values, const std::string& path, Literal as, bool negated) {
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0)
+            parts.push_back(plain(", "));
+        const float value = negated ? 0 - values[i] : values[i]; // not -value: 0 has no sign
+        parts.push_back(number(value, path, values.size() > 1 ? static_cast<int>(i) : -1, as));
+        parts.back().negated = negated;
+    }
+    return parts;
+}
+
+std::vector<Part> callWith(std::string_view name, std::vector<Part> arguments) {
+    std::vector<Part> parts{call(name), plain("(")};
+    append(parts, std::move(arguments));
+    parts.push_back(plain(");"));
+    return parts;
+}
+
+void append(std::vector<Part>& parts, std::vector<Part> more) {
+    std::ranges::move(more, std::back_inserter(parts));
+}
+
+std::string joined(std::string_view first, std::string_view second) {
+    std::string text(second);
+    if (!first.empty())
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return std::string(first) + text;
+}
+
+std::vector<Part>
+filled(std::string_view words,
+       const std::function<std::optional<std::vector<Part>>(std::string_view word)>& resolve) {
+    std::vector<Part> parts;
+    std::string text;
+    while (!words.empty()) {
+        std::size_t length = words.starts_with("{}") ? 2 : words.starts_with("-{}") ? 3 : 0;
+        while (length < words.size() && isWordCharacter(words[length]) && !words.starts_with("{}") &&
+               !words.starts_with("-{}"))
+            ++length;
+        std::optional<std::vector<Part>> value = length > 0 ? resolve(words.substr(0, length)) : std::nullopt;
+        length = std::max<std::size_t>(length, 1);
+        if (value) {
+            parts.push_back(plain(std::exchange(text, {})));
+            append(parts, std::move(*value));
+        } else {
+            text += words.substr(0, length);
+        }
+        words.remove_prefix(length);
+    }
+    parts.push_back(plain(std::move(text)));
+    std::erase_if(parts, [](const Part& part) { return part.text.empty(); });
+    return parts;
+}
+
+std::string inComment(std::string_view words) {
+    const std::string clean = printable(words);
+    std::string text;
+    for (const char c : clean) {
+        const char last = text.empty() ? ' ' : text.back();
+        const bool joins =
+            (last == '*' && c == '/') || (last == '/' && c == '*') || (last == '?' && c == '?');
+        text += joins ? std::string{' ', c} : std::string{c};
+    }
+    if (text.ends_with('*') || text.ends_with('/'))
+        text += ' ';
+    return text;
+}
+
+std::vector<Part> moving(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
+    if (!moves)
+        return {start};
+    return {start, plain(" + "), rate, plain(" * "), writer.seconds()};
+}
+
+void CodeWriter::heading(std::string_view words) {
+    Line line{{{Part::Kind::Comment, fmt::format("/* {} */", inComment(words))}}};
+    line.heading = true;
+    lines_.push_back(std::move(line));
+}
+
+void CodeWriter::comment(std::string_view words, bool needed) {
+    lines_.push_back({{{Part::Kind::Comment, fmt::format("/* {} */", inComment(words))}}, needed});
+}
+
+void CodeWriter::add(std::vector<Part> parts, bool needed) {
+    lines_.push_back({std::move(parts), needed});
+}
+
+void CodeWriter::add(std::string_view statement, bool needed) {
+    const std::size_t bracket = statement.find('(');
+    if (bracket == std::string_view::npos || !statement.starts_with("gl"))
+        return add({plain(std::string(statement))}, needed);
+    add({call(statement.substr(0, bracket)), plain(std::string(statement.substr(bracket)))}, needed);
+}
+
+bool CodeWriter::differs(const Holder& holder, const ParamRow& row) const {
+    const auto known = state_.find(fmt::format("{}.{}", holder.state, row.key));
+    return row.read(holder.values) != (known == state_.end() ? row.read(holder.initial) : known->second);
+}
+
+bool CodeWriter::set(const std::string& state, const Value& value, const Value& initial) {
+    const auto [known, isNew] = state_.try_emplace(state, initial);
+    const bool differs = known->second != value;
+    known->second = value;
+    return differs;
+}
+
+Part CodeWriter::seconds() {
+    usesSeconds_ = true;
+    return plain("seconds");
+}
+
+void CodeWriter::floats(const std::string& name, std::vector<Part> values, bool needed) {
+    const auto [known, isNew] = arrays_.try_emplace(name, lines_.size());
+    if (!isNew) {
+        lines_[known->second].needed |= needed;
+        return;
+    }
+    std::vector<Part> parts{plain(fmt::format("GLfloat {}[] = {{", name))};
+    append(parts, std::move(values));
+    parts.push_back(plain("};"));
+    add(std::move(parts), needed);
+}
+
+void CodeWriter::row(const Holder& holder, const ParamRow& row) {
+    const Value value = row.read(holder.values);
+    const bool needed = set(fmt::format("{}.{}", holder.state, row.key), value, row.read(holder.initial));
+    const std::string path = fmt::format("{}.{}", holder.path, row.key);
+    const std::string words = callFor(row, holder.target);
+    const std::size_t bracket = words.find('(');
+    const std::string name = words.substr(0, bracket);
+    std::vector<Part> parts = argumentsOf(holder, row, words.substr(bracket) + ";");
+    const bool switches = row.kind == Kind::Bool && name == "glEnable";
+    parts.insert(parts.begin(), switches ? enabling(std::get<bool>(value), path) : call(name));
+    if (parts.front().kind == Part::Kind::Call)
+        parts.front().path = path;
+    Line line{std::move(parts), needed};
+    if (!lines_.empty() && textOf(lines_.back()) == textOf(line)) { // two parameters of one call
+        lines_.back().needed |= needed;
+        return;
+    }
+    if (takesPointer(words) && isVector(row.kind))
+        floats(joined(holder.variable, row.key), numbers(numbersOf(value), path), needed);
+    lines_.push_back(std::move(line));
+}
+
+void CodeWriter::row(const Holder& holder, MemberId member) {
+    const auto found = std::ranges::find(holder.table.params, member, &ParamRow::member);
+    if (found != holder.table.params.end())
+        row(holder, *found);
+}
+
+std::vector<Line> CodeWriter::take() && {
+    if (usesSeconds_)
+        lines_.insert(lines_.begin(),
+                      {{plain("GLfloat seconds = 0.0f; "), {Part::Kind::Comment, "/* since the start */"}}});
+    Line* last = nullptr;
+    std::map<std::tuple<std::string, int, Part::Kind>, int> counts;
+    for (Line& line : lines_) {
+        for (Part& part : line.parts) {
+            if (!part.path.empty())
+                part.occurrence = counts[{part.path, part.component, part.kind}]++;
+        }
+        if (line.heading)
+            last = &line;
+        if (line.heading)
+            line.needed = false;
+        else if (last)
+            last->needed |= line.needed;
+    }
+    return std::move(lines_);
+}
+
+} // namespace texplorer::emit

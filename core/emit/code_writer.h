@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/emit/code.h"
+#include "core/gl/sampling.h"
+#include "core/scene/params/params.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texplorer::emit {
+
+/// How C writes a number: "0.5f", "0.5".
+enum class Literal : std::uint8_t { Float, Double };
+[[nodiscard]] std::string literal(float number, Literal as);
+
+[[nodiscard]] Part plain(std::string text);
+[[nodiscard]] Part call(std::string_view name);
+[[nodiscard]] Part number(float value, std::string path = {}, int component = -1,
+                          Literal as = Literal::Float);
+[[nodiscard]] Part whole(int value, std::string path = {});
+[[nodiscard]] Part choice(std::string_view name, std::string path);
+/// glEnable or glDisable.
+[[nodiscard]] Part enabling(bool on, std::string path);
+
+/// "1.0f, 2.0f, 3.0f".
+[[nodiscard]] std::vector<Part> numbers(std::span<const float> values, const std::string& path = {},
+                                        Literal as = Literal::Float, bool negated = false);
+
+/// "glTranslatef(", the arguments, ");".
+[[nodiscard]] std::vector<Part> callWith(std::string_view name, std::vector<Part> arguments);
+
+void append(std::vector<Part>& parts, std::vector<Part> more);
+
+/// What a row's call has in its brackets, "({}, alphaRef);": `resolve` is asked for each name and for the two
+/// places of the value, "{}" and "-{}"; what it doesn't know stays as it is.
+[[nodiscard]] std::vector<Part>
+filled(std::string_view words,
+       const std::function<std::optional<std::vector<Part>>(std::string_view word)>& resolve);
+
+/// Two words as one name, "unit1EnvColor".
+[[nodiscard]] std::string joined(std::string_view first, std::string_view second);
+
+/// A struct of the scene whose rows are written.
+struct Holder {
+    const StructTable& table;
+    const void* values;
+    const void* initial;  ///< with what OpenGL starts with
+    std::string path;     ///< "passes[0].units[1]"
+    std::string state;    ///< the part of OpenGL's state that it sets, the same for all passes: "units[1]"
+    std::string variable; ///< what names of variables begin with: "unit1"
+    Target target = Target::Texture2D;
+};
+
+/// Collects lines, and knows what OpenGL's state is after them, so that it can tell which are needed.
+class CodeWriter {
+public:
+    /// "/* … */"; a heading is needed where something below it is.
+    void heading(std::string_view words);
+    void comment(std::string_view words, bool needed = true);
+    void add(std::vector<Part> parts, bool needed = true);
+    /// A statement without values.
+    void add(std::string_view statement, bool needed = true);
+
+    /// The call of a row, and before it the array that it points to. What one call sets together with the row
+    /// before is one line.
+    void row(const Holder& holder, const ParamRow& row);
+    /// The same of the row of a member.
+    void row(const Holder& holder, MemberId member);
+
+    /// Whether the value of a row isn't what OpenGL has.
+    [[nodiscard]] bool differs(const Holder& holder, const ParamRow& row) const;
+    /// Whether a value isn't what OpenGL has, and from now on has.
+    bool set(const std::string& state, const Value& value, const Value& initial);
+    /// OpenGL may have anything.
+    void forget(const std::string& state) { state_[state] = std::string(); }
+
+    /// `seconds`, which the program then declares.
+    Part seconds();
+
+    /// "GLfloat name[] = {…};", where there is no such array yet.
+    void floats(const std::string& name, std::vector<Part> values, bool needed = true);
+
+    [[nodiscard]] std::vector<Line> take() &&;
+
+private:
+    std::vector<Line> lines_;
+    std::map<std::string, Value, std::less<>> state_;
+    std::map<std::string, std::size_t, std::less<>> arrays_; ///< which line declares each
+    bool usesSeconds_ = false;
+};
+
+/// Words that stand in a comment: none of them ends it.
+[[nodiscard]] std::string inComment(std::string_view words);
+
+/// "0.5f + 0.1f * seconds", or the first alone where the rate is 0.
+[[nodiscard]] std::vector<Part> moving(CodeWriter& writer, const Part& start, const Part& rate, bool moves);
+
+} // namespace texplorer::emit

@@ -1,0 +1,52 @@
+#include "core/emit/emission.h"
+#include "core/scene/model_mesh.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+namespace texplorer::emit {
+namespace {
+
+/// As OpenGL begins: the scene's begins with what most programs switch on.
+const Material& initialMaterial() {
+    static const Material initial{.colorMaterial = false};
+    return initial;
+}
+
+/// What glColor sets as well, where GL_COLOR_MATERIAL is on.
+bool followsColor(const ParamRow& row) {
+    return row.member == memberId<&Material::ambient> || row.member == memberId<&Material::diffuse>;
+}
+
+void writeRows(CodeWriter& writer, const Holder& holder, bool all) {
+    const bool isFollowing = static_cast<const Material*>(holder.values)->colorMaterial;
+    for (const ParamRow& row : holder.table.params) {
+        if (isFollowing && followsColor(row))
+            writer.forget(fmt::format("{}.{}", holder.state, row.key));
+        else if (all || writer.differs(holder, row))
+            writer.row(holder, row);
+    }
+}
+
+} // namespace
+
+void writeMaterial(Emission& emission) {
+    const std::string& key = keyOf<&Scene::material>();
+    emission.writer.heading(key);
+    writeRows(emission.writer, {materialTable(), &emission.scene.material, &initialMaterial(), key, key, key},
+              true);
+}
+
+void writeMaterial(Emission& emission, std::size_t index) {
+    const Model& model = emission.scene.models[index];
+    const std::string& key = keyOf<&Scene::material>();
+    Holder holder{
+        modelMaterialTable(), &materialOf(emission.scene, model), &initialMaterial(), key, key, key};
+    if (model.ownMaterial) {
+        holder.path = fmt::format("{}.{}", elementOf<&Scene::models>(index), keyOf<&Model::material>());
+        holder.variable = joined(fmt::format("model{}", index), key);
+    }
+    writeRows(emission.writer, holder, false);
+}
+
+} // namespace texplorer::emit

@@ -1,0 +1,300 @@
+#include "core/emit/emission.h"
+#include "core/scene/animation.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace texplorer::emit {
+namespace {
+
+struct GeneratedCoordinate {
+    TexGen Unit::*state;
+    Key key;
+    std::string_view letter;
+};
+constexpr std::array<GeneratedCoordinate, 4> generatedCoordinates{{
+    {&Unit::texGenS, keyOf<&Unit::texGenS>, "s"},
+    {&Unit::texGenT, keyOf<&Unit::texGenT>, "t"},
+    {&Unit::texGenR, keyOf<&Unit::texGenR>, "r"},
+    {&Unit::texGenQ, keyOf<&Unit::texGenQ>, "q"},
+}};
+
+/// The three numbers of a vector that changes with time, "1.0f, 0.0f + 0.5f * seconds, 0.0f".
+std::vector<Part> movingNumbers(CodeWriter& writer, const glm::vec3& start, const glm::vec3& rate,
+                                const std::string& startPath, const std::string& ratePath) {
+    std::vector<Part> parts;
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0)
+            parts.push_back(plain(", "));
+        append(parts,
+               moving(writer, number(start[i], startPath, i), number(rate[i], ratePath, i), rate[i] != 0));
+    }
+    return parts;
+}
+
+/// The calls of one step of a texture matrix.
+class StepWriter {
+public:
+    StepWriter(Emission& emission, const Holder& unit, std::size_t index)
+        : writer_(emission.writer)
+        , light_(emission.scene.light)
+        , step_(static_cast<const Unit*>(unit.values)->matrix[index])
+        , path_(fmt::format("{}.{}", unit.path, elementOf<&Unit::matrix>(index)))
+        , variable_(fmt::format("{}Matrix{}", unit.variable, index)) {}
+
+    void write() {
+        const bool pivots =
+            (step_.op == MatrixOp::Rotate || step_.op == MatrixOp::Scale) && step_.pivot != glm::vec3(0);
+        if (pivots)
+            move(false);
+        switch (step_.op) {
+        case MatrixOp::Translate:
+            writer_.add(callWith("glTranslatef", amount()));
+            break;
+        case MatrixOp::Rotate: {
+            std::vector<Part> arguments =
+                moving(writer_, number(step_.angle, own(keyOf<&MatrixStep::angle>())),
+                       number(step_.angleRate, own(keyOf<&MatrixStep::angleRate>())), step_.angleRate != 0);
+            arguments.push_back(plain(", "));
+            append(arguments, amount());
+            writer_.add(callWith("glRotatef", std::move(arguments)));
+            break;
+        }
+        case MatrixOp::Scale:
+            writer_.add(callWith("glScalef", amount()));
+            break;
+        case MatrixOp::Multiply:
+            matrix("glMultMatrixf", step_.matrix, own(keyOf<&MatrixStep::matrix>()));
+            break;
+        case MatrixOp::Load:
+            matrix("glLoadMatrixf", step_.matrix, own(keyOf<&MatrixStep::matrix>()));
+            break;
+        case MatrixOp::Projector:
+            lightView();
+            break;
+        }
+        if (pivots)
+            move(true);
+    }
+
+private:
+    [[nodiscard]] std::string own(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
+
+    [[nodiscard]] std::vector<Part> amount() const {
+        return movingNumbers(writer_, step_.amount, step_.rate, own(keyOf<&MatrixStep::amount>()),
+                             own(keyOf<&MatrixStep::rate>()));
+    }
+
+    void move(bool back) {
+        writer_.add(callWith("glTranslatef", numbers({&step_.pivot.x, 3}, own(keyOf<&MatrixStep::pivot>()),
+                                                     Literal::Float, back)));
+    }
+
+    void matrix(std::string_view name, const glm::mat4& values, const std::string& path) {
+        writer_.floats(variable_, numbers({glm::value_ptr(values), 16}, path));
+        writer_.add({call(name), plain(fmt::format("({});", variable_))});
+    }
+
+    /// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from
+    /// -1 to 1 to 0 to 1.
+    void lightView() {
+        const auto [view, projection] = texplorer::lightView(light_);
+        const Projector& projector = light_.projector;
+        const auto part = [](float value, const std::string& path) {
+            return number(value, path, -1, Literal::Double);
+        };
+        std::vector<Part> range{
+            plain(", "),
+            part(projector.nearest, pathOf<&Scene::light, &Light::projector, &Projector::nearest>()),
+            plain(", "),
+            part(projector.farthest, pathOf<&Scene::light, &Light::projector, &Projector::farthest>()),
+            plain(");")};
+        writer_.add("glTranslatef(0.5f, 0.5f, 0.5f);");
+        writer_.add("glScalef(0.5f, 0.5f, 0.5f);");
+        std::vector<Part> parts;
+        if (light_.position.w == 0) {
+            const std::string half = literal(static_cast<float>(1 / projection[0].x), Literal::Double);
+            parts = {call("glOrtho"), plain(fmt::format("(-{0}, {0}, -{0}, {0}", half))};
+        } else {
+            parts = {call("gluPerspective"), plain("("),
+                     part(projector.fieldOfView,
+                          pathOf<&Scene::light, &Light::projector, &Projector::fieldOfView>()),
+                     plain(", 1.0")};
+        }
+        append(parts, std::move(range));
+        writer_.add(std::move(parts));
+        matrix("glMultMatrixf", glm::mat4(view), {});
+    }
+
+    CodeWriter& writer_;
+    const Light& light_;
+    const MatrixStep& step_;
+    std::string path_;
+    std::string variable_;
+};
+
+class UnitWriter {
+public:
+    UnitWriter(Emission& emission, std::size_t pass, std::size_t index)
+        : emission_(emission)
+        , writer_(emission.writer)
+        , unit_(emission.scene.passes[pass].units[index])
+        , index_(index)
+        , holder_{unitTable(),
+                  &unit_,
+                  &initialUnit(),
+                  fmt::format("{}.{}", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(index)),
+                  elementOf<&Pass::units>(index),
+                  joined(emission.passVariable(pass), fmt::format("unit{}", index)),
+                  unit_.target} {}
+
+    void write() {
+        writer_.heading(fmt::format("unit {}", index_));
+        if (unit_.enabled)
+            writeOn();
+        else
+            writeOff();
+    }
+
+private:
+    static const Unit& initialUnit() {
+        static const Unit initial;
+        return initial;
+    }
+
+    void activate(bool needed) {
+        writer_.add({call("glActiveTexture"), plain(fmt::format("(GL_TEXTURE{});", index_))}, needed);
+    }
+
+    [[nodiscard]] std::string own(std::string_view key) const {
+        return fmt::format("{}.{}", holder_.path, key);
+    }
+
+    /// glEnable or glDisable of a target, which is the unit's but where the pass before had another.
+    [[nodiscard]] std::vector<Part> switching(bool on, Target target) const {
+        const std::string_view name = rowOf(target).name;
+        return {enabling(on, own(keyOf<&Unit::enabled>())), plain("("),
+                target == unit_.target ? choice(name, own(keyOf<&Unit::target>())) : plain(std::string(name)),
+                plain(");")};
+    }
+
+    void writeOff() {
+        std::optional<Target>& shown = emission_.shown[index_];
+        const bool wasOn = shown.has_value();
+        activate(wasOn);
+        writer_.add(switching(false, shown.value_or(unit_.target)), wasOn);
+        shown.reset();
+        if (wasOn)
+            emission_.activeUnit = static_cast<int>(index_);
+    }
+
+    void writeOn() {
+        activate(emission_.activeUnit != static_cast<int>(index_));
+        emission_.activeUnit = static_cast<int>(index_);
+        std::optional<Target>& shown = emission_.shown[index_];
+        if (shown && *shown != unit_.target)
+            writer_.add({enabling(false, {}), plain(fmt::format("({});", rowOf(*shown).name))});
+        writer_.add(switching(true, unit_.target), shown != unit_.target);
+        shown = unit_.target;
+        bind();
+        const std::array taken{memberId<&Unit::enabled>, memberId<&Unit::target>, memberId<&Unit::texture>};
+        for (const ParamRow& row : holder_.table.params) {
+            if (std::ranges::find(taken, row.member) == taken.end())
+                writer_.row(holder_, row);
+        }
+        if (unit_.envMode == EnvMode::Combine) {
+            const Holder combine = part(combineTable(), &unit_.combine, &initialUnit().combine,
+                                        keyOf<&Unit::combine>(), keyOf<&Unit::combine>());
+            for (const ParamRow& row : combine.table.params)
+                writer_.row(combine, row);
+        }
+        writeGeneration();
+        writeMatrix();
+    }
+
+    void bind() {
+        const auto texture = static_cast<std::size_t>(unit_.texture);
+        const auto found = std::ranges::find(emission_.objects, TextureObject{texture, unit_.target});
+        if (found == emission_.objects.end())
+            return;
+        const auto object = static_cast<std::size_t>(found - emission_.objects.begin());
+        // An index is the texture's own, but for one that is shown on a second target.
+        const Part index = object == texture ? whole(unit_.texture, own(keyOf<&Unit::texture>()))
+                                             : plain(fmt::format("{}", object));
+        writer_.add(callWith("glBindTexture", {plain(fmt::format("{}, textures[", rowOf(unit_.target).name)),
+                                               index, plain("]")}));
+    }
+
+    [[nodiscard]] Holder part(const StructTable& table, const void* values, const void* initial,
+                              const std::string& key, std::string_view variable) const {
+        return {table,
+                values,
+                initial,
+                own(key),
+                fmt::format("{}.{}", holder_.state, key),
+                joined(holder_.variable, variable),
+                unit_.target};
+    }
+
+    void writeGeneration() {
+        std::vector<Holder> eyePlanes;
+        for (std::size_t i = 0; i < generatedCoordinates.size(); ++i) {
+            const auto& [member, key, letter] = generatedCoordinates[i];
+            const TexGen& generated = unit_.*member;
+            const Holder holder = part(texGenTable(i), &generated, &(initialUnit().*member), key(), letter);
+            writer_.row(holder, memberId<&TexGen::enabled>);
+            if (!generated.enabled)
+                continue;
+            writer_.row(holder, memberId<&TexGen::mode>);
+            if (generated.mode == TexGenMode::ObjectLinear)
+                writer_.row(holder, memberId<&TexGen::objectPlane>);
+            if (generated.mode == TexGenMode::EyeLinear)
+                eyePlanes.push_back(holder);
+        }
+        if (eyePlanes.empty())
+            return;
+        // OpenGL multiplies them by the inverse of the modelview matrix (section 2.11.4).
+        const ParamRow& row = *findParam(texGenTable(0), keyOf<&TexGen::eyePlane>());
+        const bool needed = std::ranges::any_of(
+            eyePlanes, [&](const Holder& holder) { return writer_.differs(holder, row); });
+        writer_.add("glPushMatrix();", needed);
+        writer_.add("glLoadIdentity();", needed);
+        for (const Holder& holder : eyePlanes)
+            writer_.row(holder, memberId<&TexGen::eyePlane>);
+        writer_.add("glPopMatrix();", needed);
+    }
+
+    void writeMatrix() {
+        bool& hasMatrix = emission_.hasMatrix[index_];
+        if (unit_.matrix.empty() && !hasMatrix)
+            return;
+        writer_.add("glMatrixMode(GL_TEXTURE);");
+        writer_.add("glLoadIdentity();");
+        for (std::size_t i = 0; i < unit_.matrix.size(); ++i)
+            StepWriter(emission_, holder_, i).write();
+        writer_.add("glMatrixMode(GL_MODELVIEW);");
+        hasMatrix = !unit_.matrix.empty();
+    }
+
+    Emission& emission_;
+    CodeWriter& writer_;
+    const Unit& unit_;
+    std::size_t index_;
+    Holder holder_;
+};
+
+} // namespace
+
+void writeUnits(Emission& emission, std::size_t pass) {
+    for (const bool on : {true, false}) { // what is off comes last, where all calls are shown
+        for (std::size_t i = 0; i < maxUnits; ++i) {
+            if (emission.scene.passes[pass].units[i].enabled == on)
+                UnitWriter(emission, pass, i).write();
+        }
+    }
+}
+
+} // namespace texplorer::emit

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texplorer::emit {
+
+/// How a program draws a model.
+enum class Drawing : std::uint8_t {
+    None,
+    Quadric,  ///< with GLU, which gives coordinates to unit 0 alone
+    Vertices, ///< between glBegin and glEnd
+    Arrays,
+};
+
+struct ModelForm {
+    Drawing drawing = Drawing::None;
+    bool isWritten = false;                ///< of arrays: their numbers, and not only their names
+    std::array<bool, maxUnits> coords{};   ///< which units take coordinates from the vertices as they are
+    std::array<bool, maxUnits> embossed{}; ///< which take those that the program makes anew in every frame
+
+    bool operator==(const ModelForm&) const = default;
+};
+
+/// Whether any coordinate that the unit's target looks at comes from the vertices.
+[[nodiscard]] bool takesCoords(const Unit& unit);
+
+[[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model);
+
+/// What glBegin is given: GL_QUADS of a cube, the primitive of a mesh; of what is declared as an array of
+/// indices, GL_TRIANGLES.
+[[nodiscard]] std::string primitiveOf(const Model& model);
+
+/// Whether its vertices are drawn in an order of their own.
+[[nodiscard]] bool hasIndices(const Model& model);
+
+} // namespace texplorer::emit

@@ -1,0 +1,146 @@
+#include "core/link/scene_link.h"
+
+#include "core/scene/params/json.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <libdeflate.h>
+#include <memory>
+#include <optional>
+
+namespace texplorer {
+namespace {
+
+constexpr std::string_view scheme = "texplorer:";
+constexpr std::string_view version = "1:";
+constexpr int smallestLevel = 12; // of libdeflate: the text is short, and is to stay so
+constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
+using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
+
+bool isLinkSpace(char letter) {
+    return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n';
+}
+
+/// Three bytes are four letters of six bits each:
+///   aaaaaabb bbbbcccc ccdddddd
+std::string toBase64(std::string_view bytes) {
+    std::string text;
+    text.reserve((bytes.size() * 4 + 2) / 3);
+    std::uint32_t bits = 0;
+    unsigned count = 0;
+    for (const char each : bytes) {
+        bits = bits << 8 | static_cast<unsigned char>(each);
+        for (count += 8; count >= 6; count -= 6)
+            text += letters[bits >> (count - 6) & 63U];
+    }
+    if (count > 0)
+        text += letters[bits << (6 - count) & 63U];
+    return text;
+}
+
+/// Nothing where another letter stands among them, or bits are left that no encoder writes.
+std::optional<std::string> fromBase64(std::string_view text) {
+    std::string bytes;
+    bytes.reserve(text.size() * 3 / 4);
+    std::uint32_t bits = 0;
+    unsigned count = 0;
+    for (const char letter : text) {
+        const std::size_t value = letters.find(letter);
+        if (value == std::string_view::npos)
+            return std::nullopt;
+        bits = bits << 6 | static_cast<std::uint32_t>(value);
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            bytes += static_cast<char>(bits >> count & 255U);
+        }
+    }
+    const bool rest = count >= 6 || (bits & ((1U << count) - 1)) != 0;
+    return rest ? std::nullopt : std::optional(std::move(bytes));
+}
+
+Error damaged() {
+    return {ErrorCode::Malformed, "the link is damaged, or its end is missing", {}};
+}
+
+Result<std::string> unpack(std::string_view packed) {
+    const Decompressor unpacker(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    if (!unpacker)
+        return fail(ErrorCode::TooLarge, "there is no memory for the scene of the link");
+    std::string text;
+    for (std::size_t room = std::size_t{1} << 16;; room = std::min(room * 4, maxSceneBytes)) {
+        text.resize(room);
+        std::size_t size = 0;
+        const libdeflate_result result = libdeflate_zlib_decompress(
+            unpacker.get(), packed.data(), packed.size(), text.data(), text.size(), &size);
+        if (result == LIBDEFLATE_SUCCESS) {
+            text.resize(size);
+            return text;
+        }
+        if (result != LIBDEFLATE_INSUFFICIENT_SPACE)
+            return fail(damaged());
+        if (room == maxSceneBytes)
+            return fail(ErrorCode::TooLarge,
+                        fmt::format("the scene of the link takes more than {} bytes", maxSceneBytes));
+    }
+}
+
+} // namespace
+
+bool isSceneLink(std::string_view text) {
+    const auto begin = std::ranges::find_if_not(text, isLinkSpace);
+    return std::string_view(begin, text.end()).starts_with(scheme);
+}
+
+Result<std::string> writeSceneLink(const Scene& scene) {
+    const std::string json = writeScene(scene);
+    const Compressor packer(libdeflate_alloc_compressor(smallestLevel), libdeflate_free_compressor);
+    if (!packer)
+        return fail(ErrorCode::TooLarge, "there is no memory for the link");
+    std::string packed(libdeflate_zlib_compress_bound(packer.get(), json.size()), '\0');
+    packed.resize(
+        libdeflate_zlib_compress(packer.get(), json.data(), json.size(), packed.data(), packed.size()));
+    std::string link = std::string(scheme).append(version).append(toBase64(packed));
+    if (json.size() > maxSceneBytes || link.size() > maxLinkBytes)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("the scene is too large for a link: it would take {} letters, at most {} are "
+                                "read; save it as a file",
+                                link.size(), maxLinkBytes));
+    return link;
+}
+
+Result<Scene> parseSceneLink(std::string_view text) {
+    if (text.size() > maxLinkBytes)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("the link has {} letters, at most {} are read", text.size(), maxLinkBytes));
+    std::string dense;
+    std::ranges::copy_if(text, std::back_inserter(dense), [](char each) { return !isLinkSpace(each); });
+    std::string_view rest = dense;
+    if (!rest.starts_with(scheme))
+        return fail(ErrorCode::Malformed,
+                    fmt::format("expected a link that begins with \"{}{}\"", scheme, version));
+    rest.remove_prefix(scheme.size());
+    if (!rest.starts_with(version))
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("expected a link that begins with \"{}{}\"; a later version of Texplorer may "
+                                "have made this one",
+                                scheme, version));
+    rest.remove_prefix(version.size());
+    const std::optional<std::string> packed = fromBase64(rest);
+    if (!packed)
+        return fail(damaged());
+    const Result<std::string> json = unpack(*packed);
+    if (!json)
+        return fail(json.error());
+    Result<Scene> scene = parseScene(*json);
+    if (!scene)
+        return fail(scene.error().code, "the link has no scene: " + describe(scene.error()));
+    return scene;
+}
+
+} // namespace texplorer

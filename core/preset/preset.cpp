@@ -1,0 +1,107 @@
+#include "core/preset/preset.h"
+
+#include "core/preset/preset_rows.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace texplorer {
+namespace preset {
+
+void showPattern(Texture& texture, Pattern pattern) {
+    texture.source = SourceKind::Pattern;
+    texture.pattern = pattern;
+    texture.internalFormat = InternalFormat::Rgba;
+    texture.compression = Compression::FromFile;
+    texture.transparency = Transparency::File;
+    texture.preparation.clear();
+    texture.compareMode = CompareMode::None;
+    if (texture.mipmaps == MipPolicy::Given || texture.mipmaps == MipPolicy::FromFile)
+        texture.mipmaps = MipPolicy::Generated;
+}
+
+void showPatternUnless(Texture& texture, Pattern pattern, bool suits) {
+    if (!suits)
+        showPattern(texture, pattern);
+}
+
+void filterTrilinear(Texture& texture) {
+    texture.mipmaps = MipPolicy::Generated;
+    texture.minFilter = MinFilter::LinearMipmapLinear;
+    texture.magFilter = MagFilter::Linear;
+    texture.baseLevel = Texture{}.baseLevel;
+    texture.maxLevel = Texture{}.maxLevel;
+}
+
+void generateNothing(Unit& unit) {
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR, &unit.texGenQ})
+        each->enabled = false;
+    unit.emboss.enabled = false;
+    std::erase_if(unit.matrix, [](const MatrixStep& step) { return step.op == MatrixOp::Projector; });
+}
+
+void takeGivenCoordinates(Unit& unit) {
+    generateNothing(unit);
+    unit.matrix.clear();
+}
+
+Result<std::size_t> freeUnit(const PresetTarget& target) {
+    const auto isFree = [&](std::size_t unit) { return !target.pass.units[unit].enabled; };
+    for (std::size_t i = 1; i < maxUnits; ++i) {
+        if (const std::size_t unit = (target.place.unit + i) % maxUnits; isFree(unit))
+            return unit;
+    }
+    return fail(ErrorCode::TooLarge, fmt::format("all {} units of the pass are on", maxUnits));
+}
+
+Result<std::size_t> addTexture(Scene& scene, Texture texture) {
+    if (scene.textures.size() >= maxTextures)
+        return fail(ErrorCode::TooLarge, fmt::format("the scene has its {} textures", maxTextures));
+    scene.textures.push_back(std::move(texture));
+    return scene.textures.size() - 1;
+}
+
+} // namespace preset
+
+std::span<const Preset> presets() {
+    static const std::vector<Preset> all = [] {
+        std::vector<Preset> rows;
+        for (const auto& group :
+             {preset::filterPresets, preset::alphaPresets, preset::coordinatePresets, preset::unitPresets})
+            rows.insert(rows.end(), group().begin(), group().end());
+        return rows;
+    }();
+    return all;
+}
+
+const Preset* findPreset(std::string_view name) {
+    const std::span<const Preset> rows = presets();
+    const auto found = std::ranges::find(rows, name, &Preset::name);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+Result<void> applyPreset(const Preset& preset, Scene& scene, const PresetPlace& place) {
+    if (place.pass >= scene.passes.size() || place.unit >= maxUnits)
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("there is no unit {} of pass {}", place.unit, place.pass));
+    Scene edited = scene;
+    Pass& pass = edited.passes[place.pass];
+    Unit& unit = pass.units[place.unit];
+    if (unit.texture < 0 || std::cmp_greater_equal(unit.texture, edited.textures.size())) {
+        const Result<std::size_t> added = preset::addTexture(edited, {});
+        if (!added)
+            return fail(added.error());
+        unit.texture = static_cast<int>(*added);
+    }
+    pass.enabled = unit.enabled = true;
+    Texture& texture = edited.textures[static_cast<std::size_t>(unit.texture)];
+    if (Result<void> done = preset.edit({edited, pass, unit, texture, place}); !done)
+        return done;
+    scene = std::move(edited);
+    return {};
+}
+
+} // namespace texplorer

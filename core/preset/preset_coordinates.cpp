@@ -1,0 +1,158 @@
+// Coordinates that move, by the texture matrix, and those that OpenGL generates.
+
+#include "core/preset/preset_rows.h"
+#include "core/scene/light_projection.h"
+#include "core/scene/show_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace texplorer::preset {
+namespace {
+
+constexpr std::string_view motionGroup = "Texture matrix";
+constexpr std::string_view generatedGroup = "Generated coordinates";
+constexpr glm::vec3 centre{0.5F, 0.5F, 0};
+
+Result<void> moveBy(const PresetTarget& target, std::vector<MatrixStep> steps) {
+    target.unit.matrix = std::move(steps);
+    return {};
+}
+
+Result<void> scroll(const PresetTarget& target) {
+    return moveBy(target, {{.op = MatrixOp::Translate, .rate = {0.25F, 0, 0}}});
+}
+
+MatrixStep turning(float rate, glm::vec3 pivot) {
+    return {.op = MatrixOp::Rotate, .amount = {0, 0, 1}, .angleRate = rate, .pivot = pivot};
+}
+
+Result<void> spin(const PresetTarget& target) {
+    return moveBy(target, {turning(45, {})});
+}
+
+Result<void> rotateAboutCentre(const PresetTarget& target) {
+    return moveBy(target, {turning(45, centre)});
+}
+
+/// A stretch whose direction turns: along each axis the factor goes up and down, and it never grows beyond
+/// all bounds as one with a rate does.
+Result<void> pulse(const PresetTarget& target) {
+    return moveBy(target, {turning(60, centre),
+                           {.op = MatrixOp::Scale, .amount = {0.7F, 1.3F, 1}, .pivot = centre},
+                           turning(-60, centre)});
+}
+
+void generate(Unit& unit, TexGenMode mode, int coordinates) {
+    takeGivenCoordinates(unit);
+    for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR}) {
+        if (coordinates-- == 0)
+            break;
+        each->enabled = true;
+        each->mode = mode;
+    }
+}
+
+Result<void> sphereMap(const PresetTarget& target) {
+    showPattern(target.texture, Pattern::MirrorBall);
+    target.unit.target = Target::Texture2D;
+    generate(target.unit, TexGenMode::SphereMap, 2);
+    return {};
+}
+
+Result<void> contours(const PresetTarget& target) {
+    showPattern(target.texture, Pattern::CheckerRed);
+    target.texture.internalFormat = InternalFormat::Intensity;
+    target.unit.target = Target::Texture1D;
+    target.unit.envMode = EnvMode::Blend;
+    target.unit.envColor = {0.15F, 0.3F, 0.1F, 1};
+    generate(target.unit, TexGenMode::ObjectLinear, 1);
+    target.unit.texGenS.objectPlane = {0, 3, 0, 0};
+    return {};
+}
+
+Result<void> reflection(const PresetTarget& target) {
+    showPattern(target.texture, Pattern::CubeFaces);
+    Texture& texture = target.texture;
+    texture.wrapS = texture.wrapT = texture.wrapR = Wrap::ClampToEdge;
+    target.unit.target = Target::CubeMap;
+    generate(target.unit, TexGenMode::ReflectionMap, 3);
+    return {};
+}
+
+Result<void> projector(const PresetTarget& target) {
+    showPattern(target.texture, Pattern::Planet);
+    Texture& texture = target.texture;
+    texture.wrapS = texture.wrapT = Wrap::ClampToBorder;
+    texture.borderColor = glm::vec4(1);
+    target.unit.target = Target::Texture2D;
+    target.unit.envMode = EnvMode::Modulate;
+    takeGivenCoordinates(target.unit);
+    projectFromLight(target.unit); // an empty matrix has room for it
+    return {};
+}
+
+bool showsShadows(const Scene& scene, const Unit& unit) {
+    const auto texture = static_cast<std::size_t>(unit.texture);
+    return unit.enabled && texture < scene.textures.size() &&
+           scene.textures[texture].source == SourceKind::LightDepth;
+}
+
+Result<void> shadowMap(const PresetTarget& target) {
+    Scene& scene = target.scene;
+    showShape(scene, Shape::Floor);
+    if (std::ranges::any_of(target.pass.units, [&](const Unit& unit) { return showsShadows(scene, unit); }))
+        return {};
+    const Result<std::size_t> unit = freeUnit(target);
+    if (!unit)
+        return fail(unit.error());
+    if (!castShadows(scene, target.place.pass, *unit))
+        return fail(ErrorCode::TooLarge, "the scene has no room for another texture");
+    return {};
+}
+
+constexpr std::array coordinateRows{
+    Preset{"scroll", motionGroup, "Scroll",
+           "A translation of the texture matrix with a rate, in the place of its steps.",
+           "The image runs over the surface towards smaller s, as water or a conveyor belt does.", scroll},
+    Preset{"spin", motionGroup, "Spin",
+           "A rotation of the texture matrix with a rate, in the place of its steps.",
+           "The image turns about (0, 0), which is a corner of it: glRotatef knows no other axis.", spin},
+    Preset{"rotate-centre", motionGroup, "Rotate about the centre",
+           "The same with the pivot (0.5, 0.5): glTranslatef there, glRotatef, glTranslatef back.",
+           "The centre of the image stays where it is.", rotateAboutCentre},
+    Preset{
+        "pulse", motionGroup, "Pulse",
+        "A scaling between two rotations that go against each other, about the centre.",
+        "The image swells and shrinks along an axis that turns. A factor below 1 shows less of it, larger.",
+        pulse},
+    Preset{"sphere-map", generatedGroup, "Sphere map",
+           "glTexGen with GL_SPHERE_MAP for s and t, and the picture of a mirror ball.",
+           "The surface mirrors a picture. Orbit: the picture goes with the eye, not with the surface.",
+           sphereMap},
+    Preset{"contours", generatedGroup, "Contour lines",
+           "glTexGen with GL_OBJECT_LINEAR for s, and a one-dimensional texture.",
+           "Equal heights have one colour: s is three times the y of each vertex.", contours},
+    Preset{"reflection", generatedGroup, "Cube map reflection",
+           "glTexGen with GL_REFLECTION_MAP for s, t and r, and a cube map.",
+           "The surface mirrors the face that its reflected line of sight meets, which names its axis.",
+           reflection},
+    Preset{
+        "projector", generatedGroup, "Slide projector",
+        "glTexGen with GL_EYE_LINEAR for s, t, r and q, and a texture matrix that is the light's camera.",
+        "The light throws one picture over all models. Beyond it the white border leaves them as they are.",
+        projector},
+    Preset{"shadow-map", generatedGroup, "Shadow map",
+           "A depth texture of what the light sees, in a unit of its own, and a floor to fall on.",
+           "What the light doesn't see is dark: r is compared with the depth that the light found there.",
+           shadowMap},
+};
+
+} // namespace
+
+std::span<const Preset> coordinatePresets() {
+    return coordinateRows;
+}
+
+} // namespace texplorer::preset

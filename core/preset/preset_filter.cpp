@@ -1,0 +1,126 @@
+// Filters, wrap modes and levels: each trouble, and its cure.
+
+#include "core/preset/preset_rows.h"
+#include "core/scene/show_shapes.h"
+
+#include <array>
+
+namespace texplorer::preset {
+namespace {
+
+constexpr std::string_view filterGroup = "Filters, levels and seams";
+
+void showFloor(const PresetTarget& target) {
+    constexpr std::array floor{Shape::Floor};
+    showOnlyShapes(target.scene, floor);
+    lookAlongFloor(target.scene.view);
+    target.unit.target = Target::Texture2D;
+    takeGivenCoordinates(target.unit);
+}
+
+Result<void> shimmer(const PresetTarget& target) {
+    showFloor(target);
+    showPattern(target.texture, Pattern::Checker);
+    target.texture.minFilter = MinFilter::Nearest;
+    target.texture.maxAnisotropy = 1;
+    target.texture.wrapS = target.texture.wrapT = Wrap::Repeat;
+    target.unit.matrix = {{.op = MatrixOp::Translate, .rate = {0, 0.3F, 0}}};
+    return {};
+}
+
+Result<void> shimmerCure(const PresetTarget& target) {
+    filterTrilinear(target.texture);
+    return {};
+}
+
+/// Begins with a level of so few texels that one sees each of them.
+void showFewTexels(Texture& texture, Pattern pattern) {
+    showPattern(texture, pattern);
+    filterTrilinear(texture);
+    texture.baseLevel = 4;
+}
+
+Result<void> blocks(const PresetTarget& target) {
+    showFewTexels(target.texture, Pattern::Tree);
+    target.texture.magFilter = MagFilter::Nearest;
+    target.unit.target = Target::Texture2D;
+    takeGivenCoordinates(target.unit);
+    return {};
+}
+
+Result<void> blocksCure(const PresetTarget& target) {
+    target.texture.magFilter = MagFilter::Linear;
+    return {};
+}
+
+Result<void> seam(const PresetTarget& target) {
+    Texture& texture = target.texture;
+    showFewTexels(texture, Pattern::Brick);
+    texture.minFilter = MinFilter::Linear;
+    texture.wrapS = texture.wrapT = Wrap::Clamp;
+    texture.borderColor = {1, 0, 1, 1};
+    target.unit.target = Target::Texture2D;
+    takeGivenCoordinates(target.unit);
+    return {};
+}
+
+Result<void> seamCure(const PresetTarget& target) {
+    target.texture.wrapS = target.texture.wrapT = Wrap::ClampToEdge;
+    return {};
+}
+
+Result<void> colouredLevels(const PresetTarget& target) {
+    showFloor(target);
+    showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
+    filterTrilinear(target.texture);
+    target.texture.mipmaps = MipPolicy::Colored;
+    return {};
+}
+
+Result<void> anisotropy(const PresetTarget& target) {
+    showFloor(target);
+    showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
+    filterTrilinear(target.texture);
+    target.texture.maxAnisotropy = 16;
+    return {};
+}
+
+constexpr std::array filterRows{
+    Preset{"shimmer", filterGroup, "Shimmer",
+           "A checkerboard into the distance with GL_NEAREST minification, moving.",
+           "Far away the squares break into noise that flickers: each pixel takes one texel of many.",
+           shimmer},
+    Preset{
+        "shimmer-cure", filterGroup, "Shimmer, cured",
+        "Mipmaps, and GL_LINEAR_MIPMAP_LINEAR, for the texture of this unit.",
+        "Far away the texture fades to its mean: each pixel takes a level whose texels are as large as it is.",
+        shimmerCure},
+    Preset{"blocks", filterGroup, "Blocky magnification",
+           "An image of 16 × 16 texels, with GL_NEAREST magnification.",
+           "Each texel is a block of pixels: a magnified texture has nothing finer to show.", blocks},
+    Preset{"blocks-cure", filterGroup, "Blocky magnification, cured",
+           "GL_LINEAR magnification for the texture of this unit.",
+           "The blocks blend into each other: smooth, and no sharper than the texels are.", blocksCure},
+    Preset{"seam", filterGroup, "Seam of GL_CLAMP",
+           "GL_CLAMP with GL_LINEAR, an image of 16 × 16 texels and a magenta border colour.",
+           "A magenta seam where the image ends: GL_CLAMP lets half of the border's colour into the edge.",
+           seam},
+    Preset{"seam-cure", filterGroup, "Seam of GL_CLAMP, cured",
+           "GL_CLAMP_TO_EDGE for the texture of this unit.",
+           "The seam is gone: the outermost texels go on, and the border's colour is never read.", seamCure},
+    Preset{"coloured-levels", filterGroup, "Coloured mip levels",
+           "A floor into the distance whose levels above the base have a colour each.",
+           "Each band of colour is a level. Change the LOD bias, and the bands move.", colouredLevels},
+    Preset{"anisotropy", filterGroup, "Anisotropy on a far floor",
+           "A floor into the distance, trilinear, with GL_TEXTURE_MAX_ANISOTROPY_EXT 16.",
+           "The board stays sharp far into the distance: more probes along the way that a pixel covers.",
+           anisotropy},
+};
+
+} // namespace
+
+std::span<const Preset> filterPresets() {
+    return filterRows;
+}
+
+} // namespace texplorer::preset

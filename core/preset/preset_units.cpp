@@ -1,0 +1,115 @@
+// Environments, and several units one after the other.
+
+#include "core/preset/preset_rows.h"
+#include "core/scene/show_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace texplorer::preset {
+namespace {
+
+constexpr std::string_view unitGroup = "Environments and several units";
+
+Result<void> decal(const PresetTarget& target) {
+    showPattern(target.texture, Pattern::Tree);
+    target.unit.target = Target::Texture2D;
+    generateNothing(target.unit);
+    target.unit.envMode = EnvMode::Decal;
+    target.scene.material.color = {0.95F, 0.6F, 0.2F, 1};
+    return {};
+}
+
+/// The bricks' heights, trilinear.
+Texture heights() {
+    Texture texture;
+    texture.pattern = Pattern::BrickHeight;
+    filterTrilinear(texture);
+    return texture;
+}
+
+/// A unit that shows them already in this way; nullptr: none.
+Unit* unitOfHeights(const PresetTarget& target, bool embossed) {
+    const auto found = std::ranges::find_if(target.pass.units, [&](const Unit& unit) {
+        const auto texture = static_cast<std::size_t>(unit.texture);
+        return unit.enabled && &unit != &target.unit && unit.envMode == EnvMode::Combine &&
+               unit.emboss.enabled == embossed && texture < target.scene.textures.size() &&
+               target.scene.textures[texture].pattern == Pattern::BrickHeight;
+    });
+    return found == target.pass.units.end() ? nullptr : &*found;
+}
+
+/// That one, or a free one with a texture of its own.
+Result<Unit*> heightsIn(const PresetTarget& target, bool embossed) {
+    if (Unit* there = unitOfHeights(target, embossed))
+        return there;
+    const Result<std::size_t> free = freeUnit(target);
+    if (!free)
+        return fail(free.error());
+    if (*free < target.place.unit)
+        return fail(ErrorCode::TooLarge, "all units behind this one are on");
+    const Result<std::size_t> texture = addTexture(target.scene, heights());
+    if (!texture)
+        return fail(texture.error());
+    Unit& unit = target.pass.units[*free];
+    unit = Unit{.enabled = true, .texture = static_cast<int>(*texture), .envMode = EnvMode::Combine};
+    return &unit;
+}
+
+Result<void> detail(const PresetTarget& target) {
+    const Result<Unit*> unit = heightsIn(target, false);
+    if (!unit)
+        return fail(unit.error());
+    (*unit)->combine = Combine{.rgbScale = CombineScale::Two};
+    (*unit)->matrix = {{.op = MatrixOp::Scale, .amount = {4, 4, 1}}};
+    return {};
+}
+
+/// One cube: at the poles of a sphere the coordinates have no direction that could follow the light.
+void showCube(Scene& scene) {
+    constexpr std::array cube{Shape::Cube};
+    showOnlyShapes(scene, cube);
+    scene.view.target = std::ranges::find(scene.models, Shape::Cube, &Model::shape)->position;
+    scene.view.distance = 5;
+}
+
+Result<void> emboss(const PresetTarget& target) {
+    showCube(target.scene);
+    showPattern(target.texture, Pattern::BrickHeight);
+    filterTrilinear(target.texture);
+    takeGivenCoordinates(target.unit);
+    target.unit.target = Target::Texture2D;
+    target.unit.envMode = EnvMode::Replace;
+    const Result<Unit*> moved = heightsIn(target, true);
+    if (!moved)
+        return fail(moved.error());
+    Unit& unit = **moved;
+    unit.combine = Combine{.rgb = CombineRgb::AddSigned, .operand0Rgb = OperandRgb::OneMinusSrcColor};
+    unit.emboss = Emboss{.enabled = true};
+    return {};
+}
+
+constexpr std::array unitRows{
+    Preset{"decal", unitGroup, "Decal with alpha",
+           "GL_DECAL with an image that has alpha, over an orange glColor.",
+           "Where the image's alpha is 0 the lit colour shows, where it is 1 the image, unlit.", decal},
+    Preset{
+        "detail", unitGroup, "Detail texture",
+        "A second unit: GL_COMBINE with GL_MODULATE and GL_RGB_SCALE 2, repeated four times as often.",
+        "Fine grain over the image: go near, and the surface keeps its detail. Grey of 0.5 changes nothing.",
+        detail},
+    Preset{
+        "emboss", unitGroup, "Embossed bumps",
+        "Two units show heights on a cube, the second inverted and moved towards the light, with GL_ADD_SIGNED.",
+        "Bricks stand out of a grey surface: slopes towards the light are bright. Orbit, and they follow it.",
+        emboss},
+};
+
+} // namespace
+
+std::span<const Preset> unitPresets() {
+    return unitRows;
+}
+
+} // namespace texplorer::preset

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/reference/shading/pass_state.h"
+
+#include <span>
+#include <string>
+
+namespace texplorer::reference {
+
+/// "passes[0].units[1]"
+[[nodiscard]] std::string unitName(int pass, int unit);
+
+/// A unit that somebody asks about. Errors: OutOfRange where the pass or the unit does not exist; Unsupported
+/// where the unit samples nothing.
+[[nodiscard]] Result<const UnitState*> askedUnit(std::span<const PassState> passes, int pass, int unit);
+
+} // namespace texplorer::reference

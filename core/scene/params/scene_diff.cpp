@@ -1,0 +1,130 @@
+#include "core/scene/params/scene_diff.h"
+
+#include "core/base/count.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/params/params.h"
+#include "core/scene/params/scene_check.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace texplorer {
+namespace {
+
+constexpr std::size_t shortList = 4; // so many elements are written out
+
+/// What a walk over two scenes meets: the same row of both, or lists of different lengths.
+struct PairVisitor {
+    std::function<void(const std::string& path, const ParamRow& row, void* a, void* b)> param;
+    std::function<void(const std::string& path, const ChildRow& child, void* a, void* b)> lengths;
+};
+
+std::string below(const std::string& path, std::string_view key) {
+    return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+/// Everything that both have: of lists the elements that are in both.
+void walkPair(const StructTable& table, void* a, void* b, const std::string& path,
+              const PairVisitor& visitor) {
+    for (const ParamRow& row : table.params)
+        visitor.param(below(path, row.key), row, a, b);
+    for (const ChildRow& child : table.children) {
+        const std::string inside = below(path, child.key);
+        if (child.size(a) != child.size(b))
+            visitor.lengths(inside, child, a, b);
+        const std::size_t common = std::min(child.size(a), child.size(b));
+        for (std::size_t i = 0; i < common; ++i)
+            walkPair(*child.table, child.at(a, i), child.at(b, i),
+                     child.indexed ? fmt::format("{}[{}]", inside, i) : inside, visitor);
+    }
+}
+
+/// The tables' functions take what they may write to; nothing is written by who only compares.
+void* ownerOf(const Scene& scene) {
+    return const_cast<Scene*>(&scene);
+}
+
+Value elementAt(const ParamRow& row, const Value& list, std::size_t index) {
+    if (const auto* numbers = std::get_if<std::vector<int>>(&list))
+        return std::vector{numbers->at(index)};
+    return listOf(row.kind, {elementsOf(list).at(index)});
+}
+
+/// A value as text, of a long list the first element that the other one hasn't.
+std::string textBeside(const ParamRow& row, const Value& value, const Value& other) {
+    const std::size_t count = listSize(value);
+    if (!isList(row.kind) || std::max(count, listSize(other)) <= shortList)
+        return formatValue(row, value);
+    const std::size_t common = std::min(count, listSize(other));
+    for (std::size_t i = 0; i < common; ++i) {
+        const Value element = elementAt(row, value, i);
+        if (element != elementAt(row, other, i))
+            return fmt::format("[{}] {} of {}", i, formatValue(row, element), countOf(count, "element"));
+    }
+    return countOf(count, "element");
+}
+
+void copyStruct(const StructTable& table, void* to, void* from) {
+    for (const ParamRow& row : table.params)
+        row.write(to, row.read(from));
+    for (const ChildRow& child : table.children) {
+        if (child.size(to) != child.size(from))
+            child.resize(to, child.size(from));
+        for (std::size_t i = 0; i < child.size(from); ++i)
+            copyStruct(*child.table, child.at(to, i), child.at(from, i));
+    }
+}
+
+void copyLength(const ChildRow& child, void* to, void* from) {
+    const std::size_t had = child.size(to);
+    child.resize(to, child.size(from));
+    for (std::size_t i = had; i < child.size(from); ++i)
+        copyStruct(*child.table, child.at(to, i), child.at(from, i));
+}
+
+} // namespace
+
+std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to) {
+    std::vector<SceneChange> changes;
+    if (from == to)
+        return changes;
+    walkPair(sceneTable(), ownerOf(from), ownerOf(to), {},
+             {[&](const std::string& path, const ParamRow& row, void* a, void* b) {
+                  const Value before = row.read(a);
+                  const Value after = row.read(b);
+                  if (before != after)
+                      changes.push_back({path, std::string(row.label), textBeside(row, before, after),
+                                         textBeside(row, after, before)});
+              },
+              [&](const std::string& path, const ChildRow& child, void* a, void* b) {
+                  changes.push_back({path, std::string(child.label), countOf(child.size(a), "element"),
+                                     countOf(child.size(b), "element"), true});
+              }});
+    return changes;
+}
+
+Result<void> takeOver(Scene& scene, const Scene& from, std::string_view path) {
+    Scene edited = scene;
+    std::function<void()> copyIt; // after the walk: nobody resizes what is being walked over
+    walkPair(sceneTable(), &edited, ownerOf(from), {},
+             {[&](const std::string& at, const ParamRow& row, void* a, void* b) {
+                  if (at == path)
+                      copyIt = [&row, a, b] { row.write(a, row.read(b)); };
+              },
+              [&](const std::string& at, const ChildRow& child, void* a, void* b) {
+                  if (at == path)
+                      copyIt = [&child, a, b] { copyLength(child, a, b); };
+              }});
+    if (!copyIt)
+        return fail(ErrorCode::NotFound, "expected a parameter or a list of both scenes", std::string(path));
+    copyIt();
+    if (const Result<void> fits = checkTogether(edited); !fits && checkTogether(scene))
+        return fail(ErrorCode::OutOfRange, fits.error().message, std::string(path));
+    scene = std::move(edited);
+    return {};
+}
+
+} // namespace texplorer
