@@ -28,6 +28,12 @@ void ContextGraphics::drawPanels(ImDrawData& panels, view::Size pixels) {
     backend_.draw(&panels);
 }
 
+Image ContextGraphics::readPanels(view::Size pixels) {
+    Image image = Image::uninitialised(PixelFormat::Rgba8, pixels.width, pixels.height);
+    glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    return image;
+}
+
 ImDrawCallback ContextGraphics::blendingSwitch() const {
     return setBlending;
 }

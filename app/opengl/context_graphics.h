@@ -27,6 +27,7 @@ public:
     void fontsChanged() final;
     void beginFrame() final { backend_.beginFrame(); }
     void drawPanels(ImDrawData& panels, view::Size pixels) final;
+    [[nodiscard]] Image readPanels(view::Size pixels) final;
     [[nodiscard]] ImDrawCallback blendingSwitch() const final;
 
 protected:

@@ -63,13 +63,13 @@ Error CoreGraphics::lack(RendererKind renderer) const {
     return {ErrorCode::Unsupported, offered_.whyNot(renderer), {}};
 }
 
-Result<view::Frame> CoreGraphics::draw(RendererKind renderer, const Scene& /*scene*/,
+Result<view::Frame> CoreGraphics::draw(RendererKind renderer, view::Side /*side*/, const Scene& /*scene*/,
                                        const ImageSource& /*images*/, double /*time*/, view::Size /*size*/,
                                        LevelsSource& /*levels*/) {
     return fail(lack(renderer));
 }
 
-Result<Image> CoreGraphics::read(RendererKind renderer) {
+Result<Image> CoreGraphics::read(RendererKind renderer, view::Side /*side*/) {
     return fail(lack(renderer));
 }
 

@@ -18,10 +18,10 @@ public:
 
     [[nodiscard]] const view::Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] const view::OfferedRenderers& renderers() const override { return offered_; }
-    [[nodiscard]] Result<view::Frame> draw(RendererKind renderer, const Scene& scene,
+    [[nodiscard]] Result<view::Frame> draw(RendererKind renderer, view::Side side, const Scene& scene,
                                            const ImageSource& images, double time, view::Size size,
                                            LevelsSource& levels) override;
-    [[nodiscard]] Result<Image> read(RendererKind renderer) override;
+    [[nodiscard]] Result<Image> read(RendererKind renderer, view::Side side) override;
     [[nodiscard]] view::PictureHandle showTexture(const Texture& texture, const ImageSource& images,
                                                   LevelsSource& levels) override;
     [[nodiscard]] bool isUploading() const override { return false; }

@@ -35,26 +35,28 @@ OpenGlGraphics::OpenGlGraphics(view::Capabilities capabilities, render::ShaderOp
     , offered_(render::offeredRenderers(capabilities_))
     , shaders_(std::move(shaders)) {}
 
-Result<render::SceneRenderer>& OpenGlGraphics::rendererOf(RendererKind kind) {
-    const auto found = renderers_.find(kind);
+Result<render::SceneRenderer>& OpenGlGraphics::rendererOf(RendererKind kind, view::Side side) {
+    const auto found = renderers_.find({side, kind});
     if (found != renderers_.end())
         return found->second;
     Result<render::SceneRenderer> made = render::createRenderer(kind, capabilities_, shaders_);
-    const auto other =
-        std::ranges::find_if(renderers_, [](const auto& entry) { return entry.second.has_value(); });
+    const auto other = std::ranges::find_if(renderers_, [side](const auto& entry) {
+        return entry.first.first == side && entry.second.has_value();
+    });
     if (made && other != renderers_.end())
         made->shareTextures(*other->second);
-    return renderers_.emplace(kind, std::move(made)).first->second;
+    return renderers_.emplace(std::pair(side, kind), std::move(made)).first->second;
 }
 
-Result<view::Frame> OpenGlGraphics::draw(RendererKind renderer, const Scene& scene, const ImageSource& images,
-                                         double time, view::Size size, LevelsSource& levels) {
-    Result<render::SceneRenderer>& found = rendererOf(renderer);
+Result<view::Frame> OpenGlGraphics::draw(RendererKind renderer, view::Side side, const Scene& scene,
+                                         const ImageSource& images, double time, view::Size size,
+                                         LevelsSource& levels) {
+    Result<render::SceneRenderer>& found = rendererOf(renderer, side);
     return found ? found->draw(scene, images, time, size, &levels) : fail(found.error());
 }
 
-Result<Image> OpenGlGraphics::read(RendererKind renderer) {
-    Result<render::SceneRenderer>& found = rendererOf(renderer);
+Result<Image> OpenGlGraphics::read(RendererKind renderer, view::Side side) {
+    Result<render::SceneRenderer>& found = rendererOf(renderer, side);
     return found ? found->read() : fail(found.error());
 }
 

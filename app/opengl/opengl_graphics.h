@@ -6,6 +6,7 @@
 #include "app/view/pretence.h"
 
 #include <map>
+#include <utility>
 
 namespace texplorer::opengl {
 
@@ -21,22 +22,22 @@ public:
 
     [[nodiscard]] const view::Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] const view::OfferedRenderers& renderers() const override { return offered_; }
-    [[nodiscard]] Result<view::Frame> draw(RendererKind renderer, const Scene& scene,
+    [[nodiscard]] Result<view::Frame> draw(RendererKind renderer, view::Side side, const Scene& scene,
                                            const ImageSource& images, double time, view::Size size,
                                            LevelsSource& levels) override;
-    [[nodiscard]] Result<Image> read(RendererKind renderer) override;
+    [[nodiscard]] Result<Image> read(RendererKind renderer, view::Side side) override;
     [[nodiscard]] view::PictureHandle showTexture(const Texture& texture, const ImageSource& images,
                                                   LevelsSource& levels) override;
     [[nodiscard]] bool isUploading() const override { return preview_.isUploading(); }
 
 private:
     OpenGlGraphics(view::Capabilities capabilities, render::ShaderOptions shaders);
-    Result<render::SceneRenderer>& rendererOf(RendererKind kind);
+    Result<render::SceneRenderer>& rendererOf(RendererKind kind, view::Side side);
 
     view::Capabilities capabilities_;
     view::OfferedRenderers offered_;
     render::ShaderOptions shaders_;
-    std::map<RendererKind, Result<render::SceneRenderer>> renderers_;
+    std::map<std::pair<view::Side, RendererKind>, Result<render::SceneRenderer>> renderers_;
     render::TexturePreview preview_;
 };
 

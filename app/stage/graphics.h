@@ -3,6 +3,7 @@
 #include "app/view/capabilities.h"
 #include "app/view/frame.h"
 #include "app/view/offered_renderers.h"
+#include "app/view/side.h"
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/scene/renderer.h"
@@ -32,12 +33,13 @@ public:
     [[nodiscard]] virtual const view::OfferedRenderers& renderers() const = 0;
 
     /// Draws the scene with a renderer that is offered; RendererKind::Reference is never asked for. The error
-    /// says what it refused. A texture is what it was before until `levels` has it.
-    [[nodiscard]] virtual Result<view::Frame> draw(RendererKind renderer, const Scene& scene,
+    /// says what it refused. A texture is what it was before until `levels` has it. Each side has pictures
+    /// and textures of its own.
+    [[nodiscard]] virtual Result<view::Frame> draw(RendererKind renderer, view::Side side, const Scene& scene,
                                                    const ImageSource& images, double time, view::Size size,
                                                    LevelsSource& levels) = 0;
-    /// What this renderer has drawn last: Rgba8, bottom row first.
-    [[nodiscard]] virtual Result<Image> read(RendererKind renderer) = 0;
+    /// What this renderer has drawn last of a side: Rgba8, bottom row first.
+    [[nodiscard]] virtual Result<Image> read(RendererKind renderer, view::Side side) = 0;
 
     enum class Use {
         Scaled,   ///< to any size: filtered linearly
@@ -61,6 +63,8 @@ public:
     virtual void beginFrame() = 0; ///< right before the display's size is set
     /// Clears the framebuffer, which has this size, and draws what Dear ImGui has collected.
     virtual void drawPanels(ImDrawData& panels, view::Size pixels) = 0;
+    /// What `drawPanels` has just drawn: Rgba8, bottom row first.
+    [[nodiscard]] virtual Image readPanels(view::Size pixels) = 0;
     /// See ui::Pictures::setBlending.
     [[nodiscard]] virtual ImDrawCallback blendingSwitch() const = 0;
 };

@@ -11,11 +11,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace texplorer::stage {
 namespace {
 
 constexpr float shortestFrame = 1e-4F; // seconds: Dear ImGui wants its time to go on
+
+/// What was asked for as a picture, as it has just been drawn.
+void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame& view, view::Size window) {
+    const std::optional<ui::Capture> wanted = std::exchange(session.window.wantedCapture, std::nullopt);
+    if (!wanted || !session.services.captures)
+        return;
+    if (*wanted == ui::Capture::Window)
+        return session.services.captures->write("texplorer-window", graphics.readPanels(window));
+    if (view.image)
+        return session.services.captures->write("texplorer-view", Image(*view.image));
+    if (view.renderer == RendererKind::Reference)
+        return ui::say(session, "The reference still draws; the view can be written when it is done.");
+    Result<Image> image = graphics.read(view.renderer, view.side);
+    if (!image)
+        return ui::say(session, image.error());
+    session.services.captures->write("texplorer-view", *std::move(image));
+}
 
 } // namespace
 
@@ -26,7 +45,7 @@ public:
         : graphics_(graphics)
         , scale_(scale) {
         ImGui::CreateContext();
-        ui::applyTheme(scale);
+        ui::applyTheme(scale_, theme_, textPercent_);
         ui::mapKeys();
         graphics_.startPanels();
     }
@@ -37,17 +56,22 @@ public:
     HostedPanels(const HostedPanels&) = delete;
     HostedPanels& operator=(const HostedPanels&) = delete;
 
-    void setScale(float scale) {
-        if (scale == scale_)
+    void setLook(float scale, const ui::Settings& settings) {
+        const bool resized = scale != scale_ || settings.textPercent != textPercent_;
+        if (!resized && settings.theme == theme_)
             return;
         scale_ = scale;
-        ui::applyTheme(scale);
+        theme_ = settings.theme;
+        textPercent_ = settings.textPercent;
+        ui::applyTheme(scale_, theme_, textPercent_);
         graphics_.fontsChanged();
     }
 
 private:
     Graphics& graphics_;
     float scale_;
+    ui::Theme theme_ = ui::Theme::Dark;
+    int textPercent_ = 100;
 };
 
 struct Stage::State {
@@ -76,14 +100,16 @@ const std::vector<std::string>& Stage::problems() const {
 ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float seconds,
                          const std::function<void()>& feedInput) {
     Graphics& graphics = state_->graphics;
-    state_->panels.setScale(surface.scale);
+    state_->panels.setLook(surface.scale, session.window.settings);
     if (const std::string instead = ui::offerRenderers(session.window.view, graphics.renderers());
         !instead.empty())
         ui::say(session, instead);
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
-    const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height, surface.scale / density,
-                                            session.window.columns, ui::gridOf(session.window.view));
+    const ui::Settings& settings = session.window.settings;
+    const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height,
+                                            ui::textScale(surface.scale / density, settings.textPercent),
+                                            settings.workspace, ui::gridOf(session.window.view));
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {
@@ -104,8 +130,9 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     if (feedInput)
         feedInput();
     ImGui::NewFrame();
-    const auto keep = [&graphics](const std::shared_ptr<const Image>& image) {
-        return graphics.show(image, Graphics::Use::Scaled);
+    const auto keepFor = [&graphics](Graphics::Use use) {
+        return
+            [&graphics, use](const std::shared_ptr<const Image>& image) { return graphics.show(image, use); };
     };
     ui::Requests requests = ui::drawWorkbench(session, state_->states,
                                               {.frames = state_->frames.frames(),
@@ -114,12 +141,14 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
                                                .shaders = state_->frames.shaders(),
                                                .texture = texture,
                                                .setBlending = graphics.blendingSwitch(),
-                                               .keep = keep},
+                                               .keep = keepFor(Graphics::Use::Scaled),
+                                               .keepTexels = keepFor(Graphics::Use::Enlarged)},
                                               graphics.capabilities(), layout);
     requests.unfinished = state_->frames.isUnfinished() || graphics.isUploading();
     ImGui::Render();
 
     graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels);
+    writeCapture(session, graphics, state_->frames.frames().front(), surface.pixels);
     graphics.endFrame();
     state_->problems = state_->frames.problems();
     return requests;

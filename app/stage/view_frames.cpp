@@ -1,5 +1,6 @@
 #include "app/stage/view_frames.h"
 
+#include "app/stage/step_picture.h"
 #include "app/ui/model/shown_passes.h"
 
 #include <algorithm>
@@ -11,20 +12,33 @@ namespace texplorer::stage {
 void ViewFrames::draw(ui::Session& session, view::Size size) {
     frames_.clear();
     addLightDepths(session);
+    Scene stepped;
+    const Subject now{view::Side::Now, ui::shownScene(session, stepped), images_};
     for (const RendererKind kind : ui::shownRenderers(session.window.view)) {
         const auto drawn = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
         if (drawn != frames_.end()) // compared with itself
             frames_.push_back(ui::ViewFrame(*drawn));
         else
-            frames_.push_back(kind == RendererKind::Reference ? drawReference(session, size)
-                                                              : drawLive(kind, session, size));
+            frames_.push_back(draw(kind, now, session, size));
     }
-    if (std::ranges::find(frames_, RendererKind::Reference, &ui::ViewFrame::renderer) == frames_.end())
+    const std::shared_ptr<const Scene> kept =
+        ui::isKeptBeside(session) ? session.document.kept.seen : nullptr;
+    if (kept)
+        frames_.push_back(draw(session.window.view.renderer,
+                               {view::Side::Kept, *kept, session.document.images}, session, size));
+    const bool asksReference =
+        std::ranges::find(frames_, RendererKind::Reference, &ui::ViewFrame::renderer) != frames_.end();
+    if (!asksReference)
         session.services.reference.rest();
+    if (!asksReference || !kept)
+        session.services.kept.rest();
+    keepStepPicture(session);
     compareViews(session.window.view);
     problems_.clear();
     shaders_.clear();
     for (const ui::ViewFrame& view : frames_) {
+        if (view.side == view::Side::Kept) // what is to be said is about what is now
+            continue;
         addProblems(view.frame.problems);
         if (view.renderer == RendererKind::Shader)
             shaders_ = view.frame.shaders;
@@ -32,8 +46,9 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     const bool drawn =
         std::ranges::find(frames_, RendererKind::Shader, &ui::ViewFrame::renderer) != frames_.end();
     const bool offered = session.window.view.offered.has(RendererKind::Shader);
-    if (session.window.shownTab == ui::Tab::Glsl && offered && !drawn) { // they are made while they draw
-        const view::Frame frame = drawLive(RendererKind::Shader, session, size).frame;
+    if (isShown(session.window.settings.workspace, ui::Tab::Glsl) && offered &&
+        !drawn) { // they are made while they draw
+        const view::Frame frame = drawLive(RendererKind::Shader, now, session, size).frame;
         addProblems(frame.problems);
         shaders_ = frame.shaders;
     }
@@ -46,7 +61,7 @@ void ViewFrames::addLightDepths(const ui::Session& session) {
     images_ = session.document.images;
     if (!(bound && bound->source == SourceKind::LightDepth) &&
         std::ranges::none_of(ui::shownRenderers(session.window.view), isLive) &&
-        session.window.shownTab != ui::Tab::Glsl)
+        !isShown(session.window.settings.workspace, ui::Tab::Glsl))
         return;
     Scene stepped;
     images_ = lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.window.playback.time);
@@ -59,23 +74,29 @@ void ViewFrames::addProblems(const std::vector<std::string>& problems) {
     }
 }
 
-ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view::Size size) {
-    ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true};
-    Scene stepped;
-    Result<view::Frame> frame = graphics_.draw(kind, ui::shownScene(session, stepped), images_,
+ui::ViewFrame ViewFrames::draw(RendererKind kind, const Subject& subject, ui::Session& session,
+                               view::Size size) {
+    return kind == RendererKind::Reference ? drawReference(subject, session, size)
+                                           : drawLive(kind, subject, session, size);
+}
+
+ui::ViewFrame ViewFrames::drawLive(RendererKind kind, const Subject& subject, ui::Session& session,
+                                   view::Size size) {
+    ui::ViewFrame view{kind, {{}, size, 0, {}, false}, nullptr, true, subject.side};
+    Result<view::Frame> frame = graphics_.draw(kind, subject.side, subject.scene, subject.images,
                                                session.window.playback.time, size, session.services.levels);
     if (!frame) {
         view.frame.problems = {describe(frame.error())};
         return view;
     }
     view.frame = std::move(*frame);
-    Pixels& pixels = pixels_[kind];
+    Pixels& pixels = pixels_[{subject.side, kind}];
     if (!ui::wantsPixels(session.window.view) && !session.window.explaining.pixel) {
         pixels.image.reset();
         return view;
     }
     if (!pixels.image || pixels.revision != view.frame.revision) {
-        Result<Image> read = graphics_.read(kind);
+        Result<Image> read = graphics_.read(kind, subject.side);
         if (!read) {
             view.frame.problems.push_back(describe(read.error()));
             return view;
@@ -86,24 +107,51 @@ ui::ViewFrame ViewFrames::drawLive(RendererKind kind, ui::Session& session, view
     return view;
 }
 
-ui::ViewFrame ViewFrames::drawReference(ui::Session& session, view::Size size) {
-    Scene stepped;
-    const reference::DrawWorker::Frame& picture = session.services.reference.frame(
-        {ui::shownScene(session, stepped), images_, session.window.playback.time, size.width, size.height,
-         session.window.view.anisotropy});
+ui::ViewFrame ViewFrames::drawReference(const Subject& subject, ui::Session& session, view::Size size) {
+    reference::DrawWorker& worker =
+        subject.side == view::Side::Now ? session.services.reference : session.services.kept;
+    const reference::DrawWorker::Frame& picture =
+        worker.frame({subject.scene, subject.images, session.window.playback.time, size.width, size.height,
+                      session.window.view.anisotropy});
     const view::PictureHandle shown = graphics_.show(picture.image, Graphics::Use::Enlarged);
     return {RendererKind::Reference,
             {shown, size, picture.milliseconds, picture.problems, false},
             picture.whole ? picture.image : nullptr,
-            picture.whole};
+            picture.whole,
+            subject.side};
+}
+
+/// Of the step of the history that the view shows, once it is whole and nobody holds a mouse button: a step
+/// that goes on will have another picture.
+void ViewFrames::keepStepPicture(ui::Session& session) {
+    History& history = session.document.history;
+    const ui::ViewFrame& view = frames_.front();
+    if (history.pictureOf(history.position()) || session.window.preview || ui::isKeptShown(session) ||
+        !view.whole || view.frame.unfinished || ImGui::IsAnyMouseDown() || session.window.keyTaken ||
+        session.document.scene != history.current())
+        return;
+    std::shared_ptr<const Image> seen = view.image;
+    if (!seen && view.frame.picture != view::PictureHandle::None) {
+        Result<Image> read = graphics_.read(view.renderer, view.side);
+        seen = read ? std::make_shared<const Image>(std::move(*read)) : nullptr;
+    }
+    if (!seen)
+        return;
+    if (Image small = stepPicture(*seen); !small.empty())
+        history.setPicture(std::make_shared<const Image>(std::move(small)));
 }
 
 void ViewFrames::compareViews(const ui::ViewSettings& settings) {
-    const auto imageOf = [this](RendererKind kind) {
-        const auto found = std::ranges::find(frames_, kind, &ui::ViewFrame::renderer);
+    const auto imageOf = [this](RendererKind kind, view::Side side) {
+        const auto found = std::ranges::find_if(
+            frames_, [&](const ui::ViewFrame& view) { return view.renderer == kind && view.side == side; });
         return found == frames_.end() ? nullptr : found->image;
     };
-    const std::array images{imageOf(settings.compared[0]), imageOf(settings.compared[1])};
+    const bool kept = settings.arrangement == ui::Arrangement::Kept;
+    const std::array images = kept ? std::array{imageOf(settings.renderer, view::Side::Kept),
+                                                imageOf(settings.renderer, view::Side::Now)}
+                                   : std::array{imageOf(settings.compared[0], view::Side::Now),
+                                                imageOf(settings.compared[1], view::Side::Now)};
     const HeatScale scale{settings.tolerance, 255};
     if (!ui::isComparing(settings) || !images[0] || !images[1]) {
         difference_.reset();

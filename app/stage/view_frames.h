@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer::stage {
@@ -27,7 +28,8 @@ public:
     /// The scene's images as they were drawn, with what the light sees.
     [[nodiscard]] const ImageSource& images() const { return images_; }
 
-    /// In the order of ui::shownRenderers; never empty after `draw`.
+    /// In the order of ui::shownRenderers; with Arrangement::Kept A's is the last one. Never empty after
+    /// `draw`.
     [[nodiscard]] const std::vector<ui::ViewFrame>& frames() const { return frames_; }
 
     /// Of the two that the session compares; nullptr: it doesn't, or one of them isn't whole.
@@ -53,16 +55,27 @@ private:
         std::shared_ptr<const Image> image;
     };
 
+    /// What is drawn for one of the sides.
+    struct Subject {
+        view::Side side;
+        const Scene& scene;
+        const ImageSource& images;
+    };
+
     void addLightDepths(const ui::Session& session);
-    [[nodiscard]] ui::ViewFrame drawLive(RendererKind kind, ui::Session& session, view::Size size);
-    [[nodiscard]] ui::ViewFrame drawReference(ui::Session& session, view::Size size);
+    [[nodiscard]] ui::ViewFrame draw(RendererKind kind, const Subject& subject, ui::Session& session,
+                                     view::Size size);
+    [[nodiscard]] ui::ViewFrame drawLive(RendererKind kind, const Subject& subject, ui::Session& session,
+                                         view::Size size);
+    [[nodiscard]] ui::ViewFrame drawReference(const Subject& subject, ui::Session& session, view::Size size);
+    void keepStepPicture(ui::Session& session);
     void addProblems(const std::vector<std::string>& problems);
     void compareViews(const ui::ViewSettings& settings);
 
     Graphics& graphics_;
     reference::LightDepths lightDepths_;
     ImageSource images_;
-    std::map<RendererKind, Pixels> pixels_;
+    std::map<std::pair<view::Side, RendererKind>, Pixels> pixels_;
     std::vector<ui::ViewFrame> frames_;
     std::optional<ui::ViewDifference> difference_;
     std::array<std::shared_ptr<const Image>, 2> compared_; ///< what the difference was made of

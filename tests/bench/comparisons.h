@@ -64,6 +64,8 @@ inline constexpr std::array comparisons{
                Goal::CostsUpTo, 1.3},
     Comparison{"frame 1280 x 800", "frame/1280/800/real_time", "frameBare/1280/800/real_time", "a bare loop",
                Goal::CostsUpTo, 1.3},
+    Comparison{"window 1280 x 800, a vertex of 8385 dragged", "windowDrag/real_time",
+               "windowLimit/manual_time", "a picture of 60 Hz", Goal::FasterBy, 1},
     Comparison{"GLSL frame 640 x 480", "frameShader/640/480/real_time", "frame/640/480/real_time",
                "fixed function", Goal::CostsUpTo, 1.2},
     Comparison{"GLSL frame 1280 x 800", "frameShader/1280/800/real_time", "frame/1280/800/real_time",

@@ -26,15 +26,27 @@ const std::array viewRows{
     ViewRow{"split and magnified", {RendererKind::Shader, RendererKind::Reference}, true},
 };
 
-struct ColumnsRow {
+struct SeamsRow {
     const char* name;
-    Columns columns;
+    Seams seams;
 };
-constexpr std::array columnsRows{
-    ColumnsRow{"usual columns", {}},
-    ColumnsRow{"a wide left column", {5000, 0, 0}},
-    ColumnsRow{"a wide right column", {0, 5000, 0.99F}},
-    ColumnsRow{"narrow columns", {1, 1, 0.01F}},
+constexpr std::array seamsRows{
+    SeamsRow{"usual columns", {}},
+    SeamsRow{"a wide left column", {5000, 0, 0, 0}},
+    SeamsRow{"a wide right column", {0, 5000, 0.99F, 0.85F}},
+    SeamsRow{"narrow columns", {1, 1, 0.01F, 0.15F}},
+};
+
+struct FillingRow {
+    const char* name;
+    Maximised what;
+};
+constexpr std::array fillingRows{
+    FillingRow{"nothing maximised", Maximised::None},
+    FillingRow{"the view maximised", Maximised::View},
+    FillingRow{"texture space maximised", Maximised::TextureSpace},
+    FillingRow{"the right dock maximised", Maximised::Right},
+    FillingRow{"the dock below maximised", Maximised::Below},
 };
 
 constexpr int picturesOneOf = 8; // a picture takes longer than all the rest
@@ -59,8 +71,9 @@ private:
 } // namespace
 
 int LayoutTrial::count() {
-    return static_cast<int>(tabRows.size() * viewRows.size() * columnsRows.size() *
-                            test::windowScales.size() * test::windowSizes.size());
+    return static_cast<int>(tabRows.size() * viewRows.size() * seamsRows.size() * fillingRows.size() *
+                            dockRows.size() * layoutRows.size() * test::windowScales.size() *
+                            test::windowSizes.size());
 }
 
 LayoutTrial::LayoutTrial(unsigned seed, int number, Journal& journal)
@@ -71,11 +84,15 @@ LayoutTrial::LayoutTrial(unsigned seed, int number, Journal& journal)
                                    static_cast<std::uint64_t>(count())));
     const TabRow& tab = digits.from(tabRows);
     const ViewRow& views = digits.from(viewRows);
-    const ColumnsRow& columns = digits.from(columnsRows);
+    const SeamsRow& seams = digits.from(seamsRows);
+    const FillingRow& filling = digits.from(fillingRows);
+    const DockRow& dock = digits.from(dockRows);
+    const LayoutRow& layoutRow = digits.from(layoutRows);
     const float scale = digits.from(test::windowScales);
     const test::WindowSize& size = digits.from(test::windowSizes);
     step(std::to_string(size.width) + " x " + std::to_string(size.height) + ", scale " +
-         std::to_string(scale) + ", " + views.name + ", " + columns.name + ", " + tab.label);
+         std::to_string(scale) + ", " + views.name + ", " + seams.name + ", " + layoutRow.label + ", " +
+         filling.name + ", " + tab.label + " " + dock.label);
 
     start(defaultScene(), size.width, size.height, scale);
     WindowState& window = session->window;
@@ -84,8 +101,11 @@ LayoutTrial::LayoutTrial(unsigned seed, int number, Journal& journal)
     else
         showComparison(window.view, views.renderers);
     window.view.magnifies = views.magnifies;
-    window.columns = columns.columns;
-    window.wantedTab = tab.tab;
+    Workspace& workspace = window.settings.workspace;
+    workspace = workspaceOf(layoutRow);
+    workspace.seams = seams.seams;
+    moveTab(workspace, tab.tab, dock.dock);
+    workspace.maximised = filling.what;
     window.showRq = number % 2 == 0;
     window.selection.vertex = 3;
     texture().mipmaps = MipPolicy::None; // something to say in the status bar
@@ -114,14 +134,14 @@ void LayoutTrial::run() {
 }
 
 void LayoutTrial::expectFilledWindow() const {
-    const std::array panels{layout.menu,     layout.parameters, layout.view,
-                            layout.texture,  layout.details,    layout.status,
-                            layout.leftSeam, layout.rightSeam,  layout.middleSeam};
+    const std::array panels{layout.menu,      layout.parameters, layout.view,     layout.texture,
+                            layout.rightDock, layout.belowDock,  layout.status,   layout.leftSeam,
+                            layout.rightSeam, layout.middleSeam, layout.belowSeam};
     long long pixels = 0;
     for (const Rect& a : panels) {
         pixels += static_cast<long long>(a.width) * a.height;
-        EXPECT_TRUE(a.x >= 0 && a.y >= 0 && a.width > 0 && a.height > 0 && a.right() <= layout.window.width &&
-                    a.bottom() <= layout.window.height)
+        EXPECT_TRUE(a.x >= 0 && a.y >= 0 && a.width >= 0 && a.height >= 0 &&
+                    a.right() <= layout.window.width && a.bottom() <= layout.window.height)
             << "a panel at " << a.x << "," << a.y << " of " << a.width << " x " << a.height;
     }
     EXPECT_EQ(pixels, static_cast<long long>(layout.window.width) * layout.window.height)
@@ -135,7 +155,8 @@ void LayoutTrial::expectNothingTooWide() const {
         Rect rect;
         float least; ///< unscaled, as in layoutFor
     };
-    for (const Column& column : {Column{layout.parameters, 272}, Column{layout.details, 326}}) {
+    for (const Column& column :
+         {Column{layout.parameters, 272}, Column{layout.rightDock, 326}, Column{layout.belowDock, 326}}) {
         const auto left = static_cast<float>(column.rect.x);
         const auto right = static_cast<float>(column.rect.right());
         if (right - left < column.least * layout.scale)

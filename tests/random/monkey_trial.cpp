@@ -14,8 +14,8 @@ namespace {
 using namespace ui;
 
 constexpr int actions = 60;
-constexpr std::array keys{int{'Z'}, int{'Y'},   int{'F'},  int{'M'},   int{'E'},
-                          int{'1'}, int{'2'},   int{'3'},  int{'4'},   key::home,
+constexpr std::array keys{int{'K'}, int{'T'},   int{'Z'},  int{'Y'},   int{'F'}, int{'M'},
+                          int{'E'}, int{'1'},   int{'2'},  int{'3'},   int{'4'}, key::home,
                           key::f1,  key::space, key::down, key::enter, key::tab};
 
 } // namespace
@@ -103,6 +103,7 @@ void MonkeyTrial::run() {
     step("undo all");
     while (session->document.history.canUndo())
         undo(*session);
+    initial_.view.distance = scene().view.distance; // follows the shape of the view, which is no edit
     EXPECT_EQ(scene(), initial_);
 }
 

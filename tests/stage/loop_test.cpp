@@ -231,12 +231,30 @@ TEST_F(LoopTest, TheLastInputOfAClickIsFollowedByFramesToo) {
     EXPECT_GE(drawn, 5) << "three that take the input, and two that show what came of it";
 }
 
+TEST_F(LoopTest, AChoiceUnderThePointerIsDrawnWithTheNextFrame) {
+    start();
+    run();
+    const auto wrap = [&] { return graphics.drawnScenes.at(view::Side::Now).textures.at(0).wrapS; };
+    const PointerMoved choice = at("textures[0].wrapS=GL_CLAMP");
+    const PointerMoved elsewhere = at("view");
+    step({choice});
+    EXPECT_EQ(wrap(), Wrap::Repeat);
+    step();
+    EXPECT_EQ(wrap(), Wrap::Clamp);
+    run();
+    EXPECT_EQ(last.wake, std::nullopt) << "it stands still";
+    step({elsewhere});
+    step();
+    EXPECT_EQ(wrap(), Wrap::Repeat);
+    EXPECT_EQ(session->document.scene, session->document.saved);
+}
+
 TEST_F(LoopTest, ADragWithinOneFrameMovesTheCameraAsFar) {
     start();
     run();
     const View before = session->document.scene.view;
-    const PointerMoved from{600, 650};
-    const PointerMoved to{700, 650};
+    const PointerMoved from{600, 300};
+    const PointerMoved to{700, 300};
     run({from, ButtonChanged{0, true}, to, ButtonChanged{0, false}});
     const View turned = session->document.scene.view;
     EXPECT_NE(turned.azimuth, before.azimuth);
@@ -247,7 +265,7 @@ TEST_F(LoopTest, ADragWithinOneFrameMovesTheCameraAsFar) {
     run();
     run({from, ButtonChanged{0, true}});
     for (int x = 610; x <= 700; x += 10)
-        run({PointerMoved{static_cast<float>(x), 650}});
+        run({PointerMoved{static_cast<float>(x), 300}});
     run({ButtonChanged{0, false}});
     EXPECT_NEAR(session->document.scene.view.azimuth, turned.azimuth, 1e-3) << "as by a slow hand";
 

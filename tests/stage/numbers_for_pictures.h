@@ -23,9 +23,11 @@ public:
 
     const view::Capabilities& capabilities() const override { return facts; }
     const view::OfferedRenderers& renderers() const override { return offered; }
-    Result<view::Frame> draw(RendererKind renderer, const Scene& /*scene*/, const ImageSource& /*images*/,
-                             double /*time*/, view::Size size, LevelsSource& /*levels*/) override {
+    Result<view::Frame> draw(RendererKind renderer, view::Side side, const Scene& scene,
+                             const ImageSource& /*images*/, double /*time*/, view::Size size,
+                             LevelsSource& /*levels*/) override {
         drawn.push_back(renderer);
+        drawnScenes[side] = scene;
         if (!offered.has(renderer))
             return fail(ErrorCode::Driver, "it was not offered");
         view::Frame frame;
@@ -34,7 +36,7 @@ public:
         frame.revision = 7;
         return frame;
     }
-    Result<Image> read(RendererKind /*renderer*/) override {
+    Result<Image> read(RendererKind /*renderer*/, view::Side /*side*/) override {
         ++reads;
         return Image::uninitialised(PixelFormat::Rgba8, pixels.width, pixels.height);
     }
@@ -63,6 +65,9 @@ public:
         startPanels();
     }
     void beginFrame() override {}
+    Image readPanels(view::Size size) override {
+        return Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
+    }
     void drawPanels(ImDrawData& panels, view::Size size) override {
         pixels = size;
         pictures.clear();
@@ -77,6 +82,7 @@ public:
     view::Capabilities facts;
     view::OfferedRenderers offered;
     std::vector<RendererKind> drawn;
+    std::map<view::Side, Scene> drawnScenes; ///< the last ones
     std::map<std::shared_ptr<const Image>, Use> shown;
     std::vector<unsigned> pictures; ///< that the panels of the last frame are drawn with
     view::Size pixels;

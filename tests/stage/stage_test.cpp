@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace texplorer::stage::stage_test {
 namespace {
 
@@ -34,7 +36,9 @@ TEST_F(StageTest, AFrameIsDrawnByWhatTheHostLends) {
     frame();
     EXPECT_THAT(graphics.pictures, Contains(1000U)) << "the view";
     EXPECT_THAT(graphics.pictures, Contains(2000U)) << "the texture space";
-    EXPECT_EQ(graphics.reads, 0) << "nobody asked for pixels";
+    graphics.reads = 0;
+    frame();
+    EXPECT_EQ(graphics.reads, 0) << "the history has its picture, and nobody else asks for pixels";
     EXPECT_THAT(stage.problems(), IsEmpty());
 }
 
@@ -42,9 +46,10 @@ TEST_F(StageTest, TheReferenceNeedsNoRenderer) {
     showOne(session.window.view, RendererKind::Reference);
     frame();
     EXPECT_THAT(graphics.drawn, IsEmpty());
-    ASSERT_THAT(graphics.shown, SizeIs(1));
-    EXPECT_EQ(graphics.shown.begin()->second, Graphics::Use::Enlarged);
-    EXPECT_GT(graphics.shown.begin()->first->width, 100);
+    const auto isView = [](const auto& shown) { // the panels' small pictures are scaled
+        return shown.second == Graphics::Use::Enlarged && shown.first->width > 100;
+    };
+    EXPECT_EQ(std::ranges::count_if(graphics.shown, isView), 1);
     EXPECT_THAT(stage.problems(), IsEmpty());
 }
 
@@ -54,7 +59,7 @@ TEST_F(StageTest, OnlyWhatTheHostHasIsAskedFor) {
     showOne(session.window.view, RendererKind::Shader);
     for (int i = 0; i < 3; ++i)
         frame();
-    EXPECT_EQ(session.window.shownTab, ui::Tab::Glsl);
+    EXPECT_TRUE(isShown(session.window.settings.workspace, ui::Tab::Glsl));
     EXPECT_EQ(session.window.view.renderer, RendererKind::Fixed);
     EXPECT_THAT(graphics.drawn, Each(RendererKind::Fixed));
     EXPECT_THAT(stage.problems(), IsEmpty());
@@ -96,6 +101,37 @@ TEST_F(StageTest, PixelsAreReadOnceForEachPicture) {
     for (int i = 0; i < 3; ++i)
         frame();
     EXPECT_EQ(graphics.reads, 1) << "its revision stays";
+}
+
+TEST_F(StageTest, WhatWasKeptIsDrawnBesideWhatIsNow) {
+    frame();
+    keepAsA(session);
+    session.document.scene.passes[0].blend = true;
+    graphics.drawnScenes.clear();
+    frame();
+    EXPECT_FALSE(graphics.drawnScenes.contains(view::Side::Kept)) << "nobody looks at it";
+    splitKept(session);
+    session.document.scene.view.azimuth += 10;
+    frame();
+    ASSERT_TRUE(graphics.drawnScenes.contains(view::Side::Kept));
+    EXPECT_FALSE(graphics.drawnScenes[view::Side::Kept].passes[0].blend);
+    EXPECT_TRUE(graphics.drawnScenes[view::Side::Now].passes[0].blend);
+    EXPECT_EQ(graphics.drawnScenes[view::Side::Kept].view, session.document.scene.view) << "one camera";
+    forgetKept(session);
+    graphics.drawnScenes.clear();
+    frame();
+    EXPECT_FALSE(graphics.drawnScenes.contains(view::Side::Kept));
+}
+
+TEST_F(StageTest, AStepOfTheHistoryGetsItsPictureOnce) {
+    frame();
+    frame();
+    const auto picture = session.document.history.pictureOf(0);
+    ASSERT_TRUE(picture);
+    EXPECT_LE(picture->width, 96);
+    EXPECT_LE(picture->height, 60);
+    frame();
+    EXPECT_EQ(session.document.history.pictureOf(0), picture);
 }
 
 TEST_F(StageTest, AnUploadAsksForAnotherFrame) {

@@ -10,8 +10,10 @@
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl2.h>
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 
@@ -74,6 +76,8 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     scale_ = scale;
     ImGui::CreateContext();
     applyTheme(scale);
+    textPercent_ = 100;
+    theme_ = Theme::Dark;
     mapKeys();
     unsigned char* pixels = nullptr;
     int textureWidth = 0;
@@ -107,11 +111,29 @@ void Workbench::build(const ui::Pictures& pictures) {
     io.MouseWheel = 0;
 }
 
+/// As the stage does it before a frame.
+void Workbench::layOut() {
+    const Settings& settings = session->window.settings;
+    if (settings.theme != theme_ || settings.textPercent != textPercent_) {
+        theme_ = settings.theme;
+        textPercent_ = settings.textPercent;
+        applyTheme(scale_, theme_, textPercent_);
+        unsigned char* pixels = nullptr;
+        int width = 0;
+        int height = 0;
+        ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+        if (drawing_)
+            drawing_->graphics->fontsChanged();
+    }
+    layout = layoutFor(width_, height_, textScale(scale_, textPercent_), settings.workspace,
+                       gridOf(session->window.view));
+    settle(*session, layout);
+}
+
 void Workbench::frames(int count) {
     for (int i = 0; i < count; ++i) {
         receiveFiles(*session);
-        layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.view));
-        settle(*session, layout);
+        layOut();
         std::vector<ViewFrame> frames;
         for (const RendererKind renderer : shownRenderers(session->window.view))
             frames.push_back(
@@ -123,8 +145,7 @@ void Workbench::frames(int count) {
 Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
     if (!drawing_)
         drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
-    layout = layoutFor(width_, height_, scale_, session->window.columns, gridOf(session->window.view));
-    settle(*session, layout);
+    layOut();
     stage::Graphics& graphics = *drawing_->graphics;
     drawing_->frames.draw(*session, {layout.picture.width, layout.picture.height});
     EXPECT_THAT(drawing_->frames.problems(), problems);
@@ -139,9 +160,14 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
            .shaders = drawing_->frames.shaders(),
            .texture = texture,
            .setBlending = graphics.blendingSwitch(),
-           .keep = [&graphics](const std::shared_ptr<const Image>& image) {
-               return graphics.show(image, stage::Graphics::Use::Scaled);
-           }});
+           .keep =
+               [&graphics](const std::shared_ptr<const Image>& image) {
+                   return graphics.show(image, stage::Graphics::Use::Scaled);
+               },
+           .keepTexels =
+               [&graphics](const std::shared_ptr<const Image>& image) {
+                   return graphics.show(image, stage::Graphics::Use::Enlarged);
+               }});
     glViewport(0, 0, width_, height_);
     glClearColor(1, 0, 1, 1); // what no panel covers is glaring
     glClear(GL_COLOR_BUFFER_BIT);
@@ -239,19 +265,33 @@ void Workbench::wheel(ImVec2 place, float notches) {
 }
 
 void Workbench::open(std::string_view section) {
-    const std::string name = "section:" + std::string(section);
-    scrollTo(name);
-    click(name);
+    const auto row = std::ranges::find(sectionRows, section,
+                                       [](const SectionRow& each) { return std::string_view(each.title); });
+    ASSERT_NE(row, sectionRows.end()) << section;
+    session->window.wantedSection = row->section;
+    frames(1);
+    session->window.wantedSection = row->section; // where it is, is known now
+    frames(2);
 }
 
 void Workbench::scrollTo(std::string_view name) {
-    const Rect& panel = layout.parameters;
-    const ImVec2 above(static_cast<float>(panel.x + 4), static_cast<float>(panel.y + 4));
+    for (const ParameterTabRow& tab : parameterTabRows) { // the one in front may have it
+        if (has(name))
+            break;
+        states.parameters = {tab.tab, {}};
+        frames(2);
+    }
+    const auto panel = places.items.find("parameters");
+    if (panel == places.items.end())
+        return;
+    const WidgetPlaces::Item room = panel->second;
+    const ImVec2 above(room.left + 2, room.top + 2);
     wheel(above, 100);
     for (int turn = 0; turn < 100; ++turn) {
         const auto found = places.items.find(name);
-        if (found != places.items.end() && found->second.visible &&
-            found->second.bottom <= static_cast<float>(panel.bottom() - 40))
+        const bool isHead = found != places.items.end() && found->second.bottom <= room.top;
+        if (isHead ||
+            (found != places.items.end() && found->second.visible && found->second.bottom <= room.bottom))
             return;
         wheel(above, -1);
     }
@@ -259,8 +299,10 @@ void Workbench::scrollTo(std::string_view name) {
 
 void Workbench::choose(std::string_view param, std::string_view name) {
     scrollTo(param);
-    click(param);
-    click(std::string(param) + "=" + std::string(name));
+    const std::string choice = fmt::format("{}={}", param, name);
+    if (!has(choice)) // they are in a list
+        click(param);
+    click(choice);
 }
 
 void Workbench::setModifiers() {

@@ -76,6 +76,7 @@ protected:
 private:
     struct Drawing;
 
+    void layOut();
     void setModifiers();
     void rest(); ///< so long that the next click is no second one
     void build(const ui::Pictures& pictures);
@@ -85,6 +86,8 @@ private:
     int width_ = 1280;
     int height_ = 800;
     float scale_ = 1;
+    int textPercent_ = 100; ///< with the theme, what Dear ImGui was set up for
+    ui::Theme theme_ = ui::Theme::Dark;
     std::unique_ptr<Drawing> drawing_;
 };
 

@@ -1,79 +1,147 @@
 #include "app/ui/details/commands_tab.h"
 
-#include "app/ui/model/commands.h"
+#include "app/ui/details/code_controls.h"
 #include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-
-#include <fmt/core.h>
+#include "core/emit/emit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::ui {
-
 namespace {
 
-/// As lines of a program.
-std::string asText(const std::vector<Command>& commands) {
-    std::string text;
-    for (const Command& command : commands)
-        text += command.kind == Command::Kind::Heading ? fmt::format("/* {} */\n", command.text)
-                                                       : command.text + "\n";
-    return text;
-}
+constexpr const char* commandsHint = "Drag numbers, click names and switches";
 
-void toolRow(const std::vector<Command>& commands) {
+void toolRow(CommandsTabState& state) {
     const char* copy = "Copy";
     const float width = buttonWidth(copy);
-    const char* caption = "Calls that set an initial value are dim";
-    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(caption).x + width) {
+    ImGui::Checkbox("All calls", &state.showsAll);
+    noteItem("all commands");
+    helpTip("Off: only the calls that change what OpenGL starts with");
+    ImGui::SameLine(0, ImGui::GetFontSize());
+    if (ImGui::GetContentRegionAvail().x >
+        ImGui::CalcTextSize(commandsHint).x + ImGui::GetFontSize() + width) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("%s", caption);
+        dimText(commandsHint);
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     if (ImGui::Button(copy))
-        ImGui::SetClipboardText(asText(commands).c_str());
+        ImGui::SetClipboardText(emit::textOf(state.lines, state.showsAll).c_str());
     noteItem("copy commands");
-    helpTip("Copies the calls, those of initial values, too");
+    helpTip("Copies the calls that are listed, as C");
+}
+
+/// The lines that are listed, broken into rows of so many letters.
+void makeRows(CommandsTabState& state) {
+    state.rows.clear();
+    for (std::size_t i = 0; i < state.lines.size(); ++i) {
+        const emit::Line& line = state.lines[i];
+        if (!state.showsAll && !line.needed && !mentions(line, state.kept))
+            continue;
+        if (line.heading && !state.rows.empty())
+            state.rows.push_back({{}, i, false});
+        for (std::vector<emit::Part>& parts : emit::wrapped(line, state.columns))
+            state.rows.push_back({std::move(parts), i, false});
+        state.rows.back().isLast = true;
+    }
+}
+
+/// Makes the lines and rows anew where something is another.
+void renew(const Session& session, CommandsTabState& state, std::size_t columns) {
+    const Document& document = session.document;
+    const bool isSame = state.scene && *state.scene == document.scene;
+    if (isSame && state.columns == columns && state.rowsShowAll == state.showsAll &&
+        state.kept == document.lastChanged)
+        return;
+    if (!isSame) {
+        std::vector<emit::Line> lines = emit::callsOf(document.scene);
+        const auto haveChanged = [&](const std::vector<emit::Line>& among) {
+            return std::ranges::any_of(
+                among, [&](const emit::Line& line) { return mentions(line, document.lastChanged); });
+        };
+        // A number that is dragged to where its call isn't needed stays under the hand.
+        if (!ImGui::IsAnyItemActive() || haveChanged(lines) || !haveChanged(state.lines)) {
+            state.lines = std::move(lines);
+            state.scene = document.scene;
+        }
+    }
+    state.columns = columns;
+    state.rowsShowAll = state.showsAll;
+    state.kept = document.lastChanged;
+    makeRows(state);
+}
+
+/// Scrolls to the line that changed last, once, where it isn't in sight.
+void showChanged(CommandsTabState& state, float rowHeight) {
+    if (std::exchange(state.revealed, state.kept) == state.kept || state.kept.empty())
+        return;
+    const auto found = std::ranges::find_if(
+        state.rows, [&](const CodeRow& row) { return mentions(state.lines[row.line], state.kept); });
+    if (found == state.rows.end())
+        return;
+    const float top = rowHeight * static_cast<float>(found - state.rows.begin());
+    const float height = ImGui::GetWindowHeight();
+    if (top < ImGui::GetScrollY() || top + rowHeight > ImGui::GetScrollY() + height)
+        ImGui::SetScrollY(std::max(0.0F, top - height / 2));
+}
+
+std::string firstPath(const emit::Line& line) {
+    const auto named =
+        std::ranges::find_if(line.parts, [](const emit::Part& part) { return !part.path.empty(); });
+    return named == line.parts.end() ? std::string() : named->path;
+}
+
+void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row, float letter) {
+    const emit::Line& line = state.lines[row.line];
+    const bool isChanged = mentions(line, session.document.lastChanged);
+    const CodeLook look{letter, !line.needed && !line.heading, isChanged};
+    const ImVec2 start = ImGui::GetCursorPos();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float bar = letter * 0.4F;
+    if (isChanged)
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + bar, corner.y + ImGui::GetFontSize()},
+                                                  color::changed);
+    float x = start.x + letter;
+    for (const emit::Part& part : row.parts) {
+        ImGui::SetCursorPos({x, start.y});
+        x += codePart(session, part, look);
+    }
+    if (row.isLast) {
+        ImGui::SetCursorPos({x, start.y});
+        codeSwatch(session, line, look);
+    }
+    // All of a line belongs to what it sets, also its brackets.
+    const float end = corner.x + ImGui::GetWindowContentRegionMax().x;
+    if (session.window.hoveringParam.empty() && ImGui::IsWindowHovered() &&
+        ImGui::IsMouseHoveringRect(corner, {end, corner.y + ImGui::GetFontSize()}))
+        session.window.hoveringParam = firstPath(line);
+    ImGui::SetCursorPos(start);
+    ImGui::Dummy({0, ImGui::GetFontSize()});
 }
 
 } // namespace
 
-void drawCommandsTab(const Session& session, CommandsTabState& state) {
-    const std::vector<Command> commands = commandsOf(session.document.scene);
-    toolRow(commands);
+void drawCommandsTab(Session& session, CommandsTabState& state) {
+    toolRow(state);
     ImGui::BeginChild("commands");
     ImGui::PushFont(codeFont());
-    const float letter = ImGui::CalcTextSize("M").x;
-    const auto columns =
-        static_cast<std::size_t>(std::max(16.0F, ImGui::GetContentRegionAvail().x / letter - 1));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.15F});
-    for (const Command& command : commands) {
-        if (command.kind == Command::Kind::Heading) {
-            ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
-            ImGui::TextDisabled("/* %s */", command.text.c_str());
-            continue;
-        }
-        const bool last =
-            !session.document.lastChanged.empty() && command.path == session.document.lastChanged;
-        ImGui::PushStyleColor(ImGuiCol_Text, last              ? color::changed
-                                             : command.changed ? color::text
-                                                               : color::dim);
-        ImGui::BeginGroup();
-        for (const std::string& line : wrapCall(command.text, columns))
-            ImGui::TextUnformatted(line.c_str());
-        ImGui::EndGroup();
-        ImGui::PopStyleColor();
-        if (last)
-            ImGui::GetWindowDrawList()->AddRectFilled(
-                {ImGui::GetItemRectMin().x - letter, ImGui::GetItemRectMin().y},
-                {ImGui::GetItemRectMin().x - letter * 0.6F, ImGui::GetItemRectMax().y}, color::changed);
-        if (last && state.revealed != command.path)
-            ImGui::SetScrollHereY(0.5F);
-        noteItem("command:" + command.path);
+    constexpr int sample = 64; // letters: the width of one may be rounded
+    const float letter = ImGui::CalcTextSize(std::string(sample, 'M').c_str()).x / sample;
+    const float room = ImGui::GetContentRegionAvail().x / letter - 3; // a bar before, a swatch behind
+    renew(session, state, static_cast<std::size_t>(std::max(16.0F, room)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.2F});
+    const float rowHeight = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+    showChanged(state, rowHeight);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(state.rows.size()), rowHeight);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            drawRow(session, state, state.rows[static_cast<std::size_t>(i)], letter);
     }
-    state.revealed = session.document.lastChanged;
     ImGui::PopStyleVar();
     ImGui::PopFont();
     ImGui::EndChild();

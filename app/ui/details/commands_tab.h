@@ -1,16 +1,36 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "core/emit/code.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 
-/// What the tab remembers.
-struct CommandsTabState {
-    std::string revealed; ///< the parameter that the list was scrolled to already
+/// A row of the list: a line of code, or a part of one that is too long.
+struct CodeRow {
+    std::vector<emit::Part> parts;
+    std::size_t line;
+    bool isLast; ///< of its line
 };
 
-void drawCommandsTab(const Session& session, CommandsTabState& state);
+/// What the tab remembers.
+struct CommandsTabState {
+    bool showsAll = false; ///< calls that set what OpenGL has anyway, too
+    std::string revealed;  ///< the parameter that the list was scrolled to already
+
+    // What was made of the scene, until it is another one.
+    std::optional<Scene> scene;
+    std::vector<emit::Line> lines;
+    std::vector<CodeRow> rows;
+    std::string kept; ///< the parameter whose calls stay though OpenGL has their values
+    std::size_t columns = 0;
+    bool rowsShowAll = false;
+};
+
+/// The calls that draw the scene, in C, with their values as controls.
+void drawCommandsTab(Session& session, CommandsTabState& state);
 
 } // namespace texplorer::ui

@@ -1,12 +1,14 @@
 #include "app/ui/details/details_panel.h"
 
-#include "app/ui/details/explain_tab.h"
 #include "app/ui/details/memory_tab.h"
 #include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -17,59 +19,178 @@ void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Ta
     switch (tab) {
     case Tab::Vertices:
         return drawVerticesTab(session, state.vertices);
+    case Tab::Levels:
+        return drawLevelsTab(session, state.levels, pictures);
     case Tab::Commands:
         return drawCommandsTab(session, state.commands);
     case Tab::Glsl:
         return drawGlslTab(session, state.glsl, pictures);
     case Tab::Explain:
-        return drawExplainTab(session, pictures);
+        return drawExplainTab(session, state.explain, pictures);
     case Tab::File:
         return drawFileTab(session, state.file);
     case Tab::Memory:
         return drawMemoryTab(session, pictures);
+    case Tab::Kept:
+        return drawKeptTab(session, state.kept);
+    case Tab::History:
+        return drawHistoryTab(session, state.history, pictures);
     }
+}
+
+/// Close together: all of their names fit into a narrow panel.
+void pushTabStyle() {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ImGui::GetFontSize() * 0.2F, ImGui::GetStyle().FramePadding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {1, ImGui::GetStyle().ItemInnerSpacing.y});
+}
+
+bool liesIn(const Workspace& workspace, Tab tab, Dock dock) {
+    return isOpen(workspace, tab) && dockOf(workspace, tab) == dock;
+}
+
+/// What the mouse does with a tab, which is the last widget.
+void handleTab(Workspace& workspace, DetailsState& state, const TabRow& row, Dock dock) {
+    Tab& front = workspace.front[static_cast<std::size_t>(dock)];
+    if (ImGui::IsItemActivated())
+        front = row.tab;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        toggleMaximised(workspace, maximised(dock));
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, ImGui::GetFontSize()))
+        state.dragged = row.tab;
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Middle))
+        closeTab(workspace, row.tab);
+    if (ImGui::BeginPopupContextItem()) {
+        tabMenuItems(workspace, row.tab);
+        ImGui::EndPopup();
+    }
+}
+
+/// The tabs, with short labels where the long ones have no room.
+void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
+    const float em = ImGui::GetFontSize();
+    float width = 0;
+    for (const TabRow& row : tabRows)
+        width += liesIn(workspace, row.tab, dock) ? ImGui::CalcTextSize(row.label).x + em * 0.4F + 2 : 0;
+    const bool brief = width > ImGui::GetContentRegionAvail().x;
+    pushTabStyle();
+    const bool hasTabs = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar(2);
+    if (!hasTabs)
+        return;
+    for (const TabRow& row : tabRows) {
+        if (!liesIn(workspace, row.tab, dock))
+            continue;
+        pushTabStyle();
+        const std::string label = fmt::format("{}###{}", brief ? row.brief : row.label, row.label);
+        const bool isFront = frontOf(workspace, dock) == row.tab;
+        const bool open =
+            ImGui::BeginTabItem(label.c_str(), nullptr, isFront ? ImGuiTabItemFlags_SetSelected : 0);
+        ImGui::PopStyleVar(2);
+        noteItem(std::string("tab:") + row.label);
+        handleTab(workspace, state, row, dock);
+        if (open)
+            ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+/// What is to be done with the whole dock, at the right end of its tabs.
+void dockButtons(Workspace& workspace, Dock dock) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Button, 0));
+    if (squareButton("+", fmt::format("panels:{}", rowOf(dock).name), "Which tabs lie here", true))
+        ImGui::OpenPopup("panels");
+    const bool fills = maximisedOf(workspace) == maximised(dock);
+    ImGui::SameLine(0, 0);
+    if (squareButton(fills ? "❐" : "□", fmt::format("maximise:{}", rowOf(dock).name),
+                     fills ? "Back to its size (double click on a tab, Escape)"
+                           : "Fills everything but the parameters (double click on a tab)",
+                     true))
+        toggleMaximised(workspace, maximised(dock));
+    const std::optional<Tab> front = frontOf(workspace, dock);
+    ImGui::SameLine(0, 0);
+    if (squareButton("✕", fmt::format("close:{}", rowOf(dock).name),
+                     "Closes this tab (middle click). View › Panels opens it again.", front.has_value()))
+        closeTab(workspace, *front);
+    ImGui::PopStyleColor();
+    if (ImGui::BeginPopup("panels")) {
+        dockMenuItems(workspace, dock);
+        ImGui::EndPopup();
+    }
+}
+
+void drawTabs(Workspace& workspace, DetailsState& state, Dock dock) {
+    const float buttons = 3 * ImGui::GetFrameHeight();
+    ImGui::BeginChild("tab row",
+                      {std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons), ImGui::GetFrameHeight()},
+                      false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    drawTabBar(workspace, state, dock);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 0);
+    dockButtons(workspace, dock);
+}
+
+/// Where a tab falls into a dock, even into one that isn't there.
+Rect dropZone(const Layout& layout, Dock dock) {
+    if (!layout.of(dock).isEmpty())
+        return layout.of(dock);
+    const int left = layout.leftSeam.right();
+    const int width = layout.window.right() - left;
+    const int height = layout.status.y - layout.menu.bottom();
+    if (dock == Dock::Below)
+        return {left, layout.status.y - height / 4, width, height / 4};
+    return {layout.window.right() - width / 4, layout.menu.bottom(), width / 4, height * 3 / 4};
 }
 
 } // namespace
 
-void drawDetailsPanel(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout) {
-    beginPanel("Details", layout.details, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    session.window.explaining.isOpen = false;
-    // Close together: all of their names fit into a narrow panel.
-    const auto pushTabStyle = [] {
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                            {ImGui::GetFontSize() * 0.2F, ImGui::GetStyle().FramePadding.y});
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {1, ImGui::GetStyle().ItemInnerSpacing.y});
-    };
-    const float available = ImGui::GetContentRegionAvail().x;
-    const auto haveRoom = [&] {
-        float width = 0;
-        for (const TabRow& row : tabRows)
-            width += ImGui::CalcTextSize(row.label).x + ImGui::GetFontSize() * 0.4F + 2;
-        return width <= available;
-    };
-    pushTabStyle();
-    const bool hasTabs = ImGui::BeginTabBar("tabs");
-    ImGui::PopStyleVar(2);
-    if (hasTabs) {
-        const std::optional<Tab> wanted = std::exchange(session.window.wantedTab, std::nullopt);
-        const bool brief = !haveRoom();
-        for (const TabRow& row : tabRows) {
-            pushTabStyle();
-            const std::string label = fmt::format("{}###{}", brief ? row.brief : row.label, row.label);
-            const bool open = ImGui::BeginTabItem(label.c_str(), nullptr,
-                                                  wanted == row.tab ? ImGuiTabItemFlags_SetSelected : 0);
-            ImGui::PopStyleVar(2);
-            noteItem(std::string("tab:") + row.label);
-            if (open) {
-                session.window.shownTab = row.tab;
-                drawTab(session, state, pictures, row.tab);
-                ImGui::EndTabItem();
-            }
-        }
-        ImGui::EndTabBar();
+void drawDock(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
+              Dock dock) {
+    if (layout.of(dock).isEmpty())
+        return;
+    Workspace& workspace = session.window.settings.workspace;
+    beginPanel(rowOf(dock).window, layout.of(dock),
+               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const float top = ImGui::GetCursorPosY() + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
+    drawTabs(workspace, state, dock);
+    ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, top});
+    if (const std::optional<Tab> front = frontOf(workspace, dock)) {
+        ImGui::PushID(rowOf(*front).label);
+        drawTab(session, state, pictures, *front);
+        ImGui::PopID();
     }
     ImGui::End();
+}
+
+void drawDraggedTab(Session& session, DetailsState& state, const Layout& layout) {
+    if (!state.dragged)
+        return;
+    Workspace& workspace = session.window.settings.workspace;
+    const Dock target = dockOf(workspace, *state.dragged) == Dock::Right ? Dock::Below : Dock::Right;
+    const Rect zone = dropZone(layout, target);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool falls = zone.contains(mouse.x, mouse.y);
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        if (falls)
+            moveTab(workspace, *state.dragged, target);
+        state.dragged.reset();
+        return;
+    }
+    ImDrawList& draw = *ImGui::GetForegroundDrawList();
+    const ImVec2 low(static_cast<float>(zone.x), static_cast<float>(zone.y));
+    const ImVec2 high(static_cast<float>(zone.right()), static_cast<float>(zone.bottom()));
+    if (falls)
+        draw.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_SeparatorHovered, 0.25F));
+    draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_SeparatorHovered), 0, 0, 2);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at(mouse.x + em * 0.8F, mouse.y + em * 0.8F);
+    const char* label = rowOf(*state.dragged).label;
+    const ImVec2 size = ImGui::CalcTextSize(label);
+    draw.AddRectFilled({at.x - em * 0.3F, at.y - em * 0.2F},
+                       {at.x + size.x + em * 0.3F, at.y + size.y + em * 0.2F},
+                       ImGui::GetColorU32(ImGuiCol_PopupBg), em * 0.2F);
+    draw.AddText(at, color::text, label);
+    noteDrawn("tab falls", low, high);
 }
 
 } // namespace texplorer::ui

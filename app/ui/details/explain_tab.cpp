@@ -1,247 +1,121 @@
 #include "app/ui/details/explain_tab.h"
 
+#include "app/ui/details/explain_comparison.h"
+#include "app/ui/details/explain_list.h"
+#include "app/ui/details/step_rows.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/reference/explain/explanation_steps.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <string>
 #include <vector>
 
 namespace texplorer::ui {
 namespace {
 
-using reference::Ink;
-using reference::PixelBytes;
-using reference::Step;
+using reference::Explanation;
 using reference::StepRow;
 
-ImU32 tintOf(Ink ink) {
-    switch (ink) {
-    case Ink::S:
-        return color::s;
-    case Ink::T:
-        return color::t;
-    case Ink::R:
-        return color::r;
-    case Ink::Q:
-        return color::q;
-    case Ink::Dim:
-        return color::dim;
-    case Ink::Good:
-        return color::t;
-    case Ink::Bad:
-        return color::problem;
-    case Ink::Plain:
-        break;
-    }
-    return color::text;
+constexpr float leastPipeline = 46; // heights of the text: what is narrower has a list
+
+/// As texshot probe --at counts: from the upper left.
+std::string pixelText(const Explanation& explanation) {
+    return fmt::format("Pixel {},{}", explanation.pixel.x, explanation.height - 1 - explanation.pixel.y);
 }
 
-void text(const std::string& words, ImU32 tint = color::text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, tint);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopStyleColor();
-}
-
-/// Text beside what stands in the line already: what has no room goes on below its beginning, or, where that
-/// would be narrow, on lines of its own.
-void hangingText(const std::string& words, ImU32 tint) {
-    const float em = ImGui::GetFontSize();
-    const float right = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX();
-    const float room = right - ImGui::GetCursorPosX();
-    const float width = ImGui::CalcTextSize(words.c_str()).x;
-    if (room < width && room < 14 * em) {
-        ImGui::NewLine();
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
-    }
-    ImGui::PushTextWrapPos(right);
-    text(words, tint);
-    ImGui::PopTextWrapPos();
-}
-
-/// A square of the colour, as opaque as a pixel is.
-void swatch(glm::vec4 color) {
-    const float side = ImGui::GetTextLineHeight() * 0.8F;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float top = at.y + ImGui::GetTextLineHeight() * 0.1F;
-    const glm::vec4 c = glm::clamp(color, 0.0F, 1.0F);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled({at.x, top}, {at.x + side, top + side},
-                       ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}));
-    draw.AddRect({at.x, top}, {at.x + side, top + side}, color::outline);
-    ImGui::Dummy({side, ImGui::GetTextLineHeight()});
-}
-
-/// What a table of rows with the same number of cells takes: more than the panel has is reached by scrolling.
-float tableWidth(std::span<const StepRow> rows, float padding) {
-    std::vector<float> columns(rows.front().cells.size() + 1);
-    const auto widen = [](float& column, const std::string& words, float more) {
-        column = std::max(column, ImGui::CalcTextSize(words.c_str()).x + more);
-    };
-    for (const StepRow& row : rows) {
-        const float swatch =
-            row.swatch ? ImGui::GetTextLineHeight() * 0.8F + ImGui::GetStyle().ItemInnerSpacing.x : 0;
-        widen(columns[0], row.label, swatch);
-        for (std::size_t i = 0; i < row.cells.size(); ++i)
-            widen(columns[i + 1], row.cells[i].text, 0);
-    }
-    float width = 0;
-    for (const float column : columns)
-        width += std::ceil(column) + 2 * padding;
-    return width;
-}
-
-/// Rows with the same number of cells share their columns.
-void drawRows(const std::vector<StepRow>& rows) {
-    for (std::size_t first = 0; first < rows.size();) {
-        const std::size_t cells = rows[first].cells.size();
-        std::size_t last = first;
-        while (last < rows.size() && rows[last].cells.size() == cells)
-            ++last;
-        if (cells == 0) {
-            for (; first < last; ++first) {
-                ImGui::PushStyleColor(ImGuiCol_Text, tintOf(rows[first].ink));
-                ImGui::TextWrapped("%s", rows[first].label.c_str());
-                ImGui::PopStyleColor();
-            }
-            continue;
-        }
-        ImGui::PushID(static_cast<int>(first));
-        const float padding = std::floor(ImGui::GetFontSize() * 0.18F);
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-        const int columns = static_cast<int>(cells) + 1;
-        const float width = tableWidth(std::span(rows).subspan(first, last - first), padding);
-        const bool open = ImGui::BeginTable(
-            "rows", columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings, {width, 0});
-        if (open) {
-            for (; first < last; ++first) {
-                const StepRow& row = rows[first];
-                ImGui::TableNextRow();
-                ImGui::TableNextColumn();
-                if (row.swatch) {
-                    swatch(*row.swatch);
-                    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-                }
-                text(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
-                for (const reference::StepCell& cell : row.cells) {
-                    ImGui::TableNextColumn();
-                    text(cell.text, tintOf(cell.ink));
-                }
-            }
-            ImGui::EndTable();
-        }
-        ImGui::PopStyleVar();
-        ImGui::PopID();
-        first = last;
-    }
-}
-
-void drawStep(const Step& step, bool first, bool severalUnits) {
-    const std::string title =
-        step.unit < 0 || !severalUnits ? step.title : fmt::format("{}, unit {}", step.title, step.unit);
-    ImGui::PushID(static_cast<int>(step.kind) * 8 + step.unit);
-    // The texels are what one wants to see first.
-    ImGui::SetNextItemOpen(first && step.kind == reference::StepKind::Texels, ImGuiCond_FirstUseEver);
-    const bool hasRows = !step.rows.empty();
-    const bool open =
-        ImGui::TreeNodeEx("step", ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
-                          "%s", title.c_str());
-    noteItem("explain:" + title);
+void offerEllipse(Session& session) {
+    constexpr const char* label = "Compare by ellipse";
+    hangingText("How to filter anisotropically is left to the driver. Mesa's averages over an ellipse.",
+                color::text);
+    noteItem("explain:ellipse");
+    const float button = buttonWidth(label);
     ImGui::SameLine();
-    if (step.swatch) {
-        swatch(*step.swatch);
-        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::GetContentRegionAvail().x < button)
+        ImGui::NewLine();
+    if (ImGui::SmallButton(label))
+        session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
+    noteItem("explain:use ellipse");
+    helpTip(texplorer::rowOf(reference::AnisotropyMethod::Ellipse).help);
+}
+
+/// Goes on in the line where this has room, else in the next one.
+void sameLineFor(float width) {
+    ImGui::SameLine(0, ImGui::GetFontSize() * 1.2F);
+    if (ImGui::GetContentRegionAvail().x < width)
+        ImGui::NewLine();
+}
+
+/// The same as drawRows, in one line.
+void drawInLine(const std::vector<StepRow>& rows, float reserved) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (const StepRow& row : rows) {
+        float width = ImGui::GetTextLineHeight() + ImGui::CalcTextSize(row.label.c_str()).x;
+        for (const reference::StepCell& cell : row.cells)
+            width += gap + ImGui::CalcTextSize(cell.text.c_str()).x;
+        sameLineFor(width + reserved);
+        swatch(*row.swatch);
+        ImGui::SameLine(0, gap);
+        inkText(row.label, color::dim);
+        for (const reference::StepCell& cell : row.cells) {
+            if (cell.text.empty())
+                continue;
+            ImGui::SameLine(0, gap);
+            inkText(cell.text, tintOf(cell.ink));
+        }
     }
-    const bool idle = step.kind == reference::StepKind::IdleUnit;
-    hangingText(step.summary, idle ? color::problem : color::dim);
-    noteItem("explain:summary of " + title);
-    if (open) {
-        ImGui::TreePop(); // before the rows: they need the width
-        drawRows(step.rows);
-        noteItem("explain:rows of " + title);
+}
+
+/// At the right end of the line.
+void pixelButtons(Session& session) {
+    const bool pinned = session.window.explaining.pinned != nullptr;
+    const char* pin = pinned ? "Unpin" : "Pin";
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = buttonWidth(pin) + gap + buttonWidth("Clear");
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+    if (ImGui::SmallButton(pin)) {
+        if (pinned)
+            session.window.explaining.pinned.reset();
+        else
+            pinPixel(session);
     }
-    ImGui::PopID();
-}
-
-void drawFragment(const reference::FragmentSteps& fragment, const reference::FragmentExplanation& explained,
-                  std::size_t index, bool seen) {
-    ImGui::PushID(seen ? -1 : static_cast<int>(index));
-    ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
-    const std::string title = fragment.title + (fragment.drawn ? "" : ": " + fragment.outcome);
-    ImGui::PushStyleColor(ImGuiCol_Text, fragment.drawn ? color::text : color::dim);
-    const float room = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX() - ImGui::GetCursorPosX() -
-                       ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.5F;
-    const bool open = ImGui::CollapsingHeader((fitted(title, room) + "###fragment").c_str());
-    if (fitted(title, room) != title)
-        helpTip(title);
-    ImGui::PopStyleColor();
-    noteItem(fmt::format("explain:fragment {}", index));
-    for (const Step& step : fragment.steps) {
-        if (open)
-            drawStep(step, seen, explained.units.size() + explained.idle.size() > 1);
-    }
-    ImGui::PopID();
-}
-
-glm::vec4 colorOf(const PixelBytes& bytes) {
-    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
-}
-
-reference::StepCell differenceFrom(const PixelBytes& expected, const PixelBytes& found) {
-    int most = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i)
-        most = std::max(most, std::abs(int{expected[i]} - int{found[i]}));
-    if (most == 0)
-        return {"the same", Ink::Dim};
-    return {fmt::format("off by {}", most), Ink::Bad};
-}
-
-void drawHead(Session& session, const Pictures& pictures, const reference::Explanation& explanation) {
-    const auto& [x, y] = explanation.pixel;
-    text(fmt::format("Pixel {},{} from the upper left", x,
-                     explanation.height - 1 - y), // as texshot probe --at counts
-         color::probed);
-    noteItem("explain:pixel");
-    helpTip(fmt::format(
-        "In OpenGL's window coordinates, which begin at the lower left, {},{}. Hold E over the picture, or "
-        "click there, for another pixel.",
-        x, y));
-    const float width = buttonWidth("Clear");
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    noteItem(pinned ? "explain:unpin" : "explain:pin");
+    helpTip(pinned ? "Lets go of the pixel that stays for comparison."
+                   : "Keeps this pixel as it is now. The next one, or the same one after a change, is shown "
+                     "beside it, with what differs marked.");
+    ImGui::SameLine(0, gap);
     if (ImGui::SmallButton("Clear")) {
         session.window.explaining.pixel.reset();
+        session.window.explaining.pinned.reset();
         clearTexel(session);
     }
     noteItem("explain:clear");
-    std::vector<StepRow> rows;
-    const auto add = [&](RendererKind renderer, const PixelBytes& bytes, reference::StepCell remark) {
-        StepRow& row = rows.emplace_back();
-        row.label = rowOf(renderer).label;
-        row.swatch = colorOf(bytes);
-        row.cells = {{reference::bytesText(bytes), Ink::Plain}, std::move(remark)};
-    };
-    add(RendererKind::Reference, explanation.bytes, {});
-    const bool comparable = explainsThePicture(session);
-    for (const ViewFrame& view : pictures.frames) {
-        if (!view.image || !view.whole || view.image->width != explanation.width ||
-            view.image->height != explanation.height || view.image->format != PixelFormat::Rgba8)
-            continue;
-        PixelBytes bytes{};
-        for (std::size_t i = 0; i < bytes.size(); ++i)
-            bytes[i] = std::to_integer<std::uint8_t>(view.image->at(x, y)[i]);
-        // While the scene moves the pictures are ahead of the answer: they have nothing in common.
-        add(view.renderer, bytes,
-            comparable ? differenceFrom(explanation.bytes, bytes) : reference::StepCell{});
-        if (comparable)
-            noteItem("explain:compared " + rows.back().label);
+}
+
+void drawHead(Session& session, const Pictures& pictures, const Explanation& explanation, bool wide) {
+    inkText(pixelText(explanation), color::probed);
+    noteItem("explain:pixel");
+    helpTip(
+        fmt::format("Counted from the upper left. In OpenGL's window coordinates, which begin at the lower "
+                    "left, {},{}. Click in the picture, hold E over it, or press an arrow key for another "
+                    "pixel, Shift for ten pixels further.",
+                    explanation.pixel.x, explanation.pixel.y));
+    const Comparison comparison = compareRenderers(session, pictures, explanation);
+    if (wide) {
+        drawInLine(comparison.rows, buttonWidth("Unpin") + buttonWidth("Clear") + ImGui::GetFontSize());
+        pixelButtons(session);
+    } else {
+        pixelButtons(session);
+        drawRows(comparison.rows);
     }
-    drawRows(rows);
+    for (const std::string& label : comparison.compared)
+        noteItem("explain:compared " + label);
+    if (comparison.most > session.window.view.tolerance && mayDifferByMethod(session, explanation))
+        offerEllipse(session);
 }
 
 void drawTexelLine(Session& session) {
@@ -272,18 +146,120 @@ void drawTexelLine(Session& session) {
         clearTexel(session);
 }
 
+std::string titleOf(const reference::FragmentSteps& fragment) {
+    return fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
+}
+
+/// The fragment that is shown: the one that one sees, or another one that was chosen for this pixel.
+std::size_t shownFragment(const ExplainTabState& state, const Explanation& explanation) {
+    if (state.fragmentOf == explanation.pixel && state.fragment < explanation.fragments.size())
+        return state.fragment;
+    const reference::FragmentExplanation* seen = explanation.seen();
+    return seen ? static_cast<std::size_t>(seen - explanation.fragments.data()) : 0;
+}
+
+/// Which of the fragments that cover the pixel is shown; nothing where there is only one.
+void chooseFragment(ExplainTabState& state, const Explanation& explanation,
+                    const std::vector<reference::FragmentSteps>& fragments, std::size_t shown) {
+    if (fragments.size() < 2)
+        return;
+    ImGui::AlignTextToFramePadding();
+    inkText(fmt::format("{} fragments cover it:", fragments.size()), color::dim);
+    ImGui::SameLine();
+    const std::string title = titleOf(fragments[shown]);
+    const float arrow = ImGui::GetFrameHeight();
+    const float width = std::min(ImGui::CalcTextSize(title.c_str()).x + arrow + ImGui::GetFontSize(),
+                                 ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(width);
+    const std::string preview = fitted(title, width - arrow - ImGui::GetFontSize());
+    const bool open = ImGui::BeginCombo("##fragment", preview.c_str());
+    noteItem("explain:fragments");
+    if (preview != title)
+        helpTip(title);
+    if (!open)
+        return;
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(titleOf(fragments[i]).c_str(), i == shown)) {
+            state.fragment = i;
+            state.fragmentOf = explanation.pixel;
+        }
+        noteItem(fmt::format("explain:fragment {}", i));
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+Lane laneOf(const Explanation& explanation, const std::vector<reference::FragmentSteps>& fragments,
+            std::size_t shown, std::string title) {
+    const reference::FragmentExplanation& fragment = explanation.fragments[shown];
+    return {std::move(title), fragment, fragments[shown], cardsOf(fragment, fragments[shown])};
+}
+
+void drawLanes(ExplainTabState& state, const Explanation* pinned, const Explanation& explanation,
+               const std::vector<reference::FragmentSteps>& fragments) {
+    const std::size_t shown = shownFragment(state, explanation);
+    chooseFragment(state, explanation, fragments, shown);
+    const std::vector<reference::FragmentSteps> pinnedFragments =
+        pinned ? reference::stepsOf(*pinned) : std::vector<reference::FragmentSteps>{};
+    std::vector<Lane> lanes;
+    if (pinned && !pinnedFragments.empty()) {
+        const ExplainTabState seen;
+        lanes.push_back(laneOf(*pinned, pinnedFragments, shownFragment(seen, *pinned),
+                               fmt::format("Pinned: {}", pixelText(*pinned))));
+    }
+    lanes.push_back(laneOf(explanation, fragments, shown, lanes.empty() ? "" : pixelText(explanation)));
+    drawPipeline(state.pipeline, lanes);
+}
+
+void drawLists(const Explanation* pinned, const Explanation& explanation,
+               const std::vector<reference::FragmentSteps>& fragments) {
+    const auto pinnedFragments =
+        pinned ? reference::stepsOf(*pinned) : std::vector<reference::FragmentSteps>{};
+    const bool comparable = pinned && pinned->seen();
+    const ExplainTabState seen;
+    drawFragmentList(explanation, fragments,
+                     comparable ? &pinnedFragments[shownFragment(seen, *pinned)] : nullptr);
+    if (!pinned)
+        return;
+    ImGui::Separator();
+    ImGui::PushID("pinned");
+    inkText(fmt::format("Pinned: {}", pixelText(*pinned)), color::dim);
+    noteItem("explain:pinned");
+    drawFragmentList(*pinned, pinnedFragments);
+    ImGui::PopID();
+}
+
+/// What to do, and what there will be to see.
+void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
+    const auto [width, height] = pictures.frames.front().frame.size;
+    // Within what one sees: the cards may be wider.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushTextWrapPos(ImGui::GetScrollX() + ImGui::GetWindowWidth() - style.WindowPadding.x -
+                           style.ScrollbarSize);
+    ImGui::TextUnformatted(
+        "Why has this pixel that colour? Click one in the view, or hold E over it: here is "
+        "everything that OpenGL computes on the way, in its order.");
+    ImGui::PopTextWrapPos();
+    noteItem("explain:none");
+    if (ImGui::SmallButton("Explain the pixel in the middle"))
+        session.window.explaining.pixel = {width / 2, height / 2};
+    noteItem("explain:middle");
+    if (wide) {
+        ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
+        drawStages();
+    }
+}
+
 } // namespace
 
-void drawExplainTab(Session& session, const Pictures& pictures) {
-    session.window.explaining.isOpen = true;
+void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pictures) {
     ImGui::BeginChild("explain", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    const bool wide = ImGui::GetContentRegionAvail().x >= leastPipeline * ImGui::GetFontSize();
     const auto& answer = session.window.explaining.answer;
-    const reference::Explanation* explanation = explanationOf(session);
+    const Explanation* explanation = explanationOf(session);
     if (!session.window.explaining.pixel) {
-        ImGui::TextWrapped(
-            "Why has this pixel that colour? Click one in the view, or hold E over it: here is "
-            "everything that OpenGL computes on the way, in its order.");
-        noteItem("explain:none");
+        drawInvitation(session, pictures, wide);
         drawTexelLine(session);
     } else if (!explanation) {
         if (answer && answer->explanation && !*answer->explanation)
@@ -292,21 +268,16 @@ void drawExplainTab(Session& session, const Pictures& pictures) {
             ImGui::TextDisabled("The texture's levels are being made…");
         noteItem("explain:waiting");
     } else {
-        drawHead(session, pictures, *explanation);
+        drawHead(session, pictures, *explanation, wide);
         drawTexelLine(session);
         const auto fragments = reference::stepsOf(*explanation);
+        const Explanation* pinned = pinnedExplanation(session);
         if (fragments.empty())
             ImGui::TextWrapped("Nothing covers it: it shows the background.");
-        const reference::FragmentExplanation* seen = explanation->seen();
-        // First what one sees, then the rest in the order of drawing.
-        for (std::size_t i = 0; i < fragments.size(); ++i) {
-            if (seen == &explanation->fragments[i])
-                drawFragment(fragments[i], explanation->fragments[i], i, true);
-        }
-        for (std::size_t i = 0; i < fragments.size(); ++i) {
-            if (seen != &explanation->fragments[i])
-                drawFragment(fragments[i], explanation->fragments[i], i, false);
-        }
+        if (wide && !fragments.empty())
+            drawLanes(state, pinned, *explanation, fragments);
+        else
+            drawLists(pinned, *explanation, fragments);
     }
     ImGui::EndChild();
 }

@@ -155,7 +155,7 @@ void hexRow(FileTabState& state, const FieldMap& map, const HexLine& line, std::
         }
     }
     draw.AddText(corner, color::dim, fmt::format("{:0{}X}", first, line.digits).c_str());
-    constexpr ImU32 lit = IM_COL32(118, 150, 190, 130);
+    const ImU32 lit = color::lit;
     for (std::size_t i = 0; i < count; ++i) {
         const int value = std::to_integer<int>(file.bytes[first + i]);
         const auto field = map.at(first + i);

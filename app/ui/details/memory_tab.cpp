@@ -133,7 +133,7 @@ void shareBar(double share) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::GetWindowDrawList()->AddRectFilled(
         {low.x + width * (1 - static_cast<float>(std::clamp(share, 0.0, 1.0))), low.y + line * 0.06F},
-        {low.x + width, low.y + line * 0.94F}, IM_COL32(118, 150, 190, 70));
+        {low.x + width, low.y + line * 0.94F}, color::lit);
 }
 
 void missingRow(int number) {

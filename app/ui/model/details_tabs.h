@@ -1,27 +1,61 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace texplorer::ui {
 
-/// The tabs at the lower right.
-enum class Tab { Vertices, Commands, Glsl, Explain, File, Memory };
+/// Where tabs lie.
+enum class Dock { Right, Below };
+
+struct DockRow {
+    Dock dock;
+    std::string_view name; ///< in the settings' file
+    const char* label;
+    const char* window; ///< of Dear ImGui
+};
+
+inline constexpr std::array dockRows{
+    DockRow{Dock::Right, "right", "On the right", "Right dock"},
+    DockRow{Dock::Below, "below", "Below", "Dock below"},
+};
+
+[[nodiscard]] constexpr const DockRow& rowOf(Dock dock) {
+    return dockRows[static_cast<std::size_t>(dock)];
+}
+
+enum class Tab { Vertices, Levels, Commands, Glsl, Explain, File, Memory, Kept, History };
 
 struct TabRow {
     Tab tab;
     std::string_view name; ///< for texshot's --tab
     const char* label;
     const char* brief; ///< the label where it has no room
+    Dock home = Dock::Below;
 };
 
 inline constexpr std::array tabRows{
-    TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices"},
+    TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices", Dock::Right},
+    TabRow{Tab::Levels, "levels", "Levels", "Levels", Dock::Right},
     TabRow{Tab::Commands, "commands", "Commands", "Calls"},
     TabRow{Tab::Glsl, "glsl", "GLSL", "GLSL"},
     TabRow{Tab::Explain, "explain", "Explain", "Explain"},
     TabRow{Tab::File, "file", "File", "File"},
     TabRow{Tab::Memory, "memory", "Memory", "Memory"},
+    TabRow{Tab::Kept, "a-b", "A and B", "A/B"},
+    TabRow{Tab::History, "history", "History", "History", Dock::Right},
 };
+
+[[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {
+    return tabRows[static_cast<std::size_t>(tab)];
+}
+static_assert([] {
+    for (const TabRow& row : tabRows) {
+        if (&rowOf(row.tab) != &row)
+            return false;
+    }
+    return true;
+}());
 
 } // namespace texplorer::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/model/kept.h"
 #include "app/ui/model/load.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/history.h"
@@ -21,6 +22,12 @@ struct Diagnosis {
     DriverFacts driver;
 };
 
+/// A camera whose distance shows the whole scene in a picture of this shape.
+struct Fit {
+    View view{};
+    float aspect = 0; ///< width by height; 0: there was none
+};
+
 /// What is shown and edited. Another scene is another Document; the window around it stays.
 struct Document {
     /// A scene whose images are loaded. A camera that nobody has chosen, that of the default scene, is fitted
@@ -30,9 +37,11 @@ struct Document {
     Scene scene; ///< `history.current()` but for an edit in progress
     History history;
     Scene saved; ///< as the file has it
+    Kept kept;
     ImageSource images;
     std::filesystem::path file;    ///< empty: never saved
     bool needsFit = false;         ///< the camera has not yet been fitted to the view's shape
+    Fit fit;                       ///< the last one
     std::string lastChanged;       ///< the path of the parameter that was edited last
     std::set<std::string> used;    ///< files that the scene used when that was last looked at
     std::vector<Load> loads;       ///< what is on its way, in the order in which it was asked for

@@ -72,6 +72,16 @@ const reference::Explanation* explanationOf(const Session& session) {
                : nullptr;
 }
 
+const reference::Explanation* pinnedExplanation(const Session& session) {
+    const auto& pinned = session.window.explaining.pinned;
+    return pinned ? &**pinned->explanation : nullptr;
+}
+
+void pinPixel(Session& session) {
+    if (explanationOf(session))
+        session.window.explaining.pinned = session.window.explaining.answer;
+}
+
 bool explainsThePicture(const Session& session) {
     const reference::Explanation* explanation = explanationOf(session);
     if (!explanation)

@@ -18,6 +18,8 @@ struct Explaining {
     std::shared_ptr<const reference::ProbeWorker::Answer> answer{}; ///< the newest; may be an earlier one's
     std::shared_ptr<const Image> light{}; ///< of the answer: the texel's weight in each pixel as alpha
     std::shared_ptr<const reference::ProbeWorker::Answer> lightOf{};
+    /// A pixel that stays beside the one that is explained, as it was when it was pinned; nullptr: none.
+    std::shared_ptr<const reference::ProbeWorker::Answer> pinned{};
     bool isOpen = false; ///< the tab is in front: then a click in the view chooses the pixel
 };
 
@@ -32,6 +34,12 @@ void askAboutPicture(Session& session, view::Size picture);
 
 /// The explanation that there is; nullptr: none.
 [[nodiscard]] const reference::Explanation* explanationOf(const Session& session);
+
+/// Of the pinned pixel; nullptr: none is pinned.
+[[nodiscard]] const reference::Explanation* pinnedExplanation(const Session& session);
+
+/// Keeps what there is to know of the pixel, for a comparison. Nothing happens where there is no explanation.
+void pinPixel(Session& session);
 
 /// Whether it is about the scene, the pixel and the time as they are now, and not about earlier ones.
 [[nodiscard]] bool explainsThePicture(const Session& session);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/ui/model/details_tabs.h"
+
 namespace texplorer::ui {
 
 /// Pixels of the framebuffer, origin at the top left.
@@ -11,16 +13,12 @@ struct Rect {
 
     [[nodiscard]] int right() const { return x + width; }
     [[nodiscard]] int bottom() const { return y + height; }
+    [[nodiscard]] bool isEmpty() const { return width <= 0 || height <= 0; }
+    [[nodiscard]] bool contains(float atX, float atY) const {
+        return atX >= static_cast<float>(x) && atX < static_cast<float>(right()) &&
+               atY >= static_cast<float>(y) && atY < static_cast<float>(bottom());
+    }
     bool operator==(const Rect&) const = default;
-};
-
-/// What the user dragged the seams to; 0 leaves the choice to the layout.
-struct Columns {
-    float parameters = 0; ///< width of the left column, in unscaled pixels
-    float details = 0;    ///< width of the right column, in unscaled pixels
-    float split = 0;      ///< the share of the right column's height that the texture space takes, 0 to 1
-
-    bool operator==(const Columns&) const = default;
 };
 
 /// How the view is divided among the pictures.
@@ -31,7 +29,8 @@ struct PaneGrid {
 };
 
 /// Where everything is, as `layoutFor` has it. The panels fill the window without overlapping: menu on top,
-/// status at the bottom, between them three columns with seams that one can drag.
+/// status at the bottom, between them three columns with seams that one can drag; the middle and the right
+/// one lie above the dock below. What is closed, or behind something maximised, is empty, and so is its seam.
 struct Layout {
     float scale = 1;
     Rect window;
@@ -40,14 +39,24 @@ struct Layout {
     Rect view;   ///< the centre column: its tool row, the pictures and the hint line
     Rect canvas; ///< inside of `view`: all pictures
     Rect
-        picture; ///< the first of them, pixel for pixel; all have this size. Where the panes are: see panes.h
+        picture; ///< the first of them, pixel for pixel; all have this size, be they seen or not: see panes.h
     Rect strip;  ///< inside of `view`: what a comparison says, below the pictures; empty: there is none
-    Rect texture; ///< right column, top
-    Rect details; ///< right column, bottom
+    Rect texture;   ///< right column, top
+    Rect rightDock; ///< right column, bottom
+    Rect belowDock; ///< below the view and the right column
     Rect status;
     Rect leftSeam;
     Rect rightSeam;
-    Rect middleSeam; ///< between `texture` and `details`
+    Rect middleSeam; ///< between `texture` and `rightDock`
+    Rect belowSeam;  ///< above `belowDock`
+
+    [[nodiscard]] const Rect& of(Dock dock) const { return dock == Dock::Right ? rightDock : belowDock; }
 };
+
+/// Of a picture: width by height.
+[[nodiscard]] inline float aspectOf(const Layout& layout) {
+    return static_cast<float>(layout.picture.width) /
+           static_cast<float>(layout.picture.height > 1 ? layout.picture.height : 1);
+}
 
 } // namespace texplorer::ui

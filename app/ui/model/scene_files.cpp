@@ -4,6 +4,7 @@
 #include "app/ui/model/loads.h"
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/link/scene_link.h"
 #include "core/scene/params/json.h"
 
 #include <fmt/core.h>
@@ -104,6 +105,7 @@ Result<void> openScene(Session& session, const fs::path& path) {
     if (!scene)
         return fail(scene.error());
     const fs::path file = absolutePath(path);
+    rememberFile(session.window.settings, file);
     start(session, {.kind = Load::Kind::Scene,
                     .path = file,
                     .scene = std::move(*scene),
@@ -162,10 +164,12 @@ Result<void> saveScene(Session& session, const fs::path& path) {
     }
     session.document.saved = scene;
     session.document.file = file;
+    rememberFile(session.window.settings, file);
     return {};
 }
 
 void importImage(Session& session, const fs::path& path) {
+    rememberFile(session.window.settings, absolutePath(path));
     std::string file = nameIn(session.document.images, path);
     start(session, {.kind = Load::Kind::Import,
                     .path = path,
@@ -182,6 +186,26 @@ void setFile(Session& session, std::string param, std::string file) {
 
 void chooseFile(Session& session, std::string param, const fs::path& path) {
     setFile(session, std::move(param), nameIn(session.document.images, path));
+}
+
+Result<std::string> sceneLink(const Session& session) {
+    Scene scene = session.document.scene;
+    renameFiles(scene, [&](const std::string& file) { // where it is read there is no folder to name them from
+        return absolutePath(session.document.images.directory() / file).generic_string();
+    });
+    return writeSceneLink(scene);
+}
+
+Result<void> openSceneLink(Session& session, std::string_view link) {
+    Result<Scene> scene = parseSceneLink(link);
+    if (!scene)
+        return fail(scene.error());
+    start(session, {.kind = Load::Kind::Scene,
+                    .goesOn = true,
+                    .scene = std::move(*scene),
+                    .before = session.document.saved, // else the user is asked
+                    .images = ImageSource(fs::path{})});
+    return {};
 }
 
 Result<bool> holdsScene(const fs::path& path) {
@@ -325,6 +349,8 @@ Result<void> openArguments(Session& session, const std::vector<fs::path>& files)
     Load load = sorted(session, files);
     if (opensNothing(load))
         return fail(load.refused.front());
+    for (const fs::path& file : files)
+        rememberFile(session.window.settings, absolutePath(file));
     if (load.kind == Load::Kind::Add) { // to begin with them is no edit
         load.kind = Load::Kind::Scene;
         load.scene = session.document.scene;
@@ -341,6 +367,10 @@ void say(Session& session, const Error& error, const fs::path& file) {
 
 void say(Session& session, std::string sentence) {
     session.window.notice = {std::move(sentence), {}};
+}
+
+void tell(Session& session, std::string sentence) {
+    session.window.notice = {.text = std::move(sentence), .file = {}, .isGood = true};
 }
 
 void report(Session& session, const Result<void>& result, const fs::path& file) {

@@ -49,6 +49,13 @@ void showLoadedScene(Session& session, Load load);
 /// A scene or an image, by its content.
 [[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
 
+/// A scene as a text that one can send, as it is now.
+[[nodiscard]] Result<std::string> sceneLink(const Session& session);
+
+/// Shows the scene of such a text; asks first where there are unsaved changes. Images that aren't there are
+/// left out, and that is said.
+[[nodiscard]] Result<void> openSceneLink(Session& session, std::string_view link);
+
 /// Several files: at most one scene, and images; the first one is shown, the others wait as textures. What
 /// can't be opened is listed in Session::refused, and the rest is opened. The error is that of a file that is
 /// the only one.
@@ -68,6 +75,8 @@ void showLoadedScene(Session& session, Load load);
 /// Tells the user. Where the content of `file` was the reason, it is offered to look into it.
 void say(Session& session, const Error& error, const std::filesystem::path& file = {});
 void say(Session& session, std::string sentence);
+/// The same of what was done, and can't be seen.
+void tell(Session& session, std::string sentence);
 /// Shows a failure to the user.
 void report(Session& session, const Result<void>& result, const std::filesystem::path& file = {});
 

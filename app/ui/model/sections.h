@@ -1,42 +1,77 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace texplorer::ui {
 
-/// The parts of the parameters, from top to bottom.
-enum class Section { Texture, Unit, Combine, Coordinates, Matrix, Model, Pass, Light, Material, View };
+/// What the parameters are divided into.
+enum class ParameterTab { Essentials, Texture, Unit, Coordinates, Pass, Light, View };
+
+struct ParameterTabRow {
+    ParameterTab tab;
+    const char* label;
+    const char* help;
+};
+
+inline constexpr std::array parameterTabRows{
+    ParameterTabRow{ParameterTab::Essentials, "Essentials", "What one needs first, one click each"},
+    ParameterTabRow{ParameterTab::Texture, "Texture",
+                    "The texture object: its image, filters, wrap modes and levels"},
+    ParameterTabRow{ParameterTab::Unit, "Unit", "What the texture unit does with the texture's colour"},
+    ParameterTabRow{ParameterTab::Coordinates, "Coordinates",
+                    "What becomes of texture coordinates: generated ones, and the texture matrix"},
+    ParameterTabRow{ParameterTab::Pass, "Pass", "What is drawn how: tests, blending, fog; several passes"},
+    ParameterTabRow{ParameterTab::Light, "Light", "The light, and the materials that it falls on"},
+    ParameterTabRow{ParameterTab::View, "View", "The models, and the camera that looks at them"},
+};
+
+/// The parts of the tabs, from top to bottom.
+enum class Section {
+    Essentials,
+    Texture,
+    Unit,
+    Combine,
+    Coordinates,
+    Matrix,
+    Pass,
+    Light,
+    Material,
+    Model,
+    View
+};
 
 struct SectionRow {
     Section section;
     std::string_view name; ///< for texshot's --section
     const char* title;
-    bool open; ///< from the start
+    ParameterTab tab;
 };
 
 inline constexpr std::array sectionRows{
-    SectionRow{Section::Texture, "texture", "Texture", true},
-    SectionRow{Section::Unit, "unit", "Unit and environment", true},
-    SectionRow{Section::Combine, "combine", "Combine", true},
-    SectionRow{Section::Coordinates, "coordinates", "Generated coordinates", false},
-    SectionRow{Section::Matrix, "matrix", "Texture matrix", false},
-    SectionRow{Section::Model, "model", "Model", false},
-    SectionRow{Section::Pass, "pass", "Pass", false},
-    SectionRow{Section::Light, "light", "Light", false},
-    SectionRow{Section::Material, "material", "Material", false},
-    SectionRow{Section::View, "view", "View", false},
+    SectionRow{Section::Essentials, "essentials", "Essentials", ParameterTab::Essentials},
+    SectionRow{Section::Texture, "texture", "Texture", ParameterTab::Texture},
+    SectionRow{Section::Unit, "unit", "Unit and environment", ParameterTab::Unit},
+    SectionRow{Section::Combine, "combine", "Combine", ParameterTab::Unit},
+    SectionRow{Section::Coordinates, "coordinates", "Generated coordinates", ParameterTab::Coordinates},
+    SectionRow{Section::Matrix, "matrix", "Texture matrix", ParameterTab::Coordinates},
+    SectionRow{Section::Pass, "pass", "Pass", ParameterTab::Pass},
+    SectionRow{Section::Light, "light", "Light", ParameterTab::Light},
+    SectionRow{Section::Material, "material", "Material", ParameterTab::Light},
+    SectionRow{Section::Model, "model", "Model", ParameterTab::View},
+    SectionRow{Section::View, "view", "Camera", ParameterTab::View},
 };
 
+[[nodiscard]] constexpr const ParameterTabRow& rowOf(ParameterTab tab) {
+    return parameterTabRows[static_cast<std::size_t>(tab)];
+}
 [[nodiscard]] constexpr const SectionRow& rowOf(Section section) {
     return sectionRows[static_cast<std::size_t>(section)];
 }
-static_assert([] {
-    for (const SectionRow& row : sectionRows) {
-        if (&rowOf(row.section) - sectionRows.data() != &row - sectionRows.data())
-            return false;
-    }
-    return true;
-}());
+static_assert(std::ranges::all_of(sectionRows,
+                                  [](const SectionRow& row) { return &rowOf(row.section) == &row; }));
+static_assert(std::ranges::all_of(parameterTabRows,
+                                  [](const ParameterTabRow& row) { return &rowOf(row.tab) == &row; }));
 
 } // namespace texplorer::ui

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "app/ui/model/captures.h"
 #include "app/ui/model/files.h"
+#include "app/ui/model/pattern_pictures.h"
+#include "app/ui/model/settings_file.h"
 #include "app/ui/model/unsaved_work.h"
 #include "core/reference/draw_worker.h"
+#include "core/reference/level_map_worker.h"
 #include "core/reference/probe_worker.h"
 #include "core/texture/levels_worker.h"
 
@@ -13,10 +17,15 @@ namespace texplorer::ui {
 /// What works for the window. The host has it and lends it to the session, which it must outlive.
 struct Services {
     Files& files;
-    LevelsWorker& levels;             ///< of the scene's textures
-    reference::DrawWorker& reference; ///< of the reference's picture
-    reference::ProbeWorker& probe;    ///< of the pixel that is explained
-    UnsavedWork* unsaved = nullptr;   ///< nullptr: nothing is kept beyond the window
+    LevelsWorker& levels;                ///< of the scene's textures
+    reference::DrawWorker& reference;    ///< of the reference's picture
+    reference::DrawWorker& kept;         ///< of its picture of what was kept as A
+    reference::ProbeWorker& probe;       ///< of the pixel that is explained
+    reference::LevelMapWorker& levelMap; ///< of the levels that each pixel reads
+    PatternPictures& patterns;           ///< of the choice among them
+    UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
+    SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
+    Captures* captures = nullptr;        ///< nullptr: no pictures are written
 };
 
 /// What works beside the window, on threads of its own; `wake` is called on those when there is news for the
@@ -27,17 +36,23 @@ public:
         : files_(wake)
         , levels_(LevelsWorker::When::WhenReady, wake, {cache})
         , reference_(reference::DrawWorker::When::WhenReady, wake, {cache})
-        , probe_(reference::ProbeWorker::When::WhenReady, wake, {cache}) {}
+        , kept_(reference::DrawWorker::When::WhenReady, wake, {cache})
+        , probe_(reference::ProbeWorker::When::WhenReady, wake, {cache})
+        , levelMap_(reference::LevelMapWorker::When::WhenReady, wake, {cache})
+        , patterns_(When::WhenReady, wake) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_, levels_, reference_, probe_, unsaved};
+        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, unsaved};
     }
 
 private:
     FilesBeside files_;
     LevelsWorker levels_;
     reference::DrawWorker reference_;
+    reference::DrawWorker kept_;
     reference::ProbeWorker probe_;
+    reference::LevelMapWorker levelMap_;
+    PatternPictures patterns_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -47,17 +62,23 @@ public:
     explicit ServicesAtOnce(const LevelWork& work = {})
         : levels_(LevelsWorker::When::AtOnce, {}, work)
         , reference_(reference::DrawWorker::When::AtOnce, {}, work)
-        , probe_(reference::ProbeWorker::When::AtOnce, {}, work) {}
+        , kept_(reference::DrawWorker::When::AtOnce, {}, work)
+        , probe_(reference::ProbeWorker::When::AtOnce, {}, work)
+        , levelMap_(reference::LevelMapWorker::When::AtOnce, {}, work)
+        , patterns_(When::AtOnce) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_, levels_, reference_, probe_, unsaved};
+        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, unsaved};
     }
 
 private:
     FilesAtOnce files_;
     LevelsWorker levels_;
     reference::DrawWorker reference_;
+    reference::DrawWorker kept_;
     reference::ProbeWorker probe_;
+    reference::LevelMapWorker levelMap_;
+    PatternPictures patterns_;
 };
 
 } // namespace texplorer::ui

@@ -2,6 +2,7 @@
 
 #include "app/ui/model/camera.h"
 #include "app/ui/model/loads.h"
+#include "app/ui/model/preview.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 
@@ -17,17 +18,6 @@ int lastIndex(std::size_t size) {
     return std::max(0, static_cast<int>(size) - 1);
 }
 
-/// What one sees is what the lists should be about.
-void leaveHiddenModel(Session& session) {
-    const std::vector<Model>& models = session.document.scene.models;
-    const Model* selected = selectedModel(session);
-    const auto visible = std::ranges::find(models, true, &Model::visible);
-    if (visible == models.end() || (selected && selected->visible))
-        return;
-    session.window.selection.model = static_cast<int>(visible - models.begin());
-    session.window.selection.vertex.reset();
-}
-
 /// What is selected is part of the scene.
 void bringSelectionBack(Session& session) {
     Selection& selection = session.window.selection;
@@ -37,6 +27,24 @@ void bringSelectionBack(Session& session) {
     selection.unit = std::clamp(selection.unit, 0, maxUnits - 1);
     if (selection.vertex && *selection.vertex >= selectedMesh(session).vertices.size())
         selection.vertex.reset();
+    std::erase_if(selection.group.vertices,
+                  [&session](std::size_t vertex) { return vertex >= selectedMesh(session).vertices.size(); });
+}
+
+/// A camera that was fitted, and that nobody has moved since, fills its picture whatever its shape becomes.
+/// That is no edit: steps of the history and the saved scene that have the same camera come along.
+void followShape(Document& document, double time, float aspect) {
+    const Fit& fit = document.fit;
+    const bool follows = fit.aspect > 0 && fit.aspect != aspect && document.scene.view == fit.view;
+    if (!document.needsFit && !follows)
+        return;
+    const View before = document.scene.view;
+    fitDistance(document.scene, time, aspect);
+    document.needsFit = false;
+    document.fit = {document.scene.view, aspect};
+    document.history.replaceView(before, document.scene.view);
+    if (document.saved.view == before)
+        document.saved.view = document.scene.view;
 }
 
 } // namespace
@@ -47,33 +55,34 @@ Session::Session(Services lent, Document start)
     leaveHiddenModel(*this);
 }
 
+void leaveHiddenModel(Session& session) {
+    const std::vector<Model>& models = session.document.scene.models;
+    const Model* selected = selectedModel(session);
+    const auto visible = std::ranges::find(models, true, &Model::visible);
+    if (visible == models.end() || (selected && selected->visible))
+        return;
+    session.window.selection.model = static_cast<int>(visible - models.begin());
+    session.window.selection.vertex.reset();
+}
+
 void replaceDocument(Session& session, Document document) {
     cancelLoads(session);
     session.document = std::move(document);
     session.window.notice = {};
+    session.window.explaining.pinned.reset();
     leaveHiddenModel(session);
     bringSelectionBack(session);
 }
 
 void settle(Session& session, const Layout& layout) {
-    if (session.document.needsFit) {
-        const float aspect =
-            static_cast<float>(layout.picture.width) / static_cast<float>(std::max(1, layout.picture.height));
-        const bool untouched =
-            session.document.scene == session.document.saved && !session.document.history.canUndo();
-        fitDistance(session.document.scene, session.window.playback.time, aspect);
-        session.document.needsFit = false;
-        if (untouched) { // how the program begins is not an edit
-            session.document.saved = session.document.scene;
-            session.document.history = History(session.document.scene);
-        }
-    }
+    followShape(session.document, session.window.playback.time, aspectOf(layout));
     bringSelectionBack(session);
+    followKept(session);
 }
 
 bool isMoving(const Session& session) {
     return session.window.playback.playing && session.window.playback.speed != 0 &&
-           isAnimated(session.document.scene);
+           isAnimated(shownScene(session));
 }
 
 void advance(Session& session, double seconds) {
@@ -93,18 +102,28 @@ void sealEdit(Session& session) {
 
 void undo(Session& session) {
     if (session.document.history.canUndo())
-        session.document.scene = session.document.history.undo();
+        goToStep(session, session.document.history.position() - 1);
+}
+
+void redo(Session& session) {
+    if (session.document.history.canRedo())
+        goToStep(session, session.document.history.position() + 1);
+}
+
+void goToStep(Session& session, std::size_t step) {
+    session.document.scene = session.document.history.goTo(step);
     leaveHiddenModel(session);
     bringSelectionBack(session);
     session.document.lastChanged.clear();
 }
 
-void redo(Session& session) {
-    if (session.document.history.canRedo())
-        session.document.scene = session.document.history.redo();
+void resetToSaved(Session& session) {
+    session.document.scene = session.document.saved;
+    sealEdit(session);
+    recordEdit(session, session.document.file.empty() ? "Reset to the start" : "Reset to the file");
+    sealEdit(session);
     leaveHiddenModel(session);
     bringSelectionBack(session);
-    session.document.lastChanged.clear();
 }
 
 Model* selectedModel(Session& session) {

@@ -22,6 +22,9 @@ struct Session {
 /// gives way to what can, and what was said of the old document is taken back. Gives up its loads.
 void replaceDocument(Session& session, Document document);
 
+/// What one sees is what the lists should be about: a model that isn't drawn gives way to the first that is.
+void leaveHiddenModel(Session& session);
+
 /// To be called before a frame is rendered and its panels are drawn: fits a camera that waits for it, brings
 /// selections back into the scene.
 void settle(Session& session, const Layout& layout);
@@ -41,6 +44,10 @@ void sealEdit(Session& session);
 
 void undo(Session& session);
 void redo(Session& session);
+/// As many undos or redos as lead to a step of the history.
+void goToStep(Session& session, std::size_t step);
+/// The scene becomes what the file has, or what it was at the start: a step of undo.
+void resetToSaved(Session& session);
 
 // What the panels show.
 [[nodiscard]] Model* selectedModel(Session& session);

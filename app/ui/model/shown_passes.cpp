@@ -1,11 +1,13 @@
 #include "app/ui/model/shown_passes.h"
 
+#include "app/ui/model/preview.h"
+
 #include <algorithm>
 
 namespace texplorer::ui {
 
 std::size_t shownPasses(const Session& session) {
-    const std::size_t count = session.document.scene.passes.size();
+    const std::size_t count = shownScene(session).passes.size();
     if (!session.window.view.stepsThroughPasses)
         return count;
     return std::min(count, static_cast<std::size_t>(session.window.selection.pass) + 1);
@@ -13,9 +15,10 @@ std::size_t shownPasses(const Session& session) {
 
 const Scene& shownScene(const Session& session, Scene& stepped) {
     const std::size_t shown = shownPasses(session);
-    if (shown == session.document.scene.passes.size())
-        return session.document.scene;
-    stepped = session.document.scene;
+    const Scene& whole = shownScene(session);
+    if (shown == whole.passes.size())
+        return whole;
+    stepped = whole;
     stepped.passes.resize(shown);
     return stepped;
 }

@@ -5,9 +5,20 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace texplorer::ui {
 
 void followEdits(Session& session) {
+    if (Captures* captures = session.services.captures) {
+        if (std::optional<std::string> news = captures->takeNews())
+            tell(session, std::move(*news));
+    }
+    if (SettingsFile* settings = session.services.settings) {
+        settings->keep(session.window.settings);
+        if (std::optional<std::string> problem = settings->takeProblem())
+            say(session, std::move(*problem));
+    }
     if (!session.services.unsaved)
         return;
     Autosave& autosave = session.services.unsaved->autosave;
@@ -20,7 +31,9 @@ void followEdits(Session& session) {
 }
 
 std::optional<double> dueAt(const Session& session) {
-    return session.services.unsaved ? session.services.unsaved->autosave.due() : std::nullopt;
+    const auto work = session.services.unsaved ? session.services.unsaved->autosave.due() : std::nullopt;
+    const auto settings = session.services.settings ? session.services.settings->due() : std::nullopt;
+    return work && settings ? std::min(*work, *settings) : work ? work : settings;
 }
 
 } // namespace texplorer::ui

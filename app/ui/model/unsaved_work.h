@@ -19,10 +19,11 @@ struct UnsavedWork {
     Autosave autosave; ///< of this one
 };
 
-/// To be called at the end of a frame: what would be lost now is kept, what is saved or given up is not.
+/// To be called at the end of a frame: what would be lost now is kept, what is saved or given up is not, and
+/// so are settings; what workers have to say of them is said.
 void followEdits(Session& session);
 
-/// When that has to be called again even if no frame is drawn, on the clock of the unsaved work. Nothing: it
+/// When that has to be called again even if no frame is drawn, on the clock of what is kept. Nothing: it
 /// need not.
 [[nodiscard]] std::optional<double> dueAt(const Session& session);
 

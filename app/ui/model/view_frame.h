@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/view/frame.h"
+#include "app/view/side.h"
 #include "core/image/compare.h"
 #include "core/image/image.h"
 #include "core/scene/renderer.h"
@@ -18,6 +19,7 @@ struct ViewFrame {
     /// Nothing better is on its way: the picture is of the scene as it is now, and not a coarse one. Where
     /// there is no picture, there will be none, and the frame's problems say why.
     bool whole = true;
+    view::Side side = view::Side::Now;
 };
 
 /// How far the two pictures that are compared are apart.

@@ -21,6 +21,7 @@ std::vector<RendererKind> offeredOf(const ViewSettings& settings) {
 std::vector<RendererKind> shownRenderers(const ViewSettings& settings) {
     switch (settings.arrangement) {
     case Arrangement::One:
+    case Arrangement::Kept:
         return {settings.renderer};
     case Arrangement::Split:
         return {settings.compared.begin(), settings.compared.end()};
@@ -37,7 +38,8 @@ bool canCompare(const ViewSettings& settings) {
 void showOne(ViewSettings& settings, RendererKind renderer) {
     if (!settings.offered.has(renderer))
         return;
-    settings.arrangement = Arrangement::One;
+    if (comparesRenderers(settings))
+        settings.arrangement = Arrangement::One;
     settings.renderer = renderer;
 }
 
@@ -66,7 +68,7 @@ std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers&
         if (!offered.has(settings.compared[i]))
             settings.compared[i] = other == all.end() ? all.front() : *other;
     }
-    if (all.size() < 2)
+    if (all.size() < 2 && comparesRenderers(settings))
         settings.arrangement = Arrangement::One;
     const auto missing = std::ranges::find_if(before, [&](RendererKind kind) { return !offered.has(kind); });
     if (missing == before.end())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/view/offered_renderers.h"
+#include "core/reference/false_colors.h"
 #include "core/reference/sampling/lod.h"
 #include "core/scene/renderer.h"
 
@@ -17,6 +18,7 @@ enum class Arrangement {
     One,   ///< one picture
     Split, ///< two in the place of one, with a seam between them that one drags
     Grid,  ///< every renderer's and the difference of the compared ones, side by side
+    Kept,  ///< one renderer's of what was kept as A and of what is now, with a seam: see kept.h
 };
 
 /// What is shown of the pictures, the same part of all of them.
@@ -41,7 +43,9 @@ struct ViewSettings {
     bool magnifies = false;          ///< the pixels under the mouse are shown enlarged
     bool stepsThroughPasses = false; ///< those after the chosen one are left out
     PictureZoom zoom;
-    view::OfferedRenderers offered; ///< by the host: of the others nothing is shown
+    reference::Shown shown = reference::Shown::Picture; ///< false colours lie over the pictures, or none
+    float opacity = 0.85F;                              ///< of the false colours
+    view::OfferedRenderers offered;                     ///< by the host: of the others nothing is shown
 
     static constexpr int largestTolerance = 254;
 };
@@ -50,18 +54,23 @@ struct ViewSettings {
     return settings.arrangement != Arrangement::One;
 }
 
+/// Whether it is renderers that are compared.
+[[nodiscard]] inline bool comparesRenderers(const ViewSettings& settings) {
+    return isComparing(settings) && settings.arrangement != Arrangement::Kept;
+}
+
 /// Whether the panels need the pixels of the pictures, not only something to show.
 [[nodiscard]] inline bool wantsPixels(const ViewSettings& settings) {
     return isComparing(settings) || settings.magnifies;
 }
 
-/// Those whose pictures are shown, in the order of their panes.
+/// Those whose pictures are shown, in the order of their panes; the one that draws both sides once.
 [[nodiscard]] std::vector<RendererKind> shownRenderers(const ViewSettings& settings);
 
 /// Whether there are two to compare.
 [[nodiscard]] bool canCompare(const ViewSettings& settings);
 
-/// Shows one renderer's picture. Nothing happens where it isn't offered.
+/// Shows one renderer's picture, of what is now or of both sides. Nothing happens where it isn't offered.
 void showOne(ViewSettings& settings, RendererKind renderer);
 
 /// Compares, in the arrangement that was used last. Nothing happens where there aren't two.

@@ -4,12 +4,16 @@
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/inspected_file.h"
 #include "app/ui/model/layout.h"
+#include "app/ui/model/level_view.h"
 #include "app/ui/model/load.h"
+#include "app/ui/model/preview.h"
 #include "app/ui/model/sections.h"
+#include "app/ui/model/settings.h"
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/mesh/mesh.h"
+#include "core/scene/picking.h"
 
 #include <array>
 #include <filesystem>
@@ -26,13 +30,23 @@ struct Playback {
     float speed = 1;     ///< scene seconds a second
 };
 
+/// Vertices of one model that are chosen together.
+struct VertexGroup {
+    int model = 0;
+    std::vector<std::size_t> vertices{}; ///< ascending
+};
+
 /// What the panels show. Indices beyond the scene are brought back by `settle`.
 struct Selection {
     int model = 0;
     std::optional<std::size_t> vertex;
+    VertexGroup group{}; ///< counts while `vertex` is one of it: see chosen_vertices.h
     int pass = 0;
     int unit = 0;
 };
+
+/// What is written as a picture.
+enum class Capture { View, Window };
 
 enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help, Restore, Refused };
 
@@ -50,25 +64,31 @@ struct Plane {
 struct Notice {
     std::string text;           ///< empty: nothing to say
     std::filesystem::path file; ///< one that it may help to look into; empty: none
+    bool isGood = false;        ///< something was done; else it says what went wrong
 };
 
 /// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
 /// panel alone remembers is beside that panel.
 struct WindowState {
+    Settings settings; ///< what outlives the window
     ViewSettings view; ///< which renderers draw the scene, and how one looks at their frames
     Playback playback;
     bool showsFrameTime = true; ///< off where two pictures of the window should be the same
     Selection selection;
+    std::optional<PickedVertex> hoveredInView;  ///< the vertex that the pointer is on, kept by the view
+    std::optional<PickedVertex> hoveredInPlane; ///< the same of the texture space
     Plane plane;
-    Columns columns;
-    bool showRq = false; ///< whether the vertex list shows r and q
+    bool keyTaken = false; ///< a panel did something with a key of this frame: it is no shortcut as well
+    bool showRq = false;   ///< whether the vertex list shows r and q
 
-    std::optional<Tab> wantedTab; ///< comes to the front with the next frame
-    Tab shownTab = Tab::Vertices; ///< is in front
+    std::optional<Tab> wantedTab; ///< is opened where it lies and comes to the front with the next frame
     std::string wantedParam;      ///< the parameters are scrolled there with the next frame; empty: not
     std::optional<Section> wantedSection; ///< is opened and scrolled to with the next frame
     std::optional<Fix> wantedFix;         ///< is applied at the end of the frame, when nobody walks the scene
     std::string shownParam;               ///< the one that was scrolled to, framed until the next click
+    std::string
+        hoveredParam; ///< under the pointer in the last frame, in whichever panel: all panels light it
+    std::string hoveringParam; ///< the same of this frame, said by the panel that draws it
 
     Dialog dialog = Dialog::None;
     std::string imageParam; ///< OpenImage: what shall name it; empty: the texture that is bound
@@ -78,8 +98,15 @@ struct WindowState {
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
     std::vector<Error> refused; ///< of several files: those that could not be opened, until one has read it
     bool quitConfirmed = false;
+    bool fillsScreen = false;             ///< the host shows the window without a frame, over everything
+    std::optional<int> tour;              ///< the step of the tour that is shown, from 0
+    std::optional<Capture> wantedCapture; ///< is read back and written with the next frame
+
+    std::optional<Preview> preview; ///< the view shows it: see preview.h
+    bool wantsSearch = false; ///< the keyboard goes to the search among the parameters with the next frame
 
     Explaining explaining;
+    LevelView levels;
     InspectedFile fileView;
     Notice notice;
 

@@ -4,10 +4,10 @@
 #include "app/ui/parameters/coordinates_section.h"
 
 #include "app/ui/model/findings.h"
-#include "app/ui/model/light_projection.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/scene/light_projection.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -80,21 +80,24 @@ void coordinatesSection(Session& session) {
         ImGui::SameLine(0, gap);
         paramControl(session, owner, *findParam(table, keyOf<&TexGen::mode>()),
                      ImGui::GetContentRegionAvail().x);
-        for (const Key plane : {Key(keyOf<&TexGen::objectPlane>),
-                                Key(keyOf<&TexGen::eyePlane>)}) { // at most one of them is read
-            const ParamRow& row = *findParam(table, plane());
-            if (state.enabled && !idleReasonOf(session.document.findings, owner.pathOf(row)))
-                paramWidget(session, owner, row);
-        }
+        RowOptions planes; // of which at most one is read
+        planes.leavesOut = [](const ParamRow& row) {
+            return row.member == memberId<&TexGen::enabled> || row.member == memberId<&TexGen::mode>;
+        };
+        planes.folds = [&](const ParamRow& row) {
+            return !state.enabled || idleReasonOf(session.document.findings, owner.pathOf(row)) != nullptr;
+        };
+        paramRows(session, owner, table, planes);
     }
     lightButtons(session);
     const Owner emboss{&unit.emboss, &initial.emboss,
                        fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::emboss>())};
     caption("Emboss");
-    for (const ParamRow& row : embossTable().params) {
-        if (unit.emboss.enabled || row.member == memberId<&Emboss::enabled>)
-            paramWidget(session, emboss, row);
-    }
+    RowOptions options;
+    options.folds = [&](const ParamRow& row) {
+        return !unit.emboss.enabled && row.member != memberId<&Emboss::enabled>;
+    };
+    paramRows(session, emboss, embossTable(), options);
 }
 
 } // namespace texplorer::ui

@@ -1,37 +1,42 @@
 #include "app/ui/parameters/parameters_panel.h"
 
-#include "app/ui/model/scene_files.h"
 #include "app/ui/parameters/combine_section.h"
 #include "app/ui/parameters/coordinates_section.h"
+#include "app/ui/parameters/essentials.h"
+#include "app/ui/parameters/matrix_section.h"
 #include "app/ui/parameters/model_section.h"
+#include "app/ui/parameters/param_places.h"
+#include "app/ui/parameters/param_search.h"
 #include "app/ui/parameters/pass_section.h"
 #include "app/ui/parameters/texture_section.h"
-#include "app/ui/widgets/list_buttons.h"
-#include "app/ui/widgets/number_choice.h"
+#include "app/ui/parameters/unit_bar.h"
+#include "app/ui/parameters/unit_section.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
-#include <cfloat>
+#include <cmath>
 #include <utility>
 
 namespace texplorer::ui {
 namespace {
 
-std::string indexed(std::string_view list, int index) {
-    return fmt::format("{}[{}]", list, index);
-}
-
 /// The section in which a parameter is edited.
 Section sectionOf(std::string_view path) {
-    constexpr std::array<std::pair<std::string_view, Section>, 10> parts{{{"textures[", Section::Texture},
+    constexpr std::array<std::pair<std::string_view, Section>, 11> parts{{{"textures[", Section::Texture},
                                                                           {".combine", Section::Combine},
                                                                           {".texGen", Section::Coordinates},
+                                                                          {".emboss", Section::Coordinates},
                                                                           {".matrix", Section::Matrix},
                                                                           {".texture", Section::Texture},
                                                                           {".units", Section::Unit},
@@ -62,128 +67,27 @@ void drawMarks(const std::vector<Mark>& marks) {
     }
 }
 
-/// A section that has marks is in use: it is open until the user shuts it, and says what is in it even then.
-bool section(Session& session, Section which, const std::vector<Mark>& marks = {}) {
+/// The title of a section, which shuts and opens it. What has no effect is shut and dim from the start.
+bool section(Session& session, Section which, const std::vector<Mark>& marks = {},
+             const char* idle = nullptr) {
     const SectionRow& row = rowOf(which);
     const bool named = session.window.wantedSection == which;
     if (named || (!session.window.wantedParam.empty() && sectionOf(session.window.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
-    else if (!marks.empty())
-        ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-    const bool shown = ImGui::CollapsingHeader(row.title, row.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
+    ImGui::PushID(idle ? "idle" : "in use"); // it opens when it comes to matter
+    const bool shown = ImGui::CollapsingHeader(row.title, idle ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
+    ImGui::PopID();
+    ImGui::PopStyleColor();
     noteItem(std::string("section:") + row.title);
     if (!marks.empty())
         noteItem(std::string("in use:") + row.title);
+    if (idle)
+        helpTip(idle);
     drawMarks(marks);
     if (named)
         ImGui::SetScrollHereY(0);
     return shown;
-}
-
-/// A dot marks the units that are on.
-void unitChoice(Session& session) {
-    std::vector<NumberChoice> choices;
-    choices.reserve(maxUnits);
-    for (int i = 0; i < maxUnits; ++i) {
-        const bool on = selectedPass(session).units[static_cast<std::size_t>(i)].enabled;
-        const std::string sharers = sharersText(session, i);
-        choices.push_back(
-            {on, std::string(on ? "This unit is on." : "This unit is off.") +
-                     (sharers.empty() ? "" : fmt::format("\nIt shares its texture with {}.", sharers))});
-    }
-    numberChoice("Texture unit", "Unit", "unit", choices, session.window.selection.unit);
-}
-
-void unitSection(Session& session) {
-    static const Unit initial;
-    const auto accepts = [&](const ParamRow& row, const Value& value) {
-        const bool lacksTexture =
-            row.key == keyOf<&Unit::enabled>() && std::get<bool>(value) && boundTexture(session) == nullptr;
-        if (lacksTexture)
-            say(session, "A unit needs a texture before it can be enabled: add one with +.");
-        return !lacksTexture;
-    };
-    const Owner owner{&selectedUnit(session), &initial, selectedUnitPath(session), accepts};
-    std::string_view group;
-    for (const ParamRow& row : unitTable().params) {
-        if (row.key == keyOf<&Unit::texture>()) // chosen by its name, in the section of the texture
-            continue;
-        if (!group.empty() && row.group != group)
-            caption(row.group);
-        group = row.group;
-        paramWidget(session, owner, row);
-        if (row.key == keyOf<&Unit::enabled>())
-            sharingNote(session, "of the unit");
-    }
-}
-
-void moveStep(Session& session, std::vector<MatrixStep>& steps, std::size_t from, std::size_t to) {
-    std::swap(steps[from], steps[to]);
-    sealEdit(session);
-    recordEdit(session, "Reorder matrix steps");
-    sealEdit(session);
-}
-
-void matrixSection(Session& session) {
-    std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
-    static const MatrixStep initial;
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    if (steps.empty())
-        ImGui::TextWrapped(
-            "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        const std::string path =
-            fmt::format("{}.{}", selectedUnitPath(session), indexed("matrix", static_cast<int>(i)));
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
-        constexpr ListWords words{"matrix step", "", "Multiply this step earlier", "Multiply this step later",
-                                  "Remove this step"};
-        const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
-        if (pressed == ListEdit::Up)
-            moveStep(session, steps, i, i - 1);
-        else if (pressed == ListEdit::Down)
-            moveStep(session, steps, i, i + 1);
-        else if (pressed == ListEdit::Remove) {
-            steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
-            sealEdit(session);
-            recordEdit(session, "Remove matrix step");
-            sealEdit(session);
-            ImGui::PopID();
-            break; // the rest is drawn at the next frame
-        }
-        const Owner owner{&steps[i], &initial, path};
-        for (const ParamRow& row : matrixStepTable().params) {
-            if (isRelevant(session, owner, row))
-                paramWidget(session, owner, row);
-        }
-        ImGui::Separator();
-        ImGui::PopID();
-    }
-    ImGui::BeginDisabled(steps.size() >= maxMatrixSteps);
-    constexpr std::size_t perLine = 3;
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / static_cast<float>(perLine);
-    for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
-        const EnumRow& op = matrixOpRows[i];
-        if (i % perLine > 0)
-            ImGui::SameLine(0, gap);
-        const std::string label = "+ " + std::string(op.label);
-        if (ImGui::Button(label.c_str(), {width, 0})) {
-            MatrixStep step;
-            step.op = static_cast<MatrixOp>(op.value);
-            if (step.op == MatrixOp::Scale)
-                step.amount = glm::vec3(1);
-            if (step.op == MatrixOp::Rotate)
-                step.amount = {0, 0, 1};
-            steps.push_back(step);
-            sealEdit(session);
-            recordEdit(session, "Add matrix step");
-            sealEdit(session);
-        }
-        noteItem("add:" + std::string(op.name));
-        helpTip(op.help);
-    }
-    ImGui::EndDisabled();
 }
 
 /// The coordinates that the unit makes itself.
@@ -208,50 +112,174 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
     return {{countOf(steps, "step"), color::changed}};
 }
 
-std::vector<Mark> passMarks(const Scene& scene) {
-    if (scene.passes.size() < 2)
-        return {};
-    return {{fmt::format("{} passes", scene.passes.size()), color::changed}};
+void unitTab(Session& session) {
+    if (section(session, Section::Unit))
+        unitSection(session);
+    const EnvMode mode = selectedUnit(session).envMode;
+    const std::string idle = mode == EnvMode::Combine
+                                 ? std::string()
+                                 : fmt::format("No effect now: the mode is {}.", rowOf(mode).name);
+    if (section(session, Section::Combine, {}, idle.empty() ? nullptr : idle.c_str()))
+        combineSection(session);
+}
+
+void coordinatesTab(Session& session) {
+    if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
+        matrixSection(session);
+    if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
+        coordinatesSection(session);
+}
+
+void lightTab(Session& session) {
+    static const Light initial;
+    Light& light = session.document.scene.light;
+    if (section(session, Section::Light)) {
+        paramRows(session, {&light, &initial, keyOf<&Scene::light>()}, lightTable());
+        caption("Projector");
+        paramRows(session, {&light.projector, &initial.projector, pathOf<&Scene::light, &Light::projector>()},
+                  projectorTable());
+    }
+    if (section(session, Section::Material))
+        paramRows(session, materialOwner(session), materialTable());
+}
+
+void viewTab(Session& session) {
+    static const View start = defaultScene().view;
+    if (section(session, Section::Model))
+        modelSection(session);
+    if (section(session, Section::View))
+        paramRows(session, {&session.document.scene.view, &start, keyOf<&Scene::view>()}, viewTable());
+}
+
+void drawTab(Session& session, ParameterTab tab, const Pictures& pictures) {
+    switch (tab) {
+    case ParameterTab::Essentials:
+        return essentials(session, pictures);
+    case ParameterTab::Texture:
+        return textureSection(session, pictures);
+    case ParameterTab::Unit:
+        return unitTab(session);
+    case ParameterTab::Coordinates:
+        return coordinatesTab(session);
+    case ParameterTab::Pass:
+        return passSection(session);
+    case ParameterTab::Light:
+        return lightTab(session);
+    case ParameterTab::View:
+        return viewTab(session);
+    }
+}
+
+/// The field for what is looked for, and the switch to OpenGL's names.
+void searchLine(Session& session, ParametersState& state) {
+    constexpr const char* names = "GL";
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float button = ImGui::CalcTextSize(names).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float clear = state.search.empty() ? 0 : ImGui::GetFrameHeight() + gap;
+    if (std::exchange(session.window.wantsSearch, false))
+        ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - gap - clear);
+    textField("##search", state.search, 0, "Search parameters (Ctrl+F)");
+    noteItem("search");
+    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(key::escape, false))
+        state.search.clear();
+    helpTip(
+        "By label, by OpenGL's name, by a choice or by what is said of it: \"aniso\", \"GL_TEXTURE_MIN\", "
+        "\"wrap\". Escape ends it.");
+    ImGui::SameLine(0, gap);
+    if (!state.search.empty()) {
+        if (squareButton("✕", "clear search", "Ends the search", true))
+            state.search.clear();
+        ImGui::SameLine(0, gap);
+    }
+    bool& glNames = session.window.settings.glNames;
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetColorU32(glNames ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+    if (ImGui::Button(names))
+        glNames = !glNames;
+    ImGui::PopStyleColor();
+    noteItem("GL names");
+    helpTip(glNames ? "Back to plain words"
+                    : "Calls parameters and choices as OpenGL does: GL_TEXTURE_WRAP_S, GL_REPEAT");
+}
+
+void tabBar(ParametersState& state) {
+    std::vector<Segment> tabs;
+    for (const ParameterTabRow& row : parameterTabRows)
+        tabs.push_back({row.label});
+    const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, tabs.size());
+    if (!plan)
+        return;
+    ImGui::PushID("tabs");
+    const auto shown =
+        state.search.empty() ? std::optional(static_cast<std::size_t>(state.tab)) : std::nullopt;
+    const auto pressed = drawSegments(tabs, *plan, shown, [](std::size_t number) {
+        noteItem(fmt::format("parameters:{}", parameterTabRows.at(number).label));
+        helpTip(parameterTabRows.at(number).help);
+    });
+    ImGui::PopID();
+    if (!pressed)
+        return;
+    state.tab = parameterTabRows.at(*pressed).tab;
+    state.search.clear();
+}
+
+bool isEssentialsShown(const ParametersState& state) {
+    return state.tab == ParameterTab::Essentials && state.search.empty();
+}
+
+/// What is asked for comes to the front.
+void bringForth(ParametersState& state, Section wanted) {
+    state.tab = rowOf(wanted).tab;
+    state.search.clear();
 }
 
 } // namespace
 
-void drawParametersPanel(Session& session, const Layout& layout, const Pictures& pictures) {
-    beginPanel("Parameters", layout.parameters, ImGuiWindowFlags_AlwaysVerticalScrollbar);
-    static const Scene initial;
-    static const View start = defaultScene().view;
+void drawParametersPanel(Session& session, ParametersState& state, const Pictures& pictures,
+                         const Layout& layout) {
+    beginPanel("Parameters", layout.parameters,
+               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    constexpr float comfortable = 37; // height of Essentials, in letters' heights
+    searchLine(session, state);
     passChoice(session);
-    unitChoice(session);
-    ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
-    if (section(session, Section::Texture))
-        textureSection(session, pictures);
-    if (section(session, Section::Unit))
-        unitSection(session);
-    if (selectedUnit(session).envMode == EnvMode::Combine && section(session, Section::Combine))
-        combineSection(session);
-    if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
-        coordinatesSection(session);
-    if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
-        matrixSection(session);
-    if (section(session, Section::Model))
-        modelSection(session);
-    if (section(session, Section::Pass, passMarks(session.document.scene)))
-        passSection(session);
-    if (section(session, Section::Light)) {
-        paramRows(session, {&session.document.scene.light, &initial.light, "light"}, lightTable());
-        caption("Projector");
-        paramRows(session,
-                  {&session.document.scene.light.projector, &initial.light.projector,
-                   pathOf<&Scene::light, &Light::projector>()},
-                  projectorTable());
+    unitBar(session, pictures);
+    WindowState& window = session.window;
+    const std::optional<Section> asked = window.wantedSection;
+    if (window.wantedSection)
+        bringForth(state, *window.wantedSection);
+    else if (!window.wantedParam.empty() && !isEssentialsShown(state)) // which may have it
+        bringForth(state, sectionOf(window.wantedParam));
+    tabBar(state);
+    ImGui::Dummy({0, 0});
+
+    const float em = ImGui::GetFontSize();
+    const bool tight = ImGui::GetContentRegionAvail().y < comfortable * em;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    if (tight) {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, std::floor(em * 0.07F)});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, std::floor(em * 0.2F)});
     }
-    if (section(session, Section::Material))
-        paramRows(session, {&session.document.scene.material, &initial.material, "material"},
-                  materialTable());
-    if (section(session, Section::View))
-        paramRows(session, {&session.document.scene.view, &start, "view"}, viewTable());
-    session.window.wantedSection.reset();
-    session.window.wantedParam.clear(); // what has no control of its own is not waited for
+    const std::string id =
+        state.search.empty() ? rowOf(state.tab).label : "results"; // each scrolls for itself
+    const bool essential = isEssentialsShown(state);
+    ImGui::BeginChild(id.c_str(), {0, 0}, false, essential ? 0 : ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    noteDrawn("parameters", ImGui::GetWindowPos(),
+              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+               ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+    if (state.search.empty())
+        drawTab(session, state.tab, pictures);
+    else
+        searchResults(session, state.search);
+    ImGui::EndChild();
+    if (tight)
+        ImGui::PopStyleVar(2);
+    if (window.wantedSection == asked) // else a button asked for another one
+        window.wantedSection.reset();
+    if (essential && !window.wantedParam.empty())
+        bringForth(state, sectionOf(window.wantedParam)); // it is shown with the next frame
+    else
+        window.wantedParam.clear(); // what has no control of its own is not waited for
     ImGui::End();
 }
 

@@ -171,11 +171,11 @@ void passSection(Session& session) {
     paramRows(session, owner, {table.name, {rest, table.params.end()}, table.children});
     Fog& fog = selectedPass(session).fog;
     const Owner fogOwner{&fog, &initial.fog, fmt::format("{}.{}", owner.path, keyOf<&Pass::fog>())};
-    caption("Fog");
-    for (const ParamRow& row : fogTable().params) {
-        if (fog.enabled || row.member == memberId<&Fog::enabled>)
-            paramWidget(session, fogOwner, row);
-    }
+    RowOptions options;
+    options.folds = [&](const ParamRow& row) {
+        return !fog.enabled && row.member != memberId<&Fog::enabled>;
+    };
+    paramRows(session, fogOwner, fogTable(), options);
 }
 
 } // namespace texplorer::ui

@@ -108,10 +108,7 @@ void elementRows(Session& session, Element& element, const std::string& path, co
     const Owner owner{&element, &initial, path, [&](const ParamRow& row, const Value& value) {
                           return acceptsFile(session, path, element.file, row, value);
                       }};
-    for (const ParamRow& row : table.params) {
-        if (isRelevant(session, owner, row))
-            paramWidget(session, owner, row);
-    }
+    paramRows(session, owner, table, {.captions = false});
 }
 
 /// "128 × 64", with as many axes as the target has.

@@ -12,12 +12,25 @@
 namespace texplorer::ui {
 namespace {
 
-// These keep the worst case below 65536 vertices.
-constexpr int mostTiles = 2048;
-constexpr std::size_t mostFineEdges =
-    1500;                               // up to here each line has a shade below it, each vertex a round dot
-constexpr std::size_t mostEdges = 4000; // beyond, only the chosen faces are drawn, if they have no more
-constexpr int tilesAround = 2;          // copies of the image beyond the vertices
+constexpr int mostTiles = 2048; // keeps the worst case below 65536 vertices
+constexpr int tilesAround = 2;  // copies of the image beyond the vertices
+
+/// A board behind what is transparent.
+void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell) {
+    constexpr float mostCells = 4000; // every second one is a rectangle of four vertices
+    cell = std::max(cell, std::sqrt((high.x - low.x) * (high.y - low.y) / mostCells));
+    draw.AddRectFilled(low, high, color::board);
+    for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
+        const float y = low.y + static_cast<float>(row) * cell;
+        for (int column = row % 2; low.x + static_cast<float>(column) * cell < high.x; column += 2) {
+            const float x = low.x + static_cast<float>(column) * cell;
+            draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
+                               color::boardLight);
+        }
+    }
+}
+
+} // namespace
 
 bool hasAlpha(const Surface& surface) {
     if (const auto* blocks = std::get_if<BlockImage>(&surface))
@@ -27,59 +40,27 @@ bool hasAlpha(const Surface& surface) {
            format == PixelFormat::Alpha8;
 }
 
-/// A board behind what is transparent.
-void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell) {
-    draw.AddRectFilled(low, high, IM_COL32(62, 66, 73, 255));
-    for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
-        const float y = low.y + static_cast<float>(row) * cell;
-        for (int column = row % 2; low.x + static_cast<float>(column) * cell < high.x; column += 2) {
-            const float x = low.x + static_cast<float>(column) * cell;
-            draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
-                               IM_COL32(84, 89, 97, 255));
-        }
-    }
+ImU32 faded(ImU32 tint, float share) {
+    ImVec4 color = ImGui::ColorConvertU32ToFloat4(tint);
+    color.w *= share;
+    return ImGui::ColorConvertFloat4ToU32(color);
 }
 
-void drawFace(ImDrawList& draw, const Canvas& canvas, const Face& face, const TexCoords& coords, ImU32 tint,
-              float thickness, bool shaded) {
-    const std::size_t count = face.vertices.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec4& a = coords[face.vertices[i]];
-        const glm::vec4& b = coords[face.vertices[(i + 1) % count]];
-        const ImVec2 from = canvas.toPixel(a.x, a.y);
-        const ImVec2 to = canvas.toPixel(b.x, b.y);
-        if (shaded)
-            draw.AddLine(from, to, color::shade, thickness + 2);
-        draw.AddLine(from, to, tint, thickness);
-    }
-}
-
-void drawDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, bool round) {
-    if (round) {
-        draw.AddCircleFilled(at, radius + 1, color::shade);
-        draw.AddCircleFilled(at, radius, tint);
-    } else {
-        draw.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, tint);
-    }
-}
-
-} // namespace
-
-bool contains(const Face& each, std::size_t vertex) {
-    return std::ranges::find(each.vertices, static_cast<std::uint32_t>(vertex)) != each.vertices.end();
-}
-
-Bounds boundsOf(const TexCoords& coords) {
+Bounds boundsOf(const PlaneCoords& coords) {
     Bounds bounds;
-    for (const glm::vec4& each : coords) {
-        bounds.low = glm::min(bounds.low, glm::vec2(each));
-        bounds.high = glm::max(bounds.high, glm::vec2(each));
+    for (const auto* places : {&coords.givenPlaces(), &coords.resultingPlaces()}) {
+        for (const glm::vec2& each : *places) {
+            if (!std::isfinite(each.x) || !std::isfinite(each.y))
+                continue;
+            bounds.low = glm::min(bounds.low, each);
+            bounds.high = glm::max(bounds.high, each);
+        }
     }
     return bounds;
 }
 
-void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
-               view::PictureHandle handle, const Bounds& used) {
+void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& shown,
+               const Bounds& used) {
     const glm::vec2 seenLow = canvas.toCoord({canvas.low.x, canvas.high.y});
     const glm::vec2 seenHigh = canvas.toCoord({canvas.high.x, canvas.low.y});
     const float around = tilesAround;
@@ -91,15 +72,17 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const int bottom = tile(std::max(seenLow.y, used.low.y - around));
     const int top = tile(std::min(seenHigh.y, used.high.y + around));
     const bool many = static_cast<long long>(right - left + 1) * (top - bottom + 1) > mostTiles;
-    const auto picture = textureId(handle);
+    const auto picture = textureId(shown.handle);
     const ImU32 border = ImGui::ColorConvertFloat4ToU32(
         {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
-    if (hasAlpha(image))
+    if (shown.board)
         drawBoard(draw, canvas.low, canvas.high, ImGui::GetFontSize() * 0.8F);
+    if (shown.setBlending)
+        draw.AddCallback(shown.setBlending, nullptr);
     for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
         for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
-            const auto s = tileSpan(texture.wrapS, i, widthOf(image));
-            const auto t = tileSpan(texture.wrapT, j, heightOf(image));
+            const auto s = tileSpan(texture.wrapS, i, shown.width);
+            const auto t = tileSpan(texture.wrapT, j, shown.height);
             const ImVec2 low = canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1));
             const ImVec2 high = canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j));
             if (s && t)
@@ -108,8 +91,10 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
                 draw.AddRectFilled(low, high, border);
         }
     }
+    if (shown.setBlending)
+        draw.AddCallback(shown.setBlending, &draw);
     // What wrapping makes of the surroundings is a little darker than the image.
-    const ImU32 dark = IM_COL32(20, 22, 27, 105);
+    const ImU32 dark = faded(color::ground, 0.41F);
     const ImVec2 low = canvas.toPixel(0, 1);
     const ImVec2 high = canvas.toPixel(1, 0);
     draw.AddRectFilled(canvas.low, {canvas.high.x, low.y}, dark);
@@ -118,14 +103,16 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     draw.AddRectFilled({high.x, low.y}, {canvas.high.x, high.y}, dark);
 }
 
-void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image,
-                  view::PictureHandle picture) {
+float unfoldedHeight(const TextureImage& image) {
     const Surface& first = image.surfaces.front();
     const float width = static_cast<float>(widthOf(first));
     const bool isOneFace = cubeLayout(widthOf(first), heightOf(first)) == CubeLayout::Same;
-    const float tall = image.faces == cubeFaceCount ? 0.75F // a cross, see TexturePreview
-                       : isOneFace                  ? 1.0F
-                                                    : static_cast<float>(heightOf(first)) / width;
+    return image.faces == cubeFaceCount ? 0.75F // a cross, see PreviewPicture
+           : isOneFace                  ? 1.0F
+                                        : static_cast<float>(heightOf(first)) / width;
+}
+
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, view::PictureHandle picture, float tall) {
     const ImVec2 low = canvas.toPixel(0, 0.5F + tall / 2);
     const ImVec2 high = canvas.toPixel(1, 0.5F - tall / 2);
     draw.AddImage(textureId(picture), low, high, {0, 1}, {1, 0});
@@ -156,35 +143,6 @@ void drawAxes(ImDrawList& draw, const Canvas& canvas) {
     label({canvas.toPixel(1, 0).x - em * 0.3F, s.y + em * 0.5F}, color::text, "1");
     label({t.x - em * 1.3F, canvas.toPixel(0, 1).y - em * 0.4F}, color::text, "1");
     label({origin.x - em * 1.1F, origin.y + em * 0.5F}, color::text, "0");
-}
-
-void drawMesh(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const TexCoords& coords,
-              std::optional<std::size_t> chosen, std::optional<std::size_t> hovered) {
-    const float em = ImGui::GetFontSize();
-    const auto isChosen = [&](const Face& face) { return chosen && contains(face, *chosen); };
-    std::size_t edges = 0;
-    for (const Face& face : mesh.faces)
-        edges += face.vertices.size();
-    const bool fine = edges <= mostFineEdges;
-    const float dot = em * (fine && coords.size() <= 100 ? 0.24F : 0.13F);
-    if (edges <= mostEdges) {
-        for (const Face& face : mesh.faces) {
-            if (!isChosen(face))
-                drawFace(draw, canvas, face, coords, color::outline, 1, fine);
-        }
-    }
-    for (const Face& face : mesh.faces) {
-        if (isChosen(face) && face.vertices.size() <= mostEdges)
-            drawFace(draw, canvas, face, coords, color::chosen, std::max(1.5F, em / 9), true);
-    }
-    if (edges <= mostEdges) {
-        for (const glm::vec4& each : coords)
-            drawDot(draw, canvas.toPixel(each.x, each.y), dot, color::text, fine);
-    }
-    if (hovered && *hovered < coords.size())
-        drawDot(draw, canvas.toPixel(coords[*hovered].x, coords[*hovered].y), dot, color::chosen, true);
-    if (chosen && *chosen < coords.size())
-        drawDot(draw, canvas.toPixel(coords[*chosen].x, coords[*chosen].y), em * 0.3F, color::chosen, true);
 }
 
 } // namespace texplorer::ui

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/texture_space/plane_coords.h"
+#include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/pictures.h"
 
 #include <glm/vec2.hpp>
@@ -11,9 +13,9 @@
 
 namespace texplorer::ui {
 
-// What the texture space shows: the image and what wrapping makes of its surroundings, the axes, the outlines
-// of the faces. However large the mesh and however far away the plane: Dear ImGui counts the vertices of a
-// panel with 16 bits, and what is drawn here stays below.
+// What the texture space shows below the outlines: the image, what wrapping makes of its surroundings, and
+// the axes. However far away the plane: Dear ImGui counts the vertices of a panel with 16 bits, and what is
+// drawn here stays below.
 
 /// From texture coordinates to pixels and back. t grows upwards. The place in its middle lies between pixels:
 /// the middle of a picture is the edge of texels, and a pixel whose centre were on it would show either of
@@ -23,6 +25,7 @@ struct Canvas {
     ImVec2 middle;
     Plane plane;
     float pixelsPerUnit;
+    Box legend{}; ///< what names the things that are shown: small pictures leave it free
 
     Canvas(ImVec2 topLeft, ImVec2 size, const Plane& seen)
         : low(topLeft)
@@ -45,31 +48,43 @@ struct Canvas {
     }
 };
 
+/// A colour with a share of its alpha.
+[[nodiscard]] ImU32 faded(ImU32 tint, float share);
+
 /// A rectangle of the texture plane.
 struct Bounds {
     glm::vec2 low{0};
     glm::vec2 high{1};
 };
 
-/// The image and every vertex.
-[[nodiscard]] Bounds boundsOf(const TexCoords& coords);
+/// The image and every vertex, as it is given and where it ends.
+[[nodiscard]] Bounds boundsOf(const PlaneCoords& coords);
 
-/// The image, tiled as its wrap modes say, around `used`. `id` is the GL texture that shows it.
-void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const Surface& image,
-               view::PictureHandle picture, const Bounds& used);
+/// The picture of the image.
+struct TilePicture {
+    view::PictureHandle handle = view::PictureHandle::None;
+    int width = 1; ///< texels
+    int height = 1;
+    bool board = false; ///< what is transparent shows a checkerboard
+    ImDrawCallback setBlending =
+        nullptr; ///< where nothing is transparent: see Pictures; nullptr: blending stays
+};
 
-/// The picture of a cube map with its faces side by side, as wide as the image is in drawTiles.
-void drawUnfolded(ImDrawList& draw, const Canvas& canvas, const TextureImage& image,
-                  view::PictureHandle picture);
+/// Whether an image has texels that may be transparent.
+[[nodiscard]] bool hasAlpha(const Surface& surface);
+
+/// The image, tiled as its wrap modes say, around `used`.
+void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& picture,
+               const Bounds& used);
+
+/// The picture of a cube map with its faces side by side, as wide as the image is in drawTiles; `tall` times
+/// as high.
+void drawUnfolded(ImDrawList& draw, const Canvas& canvas, view::PictureHandle picture, float tall);
+
+/// Of the picture that the host has of a cube map's base level.
+[[nodiscard]] float unfoldedHeight(const TextureImage& image);
 
 /// s in red along the bottom edge of the image, t in green along its left edge, both with an arrow beyond 1.
 void drawAxes(ImDrawList& draw, const Canvas& canvas);
-
-/// Outlines and vertices, the chosen one and its faces in their colour. Of a mesh with very many faces only
-/// those.
-void drawMesh(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const TexCoords& coords,
-              std::optional<std::size_t> chosen, std::optional<std::size_t> hovered);
-
-[[nodiscard]] bool contains(const Face& face, std::size_t vertex);
 
 } // namespace texplorer::ui

@@ -39,6 +39,8 @@ struct Inset {
         return {low.x + (texel.x - static_cast<float>(patch->low.x)) * cell,
                 low.y + size().y - (texel.y - static_cast<float>(patch->low.y)) * cell};
     }
+    /// With its title.
+    [[nodiscard]] Box frame() const;
     [[nodiscard]] bool holds(ImVec2 at) const {
         return at.x >= low.x && at.y >= low.y && at.x < low.x + size().x && at.y < low.y + size().y;
     }
@@ -46,6 +48,11 @@ struct Inset {
 
 float titleHeight() {
     return ImGui::GetFontSize() * 1.25F;
+}
+
+Box Inset::frame() const {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    return {{low.x - pad, low.y - titleHeight()}, {low.x + width + pad, low.y + size().y + pad}};
 }
 
 float shareOf(const reference::UnitExplanation& unit, int level) {
@@ -122,16 +129,17 @@ Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
 
 /// What the small pictures should not cover: first what they explain, then the names of the axes and the
 /// image.
-std::vector<Kept> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
+std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
     constexpr float mark = 100;
     constexpr float name = 3;
     constexpr float image = 1;
     const float em = ImGui::GetFontSize();
     const ImVec2 low = canvas.toPixel(0, 0);
     const ImVec2 high = canvas.toPixel(1, 1);
-    std::vector<Kept> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
+    std::vector<Uncovered> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
     if (unit.target == Target::CubeMap)
         return kept; // its texels are marked in the small pictures alone
+    kept.push_back({canvas.legend, name});
     kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
     kept.push_back({{{low.x - 1.5F * em, high.y - 2 * em}, {low.x, high.y + em}}, name});
     const Box marks = marksOf(unit, canvas);
@@ -158,16 +166,11 @@ std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& pa
     return fitted(face + level, room);
 }
 
-std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
+/// With the texels of each as large as `side` has room for.
+std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas, float side) {
     std::vector<Inset> insets;
-    if (!unit)
-        return insets;
     const float em = ImGui::GetFontSize();
     const float width = canvas.high.x - canvas.low.x;
-    const float height = canvas.high.y - canvas.low.y;
-    const float side = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
-    if (side < em * 2)
-        return insets;
     const ImVec2 frame(em * 0.2F, em * 0.2F);
     std::vector<ImVec2> sizes; // with a title above and a frame around
     for (const LevelPatch& each : unit->patches) {
@@ -190,6 +193,29 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     for (std::size_t i = 0; i < insets.size(); ++i)
         insets[i].low = {places[i].x + frame.x, places[i].y + titleHeight()};
     return insets;
+}
+
+/// As large as they can be without hiding what they explain.
+std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
+    const float em = ImGui::GetFontSize();
+    const float width = canvas.high.x - canvas.low.x;
+    const float height = canvas.high.y - canvas.low.y;
+    const float largest = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
+    const float smallest = em * 2;
+    if (!unit || largest < smallest)
+        return {};
+    std::optional<Box> marks; // a cube map's are in the small pictures alone
+    if (unit->target != Target::CubeMap && !unit->patches.empty())
+        marks = marksOf(*unit, canvas);
+    std::vector<Inset> insets;
+    for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
+        insets = insetsOf(unit, canvas, std::max(largest * share, smallest));
+        if (!marks ||
+            std::ranges::none_of(insets, [&](const Inset& inset) { return overlaps(inset.frame(), *marks); }))
+            return insets;
+    }
+    // What they explain is all that there is to be seen: they cover the least of it.
+    return insetsOf(unit, canvas, largest);
 }
 
 void drawFootprint(ImDrawList& draw, const Corners& corners) {
@@ -218,7 +244,8 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
     const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
     const float pad = em * 0.2F;
     draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()},
-                       {inset.low.x + inset.width + pad, end.y + pad}, IM_COL32(12, 14, 18, 245), em * 0.2F);
+                       {inset.low.x + inset.width + pad, end.y + pad}, faded(color::ground, 0.96F),
+                       em * 0.2F);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.title.c_str());
     noteDrawn("patch title:" + inset.title, {inset.low.x, inset.low.y - titleHeight()},
               {inset.low.x + ImGui::CalcTextSize(inset.title.c_str()).x, inset.low.y});

@@ -1,104 +1,73 @@
 #include "app/ui/texture_space/texture_space_panel.h"
 
-#include "app/ui/model/tex_coord_edits.h"
-#include "app/ui/texture_space/plane_drawing.h"
+#include "app/ui/model/chosen_vertices.h"
+#include "app/ui/texture_space/outline_drawing.h"
+#include "app/ui/texture_space/plane_input.h"
+#include "app/ui/texture_space/plane_legend.h"
+#include "app/ui/texture_space/plane_tools.h"
 #include "app/ui/texture_space/texel_marks.h"
-#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/panel.h"
-#include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "core/image/cube_faces.h"
-#include "core/scene/tex_coords.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
-#include <glm/glm.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace texplorer::ui {
 namespace {
 
-constexpr float nearestExtent = 0.02F;
-constexpr float farthestExtent = 200;
+/// What the image looks like: as the host has it, or as it was made for the look.
+TilePicture tilePicture(const TextureSpaceState& state, const Pictures& pictures, const Surface& image) {
+    const std::shared_ptr<const Image>& made = state.level.picture();
+    const bool isMade = made && (!state.look.isPlain() || state.look.level != 0);
+    TilePicture shown{.handle = isMade ? pictures.showTexels(made) : pictures.texture,
+                      .width = isMade ? made->width : widthOf(image),
+                      .height = isMade ? made->height : heightOf(image)};
+    const bool transparent = hasAlpha(image) && state.look.channel == Channel::All;
+    shown.board = transparent && state.look.board;
+    shown.setBlending = transparent && !state.look.board ? pictures.setBlending : nullptr;
+    return shown;
+}
 
-/// The vertex under the mouse. Where several share a place (the faces of a cube do), the chosen one comes
-/// first, then one of its face.
-std::optional<std::size_t> vertexUnder(const Canvas& canvas, const Mesh& mesh, const TexCoords& coords,
-                                       std::optional<std::size_t> chosen, ImVec2 mouse, float reach) {
-    const auto isNear = [&](std::size_t vertex) {
-        const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
-        return std::hypot(at.x - mouse.x, at.y - mouse.y) <= reach;
+void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session,
+                 const TextureSpaceState& state, const Pictures& pictures, Target target) {
+    const Texture* texture = boundTexture(session);
+    const auto image = texture ? session.document.images.find(*texture) : nullptr;
+    if (!image || image->surfaces.empty())
+        return;
+    const TilePicture shown = tilePicture(state, pictures, image->surfaces.front());
+    if (shown.handle == view::PictureHandle::None)
+        return;
+    if (target != Target::CubeMap)
+        return drawTiles(draw, canvas, *texture, shown, boundsOf(state.coords));
+    const bool isMade = shown.handle != pictures.texture;
+    const float tall =
+        isMade ? static_cast<float>(shown.height) / static_cast<float>(shown.width) : unfoldedHeight(*image);
+    drawUnfolded(draw, canvas, shown.handle, tall);
+}
+
+OutlineMarks marksNow(const Session& session, const std::optional<Grip>& grip) {
+    OutlineMarks marks{session.window.selection.vertex, chosenVertices(session.window.selection), {}};
+    const std::optional<PickedVertex>& elsewhere = session.window.hoveredInView;
+    if (grip)
+        marks.hovered = grip->vertex;
+    else if (elsewhere && std::cmp_equal(elsewhere->model, session.window.selection.model))
+        marks.hovered = elsewhere->vertex;
+    return marks;
+}
+
+void noteCoordPlaces(const Canvas& canvas, const PlaneCoords& coords) {
+    if (!arePlacesWanted())
+        return;
+    const auto note = [&](const char* name, std::size_t vertex, glm::vec2 place) {
+        const ImVec2 at = canvas.toPixel(place.x, place.y);
+        noteDrawn(fmt::format("{}:{}", name, vertex), at, at);
     };
-    if (chosen && *chosen < coords.size() && isNear(*chosen))
-        return chosen;
-    if (chosen) {
-        for (const Face& face : mesh.faces) {
-            if (!contains(face, *chosen))
-                continue;
-            for (const std::uint32_t vertex : face.vertices) {
-                if (isNear(vertex))
-                    return vertex;
-            }
-        }
+    for (std::size_t vertex = 0; vertex < coords.givenPlaces().size(); ++vertex) {
+        note("coord", vertex, coords.givenPlaces()[vertex]);
+        note("end", vertex, coords.resultingPlaces()[vertex]);
     }
-    for (std::size_t vertex = 0; vertex < coords.size(); ++vertex) {
-        if (isNear(vertex))
-            return vertex;
-    }
-    return std::nullopt;
-}
-
-void moveCanvas(Plane& plane, const Canvas& canvas, bool hovered, bool dragged) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (dragged) {
-        plane.s -= io.MouseDelta.x / canvas.pixelsPerUnit;
-        plane.t += io.MouseDelta.y / canvas.pixelsPerUnit;
-    }
-    if (hovered && io.MouseWheel != 0) {
-        // What is under the mouse stays there.
-        const glm::vec2 fixed = canvas.toCoord(io.MousePos);
-        const float extent =
-            std::clamp(plane.extent * std::pow(0.9F, io.MouseWheel), nearestExtent, farthestExtent);
-        const float factor = extent / plane.extent;
-        plane.s = fixed.x + (plane.s - fixed.x) * factor;
-        plane.t = fixed.y + (plane.t - fixed.y) * factor;
-        plane.extent = extent;
-    }
-}
-
-void fitPlane(Plane& plane, const TexCoords& coords) {
-    const auto [low, high] = boundsOf(coords);
-    plane.s = (low.x + high.x) / 2;
-    plane.t = (low.y + high.y) / 2;
-    plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, nearestExtent, farthestExtent);
-}
-
-/// Left button: takes the vertex under the mouse, or the plane. Any other button moves the plane.
-void dragVertex(Session& session, TextureSpaceState& state, const Canvas& canvas,
-                std::optional<std::size_t> under, bool dragged) {
-    const ImGuiIO& io = ImGui::GetIO();
-    Model& model = *selectedModel(session);
-    const Mesh& mesh = selectedMesh(session);
-    const int unit = session.window.selection.unit;
-    std::optional<std::size_t>& chosen = session.window.selection.vertex;
-    if (ImGui::IsItemActivated()) {
-        state.movesVertex = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && under.has_value();
-        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-            chosen = under;
-    }
-    if (dragged && state.movesVertex && chosen) {
-        const std::string key = fmt::format("texCoords{}", unit);
-        glm::vec4 moved = effectiveTexCoords(model, mesh, unit)[*chosen];
-        const auto within = [](float coord) { return std::clamp(coord, coordRange.min, coordRange.max); };
-        moved.x = within(moved.x + io.MouseDelta.x / canvas.pixelsPerUnit);
-        moved.y = within(moved.y - io.MouseDelta.y / canvas.pixelsPerUnit);
-        setTexCoord(model, mesh, unit, *chosen, moved);
-        recordEdit(session, fmt::format("Move vertex {}", *chosen),
-                   fmt::format("models[{}].{}", session.window.selection.model, key));
-    }
-    if (ImGui::IsItemDeactivated())
-        sealEdit(session);
 }
 
 void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pictures) {
@@ -110,67 +79,60 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
                                ImGuiButtonFlags_MouseButtonMiddle);
     noteItem("texture space");
     const ImGuiIO& io = ImGui::GetIO();
-    const bool hovered = ImGui::IsItemHovered();
-    const bool active = ImGui::IsItemActive();
-    const bool dragged = active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-    const Canvas canvas(topLeft, size, session.window.plane);
+    const Target target = selectedUnit(session).target;
+    Canvas canvas(topLeft, size, session.window.plane);
+    const float margin = ImGui::GetFontSize() * 0.4F;
+    const PlaneLegend legend = legendOf(session, state, size.x - 2 * margin);
+    canvas.legend = boxOf(legend, {topLeft.x + margin, topLeft.y + margin});
 
-    // A direction has no place in this plane: there is no vertex to show or to move.
-    const bool isCube = selectedUnit(session).target == Target::CubeMap;
-    const Model* model = isCube ? nullptr : selectedModel(session);
-    const Mesh& mesh = selectedMesh(session);
-    const auto current = [&] {
-        return model ? effectiveTexCoords(*model, mesh, session.window.selection.unit) : TexCoords{};
-    };
-    TexCoords coords = current();
-    std::optional<std::size_t> under;
-    const bool onPatch = isOnPatch(session, canvas, io.MousePos);
-    if (model && (hovered || active) && !onPatch)
-        under = vertexUnder(canvas, mesh, coords, session.window.selection.vertex, io.MousePos,
-                            ImGui::GetFontSize() * 0.55F);
-    if (model && !onPatch)
-        dragVertex(session, state, canvas, under, dragged);
-    if (dragged && state.movesVertex)
-        coords = current();
-    if (under)
+    PlaneMouse mouse{.hovered = ImGui::IsItemHovered(),
+                     .active = ImGui::IsItemActive(),
+                     .onPatch = isOnPatch(session, canvas, io.MousePos),
+                     .grip = {}};
+    if ((mouse.hovered || mouse.active) && !mouse.onPatch)
+        mouse.grip = gripUnder(canvas, selectedMesh(session), state.coords, session.window.selection.vertex,
+                               io.MousePos);
+    session.window.hoveredInPlane.reset();
+    if (mouse.grip && mouse.hovered)
+        session.window.hoveredInPlane =
+            PickedVertex{static_cast<std::size_t>(session.window.selection.model), mouse.grip->vertex};
+    const bool ended = handlePlaneKeys(session, state, canvas, mouse);
+    if (!ended)
+        handlePlaneMouse(session, state, canvas, mouse);
+    const Mesh& mesh = selectedMesh(session); // an undo may have chosen another model
+    if (mouse.grip && mouse.grip->vertex >= state.coords.given().size())
+        mouse.grip.reset();
+    if (mouse.grip)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    moveCanvas(session.window.plane, canvas, hovered, dragged && !(model && state.movesVertex));
-    if (hovered && !under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        fitPlane(session.window.plane, coords);
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(canvas.low, canvas.high, true);
     draw.AddRectFilled(canvas.low, canvas.high, color::ground);
-    const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const TextureImage> image =
-        texture ? session.document.images.find(*texture) : nullptr;
-    if (isCube && image && pictures.texture != view::PictureHandle::None)
-        drawUnfolded(draw, canvas, *image, pictures.texture);
-    else if (image && pictures.texture != view::PictureHandle::None)
-        drawTiles(draw, canvas, *texture, image->surfaces.front(), pictures.texture, boundsOf(coords));
-    if (!isCube) {
+    drawPicture(draw, canvas, session, state, pictures, target);
+    const OutlineMarks marks = marksNow(session, mouse.grip);
+    const bool hasPlaces = !state.coords.given().empty();
+    if (target != Target::CubeMap)
         drawAxes(draw, canvas);
-        drawMesh(draw, canvas, mesh, coords, session.window.selection.vertex, under);
-    }
+    if (hasPlaces && state.coords.differ())
+        drawGivenOutlines(draw, canvas, mesh, state.coords, marks);
+    if (hasPlaces)
+        drawOutlines(draw, canvas, mesh, state.coords, marks);
+    if (hasPlaces)
+        drawVertexTexts(draw, canvas, state.coords, marks, {canvas.legend}, state.numbers);
     const bool clicked =
-        hovered && !under && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        mouse.hovered && !mouse.grip && !ended && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        !io.KeyShift &&
         io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
     drawTexelMarks(session, draw, canvas, clicked);
-    draw.PopClipRect();
-    for (std::size_t vertex = 0; arePlacesWanted() && vertex < coords.size(); ++vertex) {
-        const ImVec2 at = canvas.toPixel(coords[vertex].x, coords[vertex].y);
-        noteDrawn(fmt::format("coord:{}", vertex), at, at);
+    drawPlaneLegend(draw, legend, canvas.legend);
+    if (const std::optional<Box> box = selectionBox(state, canvas)) {
+        draw.AddRect(box->low, box->high, color::shade, 0, 0, 3);
+        draw.AddRect(box->low, box->high, color::chosen);
     }
-}
-
-/// "64 × 64", "6 faces of 128 × 128": as OpenGL has the image, whichever way it lies in its file.
-std::string extentsOf(const TextureImage& image, Target target) {
-    const Surface& first = image.surfaces.front();
-    const auto [width, height] = target == Target::CubeMap && image.faces != cubeFaceCount
-                                     ? cubeFaceExtents(widthOf(first), heightOf(first))
-                                     : FaceExtents{widthOf(first), heightOf(first)};
-    const std::string extents = fmt::format("{} × {}", width, height);
-    return target == Target::CubeMap ? fmt::format("{} faces of {}", cubeFaceCount, extents) : extents;
+    if (state.move)
+        drawMoveHint(draw, canvas, *state.move);
+    draw.PopClipRect();
+    noteCoordPlaces(canvas, state.coords);
 }
 
 } // namespace
@@ -179,31 +141,9 @@ void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pic
                            const Layout& layout) {
     beginPanel("Texture space", layout.texture,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Texture space");
-    const Texture* texture = boundTexture(std::as_const(session));
-    const std::shared_ptr<const TextureImage> image =
-        texture ? session.document.images.find(*texture) : nullptr;
-    const std::string extents =
-        image ? extentsOf(*image, selectedUnit(session).target) : std::string("no texture");
-    const std::string what = fmt::format("unit {} · {}", session.window.selection.unit, extents);
-    const float button = buttonWidth("Fit");
-    ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(what.c_str()).x + button)
-        ImGui::TextDisabled("%s", what.c_str());
-    noteItem("texture size:" + extents);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
-    if (ImGui::Button("Fit")) {
-        const bool isCube = selectedUnit(session).target == Target::CubeMap;
-        const Model* model = isCube ? nullptr : selectedModel(session);
-        fitPlane(session.window.plane,
-                 model ? effectiveTexCoords(*model, selectedMesh(session), session.window.selection.unit)
-                       : TexCoords{});
-    }
-    noteItem("fit plane");
-    helpTip("Shows the image and every vertex. Drag a vertex to move its coordinates, drag elsewhere to pan, "
-            "turn the "
-            "wheel to zoom.");
+    state.coords.follow(session);
+    drawPlaneTools(session, state);
+    state.coords.follow(session); // a tool may have changed them
     drawCanvas(session, state, pictures);
     ImGui::End();
 }

@@ -1,14 +1,9 @@
 #pragma once
 
-#include "app/ui/model/session.h"
+#include "app/ui/texture_space/texture_space_state.h"
 #include "app/ui/widgets/pictures.h"
 
 namespace texplorer::ui {
-
-/// What the panel remembers.
-struct TextureSpaceState {
-    bool movesVertex = false; ///< the drag holds a vertex, not the plane
-};
 
 void drawTextureSpacePanel(Session& session, TextureSpaceState& state, const Pictures& pictures,
                            const Layout& layout);

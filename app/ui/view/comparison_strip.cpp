@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 namespace texplorer::ui {
@@ -25,6 +26,13 @@ constexpr std::array arrangementRows{
     ArrangementRow{Arrangement::Grid, "Side by side",
                    "Every renderer, and the difference of the two that are chosen."},
 };
+
+/// What is compared: two renderers, or one renderer's pictures of both sides.
+std::span<const RendererKind> comparedOf(const ViewSettings& settings) {
+    if (comparesRenderers(settings))
+        return settings.compared;
+    return {&settings.renderer, 1};
+}
 
 /// "0.05", "12.3", "100": three digits at most before the hundredths, and never nothing where there is
 /// something.
@@ -155,7 +163,15 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
     const float gap = ImGui::GetFontSize() * 0.9F;
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     Flow flow(layout.strip);
+    if (!comparesRenderers(settings)) {
+        flow.text("A against now", color::dim, narrow);
+        noteItem("A against now");
+        helpTip("Drag the seam: A, as it was kept, on its left, what is now on its right, drawn by one "
+                "renderer and seen by one camera.");
+    }
     for (const ArrangementRow& row : arrangementRows) {
+        if (!comparesRenderers(settings))
+            break;
         const bool chosen = settings.arrangement == row.arrangement;
         flow.place(buttonWidth(row.label), narrow);
         ImGui::PushStyleColor(ImGuiCol_Button,
@@ -170,7 +186,7 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
     if (pictures.difference)
         numbers(session, flow, pictures.difference->numbers, pictures.frames.front().frame.size, gap);
     else
-        flow.text(isDrawing(pictures, settings.compared) ? "drawing…" : "no numbers: a picture is missing",
+        flow.text(isDrawing(pictures, comparedOf(settings)) ? "drawing…" : "no numbers: a picture is missing",
                   color::dim, gap);
 }
 

@@ -6,23 +6,22 @@
 
 namespace texplorer::ui {
 
-float aspectOf(const Layout& layout) {
-    return static_cast<float>(layout.picture.width) / static_cast<float>(std::max(1, layout.picture.height));
-}
-
 void resetCamera(Session& session, const Layout& layout) {
     session.document.scene.view = defaultScene().view;
     fitDistance(session.document.scene, session.window.playback.time, aspectOf(layout));
+    session.document.fit = {session.document.scene.view, aspectOf(layout)};
     recordEdit(session, "Reset camera");
 }
 
 void frameAll(Session& session, const Layout& layout) {
     frameModels(session.document.scene, session.window.playback.time, aspectOf(layout));
+    session.document.fit = {session.document.scene.view, aspectOf(layout)};
     recordEdit(session, "Frame the models");
 }
 
 void show(Session& session, const ShowRow& row, const Layout& layout) {
     showOnly(session.document.scene, row.show, session.window.playback.time, aspectOf(layout));
+    session.document.fit = {session.document.scene.view, aspectOf(layout)};
     sealEdit(session);
     recordEdit(session, std::string("Show ") + row.label);
     sealEdit(session);

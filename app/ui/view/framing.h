@@ -5,10 +5,7 @@
 
 namespace texplorer::ui {
 
-/// Width / height of the pictures.
-[[nodiscard]] float aspectOf(const Layout& layout);
-
-// What aims the camera, each a step of undo.
+// What aims the camera, each a step of undo. Until somebody moves it, it follows the shape of the view.
 
 /// The camera as it was at the start, fitted to the view.
 void resetCamera(Session& session, const Layout& layout);

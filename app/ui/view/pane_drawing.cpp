@@ -74,12 +74,34 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
     ImGui::EndCombo();
 }
 
+/// "A" at the left of the view, "Now" at its right; while the view shows A alone, that it does.
+void sideLabels(const Session& session, const Panes& panes) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float gap = ImGui::GetFontSize() * 0.8F;
+    const Rect& frame = panes.all().front().frame;
+    const float y = static_cast<float>(frame.y) + gap;
+    const auto chip = [&](float x, const char* name, const std::string& text) {
+        drawChip(draw, {x, y}, text, color::text);
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        noteDrawn(name, {x, y}, {x + size.x, y + size.y});
+    };
+    if (isKeptShown(session))
+        chip(static_cast<float>(frame.x) + gap, "side:A", "A, as it was kept");
+    if (!isKeptBeside(session))
+        return;
+    const std::string now = "Now";
+    chip(static_cast<float>(frame.x) + gap, "side:A", "A");
+    chip(static_cast<float>(frame.right()) - gap - ImGui::CalcTextSize(now.c_str()).x, "side:Now", now);
+}
+
 } // namespace
 
 view::PictureHandle pictureOf(const Pane& pane, const Pictures& pictures) {
     if (!pane.renderer)
         return pictures.difference ? pictures.difference->heatMap : view::PictureHandle::None;
-    const auto view = std::ranges::find(pictures.frames, *pane.renderer, &ViewFrame::renderer);
+    const auto view = std::ranges::find_if(pictures.frames, [&pane](const ViewFrame& frame) {
+        return frame.renderer == *pane.renderer && frame.side == pane.side;
+    });
     return view == pictures.frames.end() ? view::PictureHandle::None : view->frame.picture;
 }
 
@@ -115,6 +137,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 
 void paneLabels(Session& session, const Panes& panes) {
     const ViewSettings& settings = session.window.view;
+    sideLabels(session, panes);
     const float gap = ImGui::GetFontSize() * 0.4F;
     const float left = comboWidth(settings.compared[0]);
     const float right = comboWidth(settings.compared[1]);
@@ -144,7 +167,8 @@ void paneLabels(Session& session, const Panes& panes) {
 }
 
 void paneSeam(Session& session, const Layout& layout) {
-    if (session.window.view.arrangement != Arrangement::Split)
+    const Arrangement arrangement = session.window.view.arrangement;
+    if (arrangement != Arrangement::Split && arrangement != Arrangement::Kept)
         return;
     const Rect& whole = layout.picture;
     const float reach = ImGui::GetFontSize() * 0.4F;

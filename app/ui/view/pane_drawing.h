@@ -16,10 +16,10 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
 /// Whether the pictures of these renderers will still become better, or be there at all.
 [[nodiscard]] bool isDrawing(const Pictures& pictures, std::span<const RendererKind> renderers);
 
-/// What a pane is: its renderer, which one can change where two are compared.
+/// What a pane is: its renderer, which one can change where two are compared, or its side.
 void paneLabels(Session& session, const Panes& panes);
 
-/// The seam of Arrangement::Split, which one drags. Does nothing in another arrangement.
+/// The seam of Arrangement::Split and Kept, which one drags. Does nothing in another arrangement.
 void paneSeam(Session& session, const Layout& layout);
 
 /// What the colours of the difference mean, at the bottom of its pane.

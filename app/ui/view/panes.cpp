@@ -21,15 +21,18 @@ Rect cellOf(const Layout& layout, int column, int row) {
 
 std::vector<Pane> arrange(const Layout& layout, const ViewSettings& settings) {
     const Rect whole = layout.picture;
+    const int left = static_cast<int>(
+        std::lround(std::clamp(settings.split, 0.0F, 1.0F) * static_cast<float>(whole.width)));
+    const Rect leftPart{whole.x, whole.y, left, whole.height};
+    const Rect rightPart{whole.x + left, whole.y, whole.width - left, whole.height};
     switch (settings.arrangement) {
     case Arrangement::One:
         return {{settings.renderer, whole, whole}};
-    case Arrangement::Split: {
-        const int left = static_cast<int>(
-            std::lround(std::clamp(settings.split, 0.0F, 1.0F) * static_cast<float>(whole.width)));
-        return {{settings.compared[0], whole, {whole.x, whole.y, left, whole.height}},
-                {settings.compared[1], whole, {whole.x + left, whole.y, whole.width - left, whole.height}}};
-    }
+    case Arrangement::Split:
+        return {{settings.compared[0], whole, leftPart}, {settings.compared[1], whole, rightPart}};
+    case Arrangement::Kept:
+        return {{settings.renderer, whole, leftPart, view::Side::Kept},
+                {settings.renderer, whole, rightPart, view::Side::Now}};
     case Arrangement::Grid:
         break;
     }

@@ -3,6 +3,7 @@
 #include "app/ui/model/layout.h"
 #include "app/ui/model/view_settings.h"
 #include "app/view/frame.h"
+#include "app/view/side.h"
 
 #include <glm/vec2.hpp>
 #include <imgui.h>
@@ -16,7 +17,8 @@ namespace texplorer::ui {
 struct Pane {
     std::optional<RendererKind> renderer; ///< whose picture; none: the difference of the compared ones
     Rect frame;                           ///< where the picture is, or the part of it that the zoom shows
-    Rect visible;                         ///< what one sees of the frame: the seam of Split cuts it in two
+    Rect visible;                         ///< what one sees of the frame: a seam cuts it in two
+    view::Side side = view::Side::Now;
 };
 
 /// Where the view shows which pixel of the pictures. All pictures have the same size, and every pane shows

@@ -29,6 +29,13 @@ void drawProbedPixel(const Session& session, const Pictures& pictures, const Pan
                           {panes.partLow().x, panes.partHigh().y}, {panes.partHigh().x, panes.partLow().y},
                           color::probed);
     }
+    if (const reference::Explanation* pinned = pinnedExplanation(session)) {
+        const ImVec2 at = panes.toWindow(pane, glm::vec2(pinned->pixel.x, pinned->pixel.y) + 0.5F);
+        const float radius = ImGui::GetFontSize() * 0.4F;
+        draw.AddCircle(at, radius, color::shade, 0, radius * 0.7F);
+        draw.AddCircle(at, radius, color::probed, 0, radius * 0.3F);
+        noteDrawn("pinned pixel", at, at);
+    }
     if (!asked.pixel)
         return;
     const auto corner = [&](int dx, int dy) {

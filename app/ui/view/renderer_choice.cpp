@@ -47,13 +47,13 @@ void drawRendererChoice(ViewSettings& settings, float available) {
     int key = 0;
     for (const EnumRow& row : rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !isComparing(settings) && settings.renderer == renderer;
+        const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
         const std::string help = fmt::format("{}\nKey {}", helpOf(settings, row), ++key);
         if (choice(std::string(row.label), chosen, settings.offered.has(renderer), help))
             showOne(settings, renderer);
         ImGui::SameLine(0, gap);
     }
-    if (choice(compare, isComparing(settings), canCompare(settings),
+    if (choice(compare, comparesRenderers(settings), canCompare(settings),
                fmt::format("{}\nKey {}", canCompare(settings) ? compareHelp : nothingToCompare, ++key)))
         showComparison(settings);
     ImGui::SameLine(0, gap);

@@ -1,7 +1,9 @@
 #include "app/ui/view/view_panel.h"
 
 #include "app/ui/model/camera.h"
+#include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/shown_passes.h"
+#include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/magnifier.h"
 #include "app/ui/view/pane_drawing.h"
@@ -9,6 +11,7 @@
 #include "app/ui/view/probed_pixel.h"
 #include "app/ui/view/show.h"
 #include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -19,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -57,11 +61,12 @@ void toolRow(Session& session, const Layout& layout) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float left = ImGui::GetCursorPosX();
     const float right = ImGui::GetWindowContentRegionMax().x;
-    float all = buttonWidth(frameLabel);
+    const float choice = shownChoiceWidth(session.window.view) + gap;
+    float all = buttonWidth(frameLabel) + choice;
     for (const ShowRow& row : showRows)
         all += buttonWidth(row.label) + gap;
     const bool fits = left + all <= right;
-    const float end = fits ? right : right - buttonWidth(moreLabel) - gap;
+    const float end = fits ? right : right - buttonWidth(moreLabel) - gap - choice;
     std::size_t count = 0; // of the choices that have room
     for (float x = left; count < showRows.size(); ++count) {
         x += buttonWidth(showRows[count].label);
@@ -82,7 +87,9 @@ void toolRow(Session& session, const Layout& layout) {
         ImGui::SameLine(0, gap);
     }
     const char* last = fits ? frameLabel : moreLabel;
-    ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last)));
+    ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last) - choice));
+    drawShownChoice(session.window.view);
+    ImGui::SameLine(0, gap);
     const bool pressed = ImGui::Button(last);
     noteItem(fits ? "frame" : "more choices");
     helpTip(fits ? frameHelp : "What has no room here");
@@ -163,23 +170,73 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     draw.AddText(label, color::chosen, text.c_str());
 }
 
-/// Picks the vertex under the mouse, or none.
-void pick(Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
+/// The vertices that are chosen with the one that has the marker.
+void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+                    view::Size picture) {
+    const std::vector<std::size_t> chosen = chosenVertices(session.window.selection);
+    const Model* model = selectedModel(session);
+    constexpr std::size_t most = 500; // Dear ImGui counts the vertices of a panel with 16 bits
+    if (!model || !model->visible || chosen.size() < 2 || chosen.size() > most)
+        return;
+    const float em = ImGui::GetFontSize();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (const auto& place : projectVertices(session.document.scene, *model, selectedMesh(session), chosen,
+                                             session.window.playback.time, aspectOf(layout))) {
+        if (!place)
+            continue;
+        const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
+        draw.AddCircleFilled(at, em * 0.26F, color::shade, 12);
+        draw.AddCircleFilled(at, em * 0.18F, color::chosen, 12);
+    }
+}
+
+/// A ring around the vertex that the pointer is on, here or in the texture space.
+void drawHoverRing(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+                   view::Size picture) {
+    const std::optional<PickedVertex>& hovered =
+        session.window.hoveredInView ? session.window.hoveredInView : session.window.hoveredInPlane;
+    const std::vector<Model>& models = session.document.scene.models;
+    if (!hovered || hovered->model >= models.size() || !models[hovered->model].visible)
+        return;
+    const auto place = projectVertex(session.document.scene, hovered->model, hovered->vertex,
+                                     session.window.playback.time, aspectOf(layout));
+    if (!place)
+        return;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = panes.toWindow(pane, pixelsOf(*place, picture));
+    noteDrawn("hovered vertex", at, at);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddCircle(at, em * 0.5F, color::shade, 24, em * 0.3F);
+    draw.AddCircle(at, em * 0.5F, color::chosen, 24, em * 0.13F);
+}
+
+/// The vertex under the mouse, or none.
+std::optional<PickedVertex> vertexUnderMouse(const Session& session, const Layout& layout, const Panes& panes,
+                                             view::Size picture) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const Pane* pane = panes.under(mouse);
     if (!pane)
-        return;
+        return std::nullopt;
     const glm::vec2 at =
         panes.toPicture(*pane, mouse) / glm::vec2(static_cast<float>(std::max(1, picture.width)),
                                                   static_cast<float>(std::max(1, picture.height)));
-    const auto picked =
-        pickVertex(session.document.scene, session.window.playback.time, aspectOf(layout), {at.x, 1 - at.y});
-    if (picked) {
-        session.window.selection.model = static_cast<int>(picked->model);
-        session.window.selection.vertex = picked->vertex;
-    } else {
-        session.window.selection.vertex.reset();
-    }
+    return pickVertex(session.document.scene, session.window.playback.time, aspectOf(layout),
+                      {at.x, 1 - at.y});
+}
+
+/// Picks it; with Shift it is added to those that are chosen, or taken away.
+void pick(Session& session, const Layout& layout, const Panes& panes, view::Size picture) {
+    if (!panes.under(ImGui::GetIO().MousePos))
+        return;
+    Selection& selection = session.window.selection;
+    const auto picked = vertexUnderMouse(session, layout, panes, picture);
+    const bool adds = ImGui::GetIO().KeyShift;
+    if (adds && picked && std::cmp_equal(picked->model, selection.model))
+        return toggleVertex(selection, picked->vertex);
+    if (picked)
+        selection.model = static_cast<int>(picked->model);
+    if (picked || !adds)
+        chooseVertices(selection, picked ? std::vector{picked->vertex} : std::vector<std::size_t>{});
 }
 
 /// What the mouse does, first what one would not find alone: as much of it as fits.
@@ -191,9 +248,7 @@ constexpr std::array hints{"Hold E: explain",
                            "Click: pick a vertex",
                            "Ctrl + wheel: enlarge the pixels"};
 
-void hintLine(const Layout& layout) {
-    const float em = ImGui::GetFontSize();
-    const float available = static_cast<float>(layout.view.width) - em;
+std::string hintsFor(float available) {
     std::string line;
     for (const char* hint : hints) {
         const std::string longer = line.empty() ? hint : fmt::format("{}  ·  {}", line, hint);
@@ -201,16 +256,30 @@ void hintLine(const Layout& layout) {
             break;
         line = longer;
     }
+    return line;
+}
+
+/// The hints, or that the picture, and what is said of it, is of a preview.
+void hintLine(const Session& session, const Layout& layout) {
+    const float em = ImGui::GetFontSize();
+    const float available = static_cast<float>(layout.view.width) - em;
+    const std::optional<Preview>& shown = session.window.preview;
+    const std::string line =
+        shown ? fitted(fmt::format("Preview: {}", shown->text), available) : hintsFor(available);
     const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
     const auto height = static_cast<float>(layout.view.bottom() - top);
     ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
                          static_cast<float>(top - layout.view.y) + (height - em) / 2});
-    ImGui::TextDisabled("%s", line.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, shown ? color::changed : color::dim);
+    ImGui::TextUnformatted(line.c_str());
+    ImGui::PopStyleColor();
+    if (shown)
+        noteItem("preview");
 }
 
 /// Says that the picture is not the whole of it, over its lower edge.
 void stepLine(const Session& session, const Layout& layout) {
-    const std::size_t count = session.document.scene.passes.size();
+    const std::size_t count = shownScene(session).passes.size();
     const std::size_t shown = shownPasses(session);
     if (shown == count)
         return;
@@ -222,8 +291,7 @@ void stepLine(const Session& session, const Layout& layout) {
                      static_cast<float>(layout.picture.bottom()) - size.y - em * 0.8F);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled({low.x - em * 0.4F, low.y - em * 0.2F},
-                       {low.x + size.x + em * 0.4F, low.y + size.y + em * 0.2F}, IM_COL32(20, 22, 26, 200),
-                       em * 0.25F);
+                       {low.x + size.x + em * 0.4F, low.y + size.y + em * 0.2F}, color::shade, em * 0.25F);
     draw.AddText(low, color::changed, line.c_str());
 }
 
@@ -236,12 +304,15 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
     const view::Size picture = pictures.frames.front().frame.size;
     const Panes panes(layout, session.window.view, picture);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    for (const Pane& pane : panes.all())
+    for (const Pane& pane : panes.all()) {
         drawPane(draw, panes, pane, pictures, session.window.view);
+        drawFalseColors(draw, session, pictures, panes, pane);
+    }
     if (pictures.difference && isRinged(pictures.difference->numbers))
         markPixel(draw, panes, pictures.difference->numbers.worst, color::problem);
     if (pictures.difference && !panes.all().back().renderer)
         drawLegend(draw, panes.all().back(), pictures.difference->scale);
+    drawFalseColorLegend(draw, session, panes.all().front());
     paneLabels(session, panes); // before the button below, so that the mouse finds them first
     paneSeam(session, layout);
 
@@ -264,20 +335,30 @@ void drawViewPanel(Session& session, const Pictures& pictures, const Layout& lay
         pick(session, layout, panes, picture);
         clicked = true;
     }
+    if (const auto pixel = hovered ? panes.pixelAt(ImGui::GetIO().MousePos) : std::nullopt)
+        session.window.levels.hovered = {pixel->x, pixel->y};
     probeWithMouse(session, panes, hovered, clicked);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!hovered || active)
+        session.window.hoveredInView.reset();
+    else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0)
+        session.window.hoveredInView = vertexUnderMouse(session, layout, panes, picture);
     for (const Pane& pane : panes.all()) {
         draw.PushClipRect(
             {static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
             {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
         drawProbedPixel(session, pictures, panes, pane);
+        drawChosenDots(session, layout, panes, pane, picture);
         drawMarker(session, layout, panes, pane, picture);
+        drawHoverRing(session, layout, panes, pane, picture);
         draw.PopClipRect();
     }
     if (hovered)
         drawMagnifier(session, panes, pictures, layout);
+    drawFalseColorTip(session, layout);
     drawComparisonStrip(session, pictures, layout);
     stepLine(session, layout);
-    hintLine(layout);
+    hintLine(session, layout);
     ImGui::End();
 }
 

@@ -61,13 +61,13 @@ float overlap(const Box& a, const Box& b) {
 }
 
 float costOf(std::span<const ImVec2> places, std::span<const ImVec2> sizes, const Box& room,
-             std::span<const Kept> kept) {
+             std::span<const Uncovered> kept) {
     constexpr float unseen = 1000; // a pixel of an inset beyond the room
     float cost = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const Box inset{places[i], {places[i].x + sizes[i].x, places[i].y + sizes[i].y}};
         cost += unseen * (sizes[i].x * sizes[i].y - overlap(inset, room));
-        for (const Kept& each : kept)
+        for (const Uncovered& each : kept)
             cost += each.worth * overlap(inset, each.box);
     }
     return cost;
@@ -76,7 +76,7 @@ float costOf(std::span<const ImVec2> places, std::span<const ImVec2> sizes, cons
 } // namespace
 
 std::vector<ImVec2> placeInsets(std::span<const ImVec2> sizes, const Box& room, float gap,
-                                std::span<const Kept> kept) {
+                                std::span<const Uncovered> kept) {
     std::vector<ImVec2> best;
     float least = 0;
     for (const Placing& placing : placings) {

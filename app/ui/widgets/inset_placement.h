@@ -13,8 +13,12 @@ struct Box {
     ImVec2 high;
 };
 
+[[nodiscard]] inline bool overlaps(const Box& a, const Box& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
 /// What one would rather see than an inset.
-struct Kept {
+struct Uncovered {
     Box box;
     float worth; ///< of each pixel of it
 };
@@ -23,6 +27,6 @@ struct Kept {
 /// is worth least: beside each other or one above the other, at either end of an edge or at both. The lower
 /// edge is taken where it is as good as another. Pure.
 [[nodiscard]] std::vector<ImVec2> placeInsets(std::span<const ImVec2> sizes, const Box& room, float gap,
-                                              std::span<const Kept> kept);
+                                              std::span<const Uncovered> kept);
 
 } // namespace texplorer::ui

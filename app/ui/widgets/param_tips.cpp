@@ -1,6 +1,7 @@
 #include "app/ui/widgets/param_tips.h"
 
 #include "app/ui/model/findings.h"
+#include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/printable.h"
@@ -35,6 +36,8 @@ void helpTip(std::string_view words) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
         ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
+    if (fitsBelow(words))
+        return hint(std::string(words));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
     text(printable(words, LineBreaks::Keep));
@@ -72,11 +75,39 @@ void noteSign() {
     stroke(-0.06F, 0.24F);
 }
 
+namespace {
+
+/// In one line below, what matters most first: true where that has room for what has to be said.
+bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Target target,
+               const Finding* idle, const Finding* problem) {
+    const bool isWrong = problem && problem->severity <= Severity::Warning;
+    std::string words = idle      ? fmt::format("No effect now: {}.", idle->sentence)
+                        : problem ? sentenceOf(*problem)
+                                  : std::string(row.help);
+    if (!fitsBelow(words))
+        return false;
+    const auto add = [&words](const std::string& more) {
+        if (std::string longer = words + "  ·  " + more; !more.empty() && fitsBelow(longer))
+            words = std::move(longer);
+    };
+    if (idle || problem)
+        add(std::string(row.help));
+    add(formatCall(row, value, target));
+    if (value != initial)
+        add(fmt::format("Initially {}; ↺ resets it.", formatValue(row, initial)));
+    hint(std::move(words), idle || isWrong);
+    return true;
+}
+
+} // namespace
+
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
               const Finding* idle, const Finding* problem) {
     // What is disabled most of all has to say why.
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
         ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return;
+    if (hintParam(row, value, initial, target, idle, problem))
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
@@ -109,7 +140,7 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
     ImGui::PopStyleColor();
     if (value != initial) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        text(fmt::format("Initially {}; a right click resets it.", formatValue(row, initial)));
+        text(fmt::format("Initially {}; ↺ resets it.", formatValue(row, initial)));
         ImGui::PopStyleColor();
     }
     ImGui::PopTextWrapPos();
@@ -119,6 +150,8 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
 void choiceTip(const EnumRow& choice) {
     if (!ImGui::IsItemHovered())
         return;
+    if (fitsBelow(choice.help))
+        return hint(std::string(choice.help));
     // Beside the list, so that it doesn't hide the next choices.
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
     if (right + ImGui::GetFontSize() * (tipWidth + 2) < ImGui::GetIO().DisplaySize.x)

@@ -1,7 +1,10 @@
 #include "app/ui/widgets/param_widgets.h"
 
 #include "app/ui/model/findings.h"
-#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/model/pinned.h"
+#include "app/ui/widgets/enum_control.h"
+#include "app/ui/widgets/hover_link.h"
+#include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
@@ -9,6 +12,7 @@
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h> // how far lines are indented, in a table, too
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +20,10 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float labelShare = 0.44F; ///< of a line's width
-constexpr float narrowest = 7.5F;   ///< of a control beside its label, in letters' heights
+constexpr float labelShare = 0.44F;        ///< of a line's width
+constexpr float narrowest = 7.5F;          ///< of a control beside its label, in letters' heights
+constexpr float wideColumn = 37.3F;        ///< room for two columns of lines, in letters' heights: 560 pixels
+constexpr std::size_t mostButtonLines = 3; ///< of the buttons of a choice
 
 /// Wide controls get a line of their own below the label.
 bool isWide(Kind kind) {
@@ -26,48 +32,6 @@ bool isWide(Kind kind) {
 
 float textWidth(std::string_view words) {
     return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
-}
-
-bool enumWidget(const Owner& owner, const ParamRow& row, EnumValue& value, const std::string& path) {
-    const auto labelOf = [&](const EnumRow& choice) {
-        return owner.labelOf ? owner.labelOf(row, choice) : std::string(choice.label);
-    };
-    const EnumRow* current = findRow(row.choices, value.number);
-    const float room =
-        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
-    const std::string preview = fitted(current ? labelOf(*current) : "?", room);
-    bool changed = false;
-    if (ImGui::BeginCombo("##value", preview.c_str(), ImGuiComboFlags_HeightLargest)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
-        float names = 0;
-        for (const EnumRow& choice : row.choices)
-            names = std::max(names, textWidth(labelOf(choice)));
-        std::string_view group;
-        for (const EnumRow& choice : row.choices) {
-            if (choice.group != group)
-                caption(choice.group);
-            group = choice.group;
-            const std::string label = fmt::format("{}##{}", labelOf(choice), choice.name);
-            const bool isCurrent = choice.value == value.number;
-            if (ImGui::Selectable(label.c_str(), isCurrent)) {
-                changed = !isCurrent;
-                value.number = choice.value;
-            }
-            noteItem(fmt::format("{}={}", path, choice.name));
-            choiceTip(choice);
-            if (isCurrent)
-                ImGui::SetItemDefaultFocus();
-            if (choice.name.starts_with("GL_")) {
-                ImGui::SameLine(names + ImGui::GetFontSize() * 2);
-                ImGui::PushFont(codeFont());
-                dimText(choice.name);
-                ImGui::PopFont();
-            }
-        }
-        ImGui::PopStyleColor();
-        ImGui::EndCombo();
-    }
-    return changed;
 }
 
 bool colorWidget(glm::vec4& value) {
@@ -96,45 +60,13 @@ bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
     return changed;
 }
 
-std::string numberFormat(const Range& range) {
-    const int decimals = range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
-    std::string format = fmt::format("%.{}f", decimals);
-    if (range.unit == "deg")
-        return format + "°";
-    if (range.unit == "deg/s")
-        return format + "°/s";
-    if (range.unit.empty())
-        return format;
-    return format + (range.unit.starts_with('/') ? "" : " ") + std::string(range.unit);
-}
-
-/// The last widget is a number that one drags: arrows at both ends say so where there is room, and so does
-/// the mouse.
-void markDraggable() {
-    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    if (ImGui::IsItemHovered())
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    const float em = ImGui::GetFontSize();
-    if (ImGui::GetIO().WantTextInput || high.x - low.x < em * 6)
-        return;
-    const ImU32 tint = hot ? color::text : IM_COL32(142, 150, 162, 110);
-    const float y = (low.y + high.y) / 2;
-    const float size = em * 0.2F;
-    const float left = low.x + em * 0.7F;
-    const float right = high.x - em * 0.7F;
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddTriangleFilled({left - size, y}, {left, y - size}, {left, y + size}, tint);
-    draw.AddTriangleFilled({right + size, y}, {right, y + size}, {right, y - size}, tint);
-}
-
 template<class Vector>
 bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const std::string& path) {
     constexpr int count = Vector::length();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = std::floor((ImGui::CalcItemWidth() - gap * (count - 1)) / count);
     bool changed = false;
+    ImGui::BeginGroup();
     for (int i = 0; i < count; ++i) {
         if (i > 0)
             ImGui::SameLine(0, gap);
@@ -145,6 +77,7 @@ bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const st
         sealAfterItem(session);
         ImGui::PopID();
     }
+    ImGui::EndGroup();
     return changed;
 }
 
@@ -169,34 +102,55 @@ bool matrixWidget(Session& session, const ParamRow& row, glm::mat4& value, const
     return changed;
 }
 
-/// Draws the control; true where `value` changed.
-bool control(Session& session, const Owner& owner, const ParamRow& row, Value& value,
-             const std::string& path) {
+/// A row's value while its control is drawn.
+struct Line {
+    std::string path;
+    Value value;
+    Value initial;
+    bool changed;           ///< it isn't the initial value
+    const Finding* idle;    ///< why it changes nothing at present; nullptr: it matters
+    const Finding* problem; ///< what is wrong with it
+    bool edited = false;
+    bool reset = false;
+    std::optional<SegmentPlan> plan{}; ///< of a choice whose names are all in sight
+};
+
+/// What the initial value stands for, where its number says nothing.
+const char* insteadOfNumber(const ParamRow& row, const Line& line) {
+    return row.range.initially.empty() || line.changed ? nullptr : row.range.initially.data();
+}
+
+bool intWidget(const ParamRow& row, int& value, const char* instead) {
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value")); // reads what the format says
+    const bool changed = ImGui::DragInt("##value", &value, row.range.step, static_cast<int>(row.range.min),
+                                        static_cast<int>(row.range.max), instead && !typing ? instead : "%d",
+                                        ImGuiSliderFlags_AlwaysClamp);
+    markDraggable();
+    return changed;
+}
+
+/// Draws the control; true where the line's value changed.
+bool control(Session& session, const Owner& owner, const ParamRow& row, Line& line) {
+    Value& value = line.value;
     switch (row.kind) {
     case Kind::Bool:
         return ImGui::Checkbox("##value", &std::get<bool>(value));
-    case Kind::Int: {
-        int& number = std::get<int>(value);
-        const bool changed =
-            ImGui::DragInt("##value", &number, row.range.step, static_cast<int>(row.range.min),
-                           static_cast<int>(row.range.max), "%d", ImGuiSliderFlags_AlwaysClamp);
-        markDraggable();
-        return changed;
-    }
+    case Kind::Int:
+        return intWidget(row, std::get<int>(value), insteadOfNumber(row, line));
     case Kind::Float:
-        return dragNumber("##value", std::get<float>(value), row.range, -1);
+        return dragNumber("##value", std::get<float>(value), row.range, -1, insteadOfNumber(row, line));
     case Kind::Vec3:
-        return vectorWidget(session, row, std::get<glm::vec3>(value), path);
+        return vectorWidget(session, row, std::get<glm::vec3>(value), line.path);
     case Kind::Vec4:
-        return vectorWidget(session, row, std::get<glm::vec4>(value), path);
+        return vectorWidget(session, row, std::get<glm::vec4>(value), line.path);
     case Kind::Color:
         return colorWidget(std::get<glm::vec4>(value));
     case Kind::Enum:
-        return enumWidget(owner, row, std::get<EnumValue>(value), path);
+        return enumControl(session, owner, row, std::get<EnumValue>(value), line.path, line.plan);
     case Kind::Text:
         return textField("##value", std::get<std::string>(value), ImGuiInputTextFlags_EnterReturnsTrue);
     case Kind::Matrix:
-        return matrixWidget(session, row, std::get<glm::mat4>(value), path);
+        return matrixWidget(session, row, std::get<glm::mat4>(value), line.path);
     case Kind::PointList:
     case Kind::ColorList:
     case Kind::TexCoordList:
@@ -211,8 +165,9 @@ bool isContinuous(Kind kind) {
            kind == Kind::Color || kind == Kind::Matrix;
 }
 
-bool assign(Session& session, const Owner& owner, const ParamRow& row, const Value& value,
-            const std::string& path) {
+} // namespace
+
+bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
     if (value == row.read(owner.values))
         return false;
     if (const Result<void> fits = checkValue(row, value); !fits) {
@@ -222,16 +177,14 @@ bool assign(Session& session, const Owner& owner, const ParamRow& row, const Val
     if (owner.accepts && !owner.accepts(row, value))
         return false;
     row.write(owner.values, value);
-    recordEdit(session, row.label, path);
+    recordEdit(session, row.label, owner.pathOf(row));
     if (!isContinuous(row.kind))
         sealEdit(session);
     return true;
 }
 
-} // namespace
-
 void sealAfterItem(Session& session) {
-    if (ImGui::IsItemDeactivated())
+    if (ImGui::IsItemActivated() || ImGui::IsItemDeactivated())
         sealEdit(session);
 }
 
@@ -249,34 +202,7 @@ void caption(std::string_view words) {
     dimText(words);
 }
 
-bool dragNumber(const char* id, float& value, const Range& range, int component) {
-    const std::string format =
-        component >= 0 ? numberFormat({range.min, range.max, range.step, {}}) : numberFormat(range);
-    const bool changed = ImGui::DragFloat(id, &value, range.step, range.min, range.max, format.c_str(),
-                                          ImGuiSliderFlags_AlwaysClamp);
-    markDraggable();
-    if (component >= 0) {
-        const ImVec2 low = ImGui::GetItemRectMin();
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            low, {low.x + ImGui::GetFontSize() * 0.2F, ImGui::GetItemRectMax().y}, componentColor(component),
-            ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
-    }
-    return changed;
-}
-
 namespace {
-
-/// A row's value while its control is drawn.
-struct Line {
-    std::string path;
-    Value value;
-    Value initial;
-    bool changed;           ///< it isn't the initial value
-    const Finding* idle;    ///< why it changes nothing at present; nullptr: it matters
-    const Finding* problem; ///< what is wrong with it
-    bool edited = false;
-    bool reset = false;
-};
 
 Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
     const std::string path = owner.pathOf(row);
@@ -305,13 +231,41 @@ void showWanted(Session& session, const Line& line) {
                                         color::problem, ImGui::GetStyle().FrameRounding);
 }
 
+/// The last widget stands for a row: a right click opens its menu.
+void opensMenu() {
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+        ImGui::OpenPopup("row");
+}
+
+/// What one can do with a row.
+void rowMenu(Session& session, const ParamRow& row, Line& line) {
+    if (!ImGui::BeginPopup("row"))
+        return;
+    Settings& settings = session.window.settings;
+    dimText(glNameOf(row).empty() ? std::string(row.label) : fmt::format("{}  {}", row.label, glNameOf(row)));
+    ImGui::Separator();
+    const std::string initial = formatValue(row, line.initial);
+    line.reset |= ImGui::MenuItem(fmt::format("Back to {}", initial.empty() ? "nothing" : initial).c_str(),
+                                  nullptr, false, line.changed);
+    noteItem(line.path + "#menu:reset");
+    const bool isThere = isEssential(line.path);
+    const bool pinned = isPinned(settings, line.path);
+    if (ImGui::MenuItem(pinned ? "Take out of Essentials" : "Pin to Essentials", nullptr, false, !isThere))
+        togglePin(settings, line.path);
+    noteItem(line.path + "#menu:pin");
+    helpTip(isThere  ? "Essentials has it already"
+            : pinned ? "Essentials shows it no longer"
+                     : "Essentials shows it below what it has, of whatever texture, unit or model is chosen");
+    ImGui::EndPopup();
+}
+
 void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line& line, float width,
                  ImU32 ink) {
     constexpr float dimShare = 0.35F; // of a swatch, which has no text to be dim
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleColor(ImGuiCol_Text, line.idle ? color::dim : ink);
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, line.idle && row.kind == Kind::Color ? dimShare : 1.0F);
-    line.edited = control(session, owner, row, line.value, line.path);
+    line.edited = control(session, owner, row, line);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (!isWide(row.kind)) {
@@ -321,7 +275,8 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
     if (line.idle)
         noteItem(line.path + "#inert");
     paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
-    line.reset |= line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    linkHover(session, line.path);
+    opensMenu();
     showWanted(session, line);
     if (row.kind == Kind::Color)
         line.edited |= colorPopup(session, std::get<glm::vec4>(line.value), line.path);
@@ -330,17 +285,18 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
 /// Writes what the user did to a line. True where the value changed.
 bool finish(Session& session, const Owner& owner, const ParamRow& row, const Line& line) {
     if (!line.reset)
-        return line.edited && assign(session, owner, row, line.value, line.path);
+        return line.edited && assignParam(session, owner, row, line.value);
     sealEdit(session);
-    const bool changed = assign(session, owner, row, line.initial, line.path);
+    const bool changed = assignParam(session, owner, row, line.initial);
     sealEdit(session);
     return changed;
 }
 
 } // namespace
 
-bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width) {
+bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
     Line line = lineOf(session, owner, row);
+    line.plan = planChoices(session, owner, row, width, lines);
     ImGui::PushID(line.path.c_str());
     drawControl(session, owner, row, line, width,
                 line.problem && line.problem->severity <= Severity::Warning ? color::problem
@@ -348,9 +304,30 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
                                                                             : color::text);
     if (line.problem)
         noteItem(line.path + "#problem");
+    rowMenu(session, row, line);
     ImGui::PopID();
     return finish(session, owner, row, line);
 }
+
+namespace {
+
+/// Back to the initial value, at the right end of a line that is so wide.
+void resetSign(const ParamRow& row, Line& line, float full) {
+    if (!line.changed)
+        return;
+    const float em = ImGui::GetFontSize();
+    ImGui::SameLine(full - em);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
+    line.reset |= ImGui::Button("↺", {em, 0});
+    noteItem(line.path + "#reset");
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar();
+    helpTip("Back to " + formatValue(row, line.initial));
+}
+
+} // namespace
 
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     if (isList(row.kind))
@@ -360,47 +337,47 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row) {
     ImGui::PushID(line.path.c_str());
     const float em = ImGui::GetFontSize();
     // Controls stand below each other, beside lines that are indented, too.
-    const float indent = ImGui::GetCursorPosX() - ImGui::GetWindowContentRegionMin().x;
+    const float indent = ImGui::GetCurrentWindowRead()->DC.Indent.x - ImGui::GetStyle().WindowPadding.x;
     const float full = ImGui::GetContentRegionAvail().x;
     const float resetWidth = em * 1.3F;
+    const std::string_view name = shownName(session.window.settings, row);
     // A label that is a little wider than its column takes some of the control's.
-    const float needed = textWidth(row.label) + (line.problem ? em * 1.2F : 0) + em * 0.4F;
+    const float needed = textWidth(name) + (line.problem ? em * 1.2F : 0) + em * 0.4F;
     const float labelWidth = std::floor(std::max((indent + full) * labelShare - indent, needed));
     const float least = row.kind == Kind::Bool ? ImGui::GetFrameHeight() : em * narrowest;
-    const bool isNarrow = full - labelWidth - resetWidth < least;
-    const bool ownLine = isWide(row.kind) || isNarrow;
+    const float beside = full - labelWidth - resetWidth;
+    line.plan = planChoices(session, owner, row, beside, 1);
+    const bool isNarrow = beside < least && !line.plan;
+    const bool hasLines = !line.plan && (line.plan = planChoices(session, owner, row, full, mostButtonLines));
+    const bool ownLine = isWide(row.kind) || isNarrow || hasLines;
 
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, line.idle      ? color::dim
                                          : line.changed ? color::changed
                                                         : color::text);
-    text(row.label);
+    text(name);
     ImGui::PopStyleColor();
+    noteItem(line.path + "#label");
+    linkHover(session, line.path);
     paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
-    line.reset = line.changed && ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    opensMenu();
     if (line.problem) {
         ImGui::SameLine(0, em * 0.35F);
         problemSign(session, line.path, *line.problem);
     }
-    float controlWidth = full - resetWidth;
-    if (!ownLine) {
+    float controlWidth = hasLines ? full : full - resetWidth;
+    if (hasLines) {
+        resetSign(row, line, full);
+    } else if (!ownLine) {
         ImGui::SameLine(labelWidth); // from where the group begins
         controlWidth -= labelWidth;
     }
     drawControl(session, owner, row, line, controlWidth, color::text);
-    if (line.changed) {
-        ImGui::SameLine(full - em);
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
-        ImGui::PushStyleColor(ImGuiCol_Button, 0);
-        ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        line.reset |= ImGui::Button("↺", {em, 0});
-        noteItem(line.path + "#reset");
-        ImGui::PopStyleColor(2);
-        ImGui::PopStyleVar();
-        helpTip("Back to " + formatValue(row, line.initial));
-    }
+    if (!hasLines)
+        resetSign(row, line, full);
     ImGui::EndGroup();
+    rowMenu(session, row, line);
     ImGui::PopID();
     return finish(session, owner, row, line);
 }
@@ -409,19 +386,78 @@ bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row)
     return !isList(row.kind) && !isUnused(session, owner.pathOf(row));
 }
 
-void paramRows(Session& session, const Owner& owner, const StructTable& table) {
-    std::string_view group;
-    bool groupsDiffer = false;
-    for (const ParamRow& row : table.params)
-        groupsDiffer |= row.group != table.params.front().group;
-    for (const ParamRow& row : table.params) {
-        if (!isRelevant(session, owner, row))
-            continue;
-        if (groupsDiffer && row.group != group)
-            caption(row.group);
-        group = row.group;
-        paramWidget(session, owner, row);
+namespace {
+
+/// One below the other, or in two columns where there is room.
+void drawRows(Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
+    const bool two = ImGui::GetContentRegionAvail().x >= wideColumn * ImGui::GetFontSize() && rows.size() > 1;
+    if (!two) {
+        for (const ParamRow* row : rows)
+            paramWidget(session, owner, *row);
+        return;
     }
+    const std::string id = fmt::format("{}##{}", owner.path, rows.front()->key);
+    if (!ImGui::BeginTable(id.c_str(), 2,
+                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
+        return;
+    for (const ParamRow* row : rows) {
+        ImGui::TableNextColumn();
+        paramWidget(session, owner, *row);
+    }
+    ImGui::EndTable();
+}
+
+/// What has no effect, folded: it doesn't vanish, and isn't in the way.
+void drawFolded(Session& session, const Owner& owner, const std::vector<const ParamRow*>& rows) {
+    if (rows.empty())
+        return;
+    const auto isAskedFor = [&](const ParamRow* row) {
+        return owner.pathOf(*row) == session.window.wantedParam;
+    };
+    if (std::ranges::any_of(rows, isAskedFor))
+        ImGui::SetNextItemOpen(true);
+    ImGui::PushID(owner.path.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    const bool open =
+        ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
+                          "No effect here (%d)", static_cast<int>(rows.size()));
+    ImGui::PopStyleColor();
+    noteItem(owner.path + "#no effect");
+    helpTip("Settings of other choices than those that are made at present");
+    ImGui::PopID();
+    if (open)
+        drawRows(session, owner, rows);
+}
+
+} // namespace
+
+void paramRows(Session& session, const Owner& owner, const StructTable& table, const RowOptions& options) {
+    const bool hasGroups = std::ranges::any_of(
+        table.params, [&](const ParamRow& row) { return row.group != table.params.front().group; });
+    std::vector<const ParamRow*> folded;
+    std::vector<const ParamRow*> rows; // of one group
+    const auto isOver = [&](std::string_view group) {
+        if (!rows.empty()) {
+            const bool saysSo = rows.front()->label == group; // a title would say it twice
+            if (options.captions && hasGroups && !saysSo)
+                caption(group);
+            drawRows(session, owner, rows);
+        }
+        rows.clear();
+        if (options.after)
+            options.after(group);
+    };
+    for (std::size_t i = 0; i < table.params.size(); ++i) {
+        const ParamRow& row = table.params[i];
+        const bool isLeftOut = isList(row.kind) || (options.leavesOut && options.leavesOut(row));
+        if (!isLeftOut) {
+            const bool folds = !isRelevant(session, owner, row) || (options.folds && options.folds(row));
+            (folds ? folded : rows).push_back(&row);
+        }
+        if (i + 1 == table.params.size() || table.params[i + 1].group != row.group)
+            isOver(row.group);
+    }
+    drawFolded(session, owner, folded);
 }
 
 } // namespace texplorer::ui

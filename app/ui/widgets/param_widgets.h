@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/scene/params/params.h"
 
@@ -27,23 +28,37 @@ struct Owner {
     }
 };
 
-/// One line: label, control, and a sign to reset it where it differs from the initial value. The control
-/// suits the row's kind. Records the edit. True where the value changed.
+/// One line: label, control, and a sign to reset it where it differs from the initial value; a right click
+/// opens a menu that resets and pins it. The control suits the row's kind. Records the edit. True where the
+/// value changed.
 bool paramWidget(Session& session, const Owner& owner, const ParamRow& row);
 
-/// The control alone, for panels with lines of their own; a right click resets it. True where the value
-/// changed.
-bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width);
+/// The control alone, for panels with lines of their own. The buttons of a choice may have so many `lines`.
+/// True where the value changed.
+bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width,
+                  std::size_t lines = 1);
 
-/// Every row of a table that has an effect on these values, with the row's group as a caption.
-void paramRows(Session& session, const Owner& owner, const StructTable& table);
+/// Writes a value as its control does: checked, asked for, recorded. True where it changed.
+bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value);
+
+/// How the rows of a table are drawn.
+struct RowOptions {
+    bool captions = true; ///< the groups have their names above them
+    /// Rows that are drawn elsewhere.
+    std::function<bool(const ParamRow& row)> leavesOut = {};
+    /// Rows that are folded beside those that belong to a choice that isn't made.
+    std::function<bool(const ParamRow& row)> folds = {};
+    /// Called where a group of rows ends.
+    std::function<void(std::string_view group)> after = {};
+};
+
+/// Every row of a table: those that may have an effect on these values, group by group, and below them the
+/// others, folded.
+void paramRows(Session& session, const Owner& owner, const StructTable& table,
+               const RowOptions& options = {});
 
 /// Whether a row's value can matter beside the others: the slices of a cube can't.
 [[nodiscard]] bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row);
-
-/// A number that one drags, in the current item width, with the colour of its component at its left (-1:
-/// none).
-bool dragNumber(const char* id, float& value, const Range& range, int component);
 
 /// A button as wide as it is high; `name` is what tests call it.
 bool squareButton(const char* label, std::string_view name, std::string_view help, bool enabled);
@@ -51,7 +66,8 @@ bool squareButton(const char* label, std::string_view name, std::string_view hel
 /// Ends a step of undo when the last widget is let go.
 void sealAfterItem(Session& session);
 
-/// A tooltip with wrapped text for the last widget.
+/// What the last widget is, where the pointer rests on it: in the status bar, or where that has no room a
+/// tooltip.
 void helpTip(std::string_view text);
 
 /// A small dim caption over a group.

@@ -18,7 +18,7 @@ struct Pictures {
     std::span<const ViewFrame> frames;          ///< of shownRenderers, at Layout::picture's size; never empty
     const ViewDifference* difference = nullptr; ///< of those that are compared; nullptr: not known
     std::span<const std::string> problems = {}; ///< sentences: what the renderers said
-    /// Of each pass, where WindowState::shownTab asks for them or shaders draw; nullptr: there is none.
+    /// Of each pass, where the tab GLSL is shown or shaders draw; nullptr: there is none.
     std::span<const std::shared_ptr<const view::PassShader>> shaders = {};
     /// The base level of boundTexture(session), nearest filtering.
     view::PictureHandle texture = view::PictureHandle::None;
@@ -29,9 +29,15 @@ struct Pictures {
     /// Keeps a picture of an image with its alpha until the end of the frame. Empty: there is no place for
     /// any.
     std::function<view::PictureHandle(const std::shared_ptr<const Image>& image)> keep = {};
+    /// The same of what is shown so large that one sees its texels: nearest filtering. An image is kept in
+    /// one of the two ways.
+    std::function<view::PictureHandle(const std::shared_ptr<const Image>& image)> keepTexels = {};
 
     [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image) const {
         return keep ? keep(image) : view::PictureHandle::None;
+    }
+    [[nodiscard]] view::PictureHandle showTexels(const std::shared_ptr<const Image>& image) const {
+        return keepTexels ? keepTexels(image) : view::PictureHandle::None;
     }
 };
 

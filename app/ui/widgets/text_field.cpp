@@ -2,7 +2,7 @@
 
 namespace texplorer::ui {
 
-bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags) {
+bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags, const char* hint) {
     const auto resize = [](ImGuiInputTextCallbackData* data) {
         if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
             auto& resized = *static_cast<std::string*>(data->UserData);
@@ -11,8 +11,8 @@ bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags) 
         }
         return 0;
     };
-    return ImGui::InputText(label, text.data(), text.capacity() + 1,
-                            flags | ImGuiInputTextFlags_CallbackResize, resize, &text);
+    return ImGui::InputTextWithHint(label, hint, text.data(), text.capacity() + 1,
+                                    flags | ImGuiInputTextFlags_CallbackResize, resize, &text);
 }
 
 } // namespace texplorer::ui

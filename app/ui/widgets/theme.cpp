@@ -9,7 +9,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float textSize = 15; // pixels at a content scale of 1
+constexpr float textSize = 15; // pixels at a scale of 1
 constexpr float codeSize = 13.5F;
 
 // Where distributions keep DejaVu: Debian, Fedora, Arch.
@@ -47,67 +47,79 @@ ImFont* addFont(const char* file, float size) {
     return atlas.AddFontDefault(&config);
 }
 
-ImVec4 grey(int red, int green, int blue, float alpha = 1) {
-    return {static_cast<float>(red) / 255, static_cast<float>(green) / 255, static_cast<float>(blue) / 255,
-            alpha};
-}
+/// Which colour of the palette each of Dear ImGui's is.
+struct StyleRow {
+    ImGuiCol style;
+    ImU32 Palette::*color;
+};
+
+constexpr std::array styleRows{
+    StyleRow{ImGuiCol_Text, &Palette::text},
+    StyleRow{ImGuiCol_TextDisabled, &Palette::dim},
+    StyleRow{ImGuiCol_WindowBg, &Palette::panel},
+    StyleRow{ImGuiCol_PopupBg, &Palette::popup},
+    StyleRow{ImGuiCol_Border, &Palette::border},
+    StyleRow{ImGuiCol_FrameBg, &Palette::field},
+    StyleRow{ImGuiCol_FrameBgHovered, &Palette::fieldHover},
+    StyleRow{ImGuiCol_FrameBgActive, &Palette::fieldActive},
+    StyleRow{ImGuiCol_TitleBg, &Palette::title},
+    StyleRow{ImGuiCol_TitleBgActive, &Palette::title},
+    StyleRow{ImGuiCol_TitleBgCollapsed, &Palette::title},
+    StyleRow{ImGuiCol_MenuBarBg, &Palette::bar},
+    StyleRow{ImGuiCol_ScrollbarGrab, &Palette::grab},
+    StyleRow{ImGuiCol_ScrollbarGrabHovered, &Palette::accent},
+    StyleRow{ImGuiCol_ScrollbarGrabActive, &Palette::accent},
+    StyleRow{ImGuiCol_CheckMark, &Palette::accent},
+    StyleRow{ImGuiCol_SliderGrab, &Palette::accent},
+    StyleRow{ImGuiCol_SliderGrabActive, &Palette::accent},
+    StyleRow{ImGuiCol_Button, &Palette::field},
+    StyleRow{ImGuiCol_ButtonHovered, &Palette::fieldHover},
+    StyleRow{ImGuiCol_ButtonActive, &Palette::fieldActive},
+    StyleRow{ImGuiCol_Header, &Palette::header},
+    StyleRow{ImGuiCol_HeaderHovered, &Palette::headerHover},
+    StyleRow{ImGuiCol_HeaderActive, &Palette::headerActive},
+    StyleRow{ImGuiCol_Separator, &Palette::separator},
+    StyleRow{ImGuiCol_SeparatorHovered, &Palette::accent},
+    StyleRow{ImGuiCol_SeparatorActive, &Palette::accent},
+    StyleRow{ImGuiCol_ResizeGrip, &Palette::grab},
+    StyleRow{ImGuiCol_ResizeGripHovered, &Palette::accent},
+    StyleRow{ImGuiCol_ResizeGripActive, &Palette::accent},
+    StyleRow{ImGuiCol_Tab, &Palette::panel},
+    StyleRow{ImGuiCol_TabHovered, &Palette::fieldHover},
+    StyleRow{ImGuiCol_TabActive, &Palette::field},
+    StyleRow{ImGuiCol_TabUnfocused, &Palette::panel},
+    StyleRow{ImGuiCol_TabUnfocusedActive, &Palette::field},
+    StyleRow{ImGuiCol_PlotLines, &Palette::accent},
+    StyleRow{ImGuiCol_PlotHistogram, &Palette::accent},
+    StyleRow{ImGuiCol_TableHeaderBg, &Palette::panel},
+    StyleRow{ImGuiCol_TableBorderStrong, &Palette::border},
+    StyleRow{ImGuiCol_TableBorderLight, &Palette::separator},
+    StyleRow{ImGuiCol_TextSelectedBg, &Palette::selection},
+    StyleRow{ImGuiCol_NavHighlight, &Palette::accent},
+    StyleRow{ImGuiCol_ModalWindowDimBg, &Palette::curtain},
+};
 
 void setColors(ImGuiStyle& style) {
     ImGui::StyleColorsDark(&style);
-    ImVec4* c = style.Colors;
-    const ImVec4 panel = grey(30, 33, 39);
-    const ImVec4 field = grey(49, 54, 63);
-    const ImVec4 fieldHover = grey(60, 66, 77);
-    const ImVec4 fieldActive = grey(70, 78, 92);
-    const ImVec4 accent = grey(118, 150, 190);
-    c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(color::text);
-    c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(color::dim);
-    c[ImGuiCol_WindowBg] = panel;
-    c[ImGuiCol_ChildBg] = grey(0, 0, 0, 0);
-    c[ImGuiCol_PopupBg] = grey(34, 38, 45);
-    c[ImGuiCol_Border] = grey(64, 70, 80);
-    c[ImGuiCol_FrameBg] = field;
-    c[ImGuiCol_FrameBgHovered] = fieldHover;
-    c[ImGuiCol_FrameBgActive] = fieldActive;
-    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(44, 49, 57);
-    c[ImGuiCol_MenuBarBg] = grey(24, 26, 31);
-    c[ImGuiCol_ScrollbarBg] = grey(0, 0, 0, 0);
-    c[ImGuiCol_ScrollbarGrab] = grey(70, 77, 89);
-    c[ImGuiCol_ScrollbarGrabHovered] = grey(88, 97, 112);
-    c[ImGuiCol_ScrollbarGrabActive] = accent;
-    c[ImGuiCol_CheckMark] = grey(158, 194, 240);
-    c[ImGuiCol_SliderGrab] = accent;
-    c[ImGuiCol_SliderGrabActive] = grey(158, 194, 240);
-    c[ImGuiCol_Button] = field;
-    c[ImGuiCol_ButtonHovered] = fieldHover;
-    c[ImGuiCol_ButtonActive] = fieldActive;
-    c[ImGuiCol_Header] = grey(52, 60, 72);
-    c[ImGuiCol_HeaderHovered] = grey(62, 72, 86);
-    c[ImGuiCol_HeaderActive] = grey(72, 84, 101);
-    c[ImGuiCol_Separator] = grey(52, 57, 66);
-    c[ImGuiCol_SeparatorHovered] = accent;
-    c[ImGuiCol_SeparatorActive] = accent;
-    c[ImGuiCol_Tab] = panel;
-    c[ImGuiCol_TabHovered] = fieldHover;
-    c[ImGuiCol_TabActive] = field;
-    c[ImGuiCol_TabUnfocused] = panel;
-    c[ImGuiCol_TabUnfocusedActive] = field;
-    c[ImGuiCol_TableHeaderBg] = panel;
-    c[ImGuiCol_TableRowBgAlt] = grey(255, 255, 255, 0.02F);
-    c[ImGuiCol_TextSelectedBg] = grey(70, 96, 132);
-    c[ImGuiCol_NavHighlight] = accent;
-    c[ImGuiCol_ModalWindowDimBg] = grey(8, 9, 12, 0.55F);
+    for (const StyleRow& row : styleRows)
+        style.Colors[row.style] = ImGui::ColorConvertU32ToFloat4(palette().*row.color);
+    for (const ImGuiCol none : {ImGuiCol_ChildBg, ImGuiCol_ScrollbarBg, ImGuiCol_TableRowBg})
+        style.Colors[none] = {};
+    ImVec4 stripe = ImGui::ColorConvertU32ToFloat4(palette().text);
+    stripe.w = 0.02F;
+    style.Colors[ImGuiCol_TableRowBgAlt] = stripe;
 }
 
 } // namespace
 
-ImU32 componentColor(int component) {
-    constexpr std::array colors{color::s, color::t, color::r, color::q};
-    return colors[static_cast<std::size_t>(std::clamp(component, 0, 3))];
+float textScale(float contentScale, int textPercent) {
+    const int percent = std::clamp(textPercent, Settings::smallestText, Settings::largestText);
+    return std::clamp(contentScale * static_cast<float>(percent) / 100, 0.5F, 8.0F);
 }
 
-void applyTheme(float scale) {
-    scale = std::clamp(scale, 0.5F, 8.0F);
+void applyTheme(float contentScale, Theme theme, int textPercent) {
+    const float scale = textScale(contentScale, textPercent);
+    usePalette(theme);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
@@ -127,6 +139,8 @@ void applyTheme(float scale) {
     style.ScrollbarSize = 12;
     style.GrabMinSize = 10;
     style.WindowBorderSize = 0;
+    style.FrameBorderSize =
+        theme == Theme::Dark ? 0 : 1; // fields are as white, or as black, as what is around
     style.PopupBorderSize = 1;
     style.WindowRounding = 0;
     style.FrameRounding = 3;

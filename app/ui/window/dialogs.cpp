@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/recovery_dialog.h"
+#include "app/ui/window/shortcuts.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 
@@ -28,26 +29,22 @@ constexpr std::array mouseLines{
     Line{"Drag", "orbit the camera"},
     Line{"Shift + drag, right drag", "move it sideways"},
     Line{"Wheel", "go nearer or farther"},
-    Line{"hold E, click with Explain open", "explain the pixel under the mouse"},
+    Line{"Click with Explain open", "explain the pixel under the mouse"},
     Line{"Ctrl + wheel, Ctrl + drag", "enlarge the pixels of the picture, move it"},
-    Line{"Click", "pick the nearest vertex"},
+    Line{"Click, Shift + click", "pick the nearest vertex, choose several"},
     Line{"Double click", "frame all models"},
-    Line{"Right click on a value", "reset it to GL's initial value"},
+    Line{"Right click on a setting", "back to GL's initial value, or pin it to Essentials"},
     Line{"Double click on a number", "type it"},
 };
 
-constexpr std::array keyLines{
-    Line{"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (Ctrl+Y too)"},
-    Line{"Ctrl+O, Ctrl+I", "open a scene, open an image"},
-    Line{"Ctrl+S, Ctrl+Shift+S", "save, save as"},
-    Line{"Space", "play or pause"},
-    Line{"1, 2, 3, 4", "draw by fixed function, by shaders, by the reference; compare"},
-    Line{"M", "magnifier: the pixels under the mouse and their colours"},
-    Line{"0", "no longer enlarge the pixels"},
-    Line{"Escape", "let go of the picked texel, then of the explained pixel"},
-    Line{"F", "frame all models"},
-    Line{"Home", "reset the camera"},
-    Line{"Ctrl+Q", "quit"},
+/// What is no shortcut: it needs the pointer, or goes on while it is held.
+constexpr std::array otherKeys{
+    Line{"Arrow keys, with Shift", "move the explained pixel by one, by ten"},
+    Line{"F6, Shift+F6",
+         "to the next panel: arrows walk among its controls, Space works them; Escape ends it"},
+    Line{"hold E", "explain the pixel under the mouse"},
+    Line{"G, R, S over texture space", "move, rotate, scale the chosen vertices; A chooses all, F shows all"},
+    Line{"Arrow keys there, with Shift", "move them by a texel, by 1/4"},
 };
 
 /// The dialogs in which one chooses a file.
@@ -155,51 +152,102 @@ void openWaitingDialog(Session& session) {
         session.window.dialog = Dialog::Restore;
 }
 
-void lines(const char* id, std::span<const Line> rows) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings))
+/// What one does, and what comes of it: a table of two columns, to be closed with ImGui::EndTable() where
+/// true.
+bool beginHelpLines(const char* id) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_NoSavedSettings))
+        return false;
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
+void helpLine(const char* keys, const char* effect) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(keys);
+    ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", effect);
+    ImGui::PopTextWrapPos();
+}
+
+void drawMouse() {
+    if (!beginHelpLines("mouse"))
         return;
-    for (const Line& line : rows) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(line.keys);
-        ImGui::TableNextColumn();
-        ImGui::Dummy({ImGui::GetFontSize(), 0});
-        ImGui::SameLine();
-        ImGui::TextDisabled("%s", line.effect);
-    }
+    for (const Line& line : mouseLines)
+        helpLine(line.keys, line.effect);
     ImGui::EndTable();
+}
+
+/// A row for each thing that keys do, with all keys that do it.
+void drawKeys() {
+    if (!beginHelpLines("keys"))
+        return;
+    const std::span<const Shortcut> rows = shortcuts();
+    for (auto row = rows.begin(); row != rows.end();) {
+        std::string keys = labelOf(*row);
+        const char* effect = row->effect;
+        for (++row; row != rows.end() && row->name.empty(); ++row) {
+            if (const std::string other = labelOf(*row); keys.find(other) == std::string::npos)
+                keys += ", " + other;
+        }
+        helpLine(keys.c_str(), effect);
+    }
+    for (const Line& line : otherKeys)
+        helpLine(line.keys, line.effect);
+    ImGui::EndTable();
+}
+
+struct Legend {
+    const char* text;
+    ThemeColor ink;
+};
+
+constexpr std::array legends{
+    Legend{"s, x", color::s},
+    Legend{"t, y", color::t},
+    Legend{"r, z", color::r},
+    Legend{"q, w", color::q},
+    Legend{"chosen vertex", color::chosen},
+    Legend{"explained pixel and its texels", color::probed},
+    Legend{"changed from the initial value", color::changed},
+    Legend{"something is wrong", color::problem},
+};
+
+void drawColors() {
+    for (const Legend& legend : legends) {
+        ImGui::PushStyleColor(ImGuiCol_Text, legend.ink);
+        ImGui::Text("● %s", legend.text);
+        ImGui::PopStyleColor();
+    }
 }
 
 void drawHelp(Session& session) {
     if (!beginModal("Texplorer"))
         return;
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
+    const float em = ImGui::GetFontSize();
+    ImGui::PushTextWrapPos(std::min(em * 60, ImGui::GetIO().DisplaySize.x * 0.9F));
     ImGui::TextUnformatted(
         "See what each texture parameter of OpenGL does: change it on the left, look at the middle, "
-        "find the texture coordinates on the right. Every control says its GL call when the mouse "
-        "rests on it.");
+        "find the texture coordinates on the right. Rest the pointer on anything: the lower edge of the "
+        "window says what it is, and its OpenGL call.");
     ImGui::PopTextWrapPos();
-    caption("Mouse");
-    lines("mouse", mouseLines);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float room = std::max(em * 6, display.y * 0.92F - em * 9); // below the words, above the button
+    const ImVec2 half(std::min(em * 31, display.x * 0.45F), std::min(em * 50, room));
+    ImGui::BeginChild("left", half);
     caption("Keys");
-    lines("keys", keyLines);
-    caption("Colours");
-    constexpr std::array names{"s, x", "t, y", "r, z", "q, w"};
-    for (int i = 0; i < 4; ++i) {
-        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(i));
-        ImGui::Text("● %s", names[static_cast<std::size_t>(i)]);
-        ImGui::PopStyleColor();
-        ImGui::SameLine();
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
-    ImGui::TextUnformatted("● chosen vertex");
-    ImGui::PopStyleColor();
+    drawKeys();
+    ImGui::EndChild();
     ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-    ImGui::TextUnformatted("● changed from the initial value");
-    ImGui::PopStyleColor();
-    ImGui::Dummy({0, ImGui::GetFontSize() * 0.4F});
-    if (ImGui::Button("Close", {ImGui::GetFontSize() * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
+    ImGui::BeginChild("right", half);
+    caption("Mouse");
+    drawMouse();
+    caption("Colours");
+    drawColors();
+    ImGui::EndChild();
+    if (ImGui::Button("Close", {em * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
         ImGui::IsKeyPressed(key::enter, false)) {
         session.window.dialog = Dialog::None;
         ImGui::CloseCurrentPopup();

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "app/ui/model/layout.h"
+#include "app/ui/model/workspace.h"
 
 namespace texplorer::ui {
 
 /// Pure: the same numbers give the same rectangles. `scale` is the monitor's content scale.
-[[nodiscard]] Layout layoutFor(int width, int height, float scale, const Columns& columns = {},
+[[nodiscard]] Layout layoutFor(int width, int height, float scale, const Workspace& workspace = {},
                                PaneGrid grid = {});
 
 } // namespace texplorer::ui

@@ -2,19 +2,29 @@
 
 #include "app/ui/model/asking.h"
 #include "app/ui/model/examples.h"
+#include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/window/comfort.h"
+#include "app/ui/window/kept_controls.h"
 #include "app/ui/window/playback_controls.h"
+#include "app/ui/window/presets_menu.h"
+#include "app/ui/window/shortcuts.h"
+#include "core/base/count.h"
 
 #include <fmt/core.h>
 
 namespace texplorer::ui {
 namespace {
 
-bool item(const std::string& label, const char* keys, bool enabled = true, bool marked = false) {
-    const bool pressed = ImGui::MenuItem(label.c_str(), keys, marked, enabled);
+/// `shortcut` is the name of its row; empty: it has none.
+bool item(const std::string& label, std::string_view shortcut = {}, bool enabled = true,
+          bool marked = false) {
+    const std::string keys = shortcut.empty() ? std::string() : keysOf(shortcut);
+    const bool pressed = ImGui::MenuItem(label.c_str(), keys.c_str(), marked, enabled);
     noteItem("menu:" + label);
     return pressed;
 }
@@ -72,7 +82,7 @@ void examplesMenu(Session& session) {
     if (!open)
         return;
     for (const Example& example : examples()) {
-        if (item(example.title, nullptr))
+        if (item(example.title))
             askExample(session, example.file);
         helpTip(example.help);
     }
@@ -80,79 +90,129 @@ void examplesMenu(Session& session) {
 }
 
 void fileMenu(Session& session) {
-    if (item("New", nullptr))
+    if (item("New"))
         askNewScene(session);
     examplesMenu(session);
-    if (item("Open scene…", "Ctrl+O"))
+    if (item("Open scene…", "open scene"))
         askOpenScene(session);
-    if (item("Open image…", "Ctrl+I"))
+    if (item("Open image…", "open image"))
         askOpenImage(session);
+    if (menu("Open recent")) {
+        recentItems(session);
+        ImGui::EndMenu();
+    }
     ImGui::Separator();
-    if (item("Save", "Ctrl+S"))
+    if (item("Save", "save"))
         save(session);
-    if (item("Save as…", "Ctrl+Shift+S"))
+    if (item("Save as…", "save as"))
         askSaveAs(session);
     ImGui::Separator();
-    if (item("Quit", "Ctrl+Q"))
+    if (item("Picture of the view", "view picture"))
+        session.window.wantedCapture = Capture::View;
+    helpTip("Writes what the view shows as a PNG file into your folder of pictures.");
+    if (item("Picture of the window", "window picture"))
+        session.window.wantedCapture = Capture::Window;
+    helpTip("The same with all panels.");
+    if (item("Copy link to this scene"))
+        copySceneLink(session);
+    helpTip(
+        "The scene as a text, for a mail or a chat. Pasting it opens the scene; files are named, not packed.");
+    if (item("Paste scene", "paste"))
+        pasteScene(session);
+    helpTip("Opens the scene of a link that was copied.");
+    ImGui::Separator();
+    if (item("Quit", "quit"))
         requestQuit(session);
 }
 
-void editMenu(Session& session) {
+/// Says what would be lost.
+void resetItem(Session& session) {
+    const Document& document = session.document;
+    const std::size_t count = changesBetween(document.saved, document.scene).size();
+    if (item(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
+        resetToSaved(session);
+    helpTip(count == 0 ? std::string("The scene is what it was.")
+                       : fmt::format("Takes back what differs, in {}. Undo brings it again.",
+                                     countOf(count, "setting")));
+}
+
+void editMenu(Session& session, const Layout& layout) {
     const History& history = session.document.history;
-    if (item(withName("Undo", history.undoName()), "Ctrl+Z", history.canUndo()))
+    if (item(withName("Undo", history.undoName()), "undo", history.canUndo()))
         undo(session);
-    if (item(withName("Redo", history.redoName()), "Ctrl+Shift+Z", history.canRedo()))
+    if (item(withName("Redo", history.redoName()), "redo", history.canRedo()))
         redo(session);
     ImGui::Separator();
+    if (item("Copy as texshot command"))
+        copyTexshotCommand(session, layout);
+    helpTip("A command line that draws this view without a window, for scripts.");
+    ImGui::Separator();
+    resetItem(session);
     ImGui::TextDisabled("Reset to GL's initial values");
     Texture* texture = boundTexture(session);
-    if (item("Texture parameters", nullptr, texture != nullptr))
+    if (item("Texture parameters", {}, texture != nullptr))
         resetTo(session, *texture, "Reset texture", withInitialParameters(*texture));
-    if (item("Texture unit", nullptr)) {
+    if (item("Texture unit")) {
         Unit& unit = selectedUnit(session);
         resetTo(session, unit, "Reset unit",
                 Unit{.enabled = unit.enabled, .target = unit.target, .texture = unit.texture});
     }
-    if (item("Everything but models and view", nullptr))
+    if (item("Everything but models and view"))
         resetEverything(session);
+}
+
+std::string_view shortcutOf(RendererKind renderer) {
+    constexpr std::array names{"fixed", "shader", "reference"};
+    return names[static_cast<std::size_t>(renderer)];
 }
 
 void viewMenu(Session& session, const Layout& layout) {
     const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
-        if (item(std::string("Show ") + row.label, nullptr, true, shown == row.show))
+        if (item(std::string("Show ") + row.label, {}, true, shown == row.show))
             show(session, row, layout);
     }
     ImGui::Separator();
-    int key = 0;
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
-        const bool chosen = !isComparing(session.window.view) && session.window.view.renderer == renderer;
-        if (item("Drawn by: " + std::string(row.label), std::to_string(++key).c_str(),
+        const bool chosen =
+            !comparesRenderers(session.window.view) && session.window.view.renderer == renderer;
+        if (item("Drawn by: " + std::string(row.label), shortcutOf(renderer),
                  session.window.view.offered.has(renderer), chosen))
             showOne(session.window.view, renderer);
         helpTip(helpOf(session.window.view, row));
     }
-    if (item("Compare", std::to_string(++key).c_str(), canCompare(session.window.view),
-             isComparing(session.window.view)))
+    if (item("Compare", "compare", canCompare(session.window.view), comparesRenderers(session.window.view)))
         showComparison(session.window.view);
     using reference::AnisotropyMethod;
     for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {
         const auto method = static_cast<AnisotropyMethod>(row.value);
-        if (item("Anisotropy of the reference: " + std::string(row.label), nullptr, true,
+        if (item("Anisotropy of the reference: " + std::string(row.label), {}, true,
                  session.window.view.anisotropy == method))
             session.window.view.anisotropy = method;
         helpTip(row.help);
     }
     ImGui::Separator();
-    if (item("Magnifier", "M", true, session.window.view.magnifies))
+    if (menu("Picture or false colours")) {
+        shownItems(session.window.view);
+        ImGui::EndMenu();
+    }
+    if (item("Magnifier", "magnifier", true, session.window.view.magnifies))
         session.window.view.magnifies = !session.window.view.magnifies;
-    if (item("Picture pixel for pixel", "0", session.window.view.zoom.factor > 1))
+    if (item("Picture pixel for pixel", "pixel for pixel", session.window.view.zoom.factor > 1))
         session.window.view.zoom = {};
     ImGui::Separator();
-    if (item("Frame the models", "F"))
+    if (bool& glNames = session.window.settings.glNames; item("OpenGL's names", {}, true, glNames))
+        glNames = !glNames;
+    helpTip("Parameters and choices are called as OpenGL calls them.");
+    comfortItems(session);
+    ImGui::Separator();
+    layoutsMenu(session);
+    panelsMenu(session);
+    ImGui::Separator();
+    if (item("Frame the models", "frame"))
         frameAll(session, layout);
-    if (item("Reset camera", "Home"))
+    if (item("Reset camera", "reset camera"))
         resetCamera(session, layout);
 }
 
@@ -172,20 +232,33 @@ void drawMenuBar(Session& session, const Layout& layout) {
             ImGui::EndMenu();
         }
         if (menu("Edit")) {
-            editMenu(session);
+            editMenu(session, layout);
             ImGui::EndMenu();
         }
         if (menu("View")) {
             viewMenu(session, layout);
             ImGui::EndMenu();
         }
+        if (menu("Presets")) {
+            drawPresetsMenu(session);
+            ImGui::EndMenu();
+        }
+        if (menu("A/B")) {
+            drawKeptMenu(session);
+            ImGui::EndMenu();
+        }
         if (menu("Help")) {
-            if (item("Keys and mouse, about…", "F1"))
+            if (item("Keys and mouse, about…", "help"))
                 session.window.dialog = Dialog::Help;
+            if (item("Tour"))
+                session.window.tour = 0;
+            helpTip("Five cards that say what is where");
             ImGui::EndMenu();
         }
         drawRendererChoice(session.window.view,
                            ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
+        drawKeptControls(session,
+                         ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
         drawPlaybackControls(session);
         ImGui::EndMenuBar();
     } else {

@@ -5,59 +5,147 @@
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/window/comfort.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
 
 namespace texplorer::ui {
+namespace {
+
+template<RendererKind renderer>
+void drawBy(Session& session, const Layout& /*layout*/) {
+    showOne(session.window.view, renderer);
+    if (!session.window.view.offered.has(renderer))
+        say(session, helpOf(session.window.view, rowOf(renderer)));
+}
+
+/// One after the other.
+void letGo(Session& session, const Layout& /*layout*/) {
+    if (maximisedOf(session.window.settings.workspace) != Maximised::None)
+        session.window.settings.workspace.maximised = Maximised::None;
+    else if (session.window.explaining.texel)
+        clearTexel(session);
+    else if (session.window.explaining.pinned)
+        session.window.explaining.pinned.reset();
+    else
+        session.window.explaining.pixel.reset();
+}
+
+constexpr std::array shortcutRows{
+    Shortcut{"undo", 'Z', true, false, "undo", [](Session& s, const Layout&) { undo(s); }, true},
+    Shortcut{"redo", 'Z', true, true, "redo", [](Session& s, const Layout&) { redo(s); }, true},
+    Shortcut{"", 'Y', true, false, "redo", [](Session& s, const Layout&) { redo(s); }, true},
+    Shortcut{"open scene", 'O', true, false, "open a scene",
+             [](Session& s, const Layout&) { askOpenScene(s); }},
+    Shortcut{"open image", 'I', true, false, "open an image",
+             [](Session& s, const Layout&) { askOpenImage(s); }},
+    Shortcut{"save", 'S', true, false, "save", [](Session& s, const Layout&) { save(s); }},
+    Shortcut{"save as", 'S', true, true, "save under another name",
+             [](Session& s, const Layout&) { askSaveAs(s); }},
+    Shortcut{"paste", 'V', true, false, "open a scene from a link in the clipboard",
+             [](Session& s, const Layout&) { pasteScene(s); }},
+    Shortcut{"search", 'F', true, false, "search among the parameters",
+             [](Session& s, const Layout&) { s.window.wantsSearch = true; }},
+    Shortcut{"quit", 'Q', true, false, "quit", [](Session& s, const Layout&) { requestQuit(s); }},
+    Shortcut{"play", key::space, false, false, "play or pause",
+             [](Session& s, const Layout&) { s.window.playback.playing = !s.window.playback.playing; }},
+    Shortcut{"fixed", '1', false, false, "draw by OpenGL's fixed function", drawBy<RendererKind::Fixed>},
+    Shortcut{"shader", '2', false, false, "draw by shaders", drawBy<RendererKind::Shader>},
+    Shortcut{"reference", '3', false, false, "draw by the reference", drawBy<RendererKind::Reference>},
+    Shortcut{"compare", '4', false, false, "compare two of them",
+             [](Session& s, const Layout&) { showComparison(s.window.view); }},
+    Shortcut{"keep", 'K', false, false, "keep the scene as A", [](Session& s, const Layout&) { keepAsA(s); }},
+    Shortcut{"flip", 'T', false, false, "flip between A and what is now",
+             [](Session& s, const Layout&) { flipKept(s); }},
+    Shortcut{"split", 'T', false, true, "split A against what is now",
+             [](Session& s, const Layout&) { splitKept(s); }},
+    Shortcut{"magnifier", 'M', false, false, "magnifier: the pixels under the mouse and their colours",
+             [](Session& s, const Layout&) { s.window.view.magnifies = !s.window.view.magnifies; }},
+    Shortcut{"pixel for pixel", '0', false, false, "no longer enlarge the pixels",
+             [](Session& s, const Layout&) { s.window.view.zoom = {}; }},
+    Shortcut{"frame", 'F', false, false, "frame all models", frameAll},
+    Shortcut{"reset camera", key::home, false, false, "reset the camera", resetCamera},
+    Shortcut{"let go", key::escape, false, false,
+             "let go of what is maximised, the picked texel, the pinned pixel, the explained one", letGo},
+    Shortcut{"larger text", '=', true, false, "larger text",
+             [](Session& s, const Layout&) { changeTextSize(s, 1); }, true},
+    Shortcut{"", '=', true, true, "larger text", [](Session& s, const Layout&) { changeTextSize(s, 1); },
+             true},
+    Shortcut{"", key::keypadPlus, true, false, "larger text",
+             [](Session& s, const Layout&) { changeTextSize(s, 1); }, true},
+    Shortcut{"smaller text", '-', true, false, "smaller text",
+             [](Session& s, const Layout&) { changeTextSize(s, -1); }, true},
+    Shortcut{"", key::keypadMinus, true, false, "smaller text",
+             [](Session& s, const Layout&) { changeTextSize(s, -1); }, true},
+    Shortcut{"usual text", '0', true, false, "text of the usual size",
+             [](Session& s, const Layout&) { s.window.settings.textPercent = Settings{}.textPercent; }},
+    Shortcut{
+        "view alone", key::tab, false, false, "the view alone, and back",
+        [](Session& s, const Layout&) { toggleMaximised(s.window.settings.workspace, Maximised::View); }},
+    Shortcut{"full screen", key::f11, false, false, "full screen",
+             [](Session& s, const Layout&) { s.window.fillsScreen = !s.window.fillsScreen; }},
+    Shortcut{"window picture", key::f12, false, false, "write a picture of the window",
+             [](Session& s, const Layout&) { s.window.wantedCapture = Capture::Window; }},
+    Shortcut{"view picture", key::f12, false, true, "write a picture of the view",
+             [](Session& s, const Layout&) { s.window.wantedCapture = Capture::View; }},
+    Shortcut{"help", key::f1, false, false, "keys and mouse",
+             [](Session& s, const Layout&) { s.window.dialog = Dialog::Help; }},
+};
+
+struct KeyName {
+    int key;
+    const char* name;
+};
+
+constexpr std::array keyNames{
+    KeyName{key::space, "Space"},
+    KeyName{key::escape, "Escape"},
+    KeyName{key::tab, "Tab"},
+    KeyName{key::home, "Home"},
+    KeyName{'=', "+"},
+    KeyName{'-', "−"},
+    KeyName{key::keypadPlus, "+"},
+    KeyName{key::keypadMinus, "−"},
+    KeyName{key::f1, "F1"},
+    KeyName{key::f11, "F11"},
+    KeyName{key::f12, "F12"},
+};
+
+} // namespace
+
+std::span<const Shortcut> shortcuts() {
+    return shortcutRows;
+}
+
+std::string labelOf(const Shortcut& shortcut) {
+    std::string label;
+    if (shortcut.control)
+        label += "Ctrl+";
+    if (shortcut.shift)
+        label += "Shift+";
+    const auto* named = std::ranges::find(keyNames, shortcut.key, &KeyName::key);
+    return named != keyNames.end() ? label + named->name : label + static_cast<char>(shortcut.key);
+}
+
+std::string keysOf(std::string_view name) {
+    const auto* row = std::ranges::find(shortcutRows, name, &Shortcut::name);
+    assert(row != shortcutRows.end());
+    return labelOf(*row);
+}
 
 void handleShortcuts(Session& session, const Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     // A dialog has its own keys, a text field its own undo, and a drag is not to be undone under the hand.
-    if (session.window.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive())
+    if (session.window.dialog != Dialog::None || io.WantTextInput || ImGui::IsAnyItemActive() ||
+        session.window.keyTaken)
         return;
-    const auto pressed = [](int code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); };
-    if (io.KeyCtrl) {
-        if (pressed('Z', true))
-            io.KeyShift ? redo(session) : undo(session);
-        if (pressed('Y', true))
-            redo(session);
-        if (pressed('O'))
-            askOpenScene(session);
-        if (pressed('I'))
-            askOpenImage(session);
-        if (pressed('S'))
-            io.KeyShift ? askSaveAs(session) : save(session);
-        if (pressed('Q'))
-            requestQuit(session);
-        return;
+    for (const Shortcut& row : shortcutRows) {
+        if (io.KeyCtrl == row.control && io.KeyShift == row.shift && !io.KeyAlt && !io.KeySuper &&
+            ImGui::IsKeyPressed(row.key, row.repeats))
+            row.act(session, layout);
     }
-    if (pressed(key::space))
-        session.window.playback.playing = !session.window.playback.playing;
-    int digit = '1';
-    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        if (!pressed(digit++))
-            continue;
-        const auto renderer = static_cast<RendererKind>(row.value);
-        showOne(session.window.view, renderer);
-        if (!session.window.view.offered.has(renderer))
-            say(session, helpOf(session.window.view, row));
-    }
-    if (pressed(digit))
-        showComparison(session.window.view);
-    if (pressed('M'))
-        session.window.view.magnifies = !session.window.view.magnifies;
-    if (pressed('0'))
-        session.window.view.zoom = {};
-    if (pressed(key::escape)) { // one after the other
-        if (session.window.explaining.texel)
-            clearTexel(session);
-        else
-            session.window.explaining.pixel.reset();
-    }
-    if (pressed('F'))
-        frameAll(session, layout);
-    if (pressed(key::home))
-        resetCamera(session, layout);
-    if (pressed(key::f1))
-        session.window.dialog = Dialog::Help;
 }
 
 } // namespace texplorer::ui

@@ -2,8 +2,32 @@
 
 #include "app/ui/model/session.h"
 
+#include <span>
+#include <string>
+#include <string_view>
+
 namespace texplorer::ui {
 
+/// Something that a key does, with Control or Shift as it says and not otherwise.
+struct Shortcut {
+    std::string_view name; ///< for keysOf; empty: another key for the row above
+    int key;               ///< see keys.h
+    bool control;
+    bool shift;
+    const char* effect; ///< "play or pause"
+    void (*act)(Session& session, const Layout& layout);
+    bool repeats = false; ///< goes on while the key is held
+};
+
+[[nodiscard]] std::span<const Shortcut> shortcuts();
+
+/// "Ctrl+Shift+Z"
+[[nodiscard]] std::string labelOf(const Shortcut& shortcut);
+
+/// The same of the shortcut with this name, for a menu.
+[[nodiscard]] std::string keysOf(std::string_view name);
+
+/// Does what the keys of this frame say. After the panels.
 void handleShortcuts(Session& session, const Layout& layout);
 
 } // namespace texplorer::ui

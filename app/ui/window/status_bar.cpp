@@ -1,5 +1,6 @@
 #include "app/ui/window/status_bar.h"
 
+#include "app/ui/model/consequence.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/widgets/button_width.h"
@@ -48,7 +49,8 @@ void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
 }
 
 void drawNotice(Session& session) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    const ThemeColor ink = session.window.notice.isGood ? color::text : color::problem;
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
     const bool dismissed = ImGui::SmallButton("✕");
     noteItem("dismiss notice");
     ImGui::SameLine();
@@ -59,7 +61,7 @@ void drawNotice(Session& session) {
         helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
         ImGui::SameLine();
     }
-    fittedText(session.window.notice.text, color::problem);
+    fittedText(session.window.notice.text, ink);
     ImGui::PopStyleColor();
     noteItem("notice");
     helpTip(session.window.notice.text);
@@ -130,48 +132,87 @@ std::string hostText(const view::Capabilities& capabilities, const view::Offered
     return text;
 }
 
+/// What the renderers could not do.
+void drawProblems(std::span<const std::string> problems) {
+    const std::string& first = problems.front();
+    fittedText(problems.size() > 1 ? fmt::format("1 of {}: {}", problems.size(), first) : first,
+               color::problem);
+    noteItem("problem");
+    std::string all;
+    for (const std::string& each : problems)
+        all += (all.empty() ? "" : "\n") + each;
+    helpTip(all);
+}
+
+/// The one thing that is worth saying now.
+void drawNews(Session& session, const Pictures& pictures) {
+    const std::vector<Finding>& findings = session.document.findings;
+    const auto wrong = static_cast<std::size_t>(std::ranges::count_if(
+        findings, [](const Finding& each) { return each.severity <= Severity::Warning; }));
+    if (const auto loading = session.services.files.progress())
+        drawProgress(session, *loading);
+    else if (const auto making = session.services.levels.progress())
+        drawProgress(session, *making);
+    else if (!session.window.notice.text.empty())
+        drawNotice(session);
+    else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {
+        fittedText(consequence, color::text);
+        noteItem("consequence");
+        helpTip(consequence);
+    } else if (wrong > 0 && (pictures.problems.empty() || findings.front().reportedByRenderer))
+        drawFinding(session, Finding(findings.front()), wrong);
+    else if (!pictures.problems.empty())
+        drawProblems(pictures.problems);
+    else {
+        fittedText(stateOf(session.document), color::dim);
+        noteItem("state");
+    }
+}
+
+/// In the middle: what the pointer rests on.
+void drawHint(const Hint& said, float from, float room) {
+    if (said.words.empty())
+        return;
+    ImGui::SameLine(from);
+    ImGui::PushStyleColor(ImGuiCol_Text, said.isProblem ? color::problem : color::text);
+    ImGui::TextUnformatted(fitted(printable(said.words), room).c_str());
+    ImGui::PopStyleColor();
+    noteItem("hint");
+}
+
+constexpr float newsShare = 0.36F; ///< of the bar's width, while there is a hint
+constexpr float factsShare = 0.3F; ///< at most
+
 } // namespace
 
+float hintRoom(const Layout& layout) {
+    return static_cast<float>(layout.status.width) * (1 - newsShare - factsShare);
+}
+
 void drawStatusBar(Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
-                   const Layout& layout) {
+                   const Layout& layout, const Hint& said) {
     const float em = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x,
-                                                      (static_cast<float>(layout.status.height) - em) / 2});
+    const float top = (static_cast<float>(layout.status.height) - em) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, top});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
     beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::TextDisabled("%s", factsOf(pictures.frames, capabilities, session.window.showsFrameTime).c_str());
+    const float left = ImGui::GetCursorPosX();
+    const float right = ImGui::GetContentRegionMax().x;
+    const float whole = static_cast<float>(layout.status.width);
+    const std::string facts =
+        fitted(factsOf(pictures.frames, capabilities, session.window.showsFrameTime), whole * factsShare);
+    const float factsFrom = right - ImGui::CalcTextSize(facts.c_str()).x;
+    const float newsRoom = said.words.empty() ? factsFrom - left - em : whole * newsShare - em;
+    ImGui::BeginChild("news", {std::max(1.0F, newsRoom), 0}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    drawNews(session, pictures);
+    ImGui::EndChild();
+    drawHint(said, left + newsRoom + em, factsFrom - left - newsRoom - 2 * em);
+    ImGui::SameLine(factsFrom);
+    ImGui::TextDisabled("%s", facts.c_str());
     noteItem("status");
     helpTip(hostText(capabilities, session.window.view.offered));
-    ImGui::SameLine();
-    ImGui::TextDisabled("·");
-    ImGui::SameLine();
-    const auto loading = session.services.files.progress();
-    const auto making = session.services.levels.progress();
-    if (loading) {
-        drawProgress(session, *loading);
-    } else if (making) {
-        drawProgress(session, *making);
-    } else if (!session.window.notice.text.empty()) {
-        drawNotice(session);
-    } else if (const auto problems = static_cast<std::size_t>(std::ranges::count_if(
-                   session.document.findings,
-                   [](const Finding& each) { return each.severity <= Severity::Warning; }));
-               problems > 0 &&
-               (pictures.problems.empty() || session.document.findings.front().reportedByRenderer)) {
-        drawFinding(session, Finding(session.document.findings.front()), problems);
-    } else if (!pictures.problems.empty()) {
-        const std::size_t count = pictures.problems.size();
-        const std::string more = count > 1 ? fmt::format("1 of {}: ", count) : std::string();
-        fittedText(more + pictures.problems.front(), color::problem);
-        noteItem("problem");
-        std::string all;
-        for (const std::string& each : pictures.problems)
-            all += (all.empty() ? "" : "\n") + each;
-        helpTip(all);
-    } else {
-        ImGui::TextDisabled("no GL error");
-    }
     ImGui::End();
     ImGui::PopStyleColor();
 }

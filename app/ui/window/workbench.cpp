@@ -1,68 +1,95 @@
 #include "app/ui/window/workbench.h"
 
 #include "app/ui/model/findings.h"
+#include "app/ui/model/preview.h"
 #include "app/ui/model/unsaved_work.h"
-#include "app/ui/parameters/parameters_panel.h"
 #include "app/ui/view/view_panel.h"
+#include "app/ui/widgets/hover_link.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/menu_bar.h"
+#include "app/ui/window/pixel_keys.h"
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/status_bar.h"
+#include "app/ui/window/tour.h"
 #include "app/view/driver_facts.h"
 
 #include <imgui_internal.h> // how far the darkening behind a dialog has got
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace texplorer::ui {
 namespace {
 
-/// A strip between two panels that one drags. Returns the mouse's way since the last frame, along its axis.
-float seam(const char* name, const Rect& rect, bool vertical) {
+/// A strip between two panels that one drags. `moved` gets the mouse's way since the last frame, along the
+/// axis; a double click gives it back to the layout.
+struct SeamRow {
+    const char* name;
+    Rect Layout::*rect;
+    bool vertical;
+    float Seams::*member;
+    float (*moved)(const Layout& layout, float way);
+};
+
+constexpr float leastColumn = 1;
+
+float shareOf(int length, float way, int whole) {
+    return std::clamp((static_cast<float>(length) + way) / static_cast<float>(std::max(1, whole)), 0.15F,
+                      0.85F);
+}
+
+constexpr std::array seamRows{
+    SeamRow{"left seam", &Layout::leftSeam, true, &Seams::parameters,
+            [](const Layout& layout, float way) {
+                return std::max(leastColumn,
+                                (static_cast<float>(layout.parameters.width) + way) / layout.scale);
+            }},
+    SeamRow{"right seam", &Layout::rightSeam, true, &Seams::details,
+            [](const Layout& layout, float way) {
+                const int width = layout.window.right() - layout.rightSeam.right();
+                return std::max(leastColumn, (static_cast<float>(width) - way) / layout.scale);
+            }},
+    SeamRow{"middle seam", &Layout::middleSeam, false, &Seams::split,
+            [](const Layout& layout, float way) {
+                return shareOf(layout.texture.height, way, layout.texture.height + layout.rightDock.height);
+            }},
+    SeamRow{"below seam", &Layout::belowSeam, false, &Seams::below,
+            [](const Layout& layout, float way) {
+                return shareOf(layout.belowDock.height, -way, layout.status.y - layout.menu.bottom());
+            }},
+};
+
+void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
+    const Rect& rect = layout.*row.rect;
+    if (rect.isEmpty())
+        return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    beginPanel(name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    float moved = 0;
-    if (rect.width > 0 && rect.height > 0) {
-        ImGui::InvisibleButton("grip", {static_cast<float>(rect.width), static_cast<float>(rect.height)});
-        noteItem(name);
-        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-            ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-            ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                                                      ImGui::GetColorU32(ImGuiCol_SeparatorHovered));
-        }
-        if (ImGui::IsItemActive())
-            moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    beginPanel(row.name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::InvisibleButton("grip", {static_cast<float>(rect.width), static_cast<float>(rect.height)});
+    noteItem(row.name);
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(row.vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                                  ImGui::GetColorU32(ImGuiCol_SeparatorHovered));
     }
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    const float way = row.vertical ? delta.x : delta.y;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        workspace.seams.*row.member = 0;
+    else if (ImGui::IsItemActive() && way != 0)
+        workspace.seams.*row.member = row.moved(layout, way);
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
-    return moved;
 }
 
 bool isPopupOpen() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-}
-
-void drawSeams(Session& session, const Layout& layout) {
-    const float left = seam("left seam", layout.leftSeam, true);
-    const float right = seam("right seam", layout.rightSeam, true);
-    const float middle = seam("middle seam", layout.middleSeam, false);
-    const float least = 1;
-    if (left != 0)
-        session.window.columns.parameters =
-            std::max(least, (static_cast<float>(layout.parameters.width) + left) / layout.scale);
-    if (right != 0)
-        session.window.columns.details =
-            std::max(least, (static_cast<float>(layout.texture.width) - right) / layout.scale);
-    if (middle != 0) {
-        const float whole = static_cast<float>(std::max(1, layout.texture.height + layout.details.height));
-        session.window.columns.split =
-            std::clamp((static_cast<float>(layout.texture.height) + middle) / whole, 0.15F, 0.85F);
-    }
 }
 
 /// What can be drawn: where only the reference draws, it is not for the driver to say.
@@ -78,36 +105,65 @@ DriverFacts factsFor(const Session& session, const view::Capabilities& capabilit
 Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
                        const view::Capabilities& capabilities, const Layout& layout) {
     forgetPlaces();
+    session.window.keyTaken = false;
     const bool popup = isPopupOpen(); // a key that ends it is not a shortcut as well
+    if (!popup)
+        moveKeyboardFocus(session, states.keyboard);
+    turnHover(session.window);
+    const bool helpsBelow = session.window.settings.helpBelow && session.window.dialog == Dialog::None;
+    beginHints(helpsBelow ? hintRoom(layout) : 0);
     drawMenuBar(session, layout);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         session.window.shownParam.clear();
+    Workspace& workspace = session.window.settings.workspace;
+    if (const std::optional<Tab> wanted = std::exchange(session.window.wantedTab, std::nullopt))
+        showTab(workspace, *wanted);
+    if (session.window.wantedSection || !session.window.wantedParam.empty() || session.window.wantsSearch) {
+        workspace.parameters = true;
+        if (workspace.maximised == Maximised::View)
+            workspace.maximised = Maximised::None;
+    }
+    session.window.explaining.isOpen = isShown(workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected
     askAboutPicture(session, pictures.frames.front().frame.size);
-    drawParametersPanel(session, layout, pictures);
+    askAboutLevels(session, pictures.frames.front().frame.size);
+    if (!layout.parameters.isEmpty())
+        drawParametersPanel(session, states.parameters, pictures, layout);
     settle(session, layout);
-    drawViewPanel(session, pictures, layout);
-    drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
-    drawDetailsPanel(session, states.details, pictures, layout);
-    drawStatusBar(session, pictures, capabilities, layout);
-    drawSeams(session, layout);
+    if (!layout.view.isEmpty())
+        drawViewPanel(session, pictures, layout);
+    if (!layout.texture.isEmpty())
+        drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
+    for (const DockRow& row : dockRows)
+        drawDock(session, states.details, pictures, layout, row.dock);
+    const Hint said = endHints(); // what the bar itself has to say stands beside the pointer
+    drawStatusBar(session, pictures, capabilities, layout, said);
+    for (const SeamRow& row : seamRows)
+        drawSeam(workspace, row, layout);
+    drawDraggedTab(session, states.details, layout);
+    movePixelWithKeys(session, layout, pictures.frames.front().frame.size);
+    drawTour(session, layout, !popup);
     if (!popup)
         handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
     drawDialogs(session, states.dialogs, pictures);
     if (const std::optional<Fix> fix = std::exchange(session.window.wantedFix, std::nullopt))
         applyFix(session, *fix);
     followEdits(session);
+    endPreview(session);
     const float dimmed = ImGui::GetCurrentContext()->DimBgRatio;
     const bool fading = dimmed > 0 && dimmed < 1;
     Requests requests{session.window.quitConfirmed, fading, false, windowTitle(session.document)};
     session.window.quitConfirmed = false;
-    // Arrows, Enter and Escape work in an open menu or list. Elsewhere Space plays, and dialogs have their
-    // own keys.
+    // Arrows, Enter and Escape work in an open menu or list, and where F6 has led. Elsewhere Space plays, and
+    // dialogs have their own keys.
     ImGuiIO& io = ImGui::GetIO();
-    const bool navigates = session.window.dialog == Dialog::None && isPopupOpen();
+    const bool navigates = session.window.dialog == Dialog::None && (isPopupOpen() || states.keyboard.walks);
     io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    // Elsewhere Tab shows the view alone.
+    const bool fields = navigates || io.WantTextInput || session.window.dialog != Dialog::None;
+    io.KeyMap[ImGuiKey_Tab] = fields ? key::tab : -1;
     return requests;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/ui/details/details_panel.h"
+#include "app/ui/parameters/parameters_panel.h"
 #include "app/ui/texture_space/texture_space_panel.h"
 #include "app/ui/window/dialogs.h"
+#include "app/ui/window/keyboard_focus.h"
 #include "app/view/capabilities.h"
 
 #include <string>
@@ -12,9 +14,11 @@ namespace texplorer::ui {
 /// What the panels remember, each for itself: beside the Dear ImGui context, which remembers where they are
 /// scrolled to.
 struct PanelStates {
+    ParametersState parameters;
     TextureSpaceState textureSpace;
     DetailsState details;
     DialogsState dialogs;
+    KeyboardFocus keyboard;
 };
 
 /// What the window asks of its host.
@@ -27,8 +31,9 @@ struct Requests {
 
 /// Draws the whole window between ImGui::NewFrame and ImGui::Render; edits the session as the user says. A
 /// frame is:
-///   layout = layoutFor(…, session.window.columns, gridOf(session.window.view)); settle(session, layout);
-///   frame = renderer.draw(session.document.scene, …); ImGui::NewFrame(); drawWorkbench(…); ImGui::Render().
+///   layout = layoutFor(…, session.window.settings.workspace, gridOf(session.window.view)); settle(session,
+///   layout); frame = renderer.draw(session.document.scene, …); ImGui::NewFrame(); drawWorkbench(…);
+///   ImGui::Render().
 /// Dear ImGui needs two or three frames until new windows have their sizes.
 Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
                        const view::Capabilities& capabilities, const Layout& layout);

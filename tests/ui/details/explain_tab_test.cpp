@@ -1,10 +1,13 @@
+#include "app/ui/details/explain_comparison.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/theme.h"
 #include "core/reference/probe.h"
 #include "tests/ui/workbench.h"
 
 #include <atomic>
 #include <mutex>
+#include <tuple>
 
 namespace texplorer::ui::explain_tab_test {
 namespace {
@@ -15,6 +18,15 @@ class ExplainTab : public Workbench {
 protected:
     void open() {
         session->window.wantedTab = Tab::Explain;
+        frames(3);
+    }
+    /// In the narrow dock, where there is a list in the place of the cards.
+    void openList() {
+        moveTab(session->window.settings.workspace, Tab::Explain, Dock::Right);
+        frames(3);
+    }
+    void close() {
+        closeTab(session->window.settings.workspace, Tab::Explain);
         frames(3);
     }
     /// A place in the view where the cube is.
@@ -47,7 +59,7 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     EXPECT_EQ(found->bytes, alone->bytes);
     EXPECT_NE(found->seen(), nullptr);
     EXPECT_TRUE(has("explain:pixel"));
-    EXPECT_TRUE(has("explain:Texels"));
+    EXPECT_TRUE(has("card:Texels"));
     EXPECT_TRUE(has("probed pixel"));
 }
 
@@ -64,12 +76,14 @@ TEST_F(ExplainTab, LetsTheTexturesGoWithThePixel) {
     EXPECT_EQ(image.use_count(), before);
 }
 
-TEST_F(ExplainTab, AClickElsewhereMeansNothing) {
+TEST_F(ExplainTab, AClickMeansNothingWhileItIsClosed) {
+    close();
     clickAt(onTheCube());
     EXPECT_FALSE(session->window.explaining.pixel);
 }
 
 TEST_F(ExplainTab, EHeldFollowsTheMouseAndBringsTheTab) {
+    close();
     moveTo(onTheCube());
     ImGui::GetIO().KeysDown[int{'E'}] = true;
     frames(3);
@@ -101,7 +115,8 @@ TEST_F(ExplainTab, FollowsTheScene) {
     session->document.scene.passes[0].units[0].enabled = false;
     frames(2);
     EXPECT_NE(explanationOf(*session)->bytes, before);
-    EXPECT_FALSE(has("explain:Texels"));
+    EXPECT_TRUE(has("card:Vertices"));
+    EXPECT_FALSE(has("card:Texels"));
     EXPECT_EQ(probedUnit(*session), nullptr);
 }
 
@@ -114,7 +129,8 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
         const std::scoped_lock lock(held);
     });
     const Services& atOnce = session->services;
-    lend({atOnce.files, atOnce.levels, atOnce.reference, worker});
+    lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, worker, atOnce.levelMap,
+          atOnce.patterns});
     open();
     clickAt(onTheCube());
     worker.wait();
@@ -138,7 +154,7 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
 }
 
 TEST_F(ExplainTab, StepsUnfold) {
-    open();
+    openList();
     clickAt(onTheCube());
     EXPECT_FALSE(has("explain:rows of Primary colour"));
     click("explain:Primary colour");
@@ -149,7 +165,7 @@ TEST_F(ExplainTab, StepsUnfold) {
 // A summary that is longer than the column goes on below.
 TEST_F(ExplainTab, NothingIsCutInANarrowColumn) {
     start(defaultScene(), 900, 600);
-    open();
+    openList();
     clickAt({static_cast<float>(layout.picture.x) + static_cast<float>(layout.picture.width) * 0.2F,
              static_cast<float>(layout.picture.y) + static_cast<float>(layout.picture.height) * 0.5F});
     ASSERT_TRUE(has("explain:summary of Level of detail"));
@@ -158,7 +174,7 @@ TEST_F(ExplainTab, NothingIsCutInANarrowColumn) {
         if (!name.starts_with("explain:summary of"))
             continue;
         ++summaries;
-        EXPECT_LE(item.right, static_cast<float>(layout.details.right())) << name;
+        EXPECT_LE(item.right, static_cast<float>(layout.rightDock.right())) << name;
     }
     EXPECT_GT(summaries, 4);
 }
@@ -194,8 +210,7 @@ TEST_F(ExplainTab, AClickOnTheImageAsksForItsTexel) {
     ASSERT_TRUE(session->window.explaining.texel);
     EXPECT_EQ(session->window.explaining.texel->texel, (reference::TexelPlace{0, {60, 50, 0}}));
     EXPECT_TRUE(session->window.explaining.light);
-    session->window.wantedTab = Tab::Vertices;
-    frames(3);
+    close();
     clickAt(at(20.5F / 64, 20.5F / 64));
     EXPECT_EQ(session->window.explaining.texel->texel.index.x, 60) << "only while the tab is open";
 }
@@ -228,8 +243,9 @@ TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
     int seen = 0;
     for (int y = 0; y < 6; ++y) {
         for (int x = 0; x < 6; ++x) {
-            clickAt({static_cast<float>(layout.picture.x) + 40 + static_cast<float>(x) * 38,
-                     static_cast<float>(layout.picture.y) + 200 + static_cast<float>(y) * 42});
+            clickAt(
+                {onTheCube().x + static_cast<float>(x - 3) * static_cast<float>(layout.picture.width) / 30,
+                 onTheCube().y + static_cast<float>(y - 3) * static_cast<float>(layout.picture.height) / 20});
             if (!probedUnit(*session))
                 continue;
             ++seen;
@@ -290,7 +306,8 @@ TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
     open();
     clickAt(onTheCube());
     clickAt(inPatch(probedUnit(*session)->patches.front().level));
-    session->window.explaining.pixel.reset(); // its sign lies over the light
+    session->window.explaining.pixel.reset(); // its sign lies over the light, and the vertex's
+    session->window.selection.vertex.reset();
     moveTo({5, 5});
     const Image lit = picture();
     const std::shared_ptr<const Image> light = session->window.explaining.light;
@@ -306,11 +323,12 @@ TEST_F(ExplainTab, ThePixelsOfATexelAreLitInTheColourOfWhatIsProbed) {
             ++strong;
             const int left = layout.picture.x + x;
             const int bottom = lit.height - layout.picture.bottom() + y;
-            constexpr std::array probed{70.0, 214.0, 232.0}; // as the theme has it
+            const ImU32 probed = color::probed;
             for (std::size_t i = 0; i < 3; ++i) {
                 const double before = std::to_integer<int>(plain.at(left, bottom)[i]);
                 const double now = std::to_integer<int>(lit.at(left, bottom)[i]);
-                EXPECT_NEAR(now, alpha * probed[i] + (1 - alpha) * before, 2) << x << "," << y << " " << i;
+                EXPECT_NEAR(now, alpha * ((probed >> (8 * i)) & 255U) + (1 - alpha) * before, 2)
+                    << x << "," << y << " " << i;
             }
         }
     }
@@ -406,6 +424,144 @@ TEST_F(ExplainTab, TheTitlesOfSmallPicturesFit) {
             EXPECT_GT(titles, 0);
         }
     }
+}
+
+// The cards of one unit side by side, without scrolling.
+TEST_F(ExplainTab, TheCardsOfOneUnitFit) {
+    for (const auto& [width, height, scale] : {std::tuple(1280, 800, 1.0F), std::tuple(1920, 1080, 1.0F),
+                                               std::tuple(1920, 1080, 1.5F), std::tuple(3840, 2160, 2.0F)}) {
+        SCOPED_TRACE(width);
+        start(defaultScene(), width, height, scale);
+        clickAt(onTheCube());
+        for (const StageRow& row : stageRows) {
+            if (!row.always)
+                continue;
+            const std::string name = std::string("card:") + row.name;
+            ASSERT_TRUE(has(name)) << name;
+            const WidgetPlaces::Item& card = places.items.at(name);
+            EXPECT_TRUE(card.visible) << name;
+            EXPECT_GE(card.left, static_cast<float>(layout.belowDock.x)) << name;
+            EXPECT_LE(card.right, static_cast<float>(layout.belowDock.right())) << name;
+            EXPECT_LE(card.bottom, static_cast<float>(layout.belowDock.bottom())) << name;
+        }
+        (void)picture();
+    }
+}
+
+TEST_F(ExplainTab, CardsOpenToAllTheirNumbersSeveralAtOnce) {
+    clickAt(onTheCube());
+    EXPECT_FALSE(has("explain:rows of Level of detail"));
+    click("card:LOD");
+    EXPECT_TRUE(has("explain:rows of Level of detail"));
+    click("card:Vertices");
+    EXPECT_TRUE(has("explain:rows of Level of detail"));
+    EXPECT_TRUE(has("explain:rows of Primary colour"));
+    (void)picture();
+    click("card:LOD");
+    EXPECT_FALSE(has("explain:rows of Level of detail"));
+    click("close card:Vertices");
+    EXPECT_FALSE(has("explain:rows of Primary colour"));
+}
+
+TEST_F(ExplainTab, AnotherFragmentOfThePixelCanBeChosen) {
+    clickAt(onTheCube());
+    const reference::Explanation* found = explanationOf(*session);
+    ASSERT_GT(found->fragments.size(), 1U); // its back
+    ASSERT_EQ(found->fragments.back().outcome, reference::FragmentOutcome::FailedDepthTest);
+    EXPECT_TRUE(has("card:Pixel"));
+    click("explain:fragments");
+    click("explain:fragment " + std::to_string(found->fragments.size() - 1));
+    EXPECT_FALSE(has("card:Pixel")) << "it failed the depth test";
+    EXPECT_TRUE(has("card:Tests"));
+    clickAt({onTheCube().x + 9, onTheCube().y + 9});
+    EXPECT_TRUE(has("card:Pixel")) << "another pixel shows what one sees";
+}
+
+TEST_F(ExplainTab, APinnedPixelStaysBesideTheNextOne) {
+    clickAt(onTheCube());
+    const auto first = session->window.explaining.pixel;
+    EXPECT_FALSE(has("pinned card:LOD"));
+    click("explain:pin");
+    clickAt({onTheCube().x + 40, onTheCube().y + 20});
+    ASSERT_NE(pinnedExplanation(*session), nullptr);
+    EXPECT_EQ(pinnedExplanation(*session)->pixel, first);
+    EXPECT_NE(session->window.explaining.pixel, first);
+    EXPECT_TRUE(has("pinned card:LOD"));
+    EXPECT_TRUE(has("card:LOD"));
+    EXPECT_TRUE(has("pinned pixel"));
+    (void)picture();
+    openList();
+    EXPECT_TRUE(has("explain:pinned"));
+    open();
+    click("explain:unpin");
+    EXPECT_EQ(pinnedExplanation(*session), nullptr);
+    EXPECT_FALSE(has("pinned pixel"));
+}
+
+TEST_F(ExplainTab, EscapeLetsGoOfThePinnedPixelFirst) {
+    clickAt(onTheCube());
+    click("explain:pin");
+    key(key::escape);
+    EXPECT_EQ(pinnedExplanation(*session), nullptr);
+    EXPECT_TRUE(session->window.explaining.pixel);
+}
+
+TEST_F(ExplainTab, ShowsTheStagesBeforeThereIsAPixel) {
+    for (const StageRow& row : stageRows)
+        EXPECT_EQ(has(std::string("stage:") + row.name), row.always) << row.name;
+    click("explain:middle");
+    EXPECT_EQ(session->window.explaining.pixel,
+              (reference::PixelPlace{layout.picture.width / 2, layout.picture.height / 2}));
+}
+
+TEST_F(ExplainTab, ADifferenceStandsOutBeyondTheToleranceAlone) {
+    clickAt(onTheCube());
+    const reference::Explanation& explanation = *explanationOf(*session);
+    Image image = Image::uninitialised(PixelFormat::Rgba8, explanation.width, explanation.height);
+    const auto inkAt = [&](int off) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const int byte = explanation.bytes[i];
+            image.at(explanation.pixel.x, explanation.pixel.y)[i] =
+                static_cast<std::byte>(i == 1 ? byte + (byte < 128 ? off : -off) : byte);
+        }
+        const std::vector<ViewFrame> views{
+            {RendererKind::Fixed, {}, std::make_shared<const Image>(image), true}};
+        const Comparison found = compareRenderers(*session, {.frames = views}, explanation);
+        EXPECT_EQ(found.most, off);
+        return found.rows.at(1).cells.at(1);
+    };
+    session->window.view.tolerance = 2;
+    EXPECT_EQ(inkAt(0).text, "the same");
+    EXPECT_EQ(inkAt(1).text, "off by 1");
+    EXPECT_EQ(inkAt(1).ink, reference::Ink::Plain);
+    EXPECT_EQ(inkAt(2).ink, reference::Ink::Plain);
+    EXPECT_EQ(inkAt(3).ink, reference::Ink::Bad);
+    session->window.view.tolerance = 0;
+    EXPECT_EQ(inkAt(1).ink, reference::Ink::Bad);
+}
+
+// llvmpipe averages over an ellipse, the reference probes along a line.
+TEST_F(ExplainTab, OffersTheEllipseWhereThatIsWhatDiffers) {
+    texture().pattern = Pattern::Checker;
+    texture().maxAnisotropy = 16;
+    scene().models[0].shape = Shape::Floor;
+    scene().models[0].texCoords = {};
+    frames(2);
+    for (int i = 0; i < 40 && !has("explain:ellipse"); ++i) {
+        session->window.explaining.pixel = {10 + i * layout.picture.width / 50,
+                                            layout.picture.height / 2 - i};
+        (void)picture();
+    }
+    ASSERT_TRUE(has("explain:ellipse"));
+    ImGui::GetIO().MousePos = place("explain:use ellipse"); // with a picture in every frame
+    for (const bool down : {false, true, false}) {
+        (void)picture();
+        ImGui::GetIO().MouseDown[ImGuiMouseButton_Left] = down;
+        (void)picture();
+    }
+    EXPECT_EQ(session->window.view.anisotropy, reference::AnisotropyMethod::Ellipse);
+    (void)picture();
+    EXPECT_FALSE(has("explain:ellipse"));
 }
 
 TEST_F(ExplainTab, ClearForgetsIt) {

@@ -27,6 +27,8 @@ protected:
 
 TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
     EXPECT_FALSE(has("show Position"));
+    session->window.settings.workspace.maximised = Maximised::Right; // room for the list
+    frames(3);
     click("make mesh");
     EXPECT_EQ(scene().models[0].shape, Shape::Mesh);
     ASSERT_EQ(mesh().positions.size(), 24U);
@@ -124,6 +126,8 @@ TEST_F(VerticesTab, VerticesThatCompleteNoPartAreListed) {
 
 TEST_F(VerticesTab, OfALongListOnlyWhatOneSeesIsDrawn) {
     startWithPoints(static_cast<int>(maxMeshVertices));
+    session->window.settings.workspace.maximised = Maximised::Right; // room for the list
+    frames(3);
     const auto rows = [&] {
         return std::ranges::count_if(places.items,
                                      [](const auto& item) { return item.first.starts_with("vertex:"); });

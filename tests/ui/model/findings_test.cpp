@@ -60,6 +60,7 @@ TEST_F(Findings, ASmallWindowOffersTheFirstWayAndTheOthersAtTheControl) {
 }
 
 TEST_F(Findings, WhatADriverLacksIsNoMatterWhereOnlyTheReferenceDraws) {
+    states.parameters.tab = ParameterTab::Texture;
     texture().border = 1; // Mesa takes it away
     frames(2);
     EXPECT_TRUE(has("textures[0].border#problem"));
@@ -101,6 +102,8 @@ TEST_F(Findings, WhatHasNoEffectIsDimEverywhere) {
     EXPECT_TRUE(has("passes[0].units[0].envColor#inert"));
     choose("passes[0].units[0].envMode", "GL_BLEND");
     EXPECT_FALSE(has("passes[0].units[0].envColor#inert"));
+    states.parameters.tab = ParameterTab::Texture;
+    frames(2);
     EXPECT_FALSE(has("textures[0].maxLevel#inert"));
     choose("textures[0].minFilter", "GL_NEAREST");
     EXPECT_TRUE(has("textures[0].maxLevel#inert"));

@@ -58,10 +58,11 @@ TEST_F(EditMenu, ViewShowsShapes) {
 }
 
 TEST_F(EditMenu, ArrowsAndEnterWorkInAnOpenList) {
-    click("textures[0].wrapS");
+    scrollTo("textures[0].internalFormat");
+    click("textures[0].internalFormat");
     key(key::down);
     key(key::space);
-    EXPECT_NE(texture().wrapS, Wrap::Repeat);
+    EXPECT_NE(texture().internalFormat, InternalFormat::Rgba);
     EXPECT_TRUE(session->window.playback.playing) << "Space was the list's";
 }
 

@@ -56,7 +56,7 @@ TEST_F(OpeningAScene, KeepsTheStageOfTheShaders) {
     states.details.glsl.stage = view::ShaderStage::Vertex;
     open(R"({"version": 1})");
     EXPECT_EQ(states.details.glsl.stage, view::ShaderStage::Vertex);
-    EXPECT_EQ(session->window.shownTab, Tab::Glsl);
+    EXPECT_TRUE(isShown(session->window.settings.workspace, Tab::Glsl));
 }
 
 TEST_F(OpeningAScene, KeepsHowOneLooksAtIt) {
@@ -64,7 +64,7 @@ TEST_F(OpeningAScene, KeepsHowOneLooksAtIt) {
     showComparison(window.view, {RendererKind::Fixed, RendererKind::Reference});
     window.view.zoom = {4, {0.3F, 0.6F}};
     window.plane = {1, 2, 3};
-    window.columns = {300, 400, 0.4F};
+    window.settings.workspace.seams = {300, 400, 0.4F, 0.3F};
     window.selection.unit = 2;
     window.explaining.pixel = {5, 6};
     open(R"({"version": 1})");
@@ -72,7 +72,7 @@ TEST_F(OpeningAScene, KeepsHowOneLooksAtIt) {
     EXPECT_EQ(window.view.compared[1], RendererKind::Reference);
     EXPECT_EQ(window.view.zoom, (PictureZoom{4, {0.3F, 0.6F}}));
     EXPECT_EQ(window.plane.extent, 3);
-    EXPECT_EQ(window.columns, (Columns{300, 400, 0.4F}));
+    EXPECT_EQ(window.settings.workspace.seams, (Seams{300, 400, 0.4F, 0.3F}));
     EXPECT_EQ(window.selection.unit, 2);
     EXPECT_EQ(window.explaining.pixel, (reference::PixelPlace{5, 6}));
 }

@@ -1,5 +1,4 @@
 #include "app/ui/model/findings.h"
-#include "app/ui/parameters/texture_section.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/params/params.h"
@@ -7,18 +6,31 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+#include <string>
+
 namespace texplorer::ui::parameters_panel_test {
 namespace {
 
 using namespace test;
 
-constexpr const char* sections[] = {"Texture",        "Unit and environment",
-                                    "Combine",        "Generated coordinates",
-                                    "Texture matrix", "Model",
-                                    "Pass",           "Light",
-                                    "Material",       "View"};
-
-class ParametersPanel : public Workbench {};
+class ParametersPanel : public Workbench {
+protected:
+    void show(ParameterTab tab) {
+        states.parameters.tab = tab;
+        frames(2);
+    }
+    /// What all tabs have, with what is folded.
+    std::set<std::string> namesOfAllTabs() {
+        std::set<std::string> names;
+        for (const ParameterTabRow& tab : parameterTabRows) {
+            show(tab.tab);
+            for (const auto& [name, item] : places.items)
+                names.insert(name);
+        }
+        return names;
+    }
+};
 
 TEST_F(ParametersPanel, AComboChoosesAnEnumerator) {
     choose("textures[0].wrapS", "GL_CLAMP_TO_EDGE");
@@ -97,6 +109,7 @@ TEST_F(ParametersPanel, ACheckboxSwitches) {
 }
 
 TEST_F(ParametersPanel, TheSignBesideAChangedValueResetsItToGlsInitialOne) {
+    show(ParameterTab::Texture);
     EXPECT_FALSE(has("textures[0].wrapT#reset"));
     choose("textures[0].wrapT", "GL_CLAMP");
     click("textures[0].wrapT#reset");
@@ -106,17 +119,21 @@ TEST_F(ParametersPanel, TheSignBesideAChangedValueResetsItToGlsInitialOne) {
     EXPECT_EQ(texture().wrapT, Wrap::Clamp);
 }
 
-TEST_F(ParametersPanel, ARightClickResets) {
+TEST_F(ParametersPanel, ARightClickOpensAMenuThatResets) {
     scrollTo("textures[0].minFilter");
     click("textures[0].minFilter", ImGuiMouseButton_Right);
+    click("textures[0].minFilter#menu:reset");
     EXPECT_EQ(texture().minFilter, MinFilter::NearestMipmapLinear);
     click("textures[0].minFilter", ImGuiMouseButton_Right);
+    click("textures[0].minFilter#menu:reset");
+    key(key::escape);
     key('Z', {ctrl});
     EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapLinear);
     EXPECT_FALSE(session->document.history.canUndo()) << "resetting what is reset already is no edit";
 }
 
 TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
+    show(ParameterTab::Texture);
     click("add texture");
     ASSERT_EQ(scene().textures.size(), 2U);
     EXPECT_EQ(unit().texture, 1);
@@ -137,11 +154,8 @@ TEST_F(ParametersPanel, TexturesAreAddedBoundAndRemoved) {
     EXPECT_FALSE(unit().enabled) << "a scene file refuses a unit without a texture";
     scrollTo("passes[0].units[0].enabled");
     click("passes[0].units[0].enabled");
-    EXPECT_FALSE(unit().enabled);
-    EXPECT_FALSE(session->window.notice.text.empty());
-    scrollTo("add texture");
-    click("add texture");
-    EXPECT_EQ(scene().textures.size(), 1U);
+    EXPECT_TRUE(unit().enabled);
+    EXPECT_EQ(scene().textures.size(), 1U) << "it gets one";
 }
 
 TEST_F(ParametersPanel, EditsTheChosenUnit) {
@@ -240,12 +254,8 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().texGenT.mode = TexGenMode::ObjectLinear;
     frames(1);
     scene().models[0].shape = Shape::Sphere;
-    for (const char* section : sections) {
-        const std::string_view name = section;
-        const bool inUse = has("in use:" + std::string(name));
-        if (name != "Texture" && name != "Unit and environment" && name != "Combine" && !inUse)
-            open(section);
-    }
+    session->window.settings.pinned.clear();
+    const std::set<std::string> names = namesOfAllTabs();
     int rows = 0;
     const auto expectRows = [&](const Owner& owner, const StructTable& table) {
         for (const ParamRow& row : table.params) {
@@ -254,7 +264,7 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
             if (row.key.ends_with("Plane") && idleReasonOf(session->document.findings, owner.pathOf(row)))
                 continue; // each mode has its own
             const bool vector = row.kind == Kind::Vec3 || row.kind == Kind::Vec4 || row.kind == Kind::Matrix;
-            EXPECT_TRUE(has(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
+            EXPECT_TRUE(names.contains(owner.pathOf(row) + (vector ? "[0]" : ""))) << owner.pathOf(row);
             ++rows;
         }
     };
@@ -276,15 +286,17 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     expectRows({&unit().texGenQ, nullptr, first + ".texGenQ"}, texGenTable(3));
     expectRows({unit().matrix.data(), nullptr, first + ".matrix[0]"}, matrixStepTable());
     EXPECT_GT(rows, 50);
-    EXPECT_TRUE(has("texture choice"));
+    EXPECT_TRUE(names.contains("texture choice"));
 }
 
 TEST_F(ParametersPanel, CombineIsEditedWhereTheModeAsksForIt) {
     const std::string path = "passes[0].units[0].combine.";
     const auto inert = [&](const char* key) { return has(path + key + "#inert"); };
-    EXPECT_FALSE(has("section:Combine"));
+    show(ParameterTab::Unit);
+    EXPECT_TRUE(has("section:Combine")) << "shut, for the mode is another";
+    EXPECT_FALSE(has(path + "rgb"));
     choose("passes[0].units[0].envMode", "GL_COMBINE");
-    EXPECT_TRUE(has("section:Combine"));
+    EXPECT_TRUE(has(path + "rgb"));
     EXPECT_FALSE(inert("source1Rgb"));
     EXPECT_TRUE(inert("source2Rgb")) << "GL_MODULATE has two arguments";
     choose(path + "rgb", "GL_REPLACE");
@@ -311,7 +323,7 @@ TEST_F(ParametersPanel, CombineIsEditedWhereTheModeAsksForIt) {
 TEST_F(ParametersPanel, TheFirstUnitHasNoneBeforeIt) {
     for (Unit& each : scene().passes[0].units)
         each.envMode = EnvMode::Combine;
-    frames(2);
+    show(ParameterTab::Unit);
     EXPECT_TRUE(has("combine:colour of this texture × colour of primary colour (no unit before)"));
     click("unit:1");
     frames(2);
@@ -319,15 +331,11 @@ TEST_F(ParametersPanel, TheFirstUnitHasNoneBeforeIt) {
 }
 
 TEST_F(ParametersPanel, ALabelALittleTooWideKeepsItsControlBesideIt) {
-    session->window.wantedSection = Section::Unit;
-    frames(1);
-    session->window.wantedSection = Section::Unit;
-    frames(2);
-    const WidgetPlaces::Item& mode = places.items.at("passes[0].units[0].envMode");
+    show(ParameterTab::Unit);
+    const WidgetPlaces::Item& label = places.items.at("passes[0].units[0].envColor#label");
     const WidgetPlaces::Item& color = places.items.at("passes[0].units[0].envColor");
-    EXPECT_EQ(color.right, mode.right);
-    EXPECT_LT(color.top - mode.top, 1.5F * (mode.bottom - mode.top)) << "the line below";
-    EXPECT_GT(color.left, mode.left);
+    EXPECT_GT(color.left, label.right);
+    EXPECT_LT(color.top, label.bottom);
 }
 
 TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
@@ -356,15 +364,15 @@ TEST_F(ParametersPanel, CoordinatesAreGeneratedOneByOne) {
     EXPECT_TRUE(has("passes[0].units[0].texGenQ.mode=GL_OBJECT_LINEAR"));
 }
 
-TEST_F(ParametersPanel, ASectionThatIsInUseIsOpenAndSaysSo) {
+TEST_F(ParametersPanel, ASectionThatIsInUseSaysSoEvenShut) {
     const std::string texGen = "passes[0].units[0].texGenS.enabled";
-    EXPECT_FALSE(has(texGen));
+    show(ParameterTab::Coordinates);
+    EXPECT_TRUE(has(texGen));
     EXPECT_FALSE(has("in use:Generated coordinates"));
     EXPECT_FALSE(has("in use:Texture matrix"));
     unit().texGenS.enabled = true;
     unit().matrix.resize(1);
     frames(2);
-    EXPECT_TRUE(has(texGen));
     EXPECT_TRUE(has("passes[0].units[0].matrix[0].op"));
     EXPECT_TRUE(has("in use:Texture matrix"));
     scrollTo("section:Generated coordinates");
@@ -374,7 +382,6 @@ TEST_F(ParametersPanel, ASectionThatIsInUseIsOpenAndSaysSo) {
     unit().matrix.clear();
     frames(2);
     EXPECT_FALSE(has("in use:Texture matrix"));
-    EXPECT_TRUE(has("add:rotate")) << "it doesn't shut below the user's hands";
 }
 
 TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
@@ -384,16 +391,17 @@ TEST_F(ParametersPanel, ASectionThatIsNamedComesIntoSight) {
         frames(1);
         session->window.wantedSection = row.section; // where it is, is known now
         frames(2);
+        EXPECT_EQ(states.parameters.tab, row.tab);
         const std::string name = "section:" + std::string(row.title);
-        if (row.section == Section::Combine)
-            EXPECT_FALSE(has(name)) << "the mode is another";
-        else
+        if (has(name)) { // a tab of one section needs no title
             EXPECT_TRUE(places.items.at(name).visible) << name;
+        }
     }
 }
 
 TEST_F(ParametersPanel, WhatHasNoEffectIsMarked) {
     const auto inert = [&](const char* key) { return has("textures[0]." + std::string(key) + "#inert"); };
+    show(ParameterTab::Texture);
     EXPECT_TRUE(inert("flip")) << "a pattern is upright";
     EXPECT_TRUE(inert("npot")) << "a pattern's size is a power of two";
     EXPECT_TRUE(inert("wrapR")) << "the target is 2D";
@@ -445,41 +453,59 @@ TEST_F(ParametersPanel, WhatIsWorthKnowingHasASignAndAFix) {
     EXPECT_FALSE(has(sign));
 }
 
-TEST_F(ParametersPanel, AUnitSaysThatItSharesATextureAndCanHaveItsOwn) {
-    EXPECT_FALSE(has("shares texture")) << "unit 0 is alone";
-    click("unit:1");
-    scrollTo("shares texture");
-    EXPECT_TRUE(has("shares texture")) << "it would, which is said before it is switched on";
-    scrollTo("passes[0].units[1].enabled");
-    click("passes[0].units[1].enabled");
-    EXPECT_TRUE(has("shares texture"));
-    const Texture shared = texture();
-    scrollTo("own texture");
-    click("own texture");
-    ASSERT_EQ(scene().textures.size(), 2U);
-    EXPECT_EQ(scene().textures[1], shared) << "nothing changes in the picture";
-    EXPECT_EQ(scene().passes[0].units[1].texture, 1);
-    EXPECT_EQ(unit().texture, 0);
-    EXPECT_FALSE(has("shares texture"));
-    choose("textures[1].wrapS", "GL_CLAMP");
-    EXPECT_EQ(texture(), shared);
-    key('Z', {ctrl});
-    key('Z', {ctrl});
-    EXPECT_EQ(scene().textures.size(), 1U);
-    EXPECT_TRUE(scene().passes[0].units[1].enabled) << "a step of its own";
+TEST_F(ParametersPanel, WhatIsAskedForIsShownWhereItIs) {
+    session->window.wantedParam = "textures[0].wrapS"; // Essentials have it
+    frames(2);
+    EXPECT_EQ(states.parameters.tab, ParameterTab::Essentials);
+    EXPECT_EQ(session->window.wantedParam, "");
+    session->window.wantedParam = "passes[0].blendSrc";
+    frames(3);
+    EXPECT_EQ(states.parameters.tab, ParameterTab::Pass);
+    EXPECT_TRUE(places.items.at("passes[0].blendSrc").visible);
+    EXPECT_EQ(session->window.wantedParam, "");
+    session->window.wantedParam = "textures[0].depthSize"; // folded
+    frames(3);
+    EXPECT_TRUE(has("textures[0].depthSize"));
+    session->window.wantedParam = "nothing.of.the.kind";
+    frames(3);
+    EXPECT_EQ(session->window.wantedParam, "") << "it is not waited for";
 }
 
-TEST_F(ParametersPanel, SharingIsSaidOfOtherPassesToo) {
-    scene().passes.push_back(scene().passes[0]);
-    scene().passes[1].units[2].enabled = true;
+TEST_F(ParametersPanel, WhatHasNoEffectIsFoldedAndDoesntVanish) {
+    show(ParameterTab::Texture);
+    EXPECT_FALSE(has("textures[0].depthSize"));
+    scrollTo("textures[0]#no effect");
+    click("textures[0]#no effect");
+    scrollTo("textures[0].depthSize");
+    EXPECT_TRUE(has("textures[0].depthSize#inert"));
+    drag(place("textures[0].depthSize"), {30, 0});
+    EXPECT_EQ(texture().depthSize, 286) << "it can be edited all the same";
+}
+
+TEST_F(ParametersPanel, TwoColumnsWhereThereIsRoom) {
+    start(defaultScene(), 2560, 1440);
+    session->window.settings.workspace.seams.parameters = 640;
+    show(ParameterTab::Texture);
+    const WidgetPlaces::Item& base = places.items.at("textures[0].baseLevel");
+    const WidgetPlaces::Item& last = places.items.at("textures[0].maxLevel");
+    EXPECT_EQ(base.top, last.top);
+    EXPECT_LT(base.right, last.left);
+    session->window.settings.workspace.seams.parameters = 0;
     frames(2);
-    EXPECT_EQ(sharersText(*session, 0), "unit 0 of pass 1, unit 2 of pass 1");
-    EXPECT_TRUE(has("shares texture"));
-    scene().textures.resize(maxTextures);
-    frames(2);
-    scrollTo("own texture");
-    click("own texture");
-    EXPECT_EQ(scene().textures.size(), maxTextures) << "there is no room for one";
+    EXPECT_LT(places.items.at("textures[0].baseLevel").top, places.items.at("textures[0].maxLevel").top);
+}
+
+TEST_F(ParametersPanel, NoLimitCanBeTypedOver) {
+    scrollTo("textures[0].maxLevel");
+    doubleClickAt(place("textures[0].maxLevel"));
+    type("3");
+    key(key::enter);
+    EXPECT_EQ(texture().maxLevel, 3);
+    scrollTo("textures[0].minLod");
+    doubleClickAt(place("textures[0].minLod"));
+    type("1.5");
+    key(key::enter);
+    EXPECT_EQ(texture().minLod, 1.5F);
 }
 
 TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
@@ -490,11 +516,16 @@ TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
     for (const Size size :
          {Size{1280, 800, 1}, Size{1920, 1080, 1}, Size{2560, 1440, 1}, Size{2560, 1600, 2}}) {
         start(defaultScene(), size.width, size.height, size.scale);
-        for (const auto& [name, item] : places.items) {
-            if (!name.starts_with("textures[0]"))
-                continue;
-            EXPECT_GE(item.left, static_cast<float>(layout.parameters.x)) << name;
-            EXPECT_LE(item.right, static_cast<float>(layout.parameters.right())) << name;
+        for (const ParameterTabRow& tab : parameterTabRows) {
+            show(tab.tab);
+            for (const auto& [name, item] : places.items) {
+                const bool isParam = name.starts_with("textures[0]") || name.starts_with("passes[0]") ||
+                                     name.starts_with("unit:") || name.starts_with("parameters:");
+                if (!isParam)
+                    continue;
+                EXPECT_GE(item.left, static_cast<float>(layout.parameters.x)) << name;
+                EXPECT_LE(item.right, static_cast<float>(layout.parameters.right())) << name;
+            }
         }
     }
 }

@@ -9,7 +9,7 @@ namespace {
 
 // A room of 100 x 100 with an image in its middle, as the texture space has it.
 const Box room{{0, 0}, {100, 100}};
-const Kept image{{{25, 25}, {75, 75}}, 1};
+const Uncovered image{{{25, 25}, {75, 75}}, 1};
 
 struct Case {
     const char* name;
@@ -30,7 +30,7 @@ bool overlap(const Box& a, const Box& b) {
 
 TEST_P(InsetPlacement, MarksStayInSightWhereverTheyAre) {
     const auto& [name, marks, size, count] = GetParam();
-    const std::array kept{image, Kept{marks, 100}};
+    const std::array kept{image, Uncovered{marks, 100}};
     const std::vector<ImVec2> sizes(count, size);
     const std::vector<ImVec2> places = placeInsets(sizes, room, 2, kept);
     ASSERT_EQ(places.size(), count);

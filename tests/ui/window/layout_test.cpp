@@ -1,4 +1,5 @@
 #include "app/ui/window/layout.h"
+#include "tests/ui/window_sizes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +12,25 @@ struct Case {
     const char* name;
     int width, height;
     float scale = 1;
-    Columns columns = {};
+    Workspace workspace = {};
 
     friend std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 };
 
 class LayoutTest : public testing::TestWithParam<Case> {};
+
+Workspace dragged(const Seams& seams) {
+    Workspace workspace;
+    workspace.seams = seams;
+    return workspace;
+}
+
+/// The named layout of this number, with something maximised.
+Workspace named(std::size_t layout, Maximised what = Maximised::None) {
+    Workspace workspace = workspaceOf(layoutRows.at(layout));
+    workspace.maximised = what;
+    return workspace;
+}
 
 struct Named {
     const char* name;
@@ -28,15 +42,17 @@ std::vector<Named> panels(const Layout& layout) {
             {"parameters", layout.parameters},
             {"view", layout.view},
             {"texture", layout.texture},
-            {"details", layout.details},
+            {"right dock", layout.rightDock},
+            {"dock below", layout.belowDock},
             {"status", layout.status},
             {"left seam", layout.leftSeam},
             {"right seam", layout.rightSeam},
-            {"middle seam", layout.middleSeam}};
+            {"middle seam", layout.middleSeam},
+            {"below seam", layout.belowSeam}};
 }
 
 Layout layoutOf(const Case& c) {
-    return layoutFor(c.width, c.height, c.scale, c.columns);
+    return layoutFor(c.width, c.height, c.scale, c.workspace);
 }
 
 TEST_P(LayoutTest, PanelsStayInTheWindowAndDoNotOverlap) {
@@ -44,8 +60,7 @@ TEST_P(LayoutTest, PanelsStayInTheWindowAndDoNotOverlap) {
     for (const Named& a : all) {
         EXPECT_GE(a.rect.x, 0) << a.name;
         EXPECT_GE(a.rect.y, 0) << a.name;
-        EXPECT_GT(a.rect.width, 0) << a.name;
-        EXPECT_GT(a.rect.height, 0) << a.name;
+        EXPECT_TRUE(a.rect == Rect{} || !a.rect.isEmpty()) << a.name;
         EXPECT_LE(a.rect.right(), GetParam().width) << a.name;
         EXPECT_LE(a.rect.bottom(), GetParam().height) << a.name;
         for (const Named& b : all) {
@@ -65,6 +80,8 @@ TEST_P(LayoutTest, PanelsLeaveNoPixelOut) {
 
 TEST_P(LayoutTest, ThePictureIsInsideOfItsPanel) {
     const Layout layout = layoutOf(GetParam());
+    if (layout.view.isEmpty())
+        return;
     EXPECT_EQ(layout.picture.x, layout.view.x);
     EXPECT_EQ(layout.picture.width, layout.view.width);
     EXPECT_GE(layout.picture.y, layout.view.y);
@@ -72,21 +89,93 @@ TEST_P(LayoutTest, ThePictureIsInsideOfItsPanel) {
     EXPECT_GT(layout.picture.height, layout.view.height / 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
-                         testing::Values(Case{"Laptop", 1280, 800}, Case{"FullHd", 1920, 1080},
-                                         Case{"Desktop", 2560, 1440}, Case{"Tiny", 640, 400},
-                                         Case{"Smallest", 320, 200}, Case{"Retina", 2560, 1600, 2},
-                                         Case{"SmallWithLargeScale", 1280, 800, 3},
-                                         Case{"GreedyLeft", 1280, 800, 1, {5000, 0, 0}},
-                                         Case{"GreedyBoth", 1280, 800, 1, {5000, 5000, 0.99F}},
-                                         Case{"Starved", 1280, 800, 1, {1, 1, 0.01F}}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, LayoutTest,
+    testing::Values(Case{"Laptop", 1280, 800}, Case{"FullHd", 1920, 1080}, Case{"Desktop", 2560, 1440},
+                    Case{"Tiny", 640, 400}, Case{"Smallest", 320, 200}, Case{"Retina", 2560, 1600, 2},
+                    Case{"SmallWithLargeScale", 1280, 800, 3},
+                    Case{"GreedyLeft", 1280, 800, 1, dragged({5000, 0, 0, 0})},
+                    Case{"GreedyBoth", 1280, 800, 1, dragged({5000, 5000, 0.99F, 0.99F})},
+                    Case{"Starved", 1280, 800, 1, dragged({1, 1, 0.01F, 0.01F})},
+                    Case{"Teacher", 1280, 800, 1, named(1)}, Case{"TeacherSmall", 1024, 700, 1, named(1)},
+                    Case{"Minimal", 1280, 800, 1, named(2)},
+                    Case{"ViewMaximised", 1280, 800, 1, named(0, Maximised::View)},
+                    Case{"TextureSpaceMaximised", 1280, 800, 1, named(0, Maximised::TextureSpace)},
+                    Case{"RightMaximised", 1024, 700, 1.5F, named(0, Maximised::Right)},
+                    Case{"BelowMaximised", 1024, 700, 1, named(0, Maximised::Below)},
+                    Case{"NothingToMaximise", 1280, 800, 1, named(1, Maximised::Below)}),
+    [](const auto& test) { return test.param.name; });
+
+bool isFilled(const Layout& layout) {
+    long long pixels = 0;
+    bool inside = true;
+    for (const Named& each : panels(layout)) {
+        pixels += static_cast<long long>(each.rect.width) * each.rect.height;
+        inside &= each.rect.x >= 0 && each.rect.y >= 0 && each.rect.right() <= layout.window.width &&
+                  each.rect.bottom() <= layout.window.height && each.rect.width >= 0 && each.rect.height >= 0;
+    }
+    return inside && pixels == static_cast<long long>(layout.window.width) * layout.window.height;
+}
+
+TEST(Layout, OfEveryWorkspaceFillsWindowsOfEverySize) {
+    for (const test::WindowSize& size : test::windowSizes) {
+        for (const float scale : test::windowScales) {
+            for (int bits = 0; bits < 16; ++bits) {
+                for (const Maximised what : {Maximised::None, Maximised::View, Maximised::TextureSpace,
+                                             Maximised::Right, Maximised::Below}) {
+                    Workspace workspace;
+                    workspace.parameters = (bits & 1) != 0;
+                    workspace.textureSpace = (bits & 2) != 0;
+                    for (TabPlace& place : workspace.tabs)
+                        place.open = (bits & (place.dock == Dock::Right ? 4 : 8)) != 0;
+                    workspace.maximised = what;
+                    const Layout layout = layoutFor(size.width, size.height, scale, workspace);
+                    ASSERT_TRUE(isFilled(layout))
+                        << size.width << " " << scale << " " << bits << " " << static_cast<int>(what);
+                    EXPECT_GT(layout.picture.width, 1);
+                    EXPECT_GT(layout.picture.height, 1);
+                }
+            }
+        }
+    }
+}
+
+TEST(Layout, TheDockBelowIsAsWideAsViewAndRightColumn) {
+    const Layout layout = layoutFor(1280, 800, 1);
+    EXPECT_EQ(layout.belowDock.x, layout.view.x);
+    EXPECT_EQ(layout.belowDock.right(), layout.texture.right());
+    EXPECT_EQ(layout.belowSeam.y, layout.view.bottom());
+    EXPECT_EQ(layout.rightDock.bottom(), layout.view.bottom());
+}
+
+TEST(Layout, WhatIsClosedLeavesItsRoomToTheOthers) {
+    const Layout teacher = layoutFor(1280, 800, 1, named(1));
+    EXPECT_EQ(teacher.view.bottom(), teacher.status.y);
+    EXPECT_EQ(teacher.texture.bottom(), teacher.status.y);
+    EXPECT_TRUE(teacher.rightDock.isEmpty());
+    EXPECT_TRUE(teacher.belowDock.isEmpty());
+    const Layout minimal = layoutFor(1280, 800, 1, named(2));
+    EXPECT_EQ(minimal.view, (Rect{0, 28, 1280, 744}));
+    EXPECT_TRUE(minimal.parameters.isEmpty());
+    EXPECT_TRUE(minimal.leftSeam.isEmpty());
+}
+
+TEST(Layout, WhatIsMaximisedFillsAllButTheParameters) {
+    const Layout usual = layoutFor(1280, 800, 1);
+    const Layout below = layoutFor(1280, 800, 1, named(0, Maximised::Below));
+    EXPECT_EQ(below.parameters, usual.parameters);
+    EXPECT_EQ(below.belowDock, (Rect{usual.view.x, 28, 1280 - usual.view.x, 744}));
+    EXPECT_TRUE(below.view.isEmpty());
+    EXPECT_EQ(below.picture, usual.picture) << "who explains a pixel of it goes on to do so";
+    const Layout view = layoutFor(1280, 800, 1, named(0, Maximised::View));
+    EXPECT_EQ(view.view, (Rect{0, 28, 1280, 744}));
+}
 
 TEST(Layout, ColumnsKeepTheirDraggedWidthsAndGrowWithTheScale) {
-    const Layout plain = layoutFor(1920, 1080, 1, {400, 500, 0.5F});
+    const Layout plain = layoutFor(1920, 1080, 1, dragged({400, 500, 0.5F, 0}));
     EXPECT_EQ(plain.parameters.width, 400);
     EXPECT_EQ(plain.texture.width, 500);
-    const Layout twice = layoutFor(3840, 2160, 2, {400, 500, 0.5F});
+    const Layout twice = layoutFor(3840, 2160, 2, dragged({400, 500, 0.5F, 0}));
     EXPECT_EQ(twice.parameters.width, 800);
     EXPECT_EQ(twice.texture.width, 1000);
 }
@@ -102,7 +191,7 @@ TEST(Layout, TheViewIsNotTheSmallestPartOfASmallWindow) {
     EXPECT_GT(layout.view.width, layout.parameters.width);
     EXPECT_GE(layout.view.width, 280);
     EXPECT_GE(layoutFor(1024, 768, 1).view.width, 400);
-    EXPECT_EQ(layoutFor(900, 600, 1, {316, 360, 0}).view.width, 900 - 316 - 360 - 10)
+    EXPECT_EQ(layoutFor(900, 600, 1, dragged({316, 360, 0, 0})).view.width, 900 - 316 - 360 - 10)
         << "as the user wants it";
 }
 

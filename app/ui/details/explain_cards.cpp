@@ -1,0 +1,209 @@
+#include "app/ui/details/explain_cards.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::FragmentExplanation;
+using reference::Ink;
+using reference::StepKind;
+using reference::UnitExplanation;
+
+Stage stageOf(StepKind kind) {
+    switch (kind) {
+    case StepKind::Triangle:
+    case StepKind::PrimaryColor:
+        return Stage::Vertices;
+    case StepKind::Coordinates:
+        return Stage::Coordinates;
+    case StepKind::LevelOfDetail:
+        return Stage::LevelOfDetail;
+    case StepKind::Wrap:
+        return Stage::Texels;
+    case StepKind::Texels:
+        return Stage::Filter;
+    case StepKind::Environment:
+        return Stage::Environment;
+    case StepKind::IdleUnit:
+        return Stage::IdleUnit;
+    case StepKind::ColorSum:
+        return Stage::ColorSum;
+    case StepKind::Fog:
+        return Stage::Fog;
+    case StepKind::AlphaTest:
+    case StepKind::DepthTest:
+    case StepKind::Blending:
+        return Stage::Tests;
+    case StepKind::Framebuffer:
+        break;
+    }
+    return Stage::Pixel;
+}
+
+using Lines = std::vector<CardLine>;
+
+std::string percentText(float share) {
+    return reference::numberText(std::round(share * 1000) / 10);
+}
+
+CardLine colorLine(glm::vec4 color) {
+    return {fmt::format("{:.2f} {:.2f} {:.2f}", color.r, color.g, color.b)};
+}
+
+Lines verticesLines(const FragmentExplanation& fragment) {
+    Lines lines;
+    for (const reference::VertexExplanation& vertex : fragment.vertices)
+        lines.push_back({fmt::format("{}: {} %", vertex.vertex, percentText(vertex.weight))});
+    return lines;
+}
+
+Lines coordinatesLines(const UnitExplanation& unit) {
+    constexpr std::array names{"s", "t", "r"};
+    constexpr std::array inks{Ink::S, Ink::T, Ink::R};
+    const bool compares = isDepth(unit.internalFormat) && unit.sampler.compareMode == CompareMode::RToTexture;
+    const int count = compares ? 3 : coordinatesOf(unit.target);
+    Lines lines;
+    for (int i = 0; i < count; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        lines.push_back(
+            {fmt::format("{} {}", names.at(index), reference::numberText(unit.coords[i])), inks.at(index)});
+    }
+    return lines;
+}
+
+Lines lodLines(const UnitExplanation& unit) {
+    const reference::Lod& lod = unit.sample.lod;
+    Lines lines{{fmt::format("λ {}", reference::numberText(lod.lambda))}};
+    const bool isFactor = std::isfinite(lod.rho) && lod.rho > 0;
+    lines.push_back({lod.magnified ? isFactor && lod.rho < 1 ? fmt::format("magnified {:.3g}×", 1 / lod.rho)
+                                                             : std::string("magnified")
+                     : isFactor && lod.rho > 1 ? fmt::format("minified {:.3g}×", lod.rho)
+                                               : std::string("minified")});
+    if (lod.ellipse)
+        lines.push_back({"over an ellipse"});
+    else if (lod.probes > 1)
+        lines.push_back({fmt::format("{} probes", lod.probes)});
+    return lines;
+}
+
+Lines texelsLines(const UnitExplanation& unit) {
+    using Place = std::array<int, 4>;
+    std::vector<Place> places;
+    bool border = false;
+    for (const reference::Tap& tap : unit.sample.taps) {
+        places.push_back({tap.level, tap.index.x, tap.index.y, tap.index.z});
+        border |= tap.border;
+    }
+    std::ranges::sort(places);
+    const auto same = std::ranges::unique(places);
+    const auto count = same.begin() - places.begin();
+    const auto& levels = unit.sample.levels;
+    Lines lines{{count == 1 ? std::string("1 texel") : fmt::format("{} texels", count)}};
+    if (levels.size() == 1)
+        lines.push_back({fmt::format("level {}", levels[0].level)});
+    else if (levels.size() > 1)
+        lines.push_back({fmt::format("levels {}, {}", levels[0].level, levels[1].level)});
+    if (border)
+        lines.push_back({"with border"});
+    return lines;
+}
+
+Lines filterLines(const UnitExplanation& unit) {
+    const auto& levels = unit.sample.levels;
+    if (levels.size() < 2)
+        return {{std::string(unit.sample.lod.magnified ? rowOf(unit.sampler.magFilter).label
+                                                       : rowOf(unit.sampler.minFilter).label)},
+                colorLine(unit.sample.color)};
+    Lines lines;
+    for (const reference::LevelShare& share : levels)
+        lines.push_back({fmt::format("level {}: {} %", share.level, percentText(share.weight))});
+    lines.push_back(colorLine(unit.sample.color));
+    return lines;
+}
+
+Lines environmentLines(const UnitExplanation& unit) {
+    return {{std::string(rowOf(unit.mode).label), unit.equations.undefined ? Ink::Bad : Ink::Plain},
+            colorLine(unit.result),
+            {fmt::format("alpha {:.2f}", unit.result.a)}};
+}
+
+Lines testsLines(const FragmentExplanation& fragment) {
+    struct Words {
+        const char* off;
+        const char* passed;
+        const char* failed;
+    };
+    const auto line = [](const auto& test, const Words& words) -> CardLine {
+        if (!test.enabled)
+            return {words.off, Ink::Dim};
+        return test.passed ? CardLine{words.passed, Ink::Good} : CardLine{words.failed, Ink::Bad};
+    };
+    Lines lines{line(fragment.alphaTest, {"alpha: off", "alpha: passed", "alpha: failed"}),
+                line(fragment.depthTest, {"depth: off", "depth: passed", "depth: failed"})};
+    if (fragment.outcome == reference::FragmentOutcome::Drawn)
+        lines.push_back(fragment.blend.enabled ? CardLine{"blending: on"}
+                                               : CardLine{"blending: off", Ink::Dim});
+    return lines;
+}
+
+Lines pixelLines(const FragmentExplanation& fragment) {
+    const reference::PixelBytes& bytes = fragment.after;
+    return {{fmt::format("{} {} {}", bytes[0], bytes[1], bytes[2])}, {fmt::format("alpha {}", bytes[3])}};
+}
+
+Lines linesOf(Stage stage, const FragmentExplanation& fragment, const UnitExplanation* unit) {
+    switch (stage) {
+    case Stage::Vertices:
+        return verticesLines(fragment);
+    case Stage::Coordinates:
+        return coordinatesLines(*unit);
+    case Stage::LevelOfDetail:
+        return lodLines(*unit);
+    case Stage::Texels:
+        return texelsLines(*unit);
+    case Stage::Filter:
+        return filterLines(*unit);
+    case Stage::Environment:
+        return environmentLines(*unit);
+    case Stage::IdleUnit:
+        return {{"as if it were off", Ink::Bad}};
+    case Stage::ColorSum:
+        return {colorLine(fragment.summed)};
+    case Stage::Fog:
+        return {{fmt::format("f {}", reference::numberText(fragment.fog->factor))},
+                colorLine(fragment.color)};
+    case Stage::Tests:
+        return testsLines(fragment);
+    case Stage::Pixel:
+        break;
+    }
+    return pixelLines(fragment);
+}
+
+} // namespace
+
+std::vector<Card> cardsOf(const FragmentExplanation& fragment, const reference::FragmentSteps& steps) {
+    const bool severalUnits = fragment.units.size() + fragment.idle.size() > 1;
+    std::vector<Card> cards;
+    for (std::size_t i = 0; i < steps.steps.size(); ++i) {
+        const reference::Step& step = steps.steps[i];
+        const Stage stage = stageOf(step.kind);
+        if (!cards.empty() && cards.back().stage == stage && cards.back().unit == step.unit) {
+            cards.back().steps.push_back(i);
+            continue;
+        }
+        const auto unit = std::ranges::find(fragment.units, step.unit, &UnitExplanation::unit);
+        Card& card = cards.emplace_back(Card{stage, step.unit, rowOf(stage).name, {}, {i}});
+        if (step.unit >= 0 && severalUnits)
+            card.name = fmt::format("{}, unit {}", rowOf(stage).name, step.unit);
+        card.lines = linesOf(stage, fragment, unit == fragment.units.end() ? nullptr : &*unit);
+    }
+    return cards;
+}
+
+} // namespace texplorer::ui

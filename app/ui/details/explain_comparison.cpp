@@ -1,0 +1,73 @@
+#include "app/ui/details/explain_comparison.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::Explanation;
+using reference::Ink;
+using reference::PixelBytes;
+using reference::StepRow;
+
+glm::vec4 comparedColor(const PixelBytes& bytes) {
+    return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0F;
+}
+
+int differenceOf(const PixelBytes& expected, const PixelBytes& found) {
+    int most = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        most = std::max(most, std::abs(int{expected[i]} - int{found[i]}));
+    return most;
+}
+
+} // namespace
+
+Comparison compareRenderers(const Session& session, const Pictures& pictures,
+                            const Explanation& explanation) {
+    Comparison comparison;
+    const auto add = [&](RendererKind renderer, const PixelBytes& bytes, reference::StepCell remark) {
+        StepRow& row = comparison.rows.emplace_back();
+        row.label = rowOf(renderer).label;
+        row.swatch = comparedColor(bytes);
+        row.cells = {{reference::bytesText(bytes), Ink::Plain}, std::move(remark)};
+    };
+    add(RendererKind::Reference, explanation.bytes, {});
+    // While the scene moves the pictures are ahead of the answer: they have nothing in common.
+    const bool comparable = explainsThePicture(session);
+    for (const ViewFrame& view : pictures.frames) {
+        if (!view.image || !view.whole || view.image->width != explanation.width ||
+            view.image->height != explanation.height || view.image->format != PixelFormat::Rgba8)
+            continue;
+        PixelBytes bytes{};
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] =
+                std::to_integer<std::uint8_t>(view.image->at(explanation.pixel.x, explanation.pixel.y)[i]);
+        reference::StepCell remark;
+        if (comparable) {
+            const int most = differenceOf(explanation.bytes, bytes);
+            comparison.most = std::max(comparison.most, most);
+            comparison.compared.emplace_back(rowOf(view.renderer).label);
+            remark = most == 0
+                         ? reference::StepCell{"the same", Ink::Dim}
+                         : reference::StepCell{fmt::format("off by {}", most),
+                                               most > session.window.view.tolerance ? Ink::Bad : Ink::Plain};
+        }
+        add(view.renderer, bytes, std::move(remark));
+    }
+    return comparison;
+}
+
+bool mayDifferByMethod(const Session& session, const Explanation& explanation) {
+    const reference::FragmentExplanation* seen = explanation.seen();
+    return seen && session.window.view.anisotropy == reference::AnisotropyMethod::Probes &&
+           std::ranges::any_of(seen->units, [](const reference::UnitExplanation& unit) {
+               return unit.sampler.maxAnisotropy > 1 && unit.sample.lod.probes > 1;
+           });
+}
+
+} // namespace texplorer::ui

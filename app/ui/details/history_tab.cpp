@@ -1,0 +1,104 @@
+// The tab "History": the steps of undo as pictures, each as the view showed it.
+
+#include "app/ui/details/history_tab.h"
+
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float pictureWidth = 6.4F; // in widths of a letter m
+constexpr float pictureHeight = 4;
+
+std::string stepName(const History& history, std::size_t step) {
+    const std::string& name = history.nameOf(step);
+    return name.empty() ? "Start" : name;
+}
+
+std::string stepHelp(const History& history, std::size_t step) {
+    const std::string name = stepName(history, step);
+    const std::size_t present = history.position();
+    if (step == present)
+        return fmt::format("{}\nThe scene is here.", name);
+    if (step < present)
+        return fmt::format("{}\nClick: undo {}", name, countOf(present - step, "step"));
+    return fmt::format("{}\nClick: redo {}", name, countOf(step - present, "step"));
+}
+
+/// The picture in the middle of its place, whatever its shape.
+void drawStepPicture(ImDrawList& draw, const Image& image, view::PictureHandle picture, ImVec2 low,
+                     ImVec2 size, ImU32 tint) {
+    const float scale =
+        std::min(size.x / static_cast<float>(image.width), size.y / static_cast<float>(image.height));
+    const ImVec2 half(static_cast<float>(image.width) * scale / 2,
+                      static_cast<float>(image.height) * scale / 2);
+    const ImVec2 centre(low.x + size.x / 2, low.y + size.y / 2);
+    // The picture's first row is its bottom one.
+    draw.AddImage(textureId(picture), {centre.x - half.x, centre.y - half.y},
+                  {centre.x + half.x, centre.y + half.y}, {0, 1}, {1, 0}, tint);
+}
+
+/// True where it was clicked.
+bool stepCard(const History& history, std::size_t step, const Pictures& pictures) {
+    const float em = ImGui::GetFontSize();
+    const float pad = em * 0.3F;
+    const ImVec2 picture(em * pictureWidth, em * pictureHeight);
+    const ImVec2 size(picture.x + 2 * pad, picture.y + em * 1.3F + 2 * pad);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    const bool clicked = ImGui::InvisibleButton(fmt::format("step {}", step).c_str(), size);
+    noteItem(fmt::format("history:{}", step));
+    helpTip(stepHelp(history, step));
+    if (!ImGui::IsRectVisible(low, high))
+        return clicked;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const bool present = step == history.position();
+    const bool ahead = step > history.position();
+    if (ImGui::IsItemHovered())
+        draw.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_HeaderHovered), pad);
+    const ImVec2 inside(low.x + pad, low.y + pad);
+    draw.AddRectFilled(inside, {inside.x + picture.x, inside.y + picture.y}, color::ground);
+    const std::shared_ptr<const Image>& image = history.pictureOf(step);
+    if (const view::PictureHandle shown = image ? pictures.show(image) : view::PictureHandle::None;
+        shown != view::PictureHandle::None)
+        drawStepPicture(draw, *image, shown, inside, picture, IM_COL32(255, 255, 255, ahead ? 90 : 255));
+    if (present)
+        draw.AddRect(low, high, color::chosen, pad, 0, em * 0.12F);
+    const std::string name = fitted(stepName(history, step), picture.x);
+    draw.AddText({inside.x, inside.y + picture.y + pad}, ahead ? color::dim : color::text, name.c_str());
+    return clicked;
+}
+
+} // namespace
+
+void drawHistoryTab(Session& session, HistoryTabState& state, const Pictures& pictures) {
+    const History& history = session.document.history;
+    std::optional<std::size_t> wanted;
+    ImGui::BeginChild("steps");
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = ImGui::GetFontSize() * (pictureWidth + 0.6F);
+    const auto columns = std::max<std::size_t>(
+        1, static_cast<std::size_t>((ImGui::GetContentRegionAvail().x + gap) / (width + gap)));
+    for (std::size_t step = 0; step < history.size(); ++step) {
+        if (step % columns > 0)
+            ImGui::SameLine();
+        if (stepCard(history, step, pictures))
+            wanted = step;
+        if (step == history.position() && std::exchange(state.shown, step) != step)
+            ImGui::SetScrollHereY();
+    }
+    ImGui::EndChild();
+    if (wanted)
+        goToStep(session, *wanted);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,125 @@
+// The tab "A and B": what differs from what was kept as A, and taking it over.
+
+#include "app/ui/details/kept_tab.h"
+
+#include "app/ui/model/findings.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
+
+#include <fmt/core.h>
+
+#include <optional>
+
+namespace texplorer::ui {
+namespace {
+
+void followScene(const Session& session, KeptTabState& state) {
+    const Document& document = session.document;
+    if (state.kept == document.kept.scene && state.now == document.scene)
+        return;
+    state.kept = document.kept.scene;
+    state.now = document.scene;
+    state.changes = changesSinceKept(session);
+}
+
+/// Cut where the column ends; then a tooltip has it all.
+void cell(const std::string& text, ImU32 ink) {
+    ImGui::TableNextColumn();
+    if (fittedText(text, ink))
+        helpTip(text);
+}
+
+bool button(const char* label, std::string_view name, std::string_view help) {
+    const bool pressed = ImGui::Button(label);
+    noteItem(name);
+    helpTip(help);
+    ImGui::SameLine();
+    return pressed;
+}
+
+void beforeKeeping(Session& session) {
+    ImGui::TextWrapped(
+        "Keep the scene as A, change something, and see what it does: T flips between A and what is "
+        "now, Shift+T shows both across one picture, and each difference is listed here.");
+    if (ImGui::Button("Keep as A"))
+        keepAsA(session);
+    noteItem("a-b tab:keep");
+}
+
+void keptButtons(Session& session, std::size_t count) {
+    if (button("Keep as A", "a-b tab:keep", "The scene as it is now becomes A.\nKey K"))
+        keepAsA(session);
+    if (button(isKeptShown(session) ? "Show now" : "Show A", "a-b tab:flip", "What the view shows.\nKey T"))
+        flipKept(session);
+    if (button(isKeptBeside(session) ? "One picture" : "Split", "a-b tab:split",
+               "Both across one picture, or one again.\nKey Shift+T"))
+        splitKept(session);
+    ImGui::BeginDisabled(count == 0);
+    if (button("Take over all", "a-b tab:take all", "The scene becomes A again. Undo takes it back."))
+        takeAllFromKept(session);
+    ImGui::EndDisabled();
+    ImGui::NewLine();
+}
+
+/// The row whose value was asked for.
+std::optional<std::size_t> drawChanges(Session& session, const std::vector<SceneChange>& changes) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_NoSavedSettings |
+                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
+    std::optional<std::size_t> wanted;
+    if (!ImGui::BeginTable("changes", 4, flags))
+        return wanted;
+    const char* take = "Take over";
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Parameter", ImGuiTableColumnFlags_WidthStretch, 1.6F);
+    ImGui::TableSetupColumn("A", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("Now", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("##take", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoResize,
+                            ImGui::CalcTextSize(take).x + 2 * ImGui::GetStyle().FramePadding.x);
+    ImGui::TableHeadersRow();
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        const SceneChange& change = changes[i];
+        ImGui::PushID(change.path.c_str());
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        fittedText(fmt::format("{}   {}", change.label, change.path), color::text);
+        noteItem(fmt::format("change:{}", change.path));
+        if (ImGui::IsItemHovered())
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        helpTip(fmt::format("{}\nClick: show the setting", change.path));
+        if (ImGui::IsItemClicked())
+            reveal(session, change.path);
+        cell(change.from, color::dim);
+        cell(change.to, color::changed);
+        ImGui::TableNextColumn();
+        if (ImGui::SmallButton(take))
+            wanted = i;
+        noteItem(fmt::format("take:{}", change.path));
+        helpTip(fmt::format("{} becomes what it is in A: {}", change.label, change.from));
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+    return wanted;
+}
+
+} // namespace
+
+void drawKeptTab(Session& session, KeptTabState& state) {
+    followScene(session, state);
+    if (!session.document.kept.scene)
+        return beforeKeeping(session);
+    keptButtons(session, state.changes.size());
+    if (state.changes.empty()) {
+        ImGui::TextDisabled("Nothing differs from A but the place of the camera.");
+        noteItem("a-b tab:same");
+        return;
+    }
+    if (const std::optional<std::size_t> wanted = drawChanges(session, state.changes)) {
+        if (const Result<void> taken = takeFromKept(session, state.changes[*wanted]); !taken)
+            say(session, taken.error());
+    }
+}
+
+} // namespace texplorer::ui

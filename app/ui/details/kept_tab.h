@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+#include <memory>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// The list, and what it was made of.
+struct KeptTabState {
+    std::shared_ptr<const Scene> kept;
+    Scene now;
+    std::vector<SceneChange> changes;
+};
+
+void drawKeptTab(Session& session, KeptTabState& state);
+
+} // namespace texplorer::ui

@@ -1,0 +1,196 @@
+#include "app/ui/details/levels_tab.h"
+
+#include "app/ui/details/level_edits.h"
+#include "app/ui/details/level_strip_drawing.h"
+#include "app/ui/model/findings.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/drag_number.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr Range biasRange{-16, 16, 0.05F, {}};
+
+/// The pixel that one asks about, in words; else how to ask.
+void pixelLine(const Session& session, float room) {
+    const reference::LevelMap* map = levelMapOf(session);
+    const reference::PixelLevels* levels = askedLevels(session);
+    const std::string words = !map                  ? "No pixel reads a level"
+                              : levels              ? reference::levelsText(*map, *levels)
+                              : askedPixel(session) ? "This pixel reads no level"
+                                                    : "Point at a pixel of the view";
+    const std::string shown = fitted(words, room);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, levels ? color::probed : color::dim);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    noteItem(levels ? "levels:pixel" : "levels:hint");
+    if (levels)
+        helpTip(fmt::format("{}\n{}", words, reference::footprintText(*levels)));
+    else if (shown != words)
+        helpTip(words);
+}
+
+void switchButton(const char* label, const char* name, const char* help, bool& value) {
+    const bool on = value;
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
+                                              : ImGui::GetColorU32(ImGuiCol_Button));
+    if (ImGui::Button(label))
+        value = !value;
+    ImGui::PopStyleColor();
+    noteItem(name);
+    helpTip(help);
+}
+
+/// Why the texture is incomplete; nullptr: it isn't.
+const Finding* incompleteness(const Session& session, const std::string& texture) {
+    const auto found = std::ranges::find_if(session.document.findings, [&](const Finding& finding) {
+        return finding.rule == "incomplete" && finding.path.starts_with(texture);
+    });
+    return found == session.document.findings.end() ? nullptr : &*found;
+}
+
+/// Why less is read than one might think; empty: there is nothing to say.
+std::string remark(const Session& session, const Texture& texture, const Unit& unit,
+                   const LevelsSummary& summary) {
+    if (!unit.enabled)
+        return fmt::format("Unit {} is off: nothing reads its texture.", session.window.selection.unit);
+    const std::vector<LevelReport>& levels = summary.report.levels;
+    if (texture.baseLevel == texture.maxLevel && levels.size() > 1)
+        return fmt::format("Level {} alone is read, whatever λ is.", texture.baseLevel);
+    if (levels.size() == 1)
+        return "There is one level alone, the base: minified pixels have no smaller one to read.";
+    if (!reference::wantsMipmaps(texture.minFilter))
+        return fmt::format("{} reads the base level alone, whatever λ is.", rowOf(texture.minFilter).name);
+    return {};
+}
+
+void fixButtons(Session& session, const Finding& finding) {
+    for (const Fix& fix : finding.fixes) {
+        if (&fix != &finding.fixes.front() &&
+            ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(fix.label.c_str()) <
+                ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+            ImGui::SameLine();
+        if (ImGui::SmallButton(fix.label.c_str()))
+            session.window.wantedFix = fix;
+        noteItem("levels:fix " + fix.label);
+        helpTip(assignmentsOf(fix));
+    }
+}
+
+/// Of the texture and of the unit, which are added, and the way back to no limits.
+void biasLine(Session& session, const Texture& texture, const Unit& unit) {
+    const float field = ImGui::CalcTextSize("-16.00").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float button = buttonWidth("All levels");
+    const float words = ImGui::CalcTextSize("Biastexture+ unit").x;
+    const bool isBrief = words + 2 * field + 4 * gap + ImGui::GetStyle().ItemSpacing.x + button >
+                         ImGui::GetContentRegionAvail().x;
+    const auto number = [&](const char* label, const char* name, float value, const char* help,
+                            void (*set)(Session&, float)) {
+        ImGui::SameLine(0, gap);
+        ImGui::TextDisabled("%s", label);
+        ImGui::SameLine(0, gap);
+        ImGui::SetNextItemWidth(field);
+        if (dragNumber(fmt::format("##{}", name).c_str(), value, biasRange, -1))
+            set(session, value);
+        noteItem(name);
+        helpTip(help);
+        sealAfterItem(session);
+    };
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Bias");
+    number(
+        isBrief ? "" : "texture", "levels:texture bias", texture.lodBias,
+        "GL_TEXTURE_LOD_BIAS of the texture: added to λ. Below 0 larger levels are read, which is sharper.",
+        setTextureBias);
+    number(isBrief ? "+" : "+ unit", "levels:unit bias", unit.lodBias,
+           "GL_TEXTURE_LOD_BIAS of the unit: added to λ as well", setUnitBias);
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < button)
+        ImGui::NewLine();
+    else
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);
+    const bool limited = limitsLevels(session);
+    ImGui::BeginDisabled(!limited);
+    if (ImGui::Button("All levels"))
+        readAllLevels(session);
+    ImGui::EndDisabled();
+    noteItem("levels:all");
+    helpTip(limited ? "Gives base and max level, the limits of λ and both biases OpenGL's initial values"
+                    : "Nothing limits the levels that are read: base and max level, the limits of λ and both "
+                      "biases have OpenGL's initial values.");
+}
+
+void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictures,
+                 const LevelsSummary& summary) {
+    const Texture& texture = *boundTexture(std::as_const(session));
+    const Unit& unit = selectedUnit(session);
+    const char* equal = "=";
+    const float button = buttonWidth(equal);
+    const float left = ImGui::GetCursorPosX();
+    pixelLine(session, ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(std::max(left, ImGui::GetWindowContentRegionMax().x - button));
+    switchButton(
+        equal, "levels:equal",
+        "Equal sizes: shows every level as large as the others, not beside each other as large as they are. The "
+        "wheel enlarges them.",
+        state.equal);
+    const std::string path = elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + ".";
+    if (const Finding* incomplete = incompleteness(session, path)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextWrapped("%s", sentenceOf(*incomplete).c_str());
+        ImGui::PopStyleColor();
+        noteItem("levels:incomplete");
+        fixButtons(session, *incomplete);
+    } else if (const std::string words = remark(session, texture, unit, summary); !words.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+        ImGui::TextWrapped("%s", words.c_str());
+        ImGui::PopStyleColor();
+        noteItem("levels:remark");
+    }
+    drawLevelStrip(session, state, pictures, summary,
+                   ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y);
+    biasLine(session, texture, unit);
+}
+
+} // namespace
+
+void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pictures) {
+    const Texture* texture = boundTexture(std::as_const(session));
+    if (!texture) {
+        ImGui::TextWrapped("No texture is bound to this unit.");
+        noteItem("levels:none");
+        return;
+    }
+    if (!session.document.images.find(*texture)) {
+        ImGui::TextWrapped("The image is not loaded.");
+        return;
+    }
+    const std::shared_ptr<const LevelsSummary> summary =
+        session.services.levels.summary({session.document.images.picturesOf(*texture),
+                                         imageSettings(*texture), selectedUnit(session).target});
+    if (!summary) {
+        ImGui::TextDisabled("The levels are being made…");
+        noteItem("levels:waiting");
+    } else if (!summary->problem.empty() || summary->report.levels.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+        ImGui::TextWrapped("%s", summary->problem.empty() ? "There is no level." : summary->problem.c_str());
+        ImGui::PopStyleColor();
+        noteItem("levels:problem");
+    } else {
+        drawSummary(session, state, pictures, *summary);
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,155 @@
+#include "app/ui/details/step_rows.h"
+
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::Ink;
+using reference::StepRow;
+
+/// What a table of rows with the same number of cells takes: more than the panel has is reached by scrolling.
+float tableWidth(std::span<const StepRow> rows, float padding) {
+    std::vector<float> columns(rows.front().cells.size() + 1);
+    const auto widen = [](float& column, const std::string& words, float more) {
+        column = std::max(column, ImGui::CalcTextSize(words.c_str()).x + more);
+    };
+    for (const StepRow& row : rows) {
+        const float swatch =
+            row.swatch ? ImGui::GetTextLineHeight() * 0.8F + ImGui::GetStyle().ItemInnerSpacing.x : 0;
+        widen(columns[0], row.label, swatch);
+        for (std::size_t i = 0; i < row.cells.size(); ++i)
+            widen(columns[i + 1], row.cells[i].text, 0);
+    }
+    float width = 0;
+    for (const float column : columns)
+        width += std::ceil(column) + 2 * padding;
+    return width;
+}
+
+float cellPadding() {
+    return std::floor(ImGui::GetFontSize() * 0.18F);
+}
+
+/// Where the rows with as many cells as this one end.
+std::size_t tableEnd(const std::vector<StepRow>& rows, std::size_t first) {
+    std::size_t last = first;
+    while (last < rows.size() && rows[last].cells.size() == rows[first].cells.size())
+        ++last;
+    return last;
+}
+
+} // namespace
+
+ImU32 tintOf(Ink ink) {
+    switch (ink) {
+    case Ink::S:
+        return color::s;
+    case Ink::T:
+        return color::t;
+    case Ink::R:
+        return color::r;
+    case Ink::Q:
+        return color::q;
+    case Ink::Dim:
+        return color::dim;
+    case Ink::Good:
+        return color::t;
+    case Ink::Bad:
+        return color::problem;
+    case Ink::Plain:
+        break;
+    }
+    return color::text;
+}
+
+void inkText(const std::string& words, ImU32 tint) {
+    ImGui::PushStyleColor(ImGuiCol_Text, tint);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopStyleColor();
+}
+
+void hangingText(const std::string& words, ImU32 tint) {
+    const float em = ImGui::GetFontSize();
+    const float right = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX();
+    const float room = right - ImGui::GetCursorPosX();
+    const float width = ImGui::CalcTextSize(words.c_str()).x;
+    if (room < width && room < 14 * em) {
+        ImGui::NewLine();
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
+    }
+    ImGui::PushTextWrapPos(right);
+    inkText(words, tint);
+    ImGui::PopTextWrapPos();
+}
+
+void swatch(glm::vec4 color) {
+    const float side = ImGui::GetTextLineHeight() * 0.8F;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float top = at.y + ImGui::GetTextLineHeight() * 0.1F;
+    const glm::vec4 c = glm::clamp(color, 0.0F, 1.0F);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled({at.x, top}, {at.x + side, top + side},
+                       ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}));
+    draw.AddRect({at.x, top}, {at.x + side, top + side}, color::outline);
+    ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+}
+
+float rowsWidth(const std::vector<StepRow>& rows) {
+    float width = 0;
+    for (std::size_t first = 0; first < rows.size();) {
+        const std::size_t last = tableEnd(rows, first);
+        if (!rows[first].cells.empty())
+            width = std::max(width, tableWidth(std::span(rows).subspan(first, last - first), cellPadding()));
+        first = last;
+    }
+    return width;
+}
+
+void drawRows(const std::vector<StepRow>& rows) {
+    for (std::size_t first = 0; first < rows.size();) {
+        const std::size_t cells = rows[first].cells.size();
+        const std::size_t last = tableEnd(rows, first);
+        if (cells == 0) {
+            for (; first < last; ++first) {
+                ImGui::PushStyleColor(ImGuiCol_Text, tintOf(rows[first].ink));
+                ImGui::TextWrapped("%s", rows[first].label.c_str());
+                ImGui::PopStyleColor();
+            }
+            continue;
+        }
+        ImGui::PushID(static_cast<int>(first));
+        const float padding = cellPadding();
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
+        const int columns = static_cast<int>(cells) + 1;
+        const float width = tableWidth(std::span(rows).subspan(first, last - first), padding);
+        const bool open = ImGui::BeginTable(
+            "rows", columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings, {width, 0});
+        if (open) {
+            for (; first < last; ++first) {
+                const StepRow& row = rows[first];
+                ImGui::TableNextRow();
+                ImGui::TableNextColumn();
+                if (row.swatch) {
+                    swatch(*row.swatch);
+                    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+                }
+                inkText(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
+                for (const reference::StepCell& cell : row.cells) {
+                    ImGui::TableNextColumn();
+                    inkText(cell.text, tintOf(cell.ink));
+                }
+            }
+            ImGui::EndTable();
+        }
+        ImGui::PopStyleVar();
+        ImGui::PopID();
+        first = last;
+    }
+}
+
+} // namespace texplorer::ui

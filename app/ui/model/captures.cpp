@@ -1,0 +1,96 @@
+#include "app/ui/model/captures.h"
+
+#include "core/base/file_io.h"
+#include "core/base/user_folder.h"
+#include "core/codec/png/png.h"
+#include "core/image/convert.h"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr FailureWords captureFailure{"there is no memory for the picture", "the picture can't be written"};
+constexpr std::size_t longestUserDirs = 64U << 10;
+
+fs::path freeName(const fs::path& folder, const std::string& name) {
+    std::error_code ignored;
+    for (int number = 1;; ++number) {
+        fs::path file = folder / (number == 1 ? name + ".png" : fmt::format("{}-{}.png", name, number));
+        if (!fs::exists(fs::symlink_status(file, ignored)))
+            return file;
+    }
+}
+
+std::string captureProblem(const Error& error) {
+    return fmt::format("The picture can't be written: {}.", describe(error));
+}
+
+} // namespace
+
+fs::path picturesFolderIn(std::string_view userDirs, const fs::path& home) {
+    constexpr std::string_view key = "XDG_PICTURES_DIR=\"";
+    fs::path folder;
+    while (!userDirs.empty()) { // the last one counts, as in a shell
+        const std::string_view line = userDirs.substr(0, userDirs.find('\n'));
+        userDirs.remove_prefix(std::min(userDirs.size(), line.size() + 1));
+        if (!line.starts_with(key))
+            continue;
+        const std::string_view quoted = line.substr(key.size());
+        const std::string_view value = quoted.substr(0, quoted.find('"'));
+        constexpr std::string_view atHome = "$HOME/";
+        if (value.starts_with(atHome))
+            folder = home / value.substr(atHome.size());
+        else if (value.starts_with('/'))
+            folder = value;
+    }
+    return folder;
+}
+
+fs::path picturesFolderOfUser() {
+    const fs::path config = userFolder("XDG_CONFIG_HOME", ".config");
+    const char* home = std::getenv("HOME");
+    std::error_code failed;
+    if (!config.empty() && home) {
+        const Result<std::string> text = readText(config / "user-dirs.dirs", longestUserDirs);
+        const fs::path folder = text ? picturesFolderIn(*text, home) : fs::path{};
+        if (!folder.empty() && fs::is_directory(folder, failed))
+            return folder;
+    }
+    const fs::path working = fs::current_path(failed);
+    return failed ? fs::path(".") : working;
+}
+
+Captures::Captures(fs::path folder, When when, std::function<void()> wake)
+    : folder_(std::move(folder))
+    , writing_(
+          {when, JobOrder::Queue, captureFailure, std::move(wake)},
+          [this](const Writing::Task& task) {
+              const fs::path file = freeName(folder_, task.job().name);
+              const Result<Bytes> bytes = encodePng(withoutAlpha(*task.job().image));
+              if (!bytes)
+                  return captureProblem(bytes.error());
+              const Result<void> written = writeFileAtomically(file, *bytes);
+              return written ? fmt::format("Written: {}", file.string()) : captureProblem(written.error());
+          },
+          [](const Job& /*job*/, const Error& error) { return captureProblem(error); }) {}
+
+Captures::~Captures() {
+    writing_.wait(); // what the user has asked for isn't lost with the window
+}
+
+void Captures::write(std::string name, Image image) {
+    writing_.ask({std::move(name), std::make_shared<const Image>(std::move(image))});
+}
+
+std::optional<std::string> Captures::takeNews() {
+    std::vector<std::string> news = writing_.take();
+    return news.empty() ? std::nullopt : std::optional(std::move(news.back()));
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,89 @@
+#include "app/ui/model/consequence.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::LevelShare;
+using reference::UnitExplanation;
+
+/// "4", "1.5", "120"
+std::string timesText(double factor) {
+    return factor < 9.95 ? fmt::format("{:g}", std::round(factor * 10) / 10) : fmt::format("{:.0f}", factor);
+}
+
+/// Linear filtering reads 2 texels of a line, 4 of a picture, 8 of a volume.
+int neighbours(Target target) {
+    return target == Target::Texture1D ? 2 : target == Target::Texture3D ? 8 : 4;
+}
+
+std::string magnifiedText(const UnitExplanation& unit, const std::string& times) {
+    return unit.sampler.magFilter == MagFilter::Nearest
+               ? fmt::format("Magnified {}×: the nearest texel", times)
+               : fmt::format("Magnified {}×: linear, of {} texels", times, neighbours(unit.target));
+}
+
+std::string levelText(MinFilter filter, const std::string& times, int level) {
+    switch (filter) {
+    case MinFilter::Nearest:
+        return fmt::format("Minified {}×: the nearest texel of level {}, without mipmaps", times, level);
+    case MinFilter::Linear:
+        return fmt::format("Minified {}×: linear in level {}, without mipmaps", times, level);
+    case MinFilter::NearestMipmapNearest:
+    case MinFilter::NearestMipmapLinear:
+        return fmt::format("Minified {}×: the nearest texel of level {}", times, level);
+    case MinFilter::LinearMipmapNearest:
+    case MinFilter::LinearMipmapLinear:
+        break;
+    }
+    return fmt::format("Minified {}×: linear in level {}", times, level);
+}
+
+} // namespace
+
+std::string consequenceOf(const UnitExplanation& unit) {
+    const reference::Lod& lod = unit.sample.lod;
+    std::vector<LevelShare> levels = unit.sample.levels;
+    std::erase_if(levels, [](const LevelShare& share) { return share.weight <= 0; });
+    if (levels.empty() || !std::isfinite(lod.rho) || lod.rho <= 0)
+        return "The level of detail is undefined here";
+    if (lod.magnified)
+        return magnifiedText(unit, timesText(1 / lod.rho));
+    const std::string times = timesText(lod.rho);
+    if (lod.probes > 1)
+        return fmt::format("Minified {}×: {} samples along the footprint, level {}", times, lod.probes,
+                           levels.front().level);
+    if (levels.size() == 1)
+        return levelText(unit.sampler.minFilter, times, levels.front().level);
+    const int first = static_cast<int>(std::lround(100 * levels[0].weight));
+    return fmt::format("Minified {}×: {} % of level {}, {} % of level {}", times, first, levels[0].level,
+                       100 - first, levels[1].level);
+}
+
+std::string consequenceOf(const Session& session) {
+    const reference::Explanation* explanation = explanationOf(session);
+    if (!explanation)
+        return {};
+    if (const UnitExplanation* unit = probedUnit(session))
+        return consequenceOf(*unit);
+    const reference::FragmentExplanation* seen = explanation->seen();
+    if (!seen)
+        return "The background: nothing is drawn at this pixel";
+    if (seen->units.empty())
+        return "No texture is applied at this pixel";
+    return consequenceOf(seen->units.front());
+}
+
+std::string stateOf(const Document& document) {
+    const std::string_view edit = document.history.undoName();
+    const std::string name = document.file.filename().string();
+    if (!isDirty(document))
+        return name.empty() ? "Nothing to save yet" : fmt::format("{} is saved", name);
+    return edit.empty() ? "Not saved" : fmt::format("Changed last: {} · not saved", edit);
+}
+
+} // namespace texplorer::ui

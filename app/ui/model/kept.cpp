@@ -1,0 +1,121 @@
+#include "app/ui/model/kept.h"
+
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/session.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+/// What is looked at stays as it is, only from elsewhere.
+View lookedAtFrom(View view, const View& place) {
+    view.azimuth = place.azimuth;
+    view.elevation = place.elevation;
+    view.roll = place.roll;
+    view.distance = place.distance;
+    view.target = place.target;
+    return view;
+}
+
+bool differsInView(const Scene& a, const Scene& b) {
+    return lookedAtFrom(a.view, b.view) != b.view;
+}
+
+/// But for the place of the camera.
+bool isSame(const Scene& a, const Scene& b) {
+    return !differsInView(a, b) && a.light == b.light && a.material == b.material && a.models == b.models &&
+           a.textures == b.textures && a.passes == b.passes;
+}
+
+Scene keptFrom(const Session& session) {
+    Scene scene = *session.document.kept.scene;
+    scene.view = lookedAtFrom(scene.view, session.document.scene.view);
+    return scene;
+}
+
+} // namespace
+
+bool isKeptShown(const Session& session) {
+    return session.document.kept.flippedAt.has_value();
+}
+
+bool isKeptBeside(const Session& session) {
+    return session.window.view.arrangement == Arrangement::Kept;
+}
+
+void keepAsA(Session& session) {
+    session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt};
+    followKept(session);
+    tell(session, "Kept as A: change something, and compare it by the menu A/B.");
+}
+
+void flipKept(Session& session) {
+    Kept& kept = session.document.kept;
+    if (!kept.scene)
+        return;
+    const bool shown = isKeptShown(session);
+    if (isKeptBeside(session))
+        session.window.view.arrangement = Arrangement::One;
+    kept.flippedAt.reset();
+    if (!shown)
+        kept.flippedAt = session.document.scene;
+    followKept(session);
+}
+
+void splitKept(Session& session) {
+    Kept& kept = session.document.kept;
+    if (!kept.scene)
+        return;
+    kept.flippedAt.reset();
+    session.window.view.arrangement = isKeptBeside(session) ? Arrangement::One : Arrangement::Kept;
+    followKept(session);
+}
+
+void forgetKept(Session& session) {
+    session.document.kept = {};
+    followKept(session);
+}
+
+void followKept(Session& session) {
+    Kept& kept = session.document.kept;
+    ViewSettings& view = session.window.view;
+    if (!kept.scene && view.arrangement == Arrangement::Kept)
+        view.arrangement = Arrangement::One;
+    if (kept.flippedAt && (!isSame(*kept.flippedAt, session.document.scene) || isComparing(view)))
+        kept.flippedAt.reset();
+    if (!kept.flippedAt && view.arrangement != Arrangement::Kept)
+        kept.seen.reset();
+    else if (!kept.seen || kept.seen->view != lookedAtFrom(kept.seen->view, session.document.scene.view))
+        kept.seen = std::make_shared<const Scene>(keptFrom(session));
+}
+
+std::vector<SceneChange> changesSinceKept(const Session& session) {
+    if (!session.document.kept.scene)
+        return {};
+    return changesBetween(keptFrom(session), session.document.scene);
+}
+
+Result<void> takeFromKept(Session& session, const SceneChange& change) {
+    Scene edited = session.document.scene;
+    if (Result<void> taken = takeOver(edited, keptFrom(session), change.path); !taken)
+        return taken;
+    session.document.scene = std::move(edited);
+    sealEdit(session);
+    recordEdit(session, fmt::format("{} of A", change.label), change.path);
+    sealEdit(session);
+    return {};
+}
+
+void takeAllFromKept(Session& session) {
+    if (!session.document.kept.scene)
+        return;
+    session.document.scene = keptFrom(session);
+    sealEdit(session);
+    recordEdit(session, "All of A");
+    sealEdit(session);
+}
+
+} // namespace texplorer::ui

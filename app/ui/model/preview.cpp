@@ -1,0 +1,41 @@
+#include "app/ui/model/preview.h"
+
+#include "app/ui/model/session.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace texplorer::ui {
+
+void preview(Session& session, std::string_view choice, std::string_view text,
+             const std::function<void(Scene&)>& edit) {
+    std::optional<Preview>& shown = session.window.preview;
+    const Scene& scene = session.document.scene;
+    if (!shown || shown->choice != choice || shown->madeOf != scene) {
+        Scene edited = scene;
+        edit(edited);
+        const bool isLoaded = std::ranges::all_of(
+            filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
+        if (!isLoaded)
+            return;
+        shown = Preview{std::string(choice), std::string(text),
+                        std::make_shared<const Scene>(std::move(edited)), scene};
+    }
+    shown->wanted = true;
+}
+
+void endPreview(Session& session) {
+    std::optional<Preview>& shown = session.window.preview;
+    if (shown && !std::exchange(shown->wanted, false))
+        shown.reset();
+}
+
+const Scene& shownScene(const Session& session) {
+    if (session.window.preview)
+        return *session.window.preview->scene;
+    return isKeptShown(session) && session.document.kept.seen ? *session.document.kept.seen
+                                                              : session.document.scene;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,157 @@
+#include "app/ui/model/settings_file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+using SettingsJson = nlohmann::ordered_json;
+
+constexpr std::size_t mostPinned = 1000;
+
+/// A member that is remembered. `read` says what it expected where it can't take the value.
+struct SettingRow {
+    const char* key;
+    SettingsJson (*write)(const Settings& settings);
+    const char* (*read)(const SettingsJson& value, Settings& settings);
+};
+
+template<bool Settings::*member>
+constexpr SettingRow switchRow(const char* key) {
+    return {key, [](const Settings& settings) { return SettingsJson(settings.*member); },
+            [](const SettingsJson& value, Settings& settings) -> const char* {
+                if (!value.is_boolean())
+                    return "true or false";
+                settings.*member = value.get<bool>();
+                return nullptr;
+            }};
+}
+
+SettingsJson writeTheme(const Settings& settings) {
+    return std::ranges::find(themeRows, settings.theme, &ThemeRow::theme)->name;
+}
+
+const char* readTheme(const SettingsJson& value, Settings& settings) {
+    const auto row = value.is_string()
+                         ? std::ranges::find(themeRows, value.get<std::string>(), &ThemeRow::name)
+                         : themeRows.end();
+    if (row == themeRows.end())
+        return "the name of a theme";
+    settings.theme = row->theme;
+    return nullptr;
+}
+
+const char* readTextPercent(const SettingsJson& value, Settings& settings) {
+    if (!value.is_number_integer() || value < Settings::smallestText || value > Settings::largestText)
+        return "a whole number from 75 to 250";
+    settings.textPercent = value.get<int>();
+    return nullptr;
+}
+
+const char* readPinned(const SettingsJson& value, Settings& settings) {
+    const auto isText = [](const SettingsJson& each) { return each.is_string(); };
+    if (!value.is_array() || value.size() > mostPinned || !std::ranges::all_of(value, isText))
+        return "a list of parameters";
+    settings.pinned = value.get<std::vector<std::string>>();
+    return nullptr;
+}
+
+const char* readWorkspace(const SettingsJson& value, Settings& settings) {
+    Result<Workspace> workspace = parseWorkspace(value.dump());
+    if (!workspace)
+        return "which panels are open, and where";
+    settings.workspace = *workspace;
+    return nullptr;
+}
+
+constexpr std::array settingRows{
+    SettingRow{"theme", writeTheme, readTheme},
+    SettingRow{"textPercent", [](const Settings& settings) { return SettingsJson(settings.textPercent); },
+               readTextPercent},
+    switchRow<&Settings::glNames>("glNames"),
+    switchRow<&Settings::helpBelow>("helpBelow"),
+    switchRow<&Settings::hasSeenTour>("hasSeenTour"),
+    SettingRow{"pinned", [](const Settings& settings) { return SettingsJson(settings.pinned); }, readPinned},
+    SettingRow{
+        "workspace",
+        [](const Settings& settings) { return SettingsJson::parse(writeWorkspace(settings.workspace)); },
+        readWorkspace},
+};
+
+Result<SettingsJson> parseText(std::string_view json) {
+    constexpr int deepest = 32; // nlohmann-json writes by recursion
+    bool isTooDeep = false;
+    SettingsJson value = SettingsJson::parse(
+        json,
+        [&isTooDeep](int depth, SettingsJson::parse_event_t, const SettingsJson&) {
+            isTooDeep = isTooDeep || depth > deepest;
+            return !isTooDeep;
+        },
+        false);
+    if (isTooDeep)
+        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", deepest));
+    if (value.is_discarded())
+        return fail(ErrorCode::Malformed, "expected JSON");
+    return value;
+}
+
+std::string settingsText(const SettingsJson& value) {
+    return value.dump(4, ' ', false, SettingsJson::error_handler_t::replace) + '\n';
+}
+
+} // namespace
+
+std::string writeSettings(const Settings& settings, std::string_view before) {
+    const Result<SettingsJson> parsed = parseText(before);
+    SettingsJson object = parsed && parsed->is_object() ? *parsed : SettingsJson::object();
+    for (const SettingRow& row : settingRows)
+        object[row.key] = row.write(settings);
+    return settingsText(object);
+}
+
+Result<Settings> parseSettings(std::string_view json) {
+    const Result<SettingsJson> object = parseText(json);
+    if (!object)
+        return fail(object.error());
+    if (!object->is_object())
+        return fail(ErrorCode::Malformed, "expected an object");
+    Settings settings;
+    for (const SettingRow& row : settingRows) {
+        const auto value = object->find(row.key);
+        if (value == object->end())
+            continue;
+        if (const char* expected = row.read(*value, settings))
+            return fail(ErrorCode::Malformed, fmt::format("expected {}", expected),
+                        fmt::format("/{}", row.key));
+    }
+    return settings;
+}
+
+std::string writeRecentFiles(const Settings& settings) {
+    SettingsJson list = SettingsJson::array();
+    for (const std::filesystem::path& file : settings.recentFiles)
+        list.push_back(file.string());
+    return settingsText(list);
+}
+
+Result<std::vector<std::filesystem::path>> parseRecentFiles(std::string_view json) {
+    const Result<SettingsJson> list = parseText(json);
+    if (!list)
+        return fail(list.error());
+    if (!list->is_array())
+        return fail(ErrorCode::Malformed, "expected a list of files");
+    std::vector<std::filesystem::path> files;
+    for (const SettingsJson& each : *list) {
+        if (!each.is_string())
+            return fail(ErrorCode::Malformed, "expected a list of files", fmt::format("/{}", files.size()));
+        if (files.size() < mostRecentFiles)
+            files.emplace_back(each.get<std::string>());
+    }
+    return files;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,95 @@
+#include "app/ui/model/texshot_command.h"
+
+#include "core/scene/params/keys.h"
+#include "core/scene/params/params.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+struct Assignment {
+    std::string path;
+    std::string value;
+};
+
+/// What has to be set in `base`, and what has to be said although it is the same.
+std::vector<Assignment> assignmentsTo(const Scene& base, const Scene& scene, std::string_view always) {
+    std::map<std::string, Value> before;
+    forEachParam(base, [&](const std::string& path, const ParamRow& /*row*/, const Value& value) {
+        before.emplace(path, value);
+    });
+    std::vector<Assignment> assignments;
+    forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value& value) {
+        const auto found = before.find(path);
+        if (found == before.end() || found->second != value || (!always.empty() && path.starts_with(always)))
+            assignments.push_back({path, formatValue(row, value)});
+    });
+    return assignments;
+}
+
+/// In an order in which one after the other can be made: a unit can't be switched on before it has a texture.
+/// False where there is none, or they don't lead there.
+bool canBeMade(std::vector<Assignment>& assignments, Scene base, const Scene& scene) {
+    std::vector<Assignment> ordered;
+    while (!assignments.empty()) {
+        const std::size_t before = assignments.size();
+        std::erase_if(assignments, [&](const Assignment& each) {
+            const bool made = setParam(base, each.path, each.value).has_value();
+            if (made)
+                ordered.push_back(each);
+            return made;
+        });
+        if (assignments.size() == before)
+            return false;
+    }
+    assignments = std::move(ordered);
+    return base == scene;
+}
+
+} // namespace
+
+std::string shellWord(std::string_view text) {
+    constexpr std::string_view harmless =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
+    if (!text.empty() && text.find_first_not_of(harmless) == std::string_view::npos)
+        return std::string(text);
+    std::string word = "'";
+    for (const char letter : text)
+        word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+    return word + "'";
+}
+
+Result<std::string> texshotCommand(const Session& session, view::Size picture) {
+    const Document& document = session.document;
+    const bool hasFile = !document.file.empty();
+    const Scene base = hasFile ? document.saved : defaultScene();
+    // A camera that was fitted to the window is not in the file.
+    const std::string view =
+        document.fit.aspect > 0 ? std::string(keyOf<&Scene::view>()) + "." : std::string();
+    std::vector<Assignment> assignments = assignmentsTo(base, document.scene, view);
+    if (!canBeMade(assignments, base, document.scene))
+        return fail(
+            ErrorCode::Unsupported,
+            "models, textures or passes were added or taken away, which --set can't say: save the scene "
+            "first");
+    std::string command = "texshot shot";
+    if (hasFile)
+        command += ' ' + shellWord(document.file.string());
+    for (const Assignment& each : assignments)
+        command += " --set " + shellWord(each.path + '=' + each.value);
+    if (session.window.playback.time != 0)
+        command += fmt::format(" --time {}", session.window.playback.time);
+    if (session.window.view.renderer != RendererKind::Fixed)
+        command += fmt::format(" --renderer {}", rowOf(session.window.view.renderer).name);
+    const std::string name = hasFile ? document.file.stem().string() : std::string("scene");
+    return fmt::format("{} --size {}x{} -o {}", command, picture.width, picture.height,
+                       shellWord(name + ".png"));
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+#include "app/view/size.h"
+
+#include <string>
+#include <string_view>
+
+namespace texplorer::ui {
+
+/// A command line for a shell that draws what the view shows: "texshot shot earth.json --set … -o earth.png".
+/// Errors: what differs from the scene's file, or from the start, can't be said by --set.
+[[nodiscard]] Result<std::string> texshotCommand(const Session& session, view::Size picture);
+
+/// As one word of a POSIX shell.
+[[nodiscard]] std::string shellWord(std::string_view text);
+
+} // namespace texplorer::ui

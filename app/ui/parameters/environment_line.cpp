@@ -1,0 +1,198 @@
+#include "app/ui/parameters/environment_line.h"
+
+#include "app/ui/model/preview.h"
+#include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/reference/sampling/sampled_texture.h"
+#include "core/reference/shading/combine.h"
+#include "core/reference/shading/equation_text.h"
+#include "core/scene/model_mesh.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::EnvironmentEquations;
+using reference::EnvironmentInputs;
+
+/// What an environment was given and made of it.
+struct EnvironmentSample {
+    BaseFormat format = BaseFormat::Rgba;
+    EnvironmentInputs inputs;
+    EnvironmentEquations equations;
+    glm::vec4 result{0};
+    bool probed = false;
+};
+
+/// The mean of a small Rgba8 picture, which is that of the large one.
+glm::vec4 meanOf(const Image& image) {
+    std::array<std::uint64_t, 4> sums{};
+    for (std::size_t i = 0; i + 4 <= image.pixels.size(); i += 4) {
+        for (std::size_t c = 0; c < 4; ++c)
+            sums[c] += std::to_integer<std::uint64_t>(image.pixels[i + c]);
+    }
+    const auto most = 255 * static_cast<float>(std::max<std::size_t>(1, image.pixels.size() / 4));
+    return glm::vec4(sums[0], sums[1], sums[2], sums[3]) / most;
+}
+
+BaseFormat formatOf(const Texture& texture, const LevelsSummary* summary) {
+    if (summary && summary->compressed)
+        return baseFormat(*summary->compressed);
+    return isDepth(texture.internalFormat) || texture.source == SourceKind::LightDepth
+               ? baseFormat(texture.depthMode)
+               : baseFormat(texture.internalFormat);
+}
+
+/// The units of a pass up to the selected one, with glColor and the mean of each image.
+EnvironmentSample referenceSample(Session& session, const Scene& scene, const Pass& pass) {
+    const auto chosen = static_cast<std::size_t>(session.window.selection.unit);
+    const auto model = static_cast<std::size_t>(session.window.selection.model);
+    const glm::vec4 primary = glm::clamp(
+        model < scene.models.size() ? materialOf(scene, scene.models[model]).color : scene.material.color,
+        0.0F, 1.0F);
+    EnvironmentSample sample;
+    std::array<glm::vec4, maxUnits> sources{};
+    std::array<const glm::vec4*, maxUnits> textures{};
+    std::array<BaseFormat, maxUnits> formats{};
+    for (std::size_t u = 0; u < maxUnits; ++u) {
+        const Texture* texture = textureOf(scene, pass.units[u]);
+        if (!texture || (u != chosen && !pass.units[u].enabled))
+            continue;
+        const auto summary = summaryOf(session, *texture, pass.units[u].target);
+        const bool isThere = summary && !summary->levels.empty();
+        formats[u] = formatOf(*texture, summary.get());
+        sources[u] = reference::sourceColor(formats[u],
+                                            isThere ? meanOf(*summary->levels.front().second) : glm::vec4(1));
+        textures[u] = &sources[u];
+    }
+    glm::vec4 previous = primary;
+    for (std::size_t u = 0; u <= chosen; ++u) {
+        const Unit& unit = pass.units[u];
+        if (u != chosen && !textures[u])
+            continue;
+        sample.format = formats[u];
+        sample.inputs = {previous, sources[u], glm::clamp(unit.envColor, 0.0F, 1.0F), primary};
+        const bool combines = unit.envMode == EnvMode::Combine;
+        sample.equations = combines ? reference::equationsOf(unit.combine, sample.inputs, textures)
+                                    : reference::equationsOf(unit.envMode, sample.format, sample.inputs);
+        previous = (combines ? reference::evaluate(unit.combine, sample.inputs, textures)
+                             : reference::evaluate(unit.envMode, sample.format, sample.inputs))
+                       .color;
+    }
+    sample.result = previous;
+    return sample;
+}
+
+EnvironmentSample sampleOf(Session& session, const Scene& scene, const Pass& pass) {
+    const Unit& unit = pass.units[static_cast<std::size_t>(session.window.selection.unit)];
+    const reference::UnitExplanation* probed = probedUnit(session);
+    if (probed && probed->mode == unit.envMode)
+        return {probed->format, probed->inputs, probed->equations, probed->result, true};
+    return referenceSample(session, scene, pass);
+}
+
+/// With the signs that one writes by hand.
+std::string written(std::string symbols) {
+    constexpr std::array<std::array<std::string_view, 2>, 2> signs{{{" * ", " × "}, {" - ", " − "}}};
+    for (const auto& [from, to] : signs) {
+        for (std::size_t at = symbols.find(from); at != std::string::npos; at = symbols.find(from, at))
+            symbols.replace(at, from.size(), to);
+    }
+    return symbols;
+}
+
+std::string numbersOf(glm::vec4 color) {
+    using reference::shortNumber;
+    return fmt::format("({}, {}, {}), alpha {}", shortNumber(color.r), shortNumber(color.g),
+                       shortNumber(color.b), shortNumber(color.a));
+}
+
+void equationLine(const reference::Equation& equation, std::string_view name) {
+    const std::string line = written(equation.symbols);
+    ImGui::PushFont(codeFont());
+    const bool isCut = fittedText(line, color::text);
+    ImGui::PopFont();
+    noteItem(fmt::format("environment:{}", name));
+    noteItem(fmt::format("environment:{}", line));
+    std::string tip = isCut ? line : std::string();
+    for (const std::string& numbers : equation.numbers)
+        tip += (tip.empty() ? "" : "\n") + written(numbers);
+    helpTip(tip);
+}
+
+/// A colour with its name; its alpha shows as a checker behind the right half.
+void swatch(const char* name, glm::vec4 value, bool counts, const std::string& tip) {
+    const float extent = ImGui::GetFontSize();
+    ImGui::PushStyleColor(ImGuiCol_Text, counts ? color::text : color::dim);
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, ImGui::GetFontSize() * 0.25F);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (counts ? 1.0F : 0.35F));
+    ImGui::ColorButton(name, {value.r, value.g, value.b, value.a},
+                       ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_AlphaPreviewHalf |
+                           ImGuiColorEditFlags_NoDragDrop,
+                       {extent * 1.6F, extent});
+    ImGui::PopStyleVar();
+    noteItem(fmt::format("environment:{}", name));
+    helpTip(tip);
+}
+
+bool hasSymbol(const EnvironmentEquations& equations, const char* color, const char* alpha) {
+    const auto has = [&](const reference::Equation& equation, const char* symbol) {
+        return equation.symbols.find(symbol) != std::string::npos;
+    };
+    return has(equations.color, color) || has(equations.color, alpha) || has(equations.alpha, color) ||
+           has(equations.alpha, alpha);
+}
+
+} // namespace
+
+void environmentLine(Session& session) {
+    const Scene& scene = shownScene(session);
+    const auto number = static_cast<std::size_t>(session.window.selection.pass);
+    if (number >= scene.passes.size())
+        return;
+    const EnvironmentSample sample = sampleOf(session, scene, scene.passes[number]);
+    ImGui::PushID("environment");
+    ImGui::BeginGroup();
+    equationLine(sample.equations.color, "color");
+    equationLine(sample.equations.alpha, "alpha");
+    ImGui::EndGroup();
+    const float gap = ImGui::GetFontSize() * 0.6F;
+    const char* before = session.window.selection.unit == 0
+                             ? "Cp: the fragment's colour, of lighting or glColor"
+                             : "Cp: what the units before this one made";
+    const char* source = sample.probed ? "Cs: the texture's colour at the probed pixel"
+                                       : "Cs: the texture's colour, here the mean of its image";
+    swatch("Cp", sample.inputs.previous, hasSymbol(sample.equations, "Cp", "Ap"),
+           fmt::format("{}\n{}", before, numbersOf(sample.inputs.previous)));
+    ImGui::SameLine(0, gap);
+    swatch("Cs", sample.inputs.source, hasSymbol(sample.equations, "Cs", "As"),
+           fmt::format("{}\n{}", source, numbersOf(sample.inputs.source)));
+    ImGui::SameLine(0, gap);
+    swatch("Cc", sample.inputs.constant, hasSymbol(sample.equations, "Cc", "Ac"),
+           fmt::format("Cc: the environment colour\n{}", numbersOf(sample.inputs.constant)));
+    ImGui::SameLine(0, gap);
+    dimText("→");
+    ImGui::SameLine(0, gap);
+    swatch("Cv", sample.result, true,
+           fmt::format("{}\n{}",
+                       sample.probed
+                           ? "Cv: what this unit made of the probed pixel"
+                           : "Cv: what this unit makes of glColor and the image's mean. Hold E over "
+                             "a pixel, and it is that of the pixel.",
+                       numbersOf(sample.result)));
+    if (sample.probed)
+        noteItem("environment:probed");
+    ImGui::PopID();
+}
+
+} // namespace texplorer::ui

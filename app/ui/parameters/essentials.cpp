@@ -1,0 +1,288 @@
+#include "app/ui/parameters/essentials.h"
+
+#include "app/ui/model/findings.h"
+#include "app/ui/model/pinned.h"
+#include "app/ui/model/preview.h"
+#include "app/ui/model/tex_coord_edits.h"
+#include "app/ui/parameters/environment_line.h"
+#include "app/ui/parameters/image_choice.h"
+#include "app/ui/parameters/matrix_section.h"
+#include "app/ui/parameters/param_places.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
+#include "core/scene/drawn_models.h"
+#include "core/scene/params/keys.h"
+#include "core/scene/tex_coords.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::array anisotropySteps{1, 2, 4, 8, 16};
+
+const ParamRow& essentialRow(const StructTable& table, std::string_view key) {
+    return *findParam(table, key); // keys are those of rows
+}
+
+void stepVertex(Session& session, bool forwards) {
+    const std::size_t count = selectedMesh(session).vertices.size();
+    std::optional<std::size_t>& vertex = session.window.selection.vertex;
+    const std::size_t next = vertex ? *vertex + 1 : 0;
+    const std::size_t previous = vertex && *vertex > 0 ? *vertex - 1 : count - 1;
+    vertex = forwards ? next % count : previous;
+}
+
+/// s and t of the chosen vertex, each a number that one drags.
+void vertexNumbers(Session& session, float width) {
+    Model& model = *selectedModel(session);
+    const int unit = session.window.selection.unit;
+    const std::size_t vertex = *session.window.selection.vertex;
+    const std::shared_ptr<const Mesh> kept = session.window.mesh; // while it is edited
+    glm::vec4 value = effectiveTexCoord(model, *kept, unit, vertex);
+    constexpr std::array names{"vertex s", "vertex t"};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    for (int i = 0; i < 2; ++i) {
+        ImGui::PushID(i);
+        ImGui::PushStyleColor(ImGuiCol_Text, componentColor(i));
+        ImGui::TextUnformatted(i == 0 ? "s" : "t");
+        ImGui::PopStyleColor();
+        ImGui::SameLine(0, gap / 2);
+        ImGui::SetNextItemWidth(std::max(1.0F, width - ImGui::GetFontSize() * 0.6F - gap / 2));
+        if (dragNumber("##coordinate", value[i], coordRange, i)) {
+            setTexCoord(model, *kept, unit, vertex, value);
+            recordEdit(session, fmt::format("Move vertex {}", vertex),
+                       fmt::format("models[{}].texCoords{}", session.window.selection.model, unit));
+        }
+        noteItem(names.at(static_cast<std::size_t>(i)));
+        sealAfterItem(session);
+        helpTip(i == 0 ? "s of the vertex: 0 is the left edge of the image, 1 the right one. Drag it, or "
+                         "double-click to type a number."
+                       : "t of the vertex: 0 is the lower edge of the image, 1 the upper one. Drag it, or "
+                         "double-click to type a number.");
+        ImGui::PopID();
+        if (i == 0)
+            ImGui::SameLine(0, gap);
+    }
+}
+
+void vertexLine(Session& session) {
+    const Model* model = selectedModel(session);
+    const std::size_t count = selectedMesh(session).vertices.size();
+    const std::optional<std::size_t> vertex = session.window.selection.vertex;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, vertex ? color::chosen : color::text);
+    ImGui::TextUnformatted("Vertex");
+    ImGui::PopStyleColor();
+    if (model && count > 0)
+        helpTip(fmt::format("Of model {}, {}, which has the vertices 0 to {}", session.window.selection.model,
+                            nameOf(*model), count - 1));
+    ImGui::SameLine(0, gap);
+    if (squareButton("◀", "previous vertex", "The vertex before this one", count > 0))
+        stepVertex(session, false);
+    ImGui::SameLine(0, gap / 2);
+    if (vertex) {
+        const std::string number = std::to_string(*vertex);
+        ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
+        ImGui::TextUnformatted(number.c_str());
+        ImGui::PopStyleColor();
+        noteItem("vertex number");
+        ImGui::SameLine(0, gap / 2);
+    }
+    if (squareButton("▶", "next vertex", "The vertex after this one", count > 0))
+        stepVertex(session, true);
+    ImGui::SameLine(0, gap);
+    if (!vertex || count == 0) {
+        ImGui::PushTextWrapPos(0);
+        dimText("Click one in either view.");
+        ImGui::PopTextWrapPos();
+        noteItem("no vertex");
+        return;
+    }
+    vertexNumbers(session, std::floor((ImGui::GetContentRegionAvail().x - gap) / 2));
+}
+
+/// "s [Repeat] [Mirror] …": the letter in its colour, and the choices beside it.
+void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axis) {
+    constexpr std::array letters{"s", "t", "r"};
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, componentColor(axis));
+    ImGui::TextUnformatted(letters.at(static_cast<std::size_t>(axis)));
+    ImGui::PopStyleColor();
+    helpTip(row.help);
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(ImGui::GetCursorStartPos().x + ImGui::GetFontSize() * 0.9F);
+    paramControl(session, owner, row, ImGui::GetContentRegionAvail().x, 2);
+}
+
+/// A caption at the left and a colour at the right of one line.
+void captionWithColor(Session& session, const char* words, const Owner& owner, const ParamRow& row) {
+    const float swatch = ImGui::GetFontSize() * 4;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(words);
+    const std::string_view name = shownName(session.window.settings, row);
+    const float width = ImGui::CalcTextSize(name.data(), name.data() + name.size()).x;
+    const float at = ImGui::GetContentRegionMax().x - swatch - width - ImGui::GetStyle().ItemInnerSpacing.x;
+    if (at > ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize())
+        ImGui::SameLine(at);
+    const Finding* idle = idleReasonOf(session.document.findings, owner.pathOf(row));
+    ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
+    text(name);
+    ImGui::PopStyleColor();
+    helpTip(idle ? fmt::format("{}\nNo effect now: {}.", row.help, idle->sentence) : std::string(row.help));
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    paramControl(session, owner, row, ImGui::GetContentRegionAvail().x);
+}
+
+void wrapBlock(Session& session, const Owner& owner) {
+    const StructTable& table = textureTable();
+    captionWithColor(session, "Wrap", owner, essentialRow(table, keyOf<&Texture::borderColor>()));
+    const std::array rows{&essentialRow(table, keyOf<&Texture::wrapS>()),
+                          &essentialRow(table, keyOf<&Texture::wrapT>()),
+                          &essentialRow(table, keyOf<&Texture::wrapR>())};
+    const int axes = std::max(2, coordinatesOf(selectedUnit(session).target));
+    for (int axis = 0; axis < axes; ++axis) {
+        const ParamRow& row = *rows.at(static_cast<std::size_t>(axis));
+        if (session.window.settings.glNames)
+            paramWidget(session, owner, row);
+        else
+            wrapLine(session, owner, row, axis);
+    }
+}
+
+/// The usual degrees as buttons, and the number.
+void anisotropyLine(Session& session, const Owner& owner) {
+    const ParamRow& row = essentialRow(textureTable(), keyOf<&Texture::maxAnisotropy>());
+    const std::string path = owner.pathOf(row);
+    const float value = std::get<float>(row.read(owner.values));
+    const bool inert = idleReasonOf(session.document.findings, path) != nullptr;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
+    ImGui::TextUnformatted("Anisotropy");
+    ImGui::PopStyleColor();
+    helpTip(row.help);
+    ImGui::SameLine();
+    std::vector<Segment> segments;
+    for (const int step : anisotropySteps)
+        segments.push_back({std::to_string(step)});
+    const float number = ImGui::GetFontSize() * 3.2F;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::optional<SegmentPlan> plan =
+        planSegments(segments, ImGui::GetContentRegionAvail().x - number - gap, 1);
+    if (plan) {
+        const auto* found =
+            std::ranges::find(anisotropySteps, value, [](int step) { return static_cast<float>(step); });
+        const auto chosen = found == anisotropySteps.end()
+                                ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - anisotropySteps.begin()));
+        ImGui::PushID("anisotropy");
+        ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
+        const auto pressed = drawSegments(segments, *plan, chosen, [&](std::size_t i) {
+            noteItem(fmt::format("{}={}", path, anisotropySteps.at(i)));
+            helpTip(fmt::format("Up to {} samples along the longer side of a pixel's footprint",
+                                anisotropySteps.at(i)));
+            if (ImGui::IsItemHovered() && i != chosen)
+                preview(session, fmt::format("{}={}", path, anisotropySteps.at(i)),
+                        fmt::format("{}: {}", row.label, anisotropySteps.at(i)), [&](Scene& scene) {
+                            (void)setParam(scene, path, std::to_string(anisotropySteps.at(i)));
+                        });
+        });
+        ImGui::PopStyleColor();
+        ImGui::PopID();
+        if (pressed && pressed != chosen) {
+            sealEdit(session);
+            assignParam(session, owner, row, static_cast<float>(anisotropySteps.at(*pressed)));
+            sealEdit(session);
+        }
+        ImGui::SameLine(0, gap);
+    }
+    paramControl(session, owner, row, ImGui::GetContentRegionAvail().x);
+}
+
+/// A little room between what belongs together and the next.
+void blockEnds() {
+    ImGui::Dummy({0, std::floor(ImGui::GetStyle().ItemSpacing.y * 0.5F)});
+}
+
+void textureBlock(Session& session, const Pictures& pictures) {
+    const Owner owner = textureOwner(session);
+    const StructTable& table = textureTable();
+    imageChoice(session, pictures);
+    blockEnds();
+    paramWidget(session, owner, essentialRow(table, keyOf<&Texture::magFilter>()));
+    paramWidget(session, owner, essentialRow(table, keyOf<&Texture::minFilter>()));
+    anisotropyLine(session, owner);
+    blockEnds();
+    wrapBlock(session, owner);
+}
+
+void environmentBlock(Session& session) {
+    const Owner owner = unitOwner(session);
+    const StructTable& table = unitTable();
+    captionWithColor(session, "Environment", owner, essentialRow(table, keyOf<&Unit::envColor>()));
+    paramControl(session, owner, essentialRow(table, keyOf<&Unit::envMode>()),
+                 ImGui::GetContentRegionAvail().x, 3);
+    environmentLine(session);
+}
+
+void matrixBlock(Session& session) {
+    const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Texture matrix");
+    ImGui::SameLine();
+    dimText(steps.empty() ? "identity" : countOf(steps.size(), "step"));
+    if (!steps.empty()) {
+        constexpr const char* label = "Edit";
+        ImGui::SameLine();
+        if (ImGui::SmallButton(label))
+            session.window.wantedSection = Section::Matrix;
+        noteItem("edit matrix");
+        helpTip("Shows the steps of the texture matrix");
+    }
+    motionButtons(session);
+}
+
+void pinnedRows(Session& session) {
+    if (session.window.settings.pinned.empty())
+        return;
+    bool captioned = false;
+    for (const ShownStruct& place : paramPlaces(session)) {
+        for (const ParamRow& row : place.table->params) {
+            const std::string path = place.owner.pathOf(row);
+            if (isEssential(path) || !isPinned(session.window.settings, path))
+                continue;
+            if (!captioned)
+                caption("Pinned");
+            captioned = true;
+            if (paramWidget(session, place.owner, row) && mayMoveLists(row))
+                return; // the rest is drawn at the next frame
+        }
+    }
+}
+
+} // namespace
+
+void essentials(Session& session, const Pictures& pictures) {
+    vertexLine(session);
+    blockEnds();
+    if (boundTexture(session))
+        textureBlock(session, pictures);
+    else
+        ImGui::TextWrapped("No texture is bound to this unit: switch the unit on, and it gets one.");
+    blockEnds();
+    environmentBlock(session);
+    paramWidget(session, materialOwner(session), essentialRow(materialTable(), keyOf<&Material::color>()));
+    blockEnds();
+    matrixBlock(session);
+    pinnedRows(session);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,133 @@
+#include "app/ui/parameters/image_choice.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/preview.h"
+#include "app/ui/parameters/param_places.h"
+#include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::size_t leastPerLine = 8;
+
+/// One picture of the choice. `edit` makes a texture show it.
+struct Choice {
+    std::string name; ///< what tests call it
+    std::string label;
+    std::string_view help;
+    std::shared_ptr<const Image> image;
+    bool isCurrent;
+    std::string path;
+    std::function<void(Texture&)> edit;
+};
+
+void drawChoice(Session& session, const Pictures& pictures, const Choice& choice, float extent) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + extent, low.y + extent);
+    ImGui::PushID(choice.name.c_str());
+    const bool pressed = ImGui::InvisibleButton("image", {extent, extent});
+    noteItem(choice.name);
+    const bool hovered = ImGui::IsItemHovered();
+    helpTip(fmt::format("{}\n{}", choice.label, choice.help));
+    ImGui::PopID();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, high, color::ground);
+    if (choice.image && !choice.image->empty()) {
+        if (const view::PictureHandle picture = pictures.show(choice.image);
+            picture != view::PictureHandle::None)
+            draw.AddImage(textureId(picture), low, high, {0, 1}, {1, 0}); // row 0 is the bottom one
+    }
+    const float line = std::max(1.0F, std::floor(ImGui::GetFontSize() / 8));
+    if (choice.isCurrent || hovered)
+        draw.AddRect({low.x - line, low.y - line}, {high.x + line, high.y + line},
+                     ImGui::GetColorU32(choice.isCurrent ? ImGuiCol_CheckMark : ImGuiCol_Text), 0, 0,
+                     choice.isCurrent ? 1.5F * line : line);
+    const auto index = static_cast<std::size_t>(selectedUnit(session).texture);
+    if (hovered && !choice.isCurrent)
+        preview(session, choice.name, choice.label,
+                [&](Scene& scene) { choice.edit(scene.textures[index]); });
+    if (!pressed || choice.isCurrent)
+        return;
+    sealEdit(session);
+    choice.edit(*boundTexture(session));
+    recordEdit(session, choice.label, choice.path);
+    sealEdit(session);
+}
+
+/// A file that is there, whether it is shown at present or not.
+std::optional<Choice> fileChoice(Session& session, const std::string& path) {
+    Texture texture = *boundTexture(session);
+    if (texture.file.empty() || !session.document.images.holds(texture.file))
+        return std::nullopt;
+    const bool isCurrent = texture.source == SourceKind::File;
+    texture.source = SourceKind::File;
+    return Choice{path + "." + keyOf<&Texture::file>() + "=shown",
+                  nameOfImage(texture),
+                  "The image file of this texture",
+                  thumbnailOf(session, texture, selectedUnit(session).target),
+                  isCurrent,
+                  path + "." + keyOf<&Texture::file>(),
+                  [](Texture& shown) { shown.source = SourceKind::File; }};
+}
+
+} // namespace
+
+void imageChoice(Session& session, const Pictures& pictures) {
+    const Texture& texture = *boundTexture(session);
+    const std::string path =
+        elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture));
+    constexpr const char* open = "Open image…";
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Image");
+    ImGui::SameLine();
+    const float right = ImGui::GetContentRegionMax().x;
+    const float room = right - buttonWidth(open) - ImGui::GetStyle().ItemSpacing.x - ImGui::GetCursorPosX();
+    dimText(fitted(nameOfImage(texture), std::max(0.0F, room)));
+    helpTip(nameOfImage(texture));
+    ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
+    if (ImGui::Button(open))
+        askOpenImage(session);
+    noteItem("open image");
+    helpTip("An image file for this texture; or drop one onto the window (Ctrl+I)");
+
+    std::vector<Choice> choices;
+    for (const EnumRow& row : patternRows) {
+        const auto pattern = static_cast<Pattern>(row.value);
+        const std::string rowPath = path + "." + keyOf<&Texture::pattern>();
+        choices.push_back({fmt::format("{}={}", rowPath, row.name), std::string(row.label), row.help,
+                           session.services.patterns.find(pattern),
+                           texture.source == SourceKind::Pattern && texture.pattern == pattern, rowPath,
+                           [pattern](Texture& shown) {
+                               shown.source = SourceKind::Pattern;
+                               shown.pattern = pattern;
+                           }});
+    }
+    if (std::optional<Choice> file = fileChoice(session, path))
+        choices.push_back(std::move(*file));
+    const float em = ImGui::GetFontSize();
+    const float gap = std::floor(em * 0.27F);
+    const auto count = static_cast<std::size_t>(
+        std::clamp((ImGui::GetContentRegionAvail().x + gap) / (em * 2 + gap), 1.0F, 16.0F));
+    const float extent = std::floor(
+        (ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(std::max(count, leastPerLine)) - gap);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (i % std::max(count, leastPerLine) > 0)
+            ImGui::SameLine();
+        drawChoice(session, pictures, choices[i], std::max(1.0F, extent));
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace texplorer::ui

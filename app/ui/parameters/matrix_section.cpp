@@ -1,0 +1,145 @@
+#include "app/ui/parameters/matrix_section.h"
+
+#include "app/ui/model/preset_edits.h"
+#include "app/ui/widgets/list_buttons.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "core/preset/preset.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+/// From core/preset, with the word on the button.
+struct Motion {
+    std::string_view preset;
+    const char* label;
+};
+constexpr std::array motions{Motion{"scroll", "Scroll"}, Motion{"spin", "Spin"}, Motion{"pulse", "Pulse"},
+                             Motion{"rotate-centre", "Rotate"}};
+
+std::string matrixPath(const Session& session) {
+    return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
+}
+
+void stepsChanged(Session& session, std::string_view what) {
+    sealEdit(session);
+    recordEdit(session, what, matrixPath(session));
+    sealEdit(session);
+}
+
+void addStep(Session& session, MatrixOp op) {
+    MatrixStep step;
+    step.op = op;
+    if (op == MatrixOp::Scale)
+        step.amount = glm::vec3(1);
+    if (op == MatrixOp::Rotate)
+        step.amount = {0, 0, 1};
+    selectedUnit(session).matrix.push_back(step);
+    stepsChanged(session, "Add matrix step");
+}
+
+void offerMotion(Session& session, const Motion& motion) {
+    noteItem(fmt::format("motion:{}", motion.preset));
+    const Preset* preset = findPreset(motion.preset);
+    if (!preset)
+        return;
+    helpTip(fmt::format("{}: {}\n{}", preset->label, preset->help, preset->look));
+    if (ImGui::IsItemHovered())
+        previewPreset(session, *preset);
+}
+
+void applyMotion(Session& session, const Motion& motion) {
+    if (const Preset* preset = findPreset(motion.preset))
+        choosePreset(session, *preset, matrixPath(session));
+}
+
+} // namespace
+
+void addStepButtons(Session& session, int perLine) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - static_cast<float>(perLine - 1) * gap) /
+                        static_cast<float>(perLine);
+    ImGui::BeginDisabled(selectedUnit(session).matrix.size() >= maxMatrixSteps);
+    for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
+        const EnumRow& op = matrixOpRows[i];
+        if (static_cast<int>(i) % perLine > 0)
+            ImGui::SameLine(0, gap);
+        if (ImGui::Button(fmt::format("+ {}", op.label).c_str(), {width, 0})) {
+            addStep(session, static_cast<MatrixOp>(op.value));
+            ImGui::CloseCurrentPopup(); // where they are in one
+        }
+        noteItem(fmt::format("add:{}", op.name));
+        helpTip(op.help);
+    }
+    ImGui::EndDisabled();
+}
+
+void motionButtons(Session& session) {
+    std::vector<Segment> buttons;
+    for (const Motion& motion : motions)
+        buttons.push_back({motion.label});
+    buttons.push_back({"+ Step"});
+    const std::optional<SegmentPlan> plan =
+        planSegments(buttons, ImGui::GetContentRegionAvail().x, buttons.size());
+    if (!plan)
+        return;
+    ImGui::PushID("motions");
+    const auto pressed = drawSegments(buttons, *plan, std::nullopt, [&](std::size_t number) {
+        if (number < motions.size())
+            return offerMotion(session, motions[number]);
+        noteItem("add matrix step");
+        helpTip("One more step of the texture matrix, after those that there are");
+    });
+    if (pressed && *pressed < motions.size())
+        applyMotion(session, motions[*pressed]);
+    else if (pressed)
+        ImGui::OpenPopup("steps");
+    if (ImGui::BeginPopup("steps")) {
+        ImGui::Dummy({ImGui::GetFontSize() * 16, 0});
+        addStepButtons(session, 2);
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
+void matrixSection(Session& session) {
+    std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
+    static const MatrixStep initial;
+    if (steps.empty())
+        ImGui::TextWrapped(
+            "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string path = fmt::format("{}.{}", selectedUnitPath(session), elementOf<&Unit::matrix>(i));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
+        constexpr ListWords words{"matrix step", "", "Multiply this step earlier", "Multiply this step later",
+                                  "Remove this step"};
+        const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());
+        if (pressed == ListEdit::Remove)
+            steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
+        else if (pressed)
+            std::swap(steps[i], steps[pressed == ListEdit::Up ? i - 1 : i + 1]);
+        if (pressed) {
+            stepsChanged(session,
+                         pressed == ListEdit::Remove ? "Remove matrix step" : "Reorder matrix steps");
+            ImGui::PopID();
+            break; // the rest is drawn at the next frame
+        }
+        paramRows(session, {&steps[i], &initial, path}, matrixStepTable(), {.captions = false});
+        ImGui::Separator();
+        ImGui::PopID();
+    }
+    addStepButtons(session, 3);
+    motionButtons(session);
+    ImGui::Spacing();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,212 @@
+#include "app/ui/parameters/unit_bar.h"
+
+#include "app/ui/model/scene_files.h"
+#include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+void textureAdded(Session& session, std::string_view what, const std::string& path = {}) {
+    sealEdit(session);
+    recordEdit(session, what, path);
+    sealEdit(session);
+}
+
+/// One that no texture of the scene has; brick, or else the first.
+Pattern freshPattern(const Scene& scene) {
+    const auto isTaken = [&](Pattern pattern) {
+        return std::ranges::any_of(scene.textures, [&](const Texture& each) {
+            return each.source == SourceKind::Pattern && each.pattern == pattern;
+        });
+    };
+    constexpr std::array liked{Pattern::Brick,  Pattern::UvTemplate, Pattern::CheckerRed,
+                               Pattern::Planet, Pattern::Gradient,   Pattern::Tree};
+    const auto found = std::ranges::find_if_not(liked, isTaken);
+    return found == liked.end() ? liked.front() : *found;
+}
+
+/// The same settings, from now on for this unit alone.
+void ownTexture(Session& session) {
+    const Texture copy = *boundTexture(session);
+    session.document.scene.textures.push_back(copy);
+    selectedUnit(session).texture = static_cast<int>(session.document.scene.textures.size()) - 1;
+    textureAdded(session, "Own texture");
+}
+
+void drawThumbnail(Session& session, const Pictures& pictures, const Unit& unit, int number, ImVec2 low,
+                   float extent) {
+    const ImVec2 high(low.x + extent, low.y + extent);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, high, color::ground);
+    const Texture* texture = textureOf(session.document.scene, unit);
+    const std::shared_ptr<const Image> image =
+        texture ? thumbnailOf(session, *texture, unit.target) : nullptr;
+    if (!image || image->empty())
+        return;
+    noteDrawn(fmt::format("picture:unit {}", number), low, high);
+    const view::PictureHandle picture = pictures.show(image);
+    if (picture == view::PictureHandle::None)
+        return;
+    constexpr float offAlpha = 0.3F;
+    const ImU32 tint = ImGui::GetColorU32(ImVec4(1, 1, 1, unit.enabled ? 1 : offAlpha));
+    draw.AddImage(textureId(picture), low, high, {0, 1}, {1, 0}, tint); // row 0 is the bottom one
+}
+
+std::string unitTip(const Session& session, int number) {
+    const Unit& unit = session.document.scene.passes[static_cast<std::size_t>(session.window.selection.pass)]
+                           .units[static_cast<std::size_t>(number)];
+    const std::string sharers = sharersText(session, number);
+    if (!textureOf(session.document.scene, unit))
+        return fmt::format("Texture unit {} has no texture: it gets one when it is switched on.", number);
+    if (!sharers.empty() && unit == Unit{})
+        return fmt::format("Texture unit {} is off: it gets a texture of its own when it is switched on.",
+                           number);
+    if (!sharers.empty() && unit.enabled)
+        return fmt::format("Texture unit {} is on and shares texture {} with {}.", number, unit.texture,
+                           sharers);
+    if (!sharers.empty())
+        return fmt::format("Texture unit {} is off; once on, it shares texture {} with {}.", number,
+                           unit.texture, sharers);
+    return unit.enabled ? fmt::format("Texture unit {} is on and has texture {}.", number, unit.texture)
+                        : fmt::format("Texture unit {} is off; it has texture {}.", number, unit.texture);
+}
+
+void drawUnit(Session& session, const Pictures& pictures, int number, float width, float height) {
+    Unit& unit = selectedPass(session).units[static_cast<std::size_t>(number)];
+    const bool isChosen = session.window.selection.unit == number;
+    const float em = ImGui::GetFontSize();
+    const float pad = std::floor(em * 0.2F);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float toggle = std::floor(em * 1.2F);
+    ImGui::PushID(number);
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+    if (ImGui::Button("##unit", {width, height}))
+        session.window.selection.unit = number;
+    ImGui::SetItemAllowOverlap(); // the switch lies on it
+    ImGui::PopStyleColor();
+    noteItem(fmt::format("unit:{}", number));
+    helpTip(unitTip(session, number));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (isChosen)
+        draw.AddRectFilled({low.x + pad, low.y + height - std::ceil(pad * 0.7F)},
+                           {low.x + width - pad, low.y + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
+    const float extent = height - 2 * pad;
+    const std::string label = std::to_string(number);
+    const float textAt = low.x + 2 * pad + extent;
+    const bool hasRoom = textAt + ImGui::CalcTextSize(label.c_str()).x + toggle + 2 * pad <= low.x + width;
+    if (hasRoom)
+        drawThumbnail(session, pictures, unit, number, {low.x + pad, low.y + pad}, extent);
+    draw.AddText({hasRoom ? textAt : low.x + pad, low.y + (height - em) / 2},
+                 unit.enabled ? color::text : color::dim, label.c_str());
+
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ImGui::GetStyle().FramePadding.x, std::floor((toggle - em) / 2)});
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    ImGui::SetCursorScreenPos({low.x + width - toggle - pad, low.y + (height - toggle) / 2});
+    bool on = unit.enabled;
+    if (ImGui::Checkbox("##on", &on))
+        switchUnit(session, number, on);
+    noteItem(fmt::format("unit:{} on", number));
+    helpTip(on ? fmt::format("Switches texture unit {} off: its texture has no effect", number)
+               : fmt::format("Switches texture unit {} on", number));
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+}
+
+/// What a change of the texture reaches, with a way to give the unit its own.
+void reachLine(Session& session) {
+    const std::string sharers = sharersText(session, session.window.selection.unit);
+    const Unit& unit = selectedUnit(session);
+    if (sharers.empty() || unit == Unit{}) // one that was never on gets its own
+        return;
+    ImGui::PushTextWrapPos(0);
+    dimText(unit.enabled ? fmt::format("Texture {}: this unit and {}", unit.texture, sharers)
+                         : fmt::format("Texture {}: {}, and this unit once it is on", unit.texture, sharers));
+    ImGui::PopTextWrapPos();
+    noteItem("shares texture");
+    helpTip("What is set of the texture is set for all of them: image, filters, wrap modes and levels belong "
+            "to the texture object. Environment, matrix and generated coordinates belong to each unit.");
+    const char* label = "Give it its own";
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(label) <
+        ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+        ImGui::SameLine();
+    ImGui::BeginDisabled(session.document.scene.textures.size() >= maxTextures);
+    if (ImGui::SmallButton(label))
+        ownTexture(session);
+    noteItem("own texture");
+    ImGui::EndDisabled();
+    helpTip("A copy of this texture, which belongs to this unit alone");
+}
+
+} // namespace
+
+void switchUnit(Session& session, int unit, bool on) {
+    Scene& scene = session.document.scene;
+    Unit& switched = selectedPass(session).units[static_cast<std::size_t>(unit)];
+    const bool neverOn = switched == Unit{} && !sharersText(session, unit).empty();
+    const bool wantsTexture = on && (neverOn || !textureOf(scene, switched));
+    if (wantsTexture && scene.textures.size() >= maxTextures && !textureOf(scene, switched))
+        return say(session, "There is no room for another texture, and a unit needs one.");
+    if (wantsTexture && scene.textures.size() < maxTextures) {
+        Texture texture;
+        texture.pattern = freshPattern(scene);
+        texture.mipmaps = MipPolicy::Generated;
+        scene.textures.push_back(texture);
+        switched.texture = static_cast<int>(scene.textures.size()) - 1;
+    }
+    switched.enabled = on;
+    session.window.selection.unit = unit;
+    textureAdded(session, on ? "Switch unit on" : "Switch unit off",
+                 fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::enabled>()));
+}
+
+std::string sharersText(const Session& session, int unit) {
+    const Scene& scene = session.document.scene;
+    const auto selected = static_cast<std::size_t>(session.window.selection.pass);
+    const auto asked = static_cast<std::size_t>(unit);
+    const int texture = scene.passes[selected].units[asked].texture;
+    std::string names;
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const Unit& other = scene.passes[p].units[u];
+            if (!other.enabled || other.texture != texture || (p == selected && u == asked))
+                continue;
+            names += fmt::format("{}{}{}", names.empty() ? "unit " : ", unit ", u,
+                                 p == selected ? "" : fmt::format(" of pass {}", p));
+        }
+    }
+    return textureOf(scene, scene.passes[selected].units[asked]) ? names : "";
+}
+
+void unitBar(Session& session, const Pictures& pictures) {
+    const float em = ImGui::GetFontSize();
+    const float gap = std::floor(em * 0.25F);
+    const float height = std::floor(em * 2);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float label = ImGui::CalcTextSize("Unit").x + 2 * gap;
+    const float width = std::floor((room - label - (maxUnits - 1) * gap) / maxUnits);
+    const ImVec2 low = ImGui::GetCursorPos();
+    ImGui::SetCursorPosY(low.y + (height - em) / 2);
+    ImGui::TextUnformatted("Unit");
+    for (int i = 0; i < maxUnits; ++i) {
+        ImGui::SetCursorPos({low.x + label + static_cast<float>(i) * (width + gap), low.y});
+        drawUnit(session, pictures, i, std::max(1.0F, width), height);
+    }
+    ImGui::SetCursorPos({low.x, low.y + height + gap});
+    reachLine(session);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,21 @@
+#include "app/ui/parameters/unit_section.h"
+
+#include "app/ui/parameters/environment_line.h"
+#include "app/ui/parameters/param_places.h"
+#include "core/scene/params/keys.h"
+
+namespace texplorer::ui {
+
+void unitSection(Session& session) {
+    const std::string_view environment = findParam(unitTable(), keyOf<&Unit::envMode>())->group;
+    RowOptions options;
+    // The texture is chosen by its name, where it is edited.
+    options.leavesOut = [](const ParamRow& row) { return row.member == memberId<&Unit::texture>; };
+    options.after = [&](std::string_view group) {
+        if (group == environment)
+            environmentLine(session);
+    };
+    paramRows(session, unitOwner(session), unitTable(), options);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,355 @@
+#include "app/ui/texture_space/outline_drawing.h"
+
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
+
+#include <fmt/core.h>
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace texplorer::ui {
+namespace {
+
+// These keep the worst case below 65536 vertices: a line has 4, a round dot some 30, a letter 4.
+constexpr std::size_t mostFineEdges = 1000; // up to here each line has a shade below it
+constexpr std::size_t mostRoundDots = 300;
+constexpr std::size_t mostEdges = 3000;      // beyond, only the chosen faces are drawn, if they have no more
+constexpr std::size_t mostStrongEdges = 500; // of a chosen face
+constexpr std::size_t mostGivenEdges = 1000;
+constexpr std::size_t mostChosenDots = 2000;
+constexpr std::size_t mostNumbers = 200; // of vertices in sight
+
+bool isPlace(glm::vec2 place) {
+    return std::isfinite(place.x) && std::isfinite(place.y);
+}
+
+/// Of this many pixels at a content scale of 1; whole, since those are the lines that cost least.
+float strokeWidth(float pixels) {
+    return std::max(1.0F, std::round(pixels * ImGui::GetFontSize() / 15));
+}
+
+/// A line on any picture: on a dark one, which lies on a bright one.
+struct Stroke {
+    ImU32 tint;
+    float width;
+    ImU32 dark = 0;  ///< around it; 0: none
+    ImU32 light = 0; ///< between the two
+};
+
+void drawEdge(ImDrawList& draw, ImVec2 from, ImVec2 to, const Stroke& stroke) {
+    const float halo = strokeWidth(1);
+    if (stroke.dark != 0)
+        draw.AddLine(from, to, stroke.dark, stroke.width + (stroke.light != 0 ? 4 : 2) * halo);
+    if (stroke.light != 0)
+        draw.AddLine(from, to, stroke.light, stroke.width + 2 * halo);
+    draw.AddLine(from, to, stroke.tint, stroke.width);
+}
+
+void drawEdgeBetween(ImDrawList& draw, const Canvas& canvas, glm::vec2 a, glm::vec2 b, const Stroke& stroke) {
+    if (isPlace(a) && isPlace(b))
+        drawEdge(draw, canvas.toPixel(a.x, a.y), canvas.toPixel(b.x, b.y), stroke);
+}
+
+void drawFaceOutline(ImDrawList& draw, const Canvas& canvas, const Face& face,
+                     std::span<const glm::vec2> places, const Stroke& stroke) {
+    const std::size_t count = face.vertices.size();
+    const std::size_t edges = face.closed ? count : count - std::min<std::size_t>(count, 1);
+    for (std::size_t i = 0; i < edges; ++i)
+        drawEdgeBetween(draw, canvas, places[face.vertices[i]], places[face.vertices[(i + 1) % count]],
+                        stroke);
+}
+
+/// Where the two triangles of a quadrilateral meet: see Mesh.
+void drawDiagonal(ImDrawList& draw, const Canvas& canvas, const Face& face, std::span<const glm::vec2> places,
+                  const Stroke& stroke) {
+    if (face.closed && face.vertices.size() == 4)
+        drawEdgeBetween(draw, canvas, places[face.vertices[1]], places[face.vertices[3]], stroke);
+}
+
+void drawVertexDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, bool round) {
+    const float halo = strokeWidth(1);
+    if (round) {
+        draw.AddCircleFilled(at, radius + halo, color::shade, 12);
+        draw.AddCircleFilled(at, radius, tint, 12);
+    } else {
+        draw.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, tint);
+    }
+}
+
+/// How far from each other the vertices of a mesh are, in pixels, if they lie evenly. Those of a cube, of
+/// which several share a place, count as one face.
+float spacingOf(const Canvas& canvas, std::span<const glm::vec2> places) {
+    constexpr std::size_t few = 30;
+    glm::vec2 low(INFINITY);
+    glm::vec2 high(-INFINITY);
+    for (const glm::vec2& each : places) {
+        if (!isPlace(each))
+            continue;
+        low = glm::min(low, each);
+        high = glm::max(high, each);
+    }
+    if (places.size() <= few || !(low.x <= high.x))
+        return INFINITY;
+    const glm::vec2 extent = (high - low) * canvas.pixelsPerUnit;
+    return std::sqrt(std::max(extent.x, 1.0F) * std::max(extent.y, 1.0F) / static_cast<float>(places.size()));
+}
+
+/// The arrow's head is filled, its shaft thin.
+void drawArrow(ImDrawList& draw, ImVec2 from, ImVec2 to, ImU32 tint) {
+    const float em = ImGui::GetFontSize();
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    const float head = em * 0.5F;
+    if (!(length > 2 * head))
+        return;
+    const ImVec2 way((to.x - from.x) / length, (to.y - from.y) / length);
+    const float room = em * 0.35F; // up to the dot
+    const ImVec2 tip(to.x - way.x * room, to.y - way.y * room);
+    const ImVec2 neck(tip.x - way.x * head, tip.y - way.y * head);
+    drawEdge(draw, from, neck, {tint, strokeWidth(1), color::shade});
+    const ImVec2 side(-way.y * head * 0.45F, way.x * head * 0.45F);
+    draw.AddTriangleFilled(tip, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, tint);
+}
+
+std::size_t edgeCount(const Mesh& mesh) {
+    std::size_t edges = 0;
+    for (const Face& face : mesh.faces)
+        edges += face.vertices.size();
+    return edges;
+}
+
+/// Text on a dark ground, so that it can be read on any picture.
+Box chipBox(ImVec2 at, ImVec2 size) {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}};
+}
+
+void drawTextChip(ImDrawList& draw, const Box& box, float size, ImU32 tint, const std::string& text) {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    draw.AddRectFilled(box.low, box.high, color::shade, pad);
+    draw.AddText(ImGui::GetFont(), size, {box.low.x + pad, box.low.y}, tint, text.c_str());
+}
+
+/// "2   (1.00, 0.50)", and where it ends.
+std::string vertexText(const PlaneCoords& coords, std::size_t vertex) {
+    const glm::vec4 given = coords.given()[vertex];
+    const glm::vec2 end = coords.resultingPlaces()[vertex];
+    if (!coords.differ() && given.q == 1)
+        return fmt::format("{}   ({:.2f}, {:.2f})", vertex, given.s, given.t);
+    if (!isPlace(end))
+        return fmt::format("{}   ({:.2f}, {:.2f}) → nowhere: q is 0", vertex, given.s, given.t);
+    if (given.q != 1)
+        return fmt::format("{}   ({:.2f}, {:.2f}, q {:.2f}) → ({:.2f}, {:.2f})", vertex, given.s, given.t,
+                           given.q, end.x, end.y);
+    return fmt::format("{}   ({:.2f}, {:.2f}) → ({:.2f}, {:.2f})", vertex, given.s, given.t, end.x, end.y);
+}
+
+/// Vertices at one place.
+struct Spot {
+    ImVec2 at;
+    std::vector<std::size_t> vertices;
+};
+
+/// Those in sight; none where there are too many to be named.
+std::vector<Spot> spotsInSight(const Canvas& canvas, std::span<const glm::vec2> places) {
+    std::vector<Spot> spots;
+    std::size_t count = 0;
+    for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+        if (!isPlace(places[vertex]))
+            continue;
+        const ImVec2 at = canvas.toPixel(places[vertex].x, places[vertex].y);
+        if (at.x < canvas.low.x || at.y < canvas.low.y || at.x > canvas.high.x || at.y > canvas.high.y)
+            continue;
+        if (++count > mostNumbers)
+            return {};
+        const auto same = std::ranges::find_if(spots, [at](const Spot& spot) {
+            return std::abs(spot.at.x - at.x) < 2 && std::abs(spot.at.y - at.y) < 2;
+        });
+        if (same == spots.end())
+            spots.push_back({at, {vertex}});
+        else
+            same->vertices.push_back(vertex);
+    }
+    return spots;
+}
+
+/// The chosen one of them, or the first ones.
+std::string numbersOf(const Spot& spot, const OutlineMarks& marks) {
+    std::vector<std::size_t> named;
+    for (const std::size_t vertex : spot.vertices) {
+        if (std::ranges::binary_search(marks.chosen, vertex))
+            named.push_back(vertex);
+    }
+    if (named.empty())
+        named = spot.vertices;
+    constexpr std::size_t most = 3;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(named.size(), most); ++i)
+        text += (i == 0 ? "" : " ") + std::to_string(named[i]);
+    return named.size() > most ? text + " …" : text;
+}
+
+} // namespace
+
+bool contains(const Face& face, std::size_t vertex) {
+    return std::ranges::find(face.vertices, static_cast<std::uint32_t>(vertex)) != face.vertices.end();
+}
+
+void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
+                       const OutlineMarks& marks) {
+    const std::vector<glm::vec2>& places = coords.givenPlaces();
+    const std::size_t edges = edgeCount(mesh);
+    const float dot = ImGui::GetFontSize() * 0.2F;
+    const Stroke faint{faded(color::text, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)};
+    const Stroke chosen{faded(color::chosen, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)};
+    for (const Face& face : mesh.faces) {
+        const bool isChosen = marks.vertex && contains(face, *marks.vertex);
+        if (isChosen ? face.vertices.size() <= mostGivenEdges : edges <= mostGivenEdges)
+            drawFaceOutline(draw, canvas, face, places, isChosen ? chosen : faint);
+    }
+    if (places.size() <= mostRoundDots) {
+        for (const glm::vec2& each : places)
+            draw.AddCircle(canvas.toPixel(each.x, each.y), dot, faint.tint, 12, strokeWidth(1));
+    }
+    if (!marks.vertex || *marks.vertex >= places.size())
+        return;
+    const glm::vec2 given = places[*marks.vertex];
+    const glm::vec2 end = coords.resultingPlaces()[*marks.vertex];
+    draw.AddCircle(canvas.toPixel(given.x, given.y), dot, color::chosen, 12, strokeWidth(1.5F));
+    if (isPlace(end))
+        drawArrow(draw, canvas.toPixel(given.x, given.y), canvas.toPixel(end.x, end.y),
+                  faded(color::chosen, 0.8F));
+}
+
+void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
+                  const OutlineMarks& marks) {
+    const float em = ImGui::GetFontSize();
+    const std::vector<glm::vec2>& places = coords.resultingPlaces();
+    const auto isChosen = [&](const Face& face) { return marks.vertex && contains(face, *marks.vertex); };
+    const std::size_t edges = edgeCount(mesh);
+    const float spacing = spacingOf(canvas, places);
+    const bool fine = edges <= mostFineEdges && spacing >= em * 0.7F;
+    const bool round = places.size() <= mostRoundDots;
+    const Stroke line{faded(color::text, fine ? 0.85F : 0.5F), strokeWidth(1),
+                      fine ? ImU32(color::shade) : 0U};
+    const Stroke diagonal{faded(color::text, 0.4F), 1, fine ? faded(color::shade, 0.4F) : 0U};
+    if (edges <= mostEdges) {
+        for (const Face& face : mesh.faces) {
+            if (isChosen(face))
+                continue;
+            if (round)
+                drawDiagonal(draw, canvas, face, places, diagonal);
+            drawFaceOutline(draw, canvas, face, places, line);
+        }
+    }
+    const Stroke strong{color::chosen, strokeWidth(2), color::shade, faded(color::text, 0.7F)};
+    for (const Face& face : mesh.faces) {
+        if (!isChosen(face) || face.vertices.size() > mostEdges)
+            continue;
+        drawDiagonal(draw, canvas, face, places, {faded(color::chosen, 0.7F), 1, faded(color::shade, 0.6F)});
+        drawFaceOutline(draw, canvas, face, places,
+                        face.vertices.size() <= mostStrongEdges ? strong
+                                                                : Stroke{color::chosen, strong.width});
+    }
+    const auto dotOf = [&](std::size_t vertex, float radius, ImU32 tint, bool asCircle) {
+        if (vertex < places.size() && isPlace(places[vertex]))
+            drawVertexDot(draw, canvas.toPixel(places[vertex].x, places[vertex].y), radius, tint, asCircle);
+    };
+    const float dot = em * (places.size() <= 100 ? 0.22F : 0.13F);
+    if (edges <= mostEdges && spacing >= 5 * dot) {
+        for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
+            dotOf(vertex, dot, color::text, round);
+    }
+    for (std::size_t i = 0; i < std::min(marks.chosen.size(), mostChosenDots); ++i)
+        dotOf(marks.chosen[i], em * (marks.chosen.size() <= 100 ? 0.24F : 0.16F), color::chosen,
+              marks.chosen.size() <= mostRoundDots);
+    if (marks.vertex)
+        dotOf(*marks.vertex, em * 0.3F, color::chosen, true);
+    if (marks.hovered && *marks.hovered < places.size() && isPlace(places[*marks.hovered])) {
+        const glm::vec2 place = places[*marks.hovered];
+        const ImVec2 at = canvas.toPixel(place.x, place.y);
+        draw.AddCircle(at, em * 0.5F, color::shade, 24, strokeWidth(4));
+        draw.AddCircle(at, em * 0.5F, color::chosen, 24, strokeWidth(2));
+        noteDrawn("hover ring", at, at);
+    }
+}
+
+void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& coords,
+                     const OutlineMarks& marks, std::vector<Box> taken, bool numbers) {
+    const float em = ImGui::GetFontSize();
+    const std::vector<glm::vec2>& places = coords.resultingPlaces();
+    struct Label {
+        Box box;
+        std::string text;
+    };
+    std::vector<Label> labels;
+    std::vector<std::size_t> named;
+    if (marks.hovered)
+        named.push_back(*marks.hovered);
+    if (marks.vertex && marks.vertex != marks.hovered)
+        named.push_back(*marks.vertex);
+    const auto isFree = [&taken](const Box& box) {
+        return std::ranges::none_of(taken, [&box](const Box& each) { return overlaps(box, each); });
+    };
+    for (const std::size_t vertex : named) {
+        if (vertex >= places.size())
+            continue;
+        const glm::vec2 place = isPlace(places[vertex]) ? places[vertex] : coords.givenPlaces()[vertex];
+        const ImVec2 at = canvas.toPixel(place.x, place.y);
+        const bool inSight =
+            at.x >= canvas.low.x && at.x <= canvas.high.x && at.y >= canvas.low.y && at.y <= canvas.high.y;
+        if (!inSight)
+            continue;
+        const std::string text = vertexText(coords, vertex);
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        // Beside the vertex, inside of the panel: above it, or else below.
+        const float x = std::clamp(at.x + em * 0.7F, canvas.low.x + em * 0.4F,
+                                   std::max(canvas.low.x + em * 0.4F, canvas.high.x - size.x - em * 0.4F));
+        std::optional<Box> found;
+        for (const float y : {at.y - size.y - em * 0.6F, at.y + em * 0.6F}) {
+            const Box box = chipBox({x, y}, size);
+            if (box.low.y < canvas.low.y || box.high.y > canvas.high.y || box.high.x > canvas.high.x)
+                continue;
+            found = box;
+            if (isFree(box))
+                break;
+        }
+        if (!found) // the panel is smaller than the label
+            continue;
+        taken.push_back(*found);
+        labels.push_back({*found, text});
+        noteDrawn("coord label:" + text, found->low, found->high);
+    }
+    const std::vector<Spot> spots = numbers ? spotsInSight(canvas, places) : std::vector<Spot>{};
+    const float size = em * 0.85F;
+    const glm::vec2 middle{canvas.plane.s, canvas.plane.t};
+    const ImVec2 centre = canvas.toPixel(middle.x, middle.y);
+    for (const Spot& spot : spots) {
+        const bool isNamed = std::ranges::any_of(spot.vertices, [&](std::size_t vertex) {
+            return std::ranges::find(named, vertex) != named.end();
+        });
+        if (isNamed)
+            continue;
+        const std::string text = numbersOf(spot, marks);
+        const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, 10000, 0, text.c_str());
+        const float gap = em * 0.4F; // towards the middle, where there is more room than outside of the image
+        const ImVec2 at(spot.at.x <= centre.x ? spot.at.x + gap : spot.at.x - gap - extent.x,
+                        spot.at.y > centre.y ? spot.at.y - gap - extent.y : spot.at.y + gap);
+        const Box box = chipBox(at, extent);
+        if (!isFree(box))
+            continue;
+        taken.push_back(box);
+        const bool isChosen = std::ranges::any_of(spot.vertices, [&](std::size_t vertex) {
+            return std::ranges::binary_search(marks.chosen, vertex);
+        });
+        drawTextChip(draw, box, size, isChosen ? color::chosen : color::text, text);
+        noteDrawn("vertex number:" + text, box.low, box.high);
+    }
+    for (const Label& label : labels)
+        drawTextChip(draw, label.box, em, color::chosen, label.text);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,123 @@
+#include "app/ui/texture_space/plane_coords.h"
+
+#include "core/reference/shading/coordinates.h"
+#include "core/scene/animation.h"
+#include "core/scene/emboss.h"
+#include "core/scene/tex_coords.h"
+#include "core/texture/late_flip.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+bool generatesAny(const Unit& unit) {
+    return unit.texGenS.enabled || unit.texGenT.enabled || unit.texGenR.enabled || unit.texGenQ.enabled;
+}
+
+LateFlip flipOfBound(const Session& session, const Unit& unit) {
+    const Texture* texture = boundTexture(session);
+    const auto image = texture ? session.document.images.find(*texture) : nullptr;
+    return image ? lateFlipOf(*texture, *image, unit.target) : LateFlip::None;
+}
+
+} // namespace
+
+void PlaneCoords::follow(Session& session) {
+    const Unit& unit = selectedUnit(session);
+    const Model* model = unit.target == Target::CubeMap ? nullptr : selectedModel(session);
+    if (!model) {
+        *this = {};
+        return;
+    }
+    const Mesh& mesh = selectedMesh(session);
+    const Scene& scene = session.document.scene;
+    const double time = session.window.playback.time;
+    Key key{session.window.mesh, effectiveTexCoords(*model, mesh, session.window.selection.unit), unit,
+            flipOfBound(session, unit)};
+    key.matrix = reference::coordinateMatrix(unit, key.flip, time, scene.light);
+    if (generatesAny(unit) || unit.emboss.enabled)
+        key.modelview = modelViewMatrix(scene.view, *model, time);
+    if (unit.emboss.enabled)
+        key.light = lightInModel(scene, *model, unit.emboss.carrier, time);
+    if (key == key_)
+        return;
+    key_ = std::move(key);
+    makePlaces(session, *model);
+}
+
+void PlaneCoords::makePlaces(const Session& session, const Model& model) {
+    const Selection& selection = session.window.selection;
+    const Pass& pass = session.document.scene.passes[static_cast<std::size_t>(selection.pass)];
+    const TexCoords& given = key_.given;
+    const Mesh& mesh = *key_.mesh;
+    relief_.clear();
+    if (key_.unit.emboss.enabled) {
+        relief_ = givenTexCoords(session.document.scene, pass, selection.unit, model, mesh,
+                                 session.window.playback.time);
+        std::ranges::transform(relief_, given, relief_.begin(), std::minus<>());
+    }
+    // A picture that lies upside down in the texture is shown upright, and what is read in it with it.
+    shown_ = key_.flip == LateFlip::None ? key_.matrix : reference::upsideDown() * key_.matrix;
+    const reference::EyeSpace eye(key_.modelview);
+    const std::size_t count = given.size();
+    generated_.resize(count);
+    givenPlaces_.resize(count);
+    resultingPlaces_.resize(count);
+    differ_ = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec4 moved = relief_.empty() ? given[i] : given[i] + relief_[i];
+        generated_[i] = reference::generatedCoordinates(key_.unit, key_.flip, moved, eye(mesh.vertices[i]));
+        const glm::vec4 end = shown_ * generated_[i];
+        givenPlaces_[i] = glm::vec2(given[i]);
+        resultingPlaces_[i] = glm::vec2(end) / end.q;
+        constexpr float alike = 1e-6F; // the rounding of a flip and its way back
+        const auto isElsewhere = [](float a, float b) {
+            return !(std::abs(a - b) <= alike * std::max(1.0F, std::abs(a)));
+        };
+        differ_ = differ_ || isElsewhere(givenPlaces_[i].x, resultingPlaces_[i].x) ||
+                  isElsewhere(givenPlaces_[i].y, resultingPlaces_[i].y);
+    }
+}
+
+Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) const {
+    const std::array<const TexGen*, 2> generation{&key_.unit.texGenS, &key_.unit.texGenT};
+    constexpr std::array names{"s", "t"};
+    for (std::size_t i = 0; i < generation.size(); ++i) {
+        if (generation[i]->enabled)
+            return fail(ErrorCode::Unsupported,
+                        fmt::format("{} is generated ({}): the given coordinate has no effect", names[i],
+                                    rowOf(generation[i]->mode).name));
+    }
+    // (x - place.x w, y - place.y w) = 0, which is linear in s and t.
+    const auto coefficient = [&](int column) {
+        return glm::dvec2(shown_[column]) - glm::dvec2(place) * double{shown_[column].w};
+    };
+    const glm::vec4& known = generated_[vertex];
+    const glm::dvec2 s = coefficient(0);
+    const glm::dvec2 t = coefficient(1);
+    const glm::dvec2 rest = -(coefficient(2) * double{known.r} + coefficient(3) * double{known.q});
+    const double determinant = s.x * t.y - s.y * t.x;
+    const double scale = std::max({std::abs(s.x), std::abs(s.y), std::abs(t.x), std::abs(t.y)});
+    if (!(std::abs(determinant) > 1e-9 * scale * scale))
+        return fail(ErrorCode::Unsupported,
+                    "the texture matrix has no inverse: it takes many coordinates to one place");
+    glm::vec4 given = key_.given[vertex];
+    given.s = static_cast<float>((rest.x * t.y - rest.y * t.x) / determinant);
+    given.t = static_cast<float>((s.x * rest.y - s.y * rest.x) / determinant);
+    if (key_.flip == LateFlip::Coordinates)
+        given.t = given.q - given.t;
+    if (!relief_.empty()) {
+        given.s -= relief_[vertex].s;
+        given.t -= relief_[vertex].t;
+    }
+    if (!std::isfinite(given.s) || !std::isfinite(given.t))
+        return fail(ErrorCode::OutOfRange, "no finite coordinate ends there");
+    return given;
+}
+
+} // namespace texplorer::ui

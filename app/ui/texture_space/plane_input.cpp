@@ -1,0 +1,347 @@
+#include "app/ui/texture_space/plane_input.h"
+
+#include "app/ui/model/chosen_vertices.h"
+#include "app/ui/texture_space/outline_drawing.h"
+#include "app/ui/texture_space/plane_tools.h"
+#include "app/ui/widgets/keys.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+float reachOfMouse() {
+    return ImGui::GetFontSize() * 0.55F;
+}
+
+float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse) {
+    if (!std::isfinite(place.x) || !std::isfinite(place.y))
+        return INFINITY;
+    const ImVec2 at = canvas.toPixel(place.x, place.y);
+    return std::hypot(at.x - mouse.x, at.y - mouse.y);
+}
+
+struct NearVertex {
+    std::size_t vertex;
+    float distance;
+};
+
+std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std::span<const glm::vec2> places,
+                                    std::optional<std::size_t> chosen, ImVec2 mouse) {
+    std::optional<NearVertex> best;
+    constexpr float alike = 1; // pixels: the same place
+    const auto consider = [&](std::size_t vertex) {
+        const float distance = distanceTo(canvas, places[vertex], mouse);
+        if (distance <= reachOfMouse() && (!best || distance < best->distance - alike))
+            best = {vertex, distance};
+    };
+    if (chosen && *chosen < places.size()) {
+        consider(*chosen);
+        for (const Face& face : mesh.faces) {
+            if (!contains(face, *chosen))
+                continue;
+            for (const std::uint32_t vertex : face.vertices)
+                consider(vertex);
+        }
+    }
+    for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
+        consider(vertex);
+    return best;
+}
+
+bool isPressed(int code, bool repeat = false) {
+    return ImGui::IsKeyPressed(code, repeat);
+}
+
+/// Whether the mouse has gone so far that it isn't a click.
+bool isDrag() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
+Snapping snappingNow(const TextureSpaceState& state) {
+    return {state.snapping.on != ImGui::GetIO().KeyCtrl, state.snapping.to};
+}
+
+TexelCounts texelsOf(const Session& session, const TextureSpaceState& state) {
+    if (state.level.picture() && state.look.level != 0)
+        return {state.level.picture()->width, state.level.picture()->height};
+    const Texture* texture = boundTexture(session);
+    const auto image = texture ? session.document.images.find(*texture) : nullptr;
+    if (!image || image->surfaces.empty())
+        return {1, 1};
+    const Surface& base = image->surfaces.front();
+    return {std::max(widthOf(base), 1), std::max(heightOf(base), 1)};
+}
+
+void followWithMove(Session& session, TextureSpaceState& state, const Canvas& canvas) {
+    followMouse(session, state.coords, *state.move, canvas.toCoord(ImGui::GetIO().MousePos),
+                snappingNow(state), texelsOf(session, state),
+                ImGui::GetFontSize() * 0.6F / canvas.pixelsPerUnit);
+    state.coords.follow(session);
+}
+
+void finishMove(Session& session, TextureSpaceState& state, bool keep) {
+    endMove(session, *state.move, keep);
+    state.move.reset();
+    state.coords.follow(session);
+}
+
+/// Another model or unit has been chosen, or a mesh became smaller: there is nothing left to move.
+bool isStale(const Session& session, const TextureSpaceState& state) {
+    const VertexMove& move = *state.move;
+    return move.model != session.window.selection.model || move.unit != session.window.selection.unit ||
+           move.vertices.back() >= state.coords.given().size();
+}
+
+/// The axis that a key names: X and S the first, Y and T the second.
+std::optional<int> axisKey() {
+    if (isPressed('X') || isPressed('S'))
+        return 0;
+    if (isPressed('Y') || isPressed('T'))
+        return 1;
+    return std::nullopt;
+}
+
+/// True where a click ended the move.
+bool continueKeyedMove(Session& session, TextureSpaceState& state, const Canvas& canvas) {
+    session.window.keyTaken = true;
+    const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    const bool cancelled = isPressed(key::escape) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (const std::optional<int> axis = axisKey())
+        state.move->axis = state.move->axis == axis ? std::nullopt : axis;
+    if (cancelled) {
+        finishMove(session, state, false);
+        return true;
+    }
+    if (ImGui::IsMousePosValid()) // outside of the window it stays where it was
+        followWithMove(session, state, canvas);
+    if (!clicked && !isPressed(key::enter) && !isPressed(key::keypadEnter))
+        return false;
+    finishMove(session, state, true);
+    return clicked;
+}
+
+void beginKeyedMove(Session& session, TextureSpaceState& state, const Canvas& canvas, MoveKind kind) {
+    const std::optional<std::size_t>& vertex = session.window.selection.vertex;
+    if (!vertex || *vertex >= state.coords.given().size())
+        return;
+    // What one looks at is where coordinates end, unless no given one leads there.
+    const bool results = state.coords.differ() &&
+                         state.coords.givenFor(*vertex, state.coords.resultingPlaces()[*vertex]).has_value();
+    sealEdit(session);
+    state.move =
+        beginMove(session, state.coords, kind, results, *vertex, canvas.toCoord(ImGui::GetIO().MousePos));
+    if (state.move)
+        state.move->byKey = true;
+}
+
+struct MoveKey {
+    int code;
+    MoveKind kind;
+};
+constexpr std::array moveKeys{MoveKey{'G', MoveKind::Move}, MoveKey{'R', MoveKind::Rotate},
+                              MoveKey{'S', MoveKind::Scale}};
+
+struct ArrowKey {
+    int code;
+    glm::vec2 way;
+};
+constexpr std::array arrowKeys{ArrowKey{key::left, {-1, 0}}, ArrowKey{key::right, {1, 0}},
+                               ArrowKey{key::down, {0, -1}}, ArrowKey{key::up, {0, 1}}};
+
+void chooseAllOrNone(Session& session, const TextureSpaceState& state) {
+    Selection& selection = session.window.selection;
+    const std::size_t count = state.coords.given().size();
+    std::vector<std::size_t> all(chosenVertices(selection).size() == count ? 0 : count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    chooseVertices(selection, std::move(all));
+}
+
+void handleShortKeys(Session& session, TextureSpaceState& state, const Canvas& canvas) {
+    const ImGuiIO& io = ImGui::GetIO();
+    bool& taken = session.window.keyTaken;
+    if (io.KeyCtrl) {
+        if (!io.KeyShift && isPressed('C')) {
+            copyCoords(session, state.coords);
+            taken = true;
+        }
+        if (!io.KeyShift && isPressed('V')) {
+            pasteCoords(session, state.coords);
+            taken = true;
+        }
+        return;
+    }
+    if (isPressed('F')) {
+        fitPlane(session.window.plane, state.coords);
+        taken = true;
+    }
+    if (isPressed('A') && !state.coords.given().empty()) {
+        chooseAllOrNone(session, state);
+        taken = true;
+    }
+    if (!session.window.selection.vertex || state.coords.given().empty())
+        return;
+    for (const MoveKey& each : moveKeys) {
+        if (!state.move && isPressed(each.code)) {
+            beginKeyedMove(session, state, canvas, each.kind);
+            taken = true;
+        }
+    }
+    for (const ArrowKey& each : arrowKeys) {
+        if (!isPressed(each.code, true))
+            continue;
+        if (isPressed(each.code)) // held, it goes on with its step of undo
+            sealEdit(session);
+        const glm::vec2 step = io.KeyShift ? glm::vec2(0.25F) : 1.0F / texelsOf(session, state);
+        nudge(session, state.coords, each.way * step);
+        state.coords.follow(session);
+        taken = true;
+    }
+}
+
+void pressOn(Session& session, TextureSpaceState& state, const Canvas& canvas, const PlaneMouse& mouse) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Selection& selection = session.window.selection;
+    state.drag = PlaneDrag::Pan;
+    state.pressed.reset();
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || state.coords.given().empty() || mouse.onPatch)
+        return;
+    if (!mouse.grip) {
+        if (io.KeyShift != state.selects) {
+            state.drag = PlaneDrag::Box;
+            state.boxFrom = canvas.toCoord(io.MousePos);
+        }
+        return;
+    }
+    const std::size_t vertex = mouse.grip->vertex;
+    if (io.KeyShift) {
+        toggleVertex(selection, vertex);
+    } else if (isChosen(selection, vertex)) {
+        state.pressed = vertex;
+        selection.vertex = vertex;
+    } else {
+        chooseVertices(selection, {vertex});
+    }
+    state.drag = PlaneDrag::Vertices;
+    if (!isChosen(selection, vertex))
+        return;
+    sealEdit(session);
+    state.move = beginMove(session, state.coords, MoveKind::Move, mouse.grip->result, vertex,
+                           canvas.toCoord(io.MousePos));
+}
+
+void chooseInBox(Session& session, const TextureSpaceState& state, const Canvas& canvas) {
+    const glm::vec2 to = canvas.toCoord(ImGui::GetIO().MousePos);
+    const glm::vec2 low = glm::min(state.boxFrom, to);
+    const glm::vec2 high = glm::max(state.boxFrom, to);
+    // With Shift, in a mode where that isn't what draws the box, those in it are added.
+    std::vector<std::size_t> vertices = state.selects && !ImGui::GetIO().KeyShift
+                                            ? std::vector<std::size_t>{}
+                                            : chosenVertices(session.window.selection);
+    const std::vector<glm::vec2>& places = state.coords.resultingPlaces();
+    for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+        const glm::vec2 at = places[vertex];
+        if (at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y)
+            vertices.push_back(vertex);
+    }
+    chooseVertices(session.window.selection, std::move(vertices));
+}
+
+void release(Session& session, TextureSpaceState& state, const Canvas& canvas, bool onPatch) {
+    const PlaneDrag drag = std::exchange(state.drag, PlaneDrag::None);
+    if (state.move && !state.move->byKey)
+        finishMove(session, state, true);
+    const bool left = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    if (drag == PlaneDrag::Box && isDrag())
+        chooseInBox(session, state, canvas);
+    else if (drag == PlaneDrag::Vertices && state.pressed && !isDrag())
+        chooseVertices(session.window.selection, {*state.pressed});
+    else if (drag == PlaneDrag::Pan && left && !isDrag() && !onPatch && !ImGui::GetIO().KeyShift &&
+             !state.coords.given().empty())
+        chooseVertices(session.window.selection, {});
+    sealEdit(session);
+}
+
+void movePlane(Plane& plane, const Canvas& canvas, bool hovered, bool pans) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (pans) {
+        plane.s -= io.MouseDelta.x / canvas.pixelsPerUnit;
+        plane.t += io.MouseDelta.y / canvas.pixelsPerUnit;
+    }
+    if (hovered && io.MouseWheel != 0) {
+        // What is under the mouse stays there.
+        const glm::vec2 fixed = canvas.toCoord(io.MousePos);
+        const float extent =
+            std::clamp(plane.extent * std::pow(0.9F, io.MouseWheel), smallestPlane, largestPlane);
+        const float factor = extent / plane.extent;
+        plane.s = fixed.x + (plane.s - fixed.x) * factor;
+        plane.t = fixed.y + (plane.t - fixed.y) * factor;
+        plane.extent = extent;
+    }
+}
+
+} // namespace
+
+std::optional<Grip> gripUnder(const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
+                              std::optional<std::size_t> chosen, ImVec2 mouse) {
+    const auto end = nearestOf(canvas, mesh, coords.resultingPlaces(), chosen, mouse);
+    const auto given =
+        coords.differ() ? nearestOf(canvas, mesh, coords.givenPlaces(), chosen, mouse) : std::nullopt;
+    if (end && (!given || end->distance <= given->distance))
+        return Grip{end->vertex, coords.differ()};
+    return given ? std::optional(Grip{given->vertex, false}) : std::nullopt;
+}
+
+bool handlePlaneKeys(Session& session, TextureSpaceState& state, const Canvas& canvas,
+                     const PlaneMouse& mouse) {
+    if (state.move && isStale(session, state))
+        state.move.reset();
+    // The mouse has other things to do in a dialog, and the wheel elsewhere is an edit of its own.
+    if (state.move && state.move->byKey && session.window.dialog != Dialog::None)
+        finishMove(session, state, false);
+    else if (state.move && state.move->byKey && ImGui::GetIO().MouseWheel != 0 && !mouse.hovered)
+        finishMove(session, state, true);
+    if (state.move && state.move->byKey)
+        return continueKeyedMove(session, state, canvas);
+    if (state.move && isPressed(key::escape)) { // of a drag, which goes on without them
+        finishMove(session, state, false);
+        session.window.keyTaken = true;
+    }
+    const bool free = !session.window.keyTaken && session.window.dialog == Dialog::None &&
+                      !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
+    if (mouse.hovered && free)
+        handleShortKeys(session, state, canvas);
+    return false;
+}
+
+void handlePlaneMouse(Session& session, TextureSpaceState& state, const Canvas& canvas,
+                      const PlaneMouse& mouse) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated())
+        pressOn(session, state, canvas, mouse);
+    if (mouse.active && state.drag == PlaneDrag::Vertices && state.move && isDrag())
+        followWithMove(session, state, canvas);
+    if (!mouse.active && state.drag != PlaneDrag::None)
+        release(session, state, canvas, mouse.onPatch);
+    const bool dragged = mouse.active && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+    movePlane(session.window.plane, canvas, mouse.hovered, dragged && state.drag == PlaneDrag::Pan);
+    if (mouse.hovered && !mouse.grip && !mouse.onPatch && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        fitPlane(session.window.plane, state.coords);
+}
+
+std::optional<Box> selectionBox(const TextureSpaceState& state, const Canvas& canvas) {
+    if (state.drag != PlaneDrag::Box || !isDrag())
+        return std::nullopt;
+    const ImVec2 from = canvas.toPixel(state.boxFrom.x, state.boxFrom.y);
+    const ImVec2 to = ImGui::GetIO().MousePos;
+    return Box{{std::min(from.x, to.x), std::min(from.y, to.y)},
+               {std::max(from.x, to.x), std::max(from.y, to.y)}};
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,396 @@
+#include "app/ui/texture_space/plane_tools.h"
+
+#include "app/ui/model/coord_text.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/panel_menus.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/projections.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr const char* fitHelp = "Shows the image and every vertex (F, or a double click)";
+constexpr const char* snapHelp =
+    "Moved vertices come to rest on texels, quarters, or 0 and 1 (hold Ctrl to invert it)";
+constexpr const char* selectHelp =
+    "A drag beside the vertices chooses those in its box, instead of moving the plane (also with Shift)";
+
+/// A button that is lit while it is on.
+bool toolButton(const char* label, std::string_view name, const char* help, bool on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
+                                              : ImGui::GetColorU32(ImGuiCol_Button));
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopStyleColor();
+    noteItem(name);
+    helpTip(help);
+    return pressed;
+}
+
+bool hasVertices(const TextureSpaceState& state) {
+    return !state.coords.given().empty();
+}
+
+/// Something that has a button where there is room.
+struct Tool {
+    const char* label;
+    const char* name;
+    const char* help;
+    bool (*isOn)(const TextureSpaceState& state);
+    void (*use)(Session& session, TextureSpaceState& state);
+    bool needsVertices = false;
+};
+
+bool isNeverOn(const TextureSpaceState& /*state*/) {
+    return false;
+}
+
+template<Channel channel>
+bool showsChannel(const TextureSpaceState& state) {
+    return state.look.channel == channel;
+}
+
+/// A second press shows the colours again.
+template<Channel channel>
+void toggleChannel(Session& /*session*/, TextureSpaceState& state) {
+    state.look.channel = state.look.channel == channel ? Channel::All : channel;
+}
+
+template<Channel channel>
+constexpr Tool channelTool(const char* name) {
+    const ChannelRow& row = channelRows[static_cast<std::size_t>(channel)];
+    return {row.brief, name, row.help, showsChannel<channel>, toggleChannel<channel>};
+}
+
+// In the order of the line.
+constexpr std::array channelTools{
+    channelTool<Channel::Red>("channel:R"),       channelTool<Channel::Green>("channel:G"),
+    channelTool<Channel::Blue>("channel:B"),      channelTool<Channel::Alpha>("channel:A"),
+    channelTool<Channel::Luminance>("channel:L"),
+};
+
+constexpr std::array vertexTools{
+    Tool{"Snap", "snap", snapHelp, [](const TextureSpaceState& state) { return state.snapping.on; },
+         [](Session&, TextureSpaceState& state) { state.snapping.on = !state.snapping.on; }, true},
+    Tool{"▭", "box select", selectHelp, [](const TextureSpaceState& state) { return state.selects; },
+         [](Session&, TextureSpaceState& state) { state.selects = !state.selects; }, true},
+    Tool{"↔", "mirror s", "Mirrors the chosen vertices, or all, from left to right", isNeverOn,
+         [](Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 0); }, true},
+    Tool{"↕", "mirror t", "Mirrors the chosen vertices, or all, upside down", isNeverOn,
+         [](Session& session, TextureSpaceState& state) { mirrorVertices(session, state.coords, 1); }, true},
+};
+
+void drawTool(Session& session, TextureSpaceState& state, const Tool& tool) {
+    ImGui::BeginDisabled(tool.needsVertices && !hasVertices(state));
+    if (toolButton(tool.label, tool.name, tool.help, tool.isOn(state)))
+        tool.use(session, state);
+    ImGui::EndDisabled();
+}
+
+ImU32 componentTint(std::size_t component) {
+    return component < 3 ? componentColor(static_cast<int>(component)) : color::text;
+}
+
+/// How often each value occurs, of the components that are shown.
+void histogram(const TextureSpaceState& state, float width) {
+    const reference::TexelStatistics* statistics = state.level.statistics();
+    const float em = ImGui::GetFontSize();
+    const float height = em * 4;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, height});
+    noteItem("histogram");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, {low.x + width, low.y + height}, color::ground, em * 0.2F);
+    if (!statistics) {
+        const char* text = state.level.problem().empty() ? "Counting…" : "There is no such level";
+        draw.AddText({low.x + em * 0.5F, low.y + em * 0.5F}, color::dim, text);
+        return;
+    }
+    const Channel channel = state.look.channel;
+    const auto isShown = [channel](std::size_t component) {
+        return channel == Channel::All ? component < 3 : component + 1 == static_cast<std::size_t>(channel);
+    };
+    std::uint32_t most = 1;
+    for (std::size_t i = 0; i < statistics->components.size(); ++i) {
+        if (isShown(i))
+            most = std::max(most, std::ranges::max(statistics->components[i].counts));
+    }
+    for (std::size_t i = 0; i < statistics->components.size(); ++i) {
+        if (!isShown(i))
+            continue;
+        ImVec4 tint = ImGui::ColorConvertU32ToFloat4(componentTint(i));
+        tint.w = channel == Channel::All ? 0.55F : 0.9F;
+        const ImU32 ink = ImGui::ColorConvertFloat4ToU32(tint);
+        for (int value = 0; value < 256; ++value) {
+            const std::uint32_t count = statistics->components[i].counts[static_cast<std::size_t>(value)];
+            if (count == 0)
+                continue;
+            // What is rare is seen, too.
+            const float share = std::sqrt(static_cast<float>(count) / static_cast<float>(most));
+            const float x = low.x + width * static_cast<float>(value) / 256;
+            draw.AddRectFilled({x, low.y + height * (1 - share)},
+                               {x + std::max(1.0F, width / 256), low.y + height}, ink);
+        }
+    }
+}
+
+/// min, max and mean of each component, in 255ths.
+void statisticsTable(const TextureSpaceState& state) {
+    const reference::TexelStatistics* statistics = state.level.statistics();
+    const ImVec2 size(ImGui::GetFontSize() * 16, 0);
+    if (!statistics || !ImGui::BeginTable("statistics", 4, ImGuiTableFlags_SizingStretchSame, size))
+        return;
+    for (const char* name : {"", "min", "max", "mean"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", name);
+    }
+    for (std::size_t i = 0; i < statistics->components.size(); ++i) {
+        const reference::ComponentStatistics& each = statistics->components[i];
+        const char* brief = channelRows[i + 1].brief;
+        const std::string least = std::to_string(each.least);
+        const std::string most = std::to_string(each.most);
+        const std::string mean = fmt::format("{:.2f}", each.mean);
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, componentTint(i));
+        ImGui::TextUnformatted(brief);
+        ImGui::PopStyleColor();
+        for (const std::string& number : {least, most, mean}) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(number.c_str());
+        }
+        noteItem(fmt::format("statistics:{} {} {} {}", brief, least, most, mean));
+    }
+    ImGui::EndTable();
+}
+
+void levelSlider(Session& session, TextureSpaceState& state, float width) {
+    const std::vector<int> levels = levelsOfBound(session);
+    ImGui::BeginDisabled(levels.size() < 2);
+    ImGui::SetNextItemWidth(width);
+    ImGui::SliderInt("Level", &state.look.level, levels.empty() ? 0 : levels.front(),
+                     levels.empty() ? 0 : levels.back(), "%d", ImGuiSliderFlags_AlwaysClamp);
+    noteItem("shown level");
+    ImGui::EndDisabled();
+    helpTip(levels.size() < 2 ? "The texture has one level: its mipmaps are off"
+                              : "The mip level that is shown; it changes nothing of the scene");
+}
+
+void pictureTools(Session& session, TextureSpaceState& state) {
+    const float em = ImGui::GetFontSize();
+    const float width = em * 11;
+    PlaneLook& look = state.look;
+    caption("Picture");
+    for (const ChannelRow& row : channelRows) {
+        if (&row != &channelRows.front())
+            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
+        if (toolButton(row.brief, std::string("channel=") + row.label, row.help, look.channel == row.channel))
+            look.channel = row.channel;
+    }
+    levelSlider(session, state, width);
+    ImGui::SetNextItemWidth(width);
+    ImGui::SliderFloat("Exposure", &look.exposure, -PlaneLook::mostExposure, PlaneLook::mostExposure,
+                       "× 2^%.1f", ImGuiSliderFlags_AlwaysClamp);
+    noteItem("exposure");
+    helpTip("Values are shown times 2 to this: dark ones become visible");
+    ImGui::SetNextItemWidth(width);
+    constexpr float smallestRange = 0.01F;
+    if (ImGui::DragFloatRange2("Range", &look.low, &look.high, 0.005F, 0, 1, "%.2f", nullptr,
+                               ImGuiSliderFlags_AlwaysClamp) &&
+        look.high - look.low < smallestRange) {
+        look.low = std::min(look.low, 1 - smallestRange);
+        look.high = look.low + smallestRange;
+    }
+    noteItem("range");
+    helpTip("The values that are shown as 0 and as 1");
+    const bool isInitial = look.isPlain() && look.level == 0;
+    ImGui::BeginDisabled(isInitial);
+    if (ImGui::Button("As it is"))
+        look = {.board = look.board};
+    noteItem("plain look");
+    ImGui::EndDisabled();
+    helpTip("All channels of level 0, exposure and range as at the start");
+    ImGui::SameLine();
+    ImGui::Checkbox("Checker behind alpha", &look.board);
+    noteItem("board");
+    helpTip("What is transparent shows a checkerboard; else the colour that it has");
+    histogram(state, width + em * 5);
+    statisticsTable(state);
+}
+
+void snapChoice(TextureSpaceState& state) {
+    ImGui::Checkbox("Snap to", &state.snapping.on);
+    noteItem("snap on");
+    helpTip(snapHelp);
+    for (const SnapRow& row : snapRows) {
+        ImGui::SameLine();
+        if (toolButton(row.label, std::string("snap:") + row.label, row.help,
+                       state.snapping.to == row.snap)) {
+            state.snapping.to = row.snap;
+            state.snapping.on = true;
+        }
+    }
+}
+
+void project(Session& session, const TextureSpaceState& state, CoordProjection projection) {
+    replaceCoords(
+        session,
+        projectedTexCoords(selectedMesh(session), projection, editedVertices(session), state.coords.given()),
+        fmt::format("{} projection", rowOf(projection).label));
+}
+
+void vertexMenu(Session& session, TextureSpaceState& state) {
+    const std::size_t count = editedVertices(session).size();
+    caption("Vertices");
+    if (!hasVertices(state)) {
+        ImGui::TextDisabled("Directions have no place in this plane");
+        return;
+    }
+    snapChoice(state);
+    ImGui::Checkbox("Drag selects", &state.selects);
+    noteItem("drag selects");
+    helpTip(selectHelp);
+    ImGui::SameLine();
+    ImGui::Checkbox("Numbers", &state.numbers);
+    noteItem("vertex numbers");
+    helpTip("The numbers of the vertices, where they have room");
+    ImGui::SameLine();
+    ImGui::Checkbox("Legend", &state.legend);
+    noteItem("legend on");
+    helpTip("Names what is shown, at the upper edge");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", fmt::format("Of {} vertices:", count).c_str());
+    helpTip("The chosen ones where there are two or more, else all");
+    for (const auto& [label, name, help, axis] :
+         {std::tuple{"Mirror s", "menu mirror s", vertexTools[2].help, 0},
+          std::tuple{"Mirror t", "menu mirror t", vertexTools[3].help, 1}}) {
+        ImGui::SameLine();
+        if (toolButton(label, name, help, false))
+            mirrorVertices(session, state.coords, axis);
+    }
+    for (const EnumRow& row : EnumTable<CoordProjection>::rows) {
+        if (&row != &EnumTable<CoordProjection>::rows.front())
+            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        const std::string help(row.help);
+        if (toolButton(std::string(row.label).c_str(), fmt::format("project:{}", row.label), help.c_str(),
+                       false))
+            project(session, state, static_cast<CoordProjection>(row.value));
+    }
+    if (toolButton("Copy", "copy coordinates", "Their s and t as text, a line for each (Ctrl + C)", false))
+        copyCoords(session, state.coords);
+    ImGui::SameLine();
+    if (toolButton("Paste", "paste coordinates",
+                   "A line \"s t\" or \"s t r q\" for each vertex becomes its coordinates (Ctrl + V)", false))
+        pasteCoords(session, state.coords);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 18);
+    ImGui::TextDisabled(
+        "Over the plane: G, R, S move, rotate, scale with the mouse, then S or T for one axis, "
+        "Enter or Escape. Arrows: by a texel, with Shift by 1/4. A: all or none.");
+    ImGui::PopTextWrapPos();
+}
+
+} // namespace
+
+void fitPlane(Plane& plane, const PlaneCoords& coords) {
+    const auto [low, high] = boundsOf(coords);
+    plane.s = (low.x + high.x) / 2;
+    plane.t = (low.y + high.y) / 2;
+    plane.extent = std::clamp(std::max(high.x - low.x, high.y - low.y) * 1.4F, smallestPlane, largestPlane);
+}
+
+void copyCoords(Session& session, const PlaneCoords& coords) {
+    TexCoords chosen;
+    for (const std::size_t vertex : editedVertices(session)) {
+        if (vertex < coords.given().size())
+            chosen.push_back(coords.given()[vertex]);
+    }
+    if (!chosen.empty())
+        ImGui::SetClipboardText(coordText(chosen).c_str());
+}
+
+void pasteCoords(Session& session, const PlaneCoords& coords) {
+    const char* text = ImGui::GetClipboardText();
+    const Result<TexCoords> pasted = parseCoordText(text ? text : "");
+    if (!pasted)
+        return say(session,
+                   fmt::format("The clipboard has no texture coordinates: {}.", pasted.error().message));
+    TexCoords list = coords.given();
+    if (list.empty())
+        return say(session, "Directions have no place in this plane: there is nothing to paste onto.");
+    const std::vector<std::size_t> edited = editedVertices(session);
+    if (pasted->size() != edited.size() && pasted->size() != list.size())
+        return say(session, fmt::format("Expected coordinates of {} vertices, the clipboard has those of {}.",
+                                        edited.size(), pasted->size()));
+    if (pasted->size() == edited.size()) {
+        for (std::size_t i = 0; i < edited.size(); ++i)
+            list[edited[i]] = (*pasted)[i];
+    } else {
+        list = *pasted;
+    }
+    replaceCoords(session, std::move(list), "Paste coordinates");
+}
+
+void drawPlaneTools(Session& session, TextureSpaceState& state) {
+    constexpr const char* more = "…";
+    constexpr const char* fit = "Fit";
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    textureSpaceTitle(session);
+    ImGui::SameLine();
+    const float end = ImGui::GetContentRegionMax().x - buttonWidth(fit) - buttonWidth(more) - gap;
+    const float begin = ImGui::GetCursorPosX();
+    // What has room: first the channels, all of them or none, then the others one by one.
+    const auto widthOf = [gap](const Tool& tool) { return buttonWidth(tool.label) + gap; };
+    float channels = 0;
+    for (const Tool& tool : channelTools)
+        channels += widthOf(tool);
+    float left = end - begin - gap;
+    const bool hasChannels = channels <= left;
+    left -= hasChannels ? channels : 0;
+    std::size_t count = 0;
+    float width = hasChannels ? channels : 0;
+    while (hasChannels && count < vertexTools.size() && widthOf(vertexTools[count]) <= left) {
+        left -= widthOf(vertexTools[count]);
+        width += widthOf(vertexTools[count++]);
+    }
+    ImGui::SameLine(std::max(begin, end - width));
+    for (std::size_t i = 0; hasChannels && i < channelTools.size(); ++i) {
+        drawTool(session, state, channelTools[i]);
+        ImGui::SameLine(0, gap);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        drawTool(session, state, vertexTools[i]);
+        ImGui::SameLine(0, gap);
+    }
+    ImGui::SetCursorPosX(std::max(begin, end));
+    if (toolButton(more, "plane tools", "Channels, exposure, histogram, snapping, projections and all else",
+                   !state.look.isPlain() || state.look.level != 0))
+        ImGui::OpenPopup("plane tools");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(fit))
+        fitPlane(session.window.plane, state.coords);
+    noteItem("fit plane");
+    helpTip(fitHelp);
+    bool open = false;
+    // Beside the panel, so that one sees what the tools do.
+    const ImVec2 corner = ImGui::GetWindowPos();
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
+    if (ImGui::BeginPopup("plane tools")) {
+        open = true;
+        pictureTools(session, state);
+        ImGui::Spacing();
+        vertexMenu(session, state);
+        ImGui::EndPopup();
+    }
+    if (state.look.level != 0) { // another texture may have fewer
+        if (const std::vector<int> levels = levelsOfBound(session); !levels.empty())
+            state.look.level = std::clamp(state.look.level, levels.front(), levels.back());
+    }
+    state.level.follow(session, state.look, open || !state.look.isPlain() || state.look.level != 0);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,224 @@
+#include "app/ui/view/false_color_view.h"
+
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::Shown;
+
+/// "λ ▾"
+std::string shownLabel(const ViewSettings& settings) {
+    return fmt::format("{} ▾", texplorer::rowOf(settings.shown).label);
+}
+
+/// A number on a scale, and where it is: 0 at its left end, 1 at its right one.
+struct ScaleMark {
+    float place;
+    std::string text;
+};
+
+/// What the colours of a legend mean.
+struct FalseColorScale {
+    std::string title;
+    std::array<std::uint8_t, 4> (*colorAt)(float place, int steps);
+    int steps = 1; ///< levels above the base; of λ alone
+    std::vector<ScaleMark> marks;
+    bool hasMagnified = false; ///< a field for what is magnified stands before it
+};
+
+FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
+    FalseColorScale scale;
+    if (shown == Shown::Lambda) {
+        scale.title = fmt::format("λ of unit {}, black where magnified", unit);
+        scale.colorAt = [](float place, int steps) {
+            return reference::lambdaColor(std::max(place, 1e-6F) * static_cast<float>(steps), steps);
+        };
+        scale.steps = reference::stepsOf(map);
+        for (int i = 0; i <= scale.steps; ++i)
+            scale.marks.push_back(
+                {static_cast<float>(i) / static_cast<float>(scale.steps), std::to_string(i)});
+        scale.hasMagnified = true;
+        return scale;
+    }
+    scale.title = fmt::format("footprint of unit {}: longer side by shorter", unit);
+    scale.colorAt = [](float place, int) {
+        return reference::ratioColor(std::pow(reference::largestShownRatio, place));
+    };
+    for (float ratio = 1; ratio <= reference::largestShownRatio; ratio *= 2)
+        scale.marks.push_back({std::log2(ratio) / std::log2(reference::largestShownRatio),
+                               ratio < reference::largestShownRatio ? fmt::format("{:.0f}", ratio)
+                                                                    : fmt::format("{:.0f}+", ratio)});
+    return scale;
+}
+
+/// Numbers below a bar, those that don't overlap; the last one is there in any case.
+void drawMarks(ImDrawList& draw, const std::vector<ScaleMark>& marks, float left, float width, float y) {
+    const float gap = ImGui::GetFontSize() * 0.35F;
+    const auto widthOf = [](const ScaleMark& mark) { return ImGui::CalcTextSize(mark.text.c_str()).x; };
+    const float last = left + width - widthOf(marks.back());
+    float free = left - gap;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const float own = widthOf(marks[i]);
+        const float x = std::clamp(left + width * marks[i].place - own / 2, left, left + width - own);
+        const bool isLast = i + 1 == marks.size();
+        if (!isLast && (x < free || x + own + gap > last))
+            continue;
+        draw.AddText({x, y}, color::text, marks[i].text.c_str());
+        free = x + own + gap;
+    }
+}
+
+} // namespace
+
+float shownChoiceWidth(const ViewSettings& settings) {
+    return ImGui::CalcTextSize(shownLabel(settings).c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+void shownItems(ViewSettings& settings) {
+    for (const EnumRow& row : EnumTable<Shown>::rows) {
+        const auto shown = static_cast<Shown>(row.value);
+        if (ImGui::MenuItem(row.label.data(), nullptr, settings.shown == shown))
+            settings.shown = shown;
+        noteItem(fmt::format("shown:{}", row.name));
+        helpTip(row.help);
+    }
+    ImGui::Separator();
+    const bool isIdle = settings.shown == Shown::Picture;
+    ImGui::BeginDisabled(isIdle);
+    float percent = std::round(settings.opacity * 100);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
+    if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %% opaque", ImGuiSliderFlags_AlwaysClamp))
+        settings.opacity = percent / 100;
+    ImGui::EndDisabled();
+    noteItem("false color opacity");
+    helpTip(isIdle ? "How much of the picture the false colours leave to be seen: there are none at present"
+                   : "How much of the picture the false colours leave to be seen");
+}
+
+void drawShownChoice(ViewSettings& settings) {
+    const bool isOn = settings.shown != Shown::Picture;
+    ImGui::PushStyleColor(ImGuiCol_Button, isOn ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
+                                                : ImGui::GetColorU32(ImGuiCol_Button));
+    const bool pressed = ImGui::Button(fmt::format("{}###shown", shownLabel(settings)).c_str());
+    ImGui::PopStyleColor();
+    noteItem("shown");
+    helpTip("Shows the picture, or in false colours the level of detail of each pixel (λ) or how long its "
+            "footprint in the texture is (anisotropy)");
+    if (pressed)
+        ImGui::OpenPopup("shown choices");
+    if (ImGui::BeginPopup("shown choices")) {
+        shownItems(settings);
+        ImGui::EndPopup();
+    }
+}
+
+void drawFalseColors(ImDrawList& draw, const Session& session, const Pictures& pictures, const Panes& panes,
+                     const Pane& pane) {
+    const auto& answer = session.window.levels.answer;
+    if (session.window.view.shown == Shown::Picture || !levelMapOf(session) || !answer->colors ||
+        !pane.renderer || pane.side != view::Side::Now)
+        return;
+    const view::PictureHandle colors = pictures.showTexels(answer->colors);
+    if (colors == view::PictureHandle::None)
+        return;
+    const ImVec2 low(static_cast<float>(pane.frame.x), static_cast<float>(pane.frame.y));
+    const ImVec2 high(static_cast<float>(pane.frame.right()), static_cast<float>(pane.frame.bottom()));
+    draw.PushClipRect({static_cast<float>(pane.visible.x), static_cast<float>(pane.visible.y)},
+                      {static_cast<float>(pane.visible.right()), static_cast<float>(pane.visible.bottom())});
+    draw.AddImage(textureId(colors), low, high, {panes.partLow().x, panes.partHigh().y},
+                  {panes.partHigh().x, panes.partLow().y},
+                  ImGui::ColorConvertFloat4ToU32({1, 1, 1, session.window.view.opacity}));
+    draw.PopClipRect();
+}
+
+void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& pane) {
+    const Shown shown = session.window.view.shown;
+    if (shown == Shown::Picture)
+        return;
+    const float em = ImGui::GetFontSize();
+    const float line = ImGui::GetTextLineHeight();
+    const float pad = em * 0.5F;
+    const float width = std::min(static_cast<float>(pane.frame.width) - 3 * em, em * 20);
+    if (width < em * 4)
+        return;
+    const reference::LevelMap* map = levelMapOf(session);
+    const auto& answer = session.window.levels.answer;
+    // At the right, because the number of the passes stands at the left.
+    const float right = static_cast<float>(pane.frame.right()) - em;
+    const ImVec2 low(right - width, static_cast<float>(pane.frame.bottom()) - 2.6F * line - 2 * pad);
+    if (!map) {
+        const std::string words = answer && !answer->map
+                                      ? fmt::format("No false colours: {}", answer->map.error().message)
+                                      : "The levels of the pixels are being worked out…";
+        const std::string text = fitted(words, width);
+        const float y = static_cast<float>(pane.frame.bottom()) - line - 2 * pad;
+        const float x = right - ImGui::CalcTextSize(text.c_str()).x;
+        draw.AddRectFilled({x - pad, y - pad / 2}, {right + pad, y + line + pad / 2}, color::shade, pad);
+        draw.AddText({x, y}, color::text, text.c_str());
+        noteDrawn("false colors:none", {x, y}, {right, y + line});
+        return;
+    }
+    const FalseColorScale scale = scaleOf(*map, shown, session.window.selection.unit);
+    const float bar = em * 0.6F;
+    const ImVec2 corner(low.x + width + pad, low.y + line + bar + pad + line);
+    draw.AddRectFilled({low.x - pad, low.y - pad / 2}, corner, color::shade, pad);
+    draw.AddText({low.x, low.y}, color::text, fitted(scale.title, width).c_str());
+    const float y = low.y + line + pad * 0.4F;
+    float left = low.x;
+    if (scale.hasMagnified) {
+        const float field = ImGui::CalcTextSize("< 0").x;
+        const auto [r, g, b, a] = reference::lambdaColor(0, scale.steps);
+        draw.AddRectFilled({left, y}, {left + field, y + bar}, IM_COL32(r, g, b, a));
+        draw.AddRect({left, y}, {left + field, y + bar}, color::outline);
+        draw.AddText({left, y + bar + pad * 0.2F}, color::text, "< 0");
+        left += field + em;
+    }
+    const float length = low.x + width - left;
+    constexpr int columns = 128;
+    for (int i = 0; i < columns; ++i) {
+        const auto at = [&](int column) { return left + length * static_cast<float>(column) / columns; };
+        const auto [r, g, b, a] =
+            scale.colorAt((static_cast<float>(i) + 0.5F) / static_cast<float>(columns), scale.steps);
+        draw.AddRectFilled({at(i), y}, {at(i + 1), y + bar}, IM_COL32(r, g, b, a));
+    }
+    drawMarks(draw, scale.marks, left, length, y + bar + pad * 0.2F);
+    noteDrawn("false colors:legend", {low.x - pad, low.y - pad / 2}, corner);
+}
+
+void drawFalseColorTip(const Session& session, const Layout& layout) {
+    const reference::LevelMap* map = levelMapOf(session);
+    const auto& pixel = session.window.levels.hovered;
+    if (session.window.view.shown == Shown::Picture || session.window.view.magnifies || !map || !pixel)
+        return;
+    const reference::PixelLevels* levels = map->at(pixel->x, pixel->y);
+    if (!levels)
+        return;
+    const std::string text = session.window.view.shown == Shown::Lambda ? reference::levelsText(*map, *levels)
+                                                                        : reference::footprintText(*levels);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float pad = em * 0.35F;
+    ImVec2 at(mouse.x + em, mouse.y + em * 1.2F);
+    at.x = std::max(pad, std::min(at.x, static_cast<float>(layout.window.right()) - size.x - 2 * pad));
+    if (at.y + size.y + pad > static_cast<float>(layout.view.bottom()))
+        at.y = mouse.y - size.y - em;
+    ImDrawList& draw = *ImGui::GetForegroundDrawList();
+    draw.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
+                       color::shade, pad);
+    draw.AddText(at, color::text, text.c_str());
+    noteDrawn("false colors:tip", at, {at.x + size.x, at.y + size.y});
+}
+
+} // namespace texplorer::ui

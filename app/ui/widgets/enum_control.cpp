@@ -1,0 +1,108 @@
+#include "app/ui/widgets/enum_control.h"
+
+#include "app/ui/model/preview.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::size_t mostSegments = 8;
+
+/// The last widget stands for a choice: its name, its help, and what it would make of the picture.
+void offerChoice(Session& session, const ParamRow& row, const EnumRow& choice, const std::string& path,
+                 bool isCurrent) {
+    noteItem(fmt::format("{}={}", path, choice.name));
+    choiceTip(choice);
+    if (isCurrent || !ImGui::IsItemHovered())
+        return;
+    preview(session, fmt::format("{}={}", path, choice.name), fmt::format("{}: {}", row.label, choice.label),
+            [&](Scene& scene) { (void)setParam(scene, path, choice.name); });
+}
+
+std::vector<Segment> segmentsOf(const Session& session, const Owner& owner, const ParamRow& row) {
+    std::vector<Segment> segments;
+    for (const EnumRow& choice : row.choices)
+        segments.push_back({owner.labelOf ? owner.labelOf(row, choice)
+                                          : std::string(shownBrief(session.window.settings, choice)),
+                            choice.group});
+    return segments;
+}
+
+bool listOfChoices(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
+                   const std::string& path) {
+    const EnumRow* current = findRow(row.choices, value.number);
+    const float room =
+        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string shown = fitted(current ? nameOfChoice(session, owner, row, *current) : "?", room);
+    bool changed = false;
+    if (!ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLargest))
+        return false;
+    ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
+    float names = 0;
+    for (const EnumRow& choice : row.choices)
+        names = std::max(names, ImGui::CalcTextSize(nameOfChoice(session, owner, row, choice).c_str()).x);
+    std::string_view group;
+    for (const EnumRow& choice : row.choices) {
+        if (choice.group != group)
+            caption(choice.group);
+        group = choice.group;
+        const std::string name = nameOfChoice(session, owner, row, choice);
+        const bool isCurrent = choice.value == value.number;
+        if (ImGui::Selectable(fmt::format("{}##{}", name, choice.name).c_str(), isCurrent)) {
+            changed = !isCurrent;
+            value.number = choice.value;
+        }
+        offerChoice(session, row, choice, path, isCurrent);
+        if (isCurrent)
+            ImGui::SetItemDefaultFocus();
+        const std::string_view other = session.window.settings.glNames ? choice.label : choice.name;
+        if (choice.name.starts_with("GL_")) {
+            ImGui::SameLine(names + ImGui::GetFontSize() * 2);
+            ImGui::PushFont(codeFont());
+            dimText(other);
+            ImGui::PopFont();
+        }
+    }
+    ImGui::PopStyleColor();
+    ImGui::EndCombo();
+    return changed;
+}
+
+} // namespace
+
+std::string nameOfChoice(const Session& session, const Owner& owner, const ParamRow& row,
+                         const EnumRow& choice) {
+    return owner.labelOf ? owner.labelOf(row, choice)
+                         : std::string(shownName(session.window.settings, choice));
+}
+
+std::optional<SegmentPlan> planChoices(const Session& session, const Owner& owner, const ParamRow& row,
+                                       float width, std::size_t mostLines) {
+    if (row.kind != Kind::Enum || row.choices.size() > mostSegments)
+        return std::nullopt;
+    return planSegments(segmentsOf(session, owner, row), width, mostLines);
+}
+
+bool enumControl(Session& session, const Owner& owner, const ParamRow& row, EnumValue& value,
+                 const std::string& path, const std::optional<SegmentPlan>& plan) {
+    if (!plan)
+        return listOfChoices(session, owner, row, value, path);
+    const EnumRow* current = findRow(row.choices, value.number);
+    const auto chosen =
+        current ? std::optional(static_cast<std::size_t>(current - row.choices.data())) : std::nullopt;
+    const auto pressed =
+        drawSegments(segmentsOf(session, owner, row), *plan, chosen, [&](std::size_t number) {
+            offerChoice(session, row, row.choices[number], path, number == chosen);
+        });
+    if (!pressed || pressed == chosen)
+        return false;
+    value.number = row.choices[*pressed].value;
+    return true;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,35 @@
+#include "app/ui/widgets/hints.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+// Like Dear ImGui's context, of the one frame that is being drawn.
+float roomForHints = 0;
+Hint hintSaid;
+
+} // namespace
+
+void beginHints(float room) {
+    roomForHints = room;
+    hintSaid = {};
+}
+
+Hint endHints() {
+    roomForHints = 0;
+    return std::exchange(hintSaid, {});
+}
+
+bool fitsBelow(std::string_view words) {
+    return roomForHints > 0 && words.find('\n') == std::string_view::npos &&
+           ImGui::CalcTextSize(words.data(), words.data() + words.size()).x <= roomForHints;
+}
+
+void hint(std::string words, bool isProblem) {
+    hintSaid = {std::move(words), isProblem};
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,30 @@
+#include "app/ui/widgets/hover_link.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+namespace texplorer::ui {
+
+void linkHover(Session& session, std::string_view path) {
+    if (path.empty())
+        return;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        session.window.hoveringParam = path;
+        return;
+    }
+    if (session.window.hoveredParam != path)
+        return;
+    const float margin = ImGui::GetFontSize() * 0.1F;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRect({low.x - margin, low.y - margin}, {high.x + margin, high.y + margin},
+                                        ImGui::GetColorU32(ImGuiCol_CheckMark),
+                                        ImGui::GetStyle().FrameRounding);
+}
+
+void turnHover(WindowState& window) {
+    window.hoveredParam = std::exchange(window.hoveringParam, {});
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/ui/model/settings.h"
+#include "core/scene/params/params.h"
+
+#include <string_view>
+
+namespace texplorer::ui {
+
+// What parameters and their choices are called: by plain words, or, where there is one, by OpenGL's name.
+
+[[nodiscard]] std::string_view shownName(const Settings& settings, const ParamRow& row);
+[[nodiscard]] std::string_view shownName(const Settings& settings, const EnumRow& choice);
+/// On a button.
+[[nodiscard]] std::string_view shownBrief(const Settings& settings, const EnumRow& choice);
+
+} // namespace texplorer::ui

@@ -1,0 +1,127 @@
+#include "app/ui/widgets/param_place.h"
+
+#include "app/ui/model/tex_coord_edits.h"
+#include "core/scene/model_mesh.h"
+#include "core/scene/params/param_text.h"
+#include "core/scene/tex_coords.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+/// The number in the brackets of "textures[3]".
+std::optional<std::size_t> placeIndexOf(std::string_view part) {
+    const std::size_t bracket = part.find('[');
+    if (bracket == std::string_view::npos || !part.ends_with(']'))
+        return std::nullopt;
+    std::size_t index = 0;
+    const char* end = part.data() + part.size() - 1;
+    const auto [stop, error] = std::from_chars(part.data() + bracket + 1, end, index);
+    return error == std::errc() && stop == end ? std::optional(index) : std::nullopt;
+}
+
+/// Which unit's coordinates a row of a model keeps.
+int placeUnitOf(const ParamRow& row) {
+    return row.key.back() - '0';
+}
+
+float* numbersOf(Value& value) {
+    if (auto* one = std::get_if<float>(&value))
+        return one;
+    if (auto* three = std::get_if<glm::vec3>(&value))
+        return &three->x;
+    if (auto* four = std::get_if<glm::vec4>(&value))
+        return &four->x;
+    if (auto* matrix = std::get_if<glm::mat4>(&value))
+        return &(*matrix)[0].x;
+    return nullptr;
+}
+
+int placeCount(const Value& value) {
+    return std::holds_alternative<glm::vec3>(value)   ? 3
+           : std::holds_alternative<glm::vec4>(value) ? 4
+           : std::holds_alternative<glm::mat4>(value) ? 16
+                                                      : 1;
+}
+
+bool assignCoord(Session& session, const ParamPlace& place, int component, float number) {
+    Model& model = *static_cast<Model*>(place.owner.values);
+    const Mesh mesh = meshOf(model);
+    const int unit = placeUnitOf(*place.row);
+    const TexCoords coords = effectiveTexCoords(model, mesh, unit);
+    if (*place.vertex >= coords.size() || component < 0 || component > 3)
+        return false;
+    glm::vec4 coord = coords[*place.vertex];
+    if (coord[component] == number)
+        return false;
+    coord[component] = number;
+    setTexCoord(model, mesh, unit, *place.vertex, coord);
+    recordEdit(session, fmt::format("Move vertex {}", *place.vertex),
+               fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex));
+    return true;
+}
+
+} // namespace
+
+std::optional<ParamPlace> placeOf(Scene& scene, std::string_view path) {
+    const StructTable* table = &sceneTable();
+    ParamPlace place{{&scene, nullptr, {}}};
+    while (true) {
+        const std::size_t dot = path.find('.');
+        const std::string_view part = path.substr(0, dot);
+        const std::string_view key = part.substr(0, part.find('['));
+        const std::optional<std::size_t> index = placeIndexOf(part);
+        if (const ParamRow* row = findParam(*table, key)) {
+            if (dot != std::string_view::npos || (index && row->kind != Kind::TexCoordList))
+                return std::nullopt;
+            place.row = row;
+            place.vertex = index;
+            return place;
+        }
+        const ChildRow* child = findChild(*table, key);
+        if (!child || dot == std::string_view::npos || child->indexed != index.has_value() ||
+            index.value_or(0) >= child->size(place.owner.values))
+            return std::nullopt;
+        place.owner.values = child->at(place.owner.values, index.value_or(0));
+        place.owner.path += fmt::format("{}{}", place.owner.path.empty() ? "" : ".", part);
+        table = child->table;
+        path.remove_prefix(dot + 1);
+    }
+}
+
+float numberAt(const ParamPlace& place, int component) {
+    if (place.vertex) {
+        const Model& model = *static_cast<const Model*>(place.owner.values);
+        const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
+        return *place.vertex < coords.size() && component >= 0 && component < 4
+                   ? coords[*place.vertex][component]
+                   : 0.0F;
+    }
+    Value value = place.row->read(place.owner.values);
+    if (const int* whole = std::get_if<int>(&value))
+        return static_cast<float>(*whole);
+    const float* numbers = numbersOf(value);
+    return numbers ? numbers[std::clamp(component, 0, placeCount(value) - 1)] : 0.0F;
+}
+
+bool assignNumber(Session& session, const ParamPlace& place, int component, float number) {
+    const Range range = rangeOf(place);
+    number = std::clamp(number, range.min, range.max);
+    if (place.vertex)
+        return assignCoord(session, place, component, number);
+    Value value = place.row->read(place.owner.values);
+    if (int* whole = std::get_if<int>(&value))
+        *whole = static_cast<int>(std::lround(number));
+    else if (float* numbers = numbersOf(value))
+        numbers[std::clamp(component, 0, placeCount(value) - 1)] = number;
+    return assignParam(session, place.owner, *place.row, value);
+}
+
+Range rangeOf(const ParamPlace& place) {
+    return place.vertex ? coordRange : place.row->range;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,148 @@
+#include "app/ui/widgets/segments.h"
+
+#include "app/ui/widgets/param_tips.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace texplorer::ui {
+namespace {
+
+float segmentGap() {
+    return std::max(1.0F, std::floor(ImGui::GetFontSize() / 12));
+}
+
+float segmentPadding() {
+    return std::floor(ImGui::GetFontSize() * 0.3F);
+}
+
+float segmentText(std::string_view words) {
+    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+}
+
+float leastWidth(const Segment& segment) {
+    return std::ceil(segmentText(segment.text)) + 2 * segmentPadding();
+}
+
+float sumOf(const std::vector<float>& widths) {
+    return std::accumulate(widths.begin(), widths.end(), 0.0F) +
+           segmentGap() * static_cast<float>(widths.empty() ? 0 : widths.size() - 1);
+}
+
+/// What a line has left goes to its buttons, to each as much.
+void stretch(std::vector<float>& widths, float room) {
+    const float more = std::floor((room - sumOf(widths)) / static_cast<float>(widths.size()));
+    for (float& width : widths)
+        width += more;
+    widths.back() += room - sumOf(widths);
+}
+
+/// `perLine` buttons in each line, the columns below each other where that has room and all lines are full.
+std::optional<SegmentPlan> planLines(std::span<const Segment> segments, float width, std::size_t perLine) {
+    SegmentPlan plan;
+    std::vector<float> columns(perLine);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (i % perLine == 0)
+            plan.lines.push_back({});
+        plan.lines.back().widths.push_back(leastWidth(segments[i]));
+        columns[i % perLine] = std::max(columns[i % perLine], leastWidth(segments[i]));
+    }
+    const bool aligned = segments.size() % perLine == 0 && sumOf(columns) <= width;
+    for (SegmentPlan::Line& line : plan.lines) {
+        if (aligned)
+            line.widths = columns;
+        if (sumOf(line.widths) > width)
+            return std::nullopt;
+        stretch(line.widths, width);
+    }
+    return plan;
+}
+
+/// A line for each group, all buttons of one width.
+std::optional<SegmentPlan> planGroups(std::span<const Segment> segments, float width) {
+    SegmentPlan plan;
+    float widest = 0;
+    std::size_t most = 0;
+    for (const Segment& segment : segments) {
+        if (plan.lines.empty() || plan.lines.back().group != segment.group)
+            plan.lines.push_back({segment.group, {}});
+        plan.lines.back().widths.push_back(0);
+        most = std::max(most, plan.lines.back().widths.size());
+        widest = std::max(widest, leastWidth(segment));
+        plan.names =
+            std::max(plan.names, std::ceil(segmentText(segment.group)) + ImGui::GetFontSize() * 0.6F);
+    }
+    const float each = std::floor((width - plan.names - segmentGap() * static_cast<float>(most - 1)) /
+                                  static_cast<float>(most));
+    if (each < widest)
+        return std::nullopt;
+    for (SegmentPlan::Line& line : plan.lines)
+        std::ranges::fill(line.widths, each);
+    return plan;
+}
+
+} // namespace
+
+std::optional<SegmentPlan> planSegments(std::span<const Segment> segments, float width,
+                                        std::size_t mostLines) {
+    if (segments.empty())
+        return std::nullopt;
+    if (!segments.front().group.empty()) {
+        std::optional<SegmentPlan> plan = planGroups(segments, width);
+        return plan && plan->lines.size() <= mostLines ? plan : std::nullopt;
+    }
+    for (std::size_t lines = 1; lines <= std::min(mostLines, segments.size()); ++lines) {
+        const std::size_t perLine = (segments.size() + lines - 1) / lines;
+        if (std::optional<SegmentPlan> plan = planLines(segments, width, perLine))
+            return plan;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const SegmentPlan& plan,
+                                        std::optional<std::size_t> chosen,
+                                        const std::function<void(std::size_t)>& after) {
+    const float gap = segmentGap();
+    std::optional<std::size_t> pressed;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {segmentPadding(), ImGui::GetStyle().FramePadding.y});
+    ImGui::BeginGroup();
+    const float left = ImGui::GetCursorPosX();
+    std::size_t number = 0;
+    for (const SegmentPlan::Line& line : plan.lines) {
+        if (plan.names > 0) {
+            ImGui::AlignTextToFramePadding();
+            dimText(line.group);
+            ImGui::SameLine();
+            ImGui::SetCursorPosX(left + plan.names);
+        }
+        for (std::size_t i = 0; i < line.widths.size(); ++i, ++number) {
+            if (i > 0)
+                ImGui::SameLine();
+            const bool isChosen = chosen == number;
+            ImGui::PushID(static_cast<int>(number));
+            ImGui::PushStyleColor(ImGuiCol_Button,
+                                  ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+            if (ImGui::Button(segments[number].text.c_str(), {line.widths[i], 0}))
+                pressed = number;
+            ImGui::PopStyleColor();
+            ImGui::PopID();
+            if (isChosen) { // not by its ground alone
+                const ImVec2 low = ImGui::GetItemRectMin();
+                const ImVec2 high = ImGui::GetItemRectMax();
+                ImGui::GetWindowDrawList()->AddRectFilled({low.x + gap, high.y - 2 * gap},
+                                                          {high.x - gap, high.y},
+                                                          ImGui::GetColorU32(ImGuiCol_CheckMark), gap);
+            }
+            after(number);
+        }
+    }
+    ImGui::EndGroup();
+    ImGui::PopStyleVar(2);
+    return pressed;
+}
+
+} // namespace texplorer::ui

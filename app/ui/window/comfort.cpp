@@ -1,0 +1,130 @@
+#include "app/ui/window/comfort.h"
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/texshot_command.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/window/shortcuts.h"
+#include "core/base/printable.h"
+#include "core/link/scene_link.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::array textSizes{75, 90, 100, 110, 125, 150, 175, 200, 225, 250};
+static_assert(textSizes.front() == Settings::smallestText && textSizes.back() == Settings::largestText);
+
+bool comfortItem(const std::string& label, const std::string& keys = {}, bool marked = false,
+                 bool enabled = true) {
+    const bool pressed = ImGui::MenuItem(label.c_str(), keys.c_str(), marked, enabled);
+    noteItem("menu:" + label);
+    return pressed;
+}
+
+bool comfortMenu(const char* label) {
+    const bool open = ImGui::BeginMenu(label);
+    noteItem(std::string("menu:") + label);
+    return open;
+}
+
+} // namespace
+
+void changeTextSize(Session& session, int steps) {
+    int& percent = session.window.settings.textPercent;
+    // From a size between two of them, the next one in that direction.
+    const auto* above = std::ranges::upper_bound(textSizes, percent);
+    const auto* from = std::ranges::lower_bound(textSizes, percent);
+    const auto index = steps > 0 ? above - textSizes.begin() + steps - 1 : from - textSizes.begin() + steps;
+    percent = textSizes[static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(textSizes.size()) - 1))];
+}
+
+void comfortItems(Session& session) {
+    Settings& settings = session.window.settings;
+    if (comfortMenu("Theme")) {
+        for (const ThemeRow& row : themeRows) {
+            if (comfortItem(row.label, {}, settings.theme == row.theme))
+                settings.theme = row.theme;
+        }
+        ImGui::EndMenu();
+    }
+    if (comfortMenu("Text size")) {
+        if (comfortItem("Larger", keysOf("larger text"), false, settings.textPercent < Settings::largestText))
+            changeTextSize(session, 1);
+        if (comfortItem("Smaller", keysOf("smaller text"), false,
+                        settings.textPercent > Settings::smallestText))
+            changeTextSize(session, -1);
+        if (comfortItem("Usual", keysOf("usual text")))
+            settings.textPercent = Settings{}.textPercent;
+        ImGui::Separator();
+        for (const int size : textSizes) {
+            if (comfortItem(fmt::format("{} %", size), {}, settings.textPercent == size))
+                settings.textPercent = size;
+        }
+        ImGui::EndMenu();
+    }
+    if (comfortItem("Help in the status bar", {}, settings.helpBelow))
+        settings.helpBelow = !settings.helpBelow;
+    helpTip("What the pointer rests on is explained at the lower edge of the window, and not over its "
+            "neighbours.");
+    if (comfortItem("Full screen", keysOf("full screen"), session.window.fillsScreen))
+        session.window.fillsScreen = !session.window.fillsScreen;
+    if (comfortItem("View alone", keysOf("view alone"), maximisedOf(settings.workspace) == Maximised::View))
+        toggleMaximised(settings.workspace, Maximised::View);
+}
+
+void copyTexshotCommand(Session& session, const Layout& layout) {
+    const Result<std::string> command =
+        texshotCommand(session, {std::max(1, layout.picture.width), std::max(1, layout.picture.height)});
+    if (!command)
+        return say(session, fmt::format("There is no command for this scene: {}.", command.error().message));
+    ImGui::SetClipboardText(command->c_str());
+    tell(session, "The clipboard has a command that draws this view without a window.");
+}
+
+void copySceneLink(Session& session) {
+    const Result<std::string> link = sceneLink(session);
+    if (!link)
+        return say(session, link.error());
+    ImGui::SetClipboardText(link->c_str());
+    tell(session, fmt::format("The clipboard has the scene, as a text of {} letters. Whoever pastes it into "
+                              "Texplorer sees this scene.",
+                              link->size()));
+}
+
+void pasteScene(Session& session) {
+    const char* text = ImGui::GetClipboardText();
+    if (!text || !isSceneLink(text))
+        return say(session, "The clipboard holds no link to a scene.");
+    if (const Result<void> opened = openSceneLink(session, text); !opened)
+        say(session, fmt::format("The scene can't be pasted: {}.", describe(opened.error())));
+}
+
+void recentItems(Session& session) {
+    Settings& settings = session.window.settings;
+    if (settings.recentFiles.empty()) {
+        ImGui::TextDisabled("Nothing was opened yet");
+        return;
+    }
+    std::optional<std::filesystem::path> chosen;
+    for (const std::filesystem::path& file : settings.recentFiles) {
+        ImGui::PushID(static_cast<int>(&file - settings.recentFiles.data()));
+        if (comfortItem(printable(file.filename().string())))
+            chosen = file;
+        helpTip(file.string());
+        ImGui::PopID();
+    }
+    ImGui::Separator();
+    if (comfortItem("Forget these files"))
+        settings.recentFiles.clear();
+    if (chosen)
+        requestOpen(session, {*chosen});
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,109 @@
+#include "app/ui/window/kept_controls.h"
+
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/window/shortcuts.h"
+
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+/// What one can do with A, for the menu and, while something is kept, for the row.
+struct KeptRow {
+    const char* name;
+    const char* label;
+    const char* brief;         ///< in the row; nullptr: it is in the menu alone
+    std::string_view shortcut; ///< the name of its row; empty: none
+    const char* help;
+    bool needsKept;
+    void (*act)(Session& session);
+    bool (*isOn)(const Session& session);
+};
+
+bool never(const Session& /*session*/) {
+    return false;
+}
+
+void listChanges(Session& session) {
+    session.window.wantedTab = Tab::Kept;
+}
+
+constexpr std::array keptRows{
+    KeptRow{"keep", "Keep as A", "Keep as A", "keep",
+            "Keeps the scene as it is now, to compare it with what becomes of it.", false, keepAsA, never},
+    KeptRow{"flip", "Show A", "A", "flip",
+            "Shows A in the place of what is now, and that again. An edit leads back to what is now.", true,
+            flipKept, isKeptShown},
+    KeptRow{"split", "Split A against now", "A | now", "split", "Both across one picture: drag the seam.",
+            true, splitKept, isKeptBeside},
+    KeptRow{"list",
+            "What differs",
+            nullptr,
+            {},
+            "Lists what differs from A; each of it can be taken over.",
+            true,
+            listChanges,
+            never},
+    KeptRow{"take",
+            "Take over all of A",
+            nullptr,
+            {},
+            "The scene becomes A again, seen from where you look now. Undo takes it back.",
+            true,
+            takeAllFromKept,
+            never},
+    KeptRow{"forget", "Forget A", nullptr, {}, "Nothing is compared any more.", true, forgetKept, never},
+};
+
+bool isInRow(const Session& session, const KeptRow& row) {
+    return row.brief && (row.needsKept ? session.document.kept.scene != nullptr : true);
+}
+
+std::string helpOf(const KeptRow& row) {
+    return row.shortcut.empty() ? std::string(row.help)
+                                : fmt::format("{}\nKey {}", row.help, keysOf(row.shortcut));
+}
+
+} // namespace
+
+void drawKeptMenu(Session& session) {
+    for (const KeptRow& row : keptRows) {
+        const std::string keys = row.shortcut.empty() ? std::string() : keysOf(row.shortcut);
+        if (ImGui::MenuItem(row.label, keys.c_str(), row.isOn(session),
+                            !row.needsKept || session.document.kept.scene))
+            row.act(session);
+        noteItem(fmt::format("a-b:{}", row.name));
+        helpTip(row.help);
+    }
+}
+
+float keptControlsWidth(const Session& session) {
+    float width = ImGui::GetFontSize();
+    for (const KeptRow& row : keptRows)
+        width +=
+            isInRow(session, row) ? buttonWidth(row.brief) + ImGui::GetStyle().ItemInnerSpacing.x / 2 : 0;
+    return width;
+}
+
+void drawKeptControls(Session& session, float available) {
+    if (keptControlsWidth(session) > available)
+        return;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
+    ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
+    for (const KeptRow& row : keptRows) {
+        if (!isInRow(session, row))
+            continue;
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              row.isOn(session) ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ImU32{0});
+        if (ImGui::Button(row.brief))
+            row.act(session);
+        ImGui::PopStyleColor();
+        noteItem(fmt::format("a-b row:{}", row.name));
+        helpTip(helpOf(row));
+        ImGui::SameLine(0, gap);
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,72 @@
+#include "app/ui/window/keyboard_focus.h"
+
+#include "app/ui/widgets/keys.h"
+
+#include <imgui_internal.h> // windows, and which of them has the keyboard
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float narrowestPanel = 30; // seams are narrower
+
+/// What one walks with: no shortcuts meanwhile.
+constexpr std::array walkingKeys{key::space, key::enter, key::tab,      key::left,   key::right, key::up,
+                                 key::down,  key::home,  key::pageDown, key::pageUp, key::end};
+
+/// Those that one sees, as one reads them.
+std::vector<ImGuiWindow*> panelsInOrder() {
+    constexpr ImGuiWindowFlags none =
+        ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
+    std::vector<ImGuiWindow*> panels;
+    for (ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
+        const bool isPanel = each->WasActive && !each->Hidden && (each->Flags & none) == 0;
+        if (isPanel && each->Size.x >= narrowestPanel && each->Size.y >= ImGui::GetFontSize())
+            panels.push_back(each);
+    }
+    std::ranges::sort(panels, {},
+                      [](const ImGuiWindow* each) { return std::tuple(each->Pos.y, each->Pos.x, each->ID); });
+    return panels;
+}
+
+void focusNextPanel(int steps) {
+    const std::vector<ImGuiWindow*> panels = panelsInOrder();
+    if (panels.empty())
+        return;
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImGuiWindow* now = context.NavWindow ? context.NavWindow->RootWindow : nullptr;
+    const auto found = std::ranges::find(panels, now);
+    const auto count = static_cast<int>(panels.size());
+    const int from = found == panels.end() ? (steps > 0 ? -1 : 0) : static_cast<int>(found - panels.begin());
+    ImGuiWindow* next = panels[static_cast<std::size_t>((from + steps + count) % count)];
+    ImGui::FocusWindow(next);
+    const bool hasBody = (next->DC.NavLayersActiveMask & (1 << ImGuiNavLayer_Main)) != 0;
+    context.NavLayer = hasBody ? ImGuiNavLayer_Main : ImGuiNavLayer_Menu;
+    ImGui::NavInitWindow(next, true);
+    context.NavDisableHighlight = false;
+}
+
+} // namespace
+
+void moveKeyboardFocus(Session& session, KeyboardFocus& focus) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool isFree =
+        session.window.dialog == Dialog::None && !io.WantTextInput && !session.window.keyTaken;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || session.window.dialog != Dialog::None)
+        focus.walks = false;
+    if (isFree && ImGui::IsKeyPressed(key::f6, false)) {
+        focusNextPanel(io.KeyShift ? -1 : 1);
+        focus.walks = true;
+    } else if (focus.walks && isFree && ImGui::IsKeyPressed(key::escape, false)) {
+        focus.walks = false;
+        session.window.keyTaken = true;
+    }
+    if (focus.walks && std::ranges::any_of(walkingKeys, [](int each) { return ImGui::IsKeyPressed(each); }))
+        session.window.keyTaken = true;
+}
+
+} // namespace texplorer::ui

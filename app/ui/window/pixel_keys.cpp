@@ -1,0 +1,59 @@
+#include "app/ui/window/pixel_keys.h"
+
+#include "app/ui/widgets/keys.h"
+
+#include <imgui_internal.h> // which window was used last
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace texplorer::ui {
+namespace {
+
+struct ArrowRow {
+    int key;
+    int x, y; ///< of the picture, whose origin is at the lower left
+};
+constexpr std::array arrowRows{
+    ArrowRow{key::left, -1, 0},
+    ArrowRow{key::right, 1, 0},
+    ArrowRow{key::up, 0, 1},
+    ArrowRow{key::down, 0, -1},
+};
+constexpr int shiftedStep = 10;
+
+bool ownsArrows(const Session& session, const Layout& layout) {
+    const Dock dock = dockOf(session.window.settings.workspace, Tab::Explain);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (layout.view.contains(mouse.x, mouse.y) || layout.of(dock).contains(mouse.x, mouse.y))
+        return true;
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.HoveredWindow || !context.NavWindow)
+        return false;
+    const std::string_view used = context.NavWindow->RootWindow->Name;
+    return used == "View" || used == rowOf(dock).window;
+}
+
+} // namespace
+
+void movePixelWithKeys(Session& session, const Layout& layout, view::Size picture) {
+    const ImGuiIO& io = ImGui::GetIO();
+    std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
+    const bool walks =
+        (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; // arrows go from item to item
+    if (walks || !pixel || !session.window.explaining.isOpen || session.window.dialog != Dialog::None ||
+        session.window.keyTaken || io.WantTextInput || io.KeyCtrl || ImGui::IsAnyItemActive() ||
+        !ownsArrows(session, layout) ||
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        return;
+    const int step = io.KeyShift ? shiftedStep : 1;
+    for (const ArrowRow& row : arrowRows) {
+        if (!ImGui::IsKeyPressed(row.key))
+            continue;
+        pixel->x = std::clamp(pixel->x + row.x * step, 0, std::max(0, picture.width - 1));
+        pixel->y = std::clamp(pixel->y + row.y * step, 0, std::max(0, picture.height - 1));
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,28 @@
+#include "app/ui/window/presets_menu.h"
+
+#include "app/ui/model/preset_edits.h"
+#include "app/ui/widgets/param_widgets.h"
+
+#include <fmt/core.h>
+
+namespace texplorer::ui {
+
+void drawPresetsMenu(Session& session) {
+    std::string_view group;
+    for (const Preset& preset : presets()) {
+        if (preset.group != group) {
+            if (!group.empty())
+                ImGui::Separator();
+            group = preset.group;
+            ImGui::TextDisabled("%s", std::string(group).c_str());
+        }
+        if (ImGui::MenuItem(std::string(preset.label).c_str()))
+            choosePreset(session, preset);
+        noteItem(fmt::format("preset:{}", preset.name));
+        if (ImGui::IsItemHovered())
+            previewPreset(session, preset);
+        helpTip(fmt::format("{}\n{}", preset.help, preset.look));
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/ui/model/session.h"
+
+namespace texplorer::ui {
+
+/// The contents of the menu "Presets": by group, each previewed while the pointer rests on it.
+void drawPresetsMenu(Session& session);
+
+} // namespace texplorer::ui

@@ -1,0 +1,136 @@
+#include "app/ui/window/tour.h"
+
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+struct TourRow {
+    Rect Layout::*about;
+    const char* title;
+    const char* text;
+};
+
+constexpr std::array tourRows{
+    TourRow{
+        &Layout::parameters, "Change it here",
+        "Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag numbers, "
+        "click choices. Rest the pointer on anything, and the lower edge of the window says what it is."},
+    TourRow{&Layout::view, "See it here",
+            "The scene, as OpenGL draws it with these settings. Drag to turn it, use the wheel to go nearer, "
+            "click a corner to choose its vertex."},
+    TourRow{
+        &Layout::texture, "Find the coordinates",
+        "The texture, and where the vertices lie on it. Drag a vertex: beyond 0 and 1 the wrap mode decides "
+        "what one sees."},
+    TourRow{&Layout::view, "Ask why",
+            "Hold E over a pixel: Explain shows every number between the scene and its colour, and the lower "
+            "edge what the filter does there."},
+    TourRow{
+        &Layout::menu, "Try, compare, take back",
+        "Presets set several things at once. A/B keeps the scene, to flip between then and now. Ctrl+Z takes "
+        "back anything, and F1 lists all keys."},
+};
+static_assert(tourRows.size() == tourSteps);
+
+constexpr float tourWidth = 24; ///< of the card, in letters' heights
+
+/// Beside the rectangle where there is room, else over it.
+ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) {
+    const auto right = static_cast<float>(about.right());
+    const auto left = static_cast<float>(about.x);
+    const auto top = static_cast<float>(about.y);
+    const auto width = static_cast<float>(window.width);
+    const auto height = static_cast<float>(window.height);
+    ImVec2 place(left + gap, static_cast<float>(about.bottom()) + gap);
+    if (about.height > window.height / 3) {
+        place.y = top + (static_cast<float>(about.height) - size.y) / 2;
+        place.x = right + gap + size.x <= width ? right + gap
+                  : left - gap - size.x >= 0    ? left - gap - size.x
+                                                : left + (static_cast<float>(about.width) - size.x) / 2;
+    }
+    return {std::clamp(place.x, gap, std::max(gap, width - size.x - gap)),
+            std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
+}
+
+enum class TourAnswer { None, Back, Next, Skip };
+
+TourAnswer drawCard(int step, const TourRow& row) {
+    const float em = ImGui::GetFontSize();
+    TourAnswer answer = TourAnswer::None;
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + em * tourWidth);
+    dimText(fmt::format("{} of {}", step + 1, tourSteps));
+    ImGui::TextUnformatted(row.title);
+    ImGui::Dummy({em * tourWidth, em * 0.2F});
+    ImGui::TextUnformatted(row.text);
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, em * 0.3F});
+    const auto button = [&](const char* label, TourAnswer meant, bool enabled) {
+        ImGui::BeginDisabled(!enabled);
+        if (ImGui::Button(label, {em * 5, 0}))
+            answer = meant;
+        ImGui::EndDisabled();
+        noteItem(fmt::format("tour:{}", label));
+        ImGui::SameLine();
+    };
+    const bool last = step + 1 == tourSteps;
+    button("Back", TourAnswer::Back, step > 0);
+    button(last ? "Done" : "Next", TourAnswer::Next, true);
+    if (!last)
+        button("Skip", TourAnswer::Skip, true);
+    ImGui::NewLine();
+    return answer;
+}
+
+} // namespace
+
+void drawTour(Session& session, const Layout& layout, bool takesEscape) {
+    std::optional<int>& shown = session.window.tour;
+    if (!shown || session.window.dialog != Dialog::None)
+        return;
+    const int step = std::clamp(*shown, 0, tourSteps - 1);
+    const TourRow& row = tourRows[static_cast<std::size_t>(step)];
+    const Rect& about = (layout.*row.about).isEmpty() ? layout.window : layout.*row.about;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low(static_cast<float>(about.x), static_cast<float>(about.y));
+    const ImVec2 high(static_cast<float>(about.right()), static_cast<float>(about.bottom()));
+    ImGui::GetForegroundDrawList()->AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, color::accent,
+                                            0, 0, em * 0.15F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * 0.8F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size comes out between two frames
+    ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
+    TourAnswer answer = TourAnswer::None;
+    if (ImGui::Begin("Tour", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
+        answer = drawCard(step, row);
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    if (takesEscape && ImGui::IsKeyPressed(key::escape, false) && !session.window.keyTaken &&
+        !ImGui::GetIO().WantTextInput) {
+        session.window.keyTaken = true;
+        answer = TourAnswer::Skip;
+    }
+    if (answer == TourAnswer::Back)
+        shown = step - 1;
+    else if (answer == TourAnswer::Next && step + 1 < tourSteps)
+        shown = step + 1;
+    else if (answer != TourAnswer::None) {
+        shown.reset();
+        session.window.settings.hasSeenTour = true;
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,53 @@
+// What a preset makes of the start scene, drawn by OpenGL's renderers and by the reference: they agree on it
+// as conform asks of a scene of its sweeps.
+
+#include "core/conform/feature.h"
+#include "core/conform/judge.h"
+#include "core/preset/preset.h"
+#include "tests/support/render_fixture.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <string>
+
+namespace texplorer::presets_test {
+namespace {
+
+using namespace test;
+
+/// Anisotropy may be filtered in any way; the others have lambda alone that a driver may round.
+const conform::Rule& ruleOf(const Scene& scene) {
+    return scene.textures[0].maxAnisotropy > 1 ? conform::rules::ellipse : conform::rules::levelBlend;
+}
+
+class Presets : public RenderTest, public testing::WithParamInterface<Preset> {};
+
+TEST_P(Presets, AreDrawnAlikeByEveryRenderer) {
+    Scene scene = defaultScene();
+    const Result<void> done = applyPreset(GetParam(), scene);
+    ASSERT_TRUE(done) << describe(done.error());
+    const Image theirs = picture(scene, conform::extent);
+    EXPECT_THAT(problems, testing::IsEmpty());
+    const std::unique_ptr<conform::Explainer> reference = conform::referenceRendererWith(images);
+    const Result<Frame> ours = reference->draw(scene);
+    ASSERT_TRUE(ours) << describe(ours.error());
+    EXPECT_THAT(ours->problems, testing::IsEmpty());
+    const conform::Rule& rule = ruleOf(scene);
+    const Result<conform::Judgement> judged = conform::judge(rule, scene, ours->image, theirs, *reference);
+    ASSERT_TRUE(judged) << describe(judged.error());
+    const auto pixels = static_cast<double>(judged->difference.pixels);
+    EXPECT_LE(static_cast<double>(judged->unexplained) / pixels, 1 - rule.explainedScene)
+        << "the worst by " << judged->difference.max;
+}
+
+std::string nameOf(const testing::TestParamInfo<Preset>& info) {
+    std::string name(info.param.name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Presets, testing::ValuesIn(presets().begin(), presets().end()), nameOf);
+
+} // namespace
+} // namespace texplorer::presets_test

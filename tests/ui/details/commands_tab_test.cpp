@@ -1,0 +1,192 @@
+#include "app/ui/model/session.h"
+#include "core/emit/emit.h"
+#include "core/scene/tex_coords.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::ui::commands_tab_test {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+using testing::Not;
+
+class CommandsTab : public Workbench {
+protected:
+    void SetUp() override { show(); }
+
+    void show() {
+        session->window.wantedTab = Tab::Commands;
+        frames(3);
+    }
+    /// Turns the wheel over the list until a value is in sight.
+    void find(std::string_view name) {
+        const ImVec2 list = {place("copy commands").x, place("copy commands").y + 100};
+        wheel(list, 200);
+        for (int i = 0; i < 100 && !isWhole(name); ++i)
+            wheel(list, -1);
+        ASSERT_TRUE(isWhole(name)) << name;
+    }
+    [[nodiscard]] bool isWhole(std::string_view name) const {
+        const auto item = places.items.find(name);
+        return item != places.items.end() && item->second.visible;
+    }
+    std::string copied() {
+        click("copy commands");
+        return ImGui::GetClipboardText();
+    }
+};
+
+TEST_F(CommandsTab, ANumberIsDraggedInOneStepOfUndo) {
+    scene().material.shininess = 32;
+    frames(2);
+    find("command:material.shininess");
+    drag(place("command:material.shininess"), {40, 0}); // half a unit a pixel
+    EXPECT_NEAR(scene().material.shininess, 52, 0.6F);
+    EXPECT_EQ(session->document.lastChanged, "material.shininess");
+    key('Z', {ctrl});
+    EXPECT_EQ(scene().material.shininess, 32);
+    EXPECT_FALSE(session->document.history.canUndo());
+}
+
+// The camera's azimuth stands in glRotatef with the other sign.
+TEST_F(CommandsTab, ANegatedNumberGoesTheOtherWay) {
+    const float before = scene().view.azimuth;
+    find("command:view.azimuth");
+    drag(place("command:view.azimuth"), {40, 0});
+    EXPECT_NEAR(scene().view.azimuth, before - 20, 0.6F);
+}
+
+TEST_F(CommandsTab, ANumberStaysInItsRange) {
+    find("command:material.shininess");
+    drag(place("command:material.shininess"), {600, 0});
+    EXPECT_EQ(scene().material.shininess, 128);
+}
+
+TEST_F(CommandsTab, ANumberIsTypedAfterADoubleClick) {
+    find("command:material.shininess");
+    doubleClickAt(place("command:material.shininess"));
+    key('A', {ctrl});
+    type("7.25");
+    key(257); // Enter
+    frames(2);
+    EXPECT_EQ(scene().material.shininess, 7.25F);
+}
+
+TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
+    find("command:models[0].texCoords0[2][0]");
+    drag(place("command:models[0].texCoords0[2][0]"), {40, 0}); // 0.005 a pixel
+    ASSERT_EQ(scene().models[0].texCoords[0].size(), 24U);
+    EXPECT_NEAR(scene().models[0].texCoords[0][2].x, 1.2F, 0.006F);
+    EXPECT_EQ(scene().models[0].texCoords[0][2].y, 1);
+    key('Z', {ctrl});
+    EXPECT_TRUE(scene().models[0].texCoords[0].empty());
+}
+
+TEST_F(CommandsTab, AChoiceHasAList) {
+    find("command:textures[0].minFilter");
+    click("command:textures[0].minFilter");
+    frames(2);
+    click("command:textures[0].minFilter=GL_NEAREST");
+    EXPECT_EQ(texture().minFilter, MinFilter::Nearest);
+    EXPECT_EQ(session->document.lastChanged, "textures[0].minFilter");
+    key('Z', {ctrl});
+    EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapLinear);
+}
+
+// The call that switches off sets what OpenGL starts with; it stays while it is what changed last.
+TEST_F(CommandsTab, ASwitchIsClickedAndStays) {
+    find("command:passes[0].lighting");
+    click("command:passes[0].lighting");
+    EXPECT_FALSE(scene().passes[0].lighting);
+    frames(2);
+    EXPECT_TRUE(has("command:passes[0].lighting"));
+    EXPECT_THAT(copied(), Not(HasSubstr("GL_LIGHTING")));
+    click("command:passes[0].lighting");
+    EXPECT_TRUE(scene().passes[0].lighting);
+}
+
+TEST_F(CommandsTab, AColorOpensThePicker) {
+    find("command:material.specular#color");
+    click("command:material.specular#color");
+    frames(2);
+    ASSERT_TRUE(has("command:material.specular#picker"));
+    const WidgetPlaces::Item picker = places.items.find("command:material.specular#picker")->second;
+    drag({picker.left + 20, picker.top + 20}, {10, 10});
+    EXPECT_NE(scene().material.specular, glm::vec4(0.5F, 0.5F, 0.5F, 1));
+    key(256); // Escape
+    key('Z', {ctrl});
+    EXPECT_EQ(scene().material.specular, glm::vec4(0.5F, 0.5F, 0.5F, 1));
+}
+
+TEST_F(CommandsTab, AllCallsAreListedOnDemand) {
+    const char* same = "GL_TEXTURE_WRAP_S, GL_REPEAT";
+    EXPECT_THAT(copied(), Not(HasSubstr(same)));
+    EXPECT_EQ(copied(), textOf(emit::callsOf(scene()), false));
+    click("all commands");
+    EXPECT_THAT(copied(), HasSubstr(same));
+    EXPECT_EQ(copied(), textOf(emit::callsOf(scene()), true));
+    find("command:textures[0].wrapS");
+    click("command:textures[0].wrapS");
+    frames(2);
+    click("command:textures[0].wrapS=GL_CLAMP");
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+}
+
+TEST_F(CommandsTab, TheNameOfACallLeadsToItsControl) {
+    find("call:textures[0].minFilter");
+    click("call:textures[0].minFilter");
+    EXPECT_EQ(session->window.shownParam, "textures[0].minFilter");
+    frames(3);
+    EXPECT_TRUE(isWhole("textures[0].minFilter") || has("textures[0].minFilter#label"));
+}
+
+TEST_F(CommandsTab, WhatIsHoveredIsLitInTheOtherPanel) {
+    find("command:textures[0].minFilter");
+    moveTo(place("command:textures[0].minFilter"));
+    frames(2);
+    EXPECT_EQ(session->window.hoveredParam, "textures[0].minFilter");
+    moveTo({1, 1});
+    frames(2);
+    EXPECT_EQ(session->window.hoveredParam, "");
+}
+
+// What is edited elsewhere comes into sight, once: one can scroll away from it.
+TEST_F(CommandsTab, TheLineThatChangedIsShown) {
+    scene().models[1].topRadius = 0.5F;
+    scene().models[1].shape = Shape::Cylinder;
+    recordEdit(*session, "Top radius", "models[1].topRadius");
+    frames(3);
+    EXPECT_TRUE(isWhole("command:models[1].topRadius"));
+    wheel({place("copy commands").x, place("copy commands").y + 100}, 200);
+    frames(2);
+    EXPECT_FALSE(isWhole("command:models[1].topRadius"));
+}
+
+// An edit in the parameters is seen here at once.
+TEST_F(CommandsTab, FollowsTheParameters) {
+    texture().wrapS = Wrap::Clamp;
+    recordEdit(*session, "Wrap s", "textures[0].wrapS");
+    frames(2);
+    EXPECT_TRUE(has("command:textures[0].wrapS"));
+    EXPECT_THAT(copied(), HasSubstr("GL_TEXTURE_WRAP_S, GL_CLAMP"));
+    key('Z', {ctrl});
+    frames(2);
+    EXPECT_FALSE(has("command:textures[0].wrapS"));
+    EXPECT_THAT(copied(), Not(HasSubstr("GL_TEXTURE_WRAP_S")));
+}
+
+// A window as small as it can be, and one without a model: nothing is drawn where it can't be.
+TEST_F(CommandsTab, IsSoundWhateverThereIs) {
+    Scene empty;
+    empty.passes.clear();
+    empty.passes.resize(1);
+    for (const Scene& scene : {empty, defaultScene()}) {
+        start(scene, 1024, 700);
+        show();
+        expectSoundFrame();
+        EXPECT_FALSE(copied().empty());
+    }
+}
+
+} // namespace
+} // namespace texplorer::ui::commands_tab_test

@@ -1,0 +1,62 @@
+#include "app/ui/model/captures.h"
+#include "core/base/file_io.h"
+#include "core/codec/registry.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace texplorer::captures_test {
+namespace {
+
+using namespace ui;
+using testing::HasSubstr;
+
+Image twoPixels() {
+    Image image = Image::uninitialised(PixelFormat::Rgba8, 1, 2);
+    image.pixels = Bytes{std::byte{255}, std::byte{0},   std::byte{0}, std::byte{255},
+                         std::byte{0},   std::byte{255}, std::byte{0}, std::byte{255}};
+    return image;
+}
+
+TEST(Captures, HaveANameThatIsFree) {
+    const test::TempDir folder;
+    Captures captures(folder.path());
+    EXPECT_FALSE(captures.takeNews());
+    for (const char* name : {"view.png", "view-2.png"}) {
+        captures.write("view", twoPixels());
+        const std::optional<std::string> news = captures.takeNews();
+        ASSERT_TRUE(news);
+        EXPECT_THAT(*news, HasSubstr((folder.path() / name).string()));
+        EXPECT_FALSE(captures.takeNews());
+        const Bytes file = readFile(folder.path() / name).value();
+        const Image written = decodeImage(file).value();
+        EXPECT_EQ(written.width, 1);
+        EXPECT_EQ(written.height, 2);
+        EXPECT_EQ(written.at(0, 0)[0], std::byte{255}); // the lower one is red
+        EXPECT_EQ(written.at(0, 1)[1], std::byte{255});
+    }
+}
+
+TEST(Captures, SayWhyTheyCannotBeWritten) {
+    const test::TempDir folder;
+    Captures captures(folder.path() / "missing");
+    captures.write("view", twoPixels());
+    EXPECT_THAT(captures.takeNews().value_or(""), HasSubstr("can't be written"));
+}
+
+struct UserDirs {
+    const char* text;
+    const char* folder;
+};
+
+TEST(PicturesFolder, IsTheOneThatTheUserHas) {
+    for (const UserDirs& row :
+         {UserDirs{"", ""}, UserDirs{"XDG_PICTURES_DIR=\"$HOME/Bilder\"\n", "/home/u/Bilder"},
+          UserDirs{"# a note\nXDG_MUSIC_DIR=\"$HOME/Music\"\nXDG_PICTURES_DIR=\"/data/p\"", "/data/p"},
+          UserDirs{"XDG_PICTURES_DIR=\"relative\"", ""}, UserDirs{"#XDG_PICTURES_DIR=\"$HOME/p\"", ""}})
+        EXPECT_EQ(picturesFolderIn(row.text, "/home/u"), row.folder) << row.text;
+}
+
+} // namespace
+} // namespace texplorer::captures_test

@@ -1,0 +1,84 @@
+#include "app/ui/model/preview.h"
+#include "app/ui/model/session.h"
+#include "app/ui/model/shown_passes.h"
+
+#include <gtest/gtest.h>
+
+namespace texplorer::ui::preview_test {
+namespace {
+
+class PreviewTest : public testing::Test {
+protected:
+    void hover() {
+        preview(session, "wrap", "Wrap s: Clamp", [this](Scene& scene) {
+            ++edits;
+            scene.textures[0].wrapS = Wrap::Clamp;
+        });
+    }
+
+    ServicesAtOnce services;
+    Session session{services.lend(), Document{defaultScene(), ImageSource{}}};
+    int edits = 0;
+};
+
+TEST_F(PreviewTest, IsShownUntilAFrameInWhichNobodyAsks) {
+    EXPECT_EQ(&shownScene(session), &session.document.scene);
+    hover();
+    endPreview(session);
+    EXPECT_EQ(shownScene(session).textures[0].wrapS, Wrap::Clamp);
+    EXPECT_EQ(session.document.scene, session.document.saved) << "the document knows nothing of it";
+    EXPECT_FALSE(session.document.history.canUndo());
+    EXPECT_FALSE(isDirty(session.document));
+    hover();
+    endPreview(session);
+    EXPECT_EQ(edits, 1) << "the same one is made once";
+    endPreview(session);
+    EXPECT_EQ(&shownScene(session), &session.document.scene);
+}
+
+TEST_F(PreviewTest, FollowsTheDocument) {
+    hover();
+    session.document.scene.textures[0].wrapT = Wrap::Clamp;
+    hover();
+    EXPECT_EQ(edits, 2);
+    EXPECT_EQ(shownScene(session).textures[0].wrapT, Wrap::Clamp);
+}
+
+TEST_F(PreviewTest, TheNextChoiceTakesItsPlace) {
+    hover();
+    preview(session, "filter", "Nearest",
+            [](Scene& scene) { scene.textures[0].magFilter = MagFilter::Nearest; });
+    EXPECT_EQ(shownScene(session).textures[0].magFilter, MagFilter::Nearest);
+    EXPECT_EQ(shownScene(session).textures[0].wrapS, Wrap::Repeat);
+}
+
+TEST_F(PreviewTest, NoFileIsReadForIt) {
+    preview(session, "file", "Image file", [](Scene& scene) {
+        scene.textures[0].source = SourceKind::File;
+        scene.textures[0].file = "nowhere.png";
+    });
+    EXPECT_EQ(&shownScene(session), &session.document.scene);
+    EXPECT_TRUE(session.document.loads.empty());
+}
+
+TEST_F(PreviewTest, PlaysWhereItMoves) {
+    EXPECT_FALSE(isMoving(session));
+    preview(session, "scroll", "Scroll", [](Scene& scene) {
+        scene.passes[0].units[0].matrix = {{.op = MatrixOp::Translate, .rate = {1, 0, 0}}};
+    });
+    EXPECT_TRUE(isMoving(session));
+    endPreview(session);
+    endPreview(session);
+    EXPECT_FALSE(isMoving(session));
+}
+
+TEST_F(PreviewTest, ShowsItsOwnPasses) {
+    preview(session, "pass", "Another pass", [](Scene& scene) { scene.passes.push_back(scene.passes[0]); });
+    EXPECT_EQ(shownPasses(session), 2U);
+    session.window.view.stepsThroughPasses = true;
+    Scene stepped;
+    EXPECT_EQ(shownScene(session, stepped).passes.size(), 1U);
+}
+
+} // namespace
+} // namespace texplorer::ui::preview_test

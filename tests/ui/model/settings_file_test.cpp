@@ -1,0 +1,166 @@
+#include "app/ui/model/settings_file.h"
+#include "core/base/file_io.h"
+#include "tests/support/temp_dir.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace texplorer::settings_file_test {
+namespace {
+
+using namespace ui;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Settings unusual() {
+    Settings settings;
+    settings.theme = Theme::HighContrast;
+    settings.textPercent = 175;
+    settings.glNames = true;
+    settings.helpBelow = false;
+    settings.hasSeenTour = true;
+    settings.pinned = {"textures[].wrapR", "light.position"};
+    settings.workspace = workspaceOf(layoutRows.back());
+    return settings;
+}
+
+TEST(Settings, ComeBackFromTheirText) {
+    EXPECT_EQ(parseSettings(writeSettings(unusual())).value(), unusual());
+    EXPECT_EQ(parseSettings(writeSettings({})).value(), Settings{});
+    EXPECT_EQ(parseSettings("{}").value(), Settings{});
+}
+
+TEST(Settings, KeepWhatALaterVersionWrote) {
+    const std::string text = writeSettings(unusual(), R"({"fromLater": [1, 2], "theme": "light"})");
+    EXPECT_THAT(text, HasSubstr("fromLater"));
+    EXPECT_EQ(parseSettings(text).value().theme, Theme::HighContrast);
+}
+
+struct Refused {
+    const char* text;
+    const char* where;
+};
+
+TEST(Settings, SayWhereTheyAreWrong) {
+    for (const Refused& row :
+         {Refused{"", ""}, Refused{"[1]", ""}, Refused{"{\"theme\"", ""},
+          Refused{R"({"theme": "pink"})", "/theme"}, Refused{R"({"theme": 3})", "/theme"},
+          Refused{R"({"textPercent": 74})", "/textPercent"},
+          Refused{R"({"textPercent": 251})", "/textPercent"}, Refused{R"({"textPercent": 1e400})", ""},
+          Refused{R"({"textPercent": "big"})", "/textPercent"}, Refused{R"({"glNames": 1})", "/glNames"},
+          Refused{R"({"pinned": [1]})", "/pinned"}, Refused{R"({"workspace": []})", "/workspace"}}) {
+        const Result<Settings> read = parseSettings(row.text);
+        ASSERT_FALSE(read) << row.text;
+        EXPECT_EQ(read.error().where, row.where) << row.text;
+    }
+    EXPECT_FALSE(parseSettings(std::string(100'000, '[')));
+}
+
+TEST(RecentFiles, ComeFirstWhenTheyAreOpened) {
+    Settings settings;
+    for (const char* file : {"/a", "/b", "/a"})
+        rememberFile(settings, file);
+    EXPECT_THAT(settings.recentFiles, ElementsAre("/a", "/b"));
+    rememberFile(settings, "");
+    EXPECT_EQ(settings.recentFiles.size(), 2U);
+    for (int i = 0; i < 20; ++i)
+        rememberFile(settings, "/" + std::to_string(i));
+    EXPECT_EQ(settings.recentFiles.size(), mostRecentFiles);
+    EXPECT_EQ(settings.recentFiles.front(), "/19");
+    EXPECT_EQ(parseRecentFiles(writeRecentFiles(settings)).value(), settings.recentFiles);
+}
+
+TEST(RecentFiles, RefuseWhatIsNoListOfThem) {
+    EXPECT_FALSE(parseRecentFiles("{}"));
+    EXPECT_FALSE(parseRecentFiles("[1]"));
+    EXPECT_FALSE(parseRecentFiles("["));
+}
+
+/// On a clock that a test sets.
+class KeptSettings : public testing::Test {
+protected:
+    [[nodiscard]] SettingsPlaces places() const {
+        return {folder.path() / "config" / "settings.json", folder.path() / "state" / "recent.json"};
+    }
+    [[nodiscard]] SettingsFile open() {
+        return SettingsFile(places(), {}, std::chrono::milliseconds(1000), [this] { return now; });
+    }
+
+    test::TempDir folder;
+    double now = 10;
+};
+
+TEST_F(KeptSettings, AreReadByTheNextWindow) {
+    Settings settings = unusual();
+    rememberFile(settings, "/scenes/earth.json");
+    {
+        SettingsFile file = open();
+        EXPECT_EQ(file.read(), Settings{});
+        EXPECT_FALSE(file.takeProblem());
+        file.keep(settings);
+    }
+    EXPECT_EQ(open().read(), settings);
+}
+
+TEST_F(KeptSettings, AreWrittenAMomentAfterTheyChanged) {
+    SettingsFile file = open();
+    std::ignore = file.read();
+    file.keep({});
+    EXPECT_FALSE(file.due());
+    file.keep(unusual());
+    EXPECT_EQ(file.due(), 11.0);
+    now = 10.5;
+    file.keep(unusual());
+    EXPECT_EQ(file.due(), 11.0);
+    now = 11;
+    file.keep(unusual());
+    EXPECT_FALSE(file.due());
+}
+
+TEST_F(KeptSettings, NothingIsWrittenWhereNothingChanged) {
+    {
+        SettingsFile file = open();
+        file.keep(file.read());
+    }
+    EXPECT_FALSE(std::filesystem::exists(places().settings));
+}
+
+TEST_F(KeptSettings, AFileThatCannotBeReadIsSetAside) {
+    std::filesystem::create_directories(places().settings.parent_path());
+    const std::string wrong = R"({"theme": "pink"})";
+    ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(wrong)));
+    SettingsFile file = open();
+    EXPECT_EQ(file.read(), Settings{});
+    const std::optional<std::string> problem = file.takeProblem();
+    ASSERT_TRUE(problem);
+    EXPECT_THAT(*problem, HasSubstr("settings.json.broken"));
+    EXPECT_FALSE(file.takeProblem());
+    EXPECT_EQ(readText(places().settings.string() + ".broken").value(), wrong);
+}
+
+TEST_F(KeptSettings, UnknownKeysSurviveAWindow) {
+    std::filesystem::create_directories(places().settings.parent_path());
+    ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(R"({"fromLater": true})")));
+    {
+        SettingsFile file = open();
+        std::ignore = file.read();
+        file.keep(unusual());
+    }
+    EXPECT_THAT(readText(places().settings).value(), HasSubstr("fromLater"));
+    EXPECT_EQ(open().read(), unusual());
+}
+
+TEST_F(KeptSettings, AFolderThatCannotBeWrittenIsSaid) {
+    ASSERT_TRUE(writeFileAtomically(folder.path() / "config", viewBytes("a file")));
+    SettingsFile file({folder.path() / "config" / "settings.json", {}}, {}, std::chrono::milliseconds(0),
+                      [this] { return now; });
+    std::ignore = file.read();
+    file.keep(unusual());
+    std::optional<std::string> problem = file.takeProblem();
+    while (!problem) // a thread writes
+        problem = file.takeProblem();
+    EXPECT_THAT(*problem, HasSubstr("Settings can't be kept"));
+}
+
+} // namespace
+} // namespace texplorer::settings_file_test

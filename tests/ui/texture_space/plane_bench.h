@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/scene/tex_coords.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::test {
+
+/// The window with a square, whose vertices are 0 at (0, 0), 1 at (1, 0), 2 at (1, 1) and 3 at (0, 1).
+class PlaneBench : public Workbench {
+protected:
+    PlaneBench() {
+        Scene square = defaultScene();
+        square.models.resize(1);
+        square.models[0].shape = Shape::Quad;
+        start(std::move(square));
+    }
+
+    glm::vec4 coord(std::size_t vertex) {
+        return effectiveTexCoord(*ui::selectedModel(*session), ui::selectedMesh(*session), 0, vertex);
+    }
+    float pixelsPerUnit() {
+        const ui::WidgetPlaces::Item& canvas = places.items.at("texture space");
+        return std::min(canvas.right - canvas.left, canvas.bottom - canvas.top) /
+               session->window.plane.extent;
+    }
+    /// Where the panel shows a coordinate.
+    ImVec2 at(float s, float t) {
+        const ui::WidgetPlaces::Item& canvas = places.items.at("texture space");
+        return {
+            std::floor((canvas.left + canvas.right) / 2) + (s - session->window.plane.s) * pixelsPerUnit(),
+            std::floor((canvas.top + canvas.bottom) / 2) - (t - session->window.plane.t) * pixelsPerUnit()};
+    }
+    void expectCoord(std::size_t vertex, float s, float t, float tolerance = 1e-4F) {
+        EXPECT_NEAR(coord(vertex).s, s, tolerance) << "vertex " << vertex;
+        EXPECT_NEAR(coord(vertex).t, t, tolerance) << "vertex " << vertex;
+    }
+    /// What the plane says that begins so; empty where it says nothing of that kind.
+    std::string noted(std::string_view beginning) {
+        const auto found = places.items.lower_bound(beginning);
+        return found != places.items.end() && found->first.starts_with(beginning) ? found->first : "";
+    }
+    std::size_t undoSteps() {
+        std::size_t steps = 0;
+        for (History history = session->document.history; history.canUndo(); history.undo())
+            ++steps;
+        return steps;
+    }
+    /// A key that is held while the mouse does something.
+    struct Held {
+        explicit Held(bool ImGuiIO::*key)
+            : key_(key) {
+            ImGui::GetIO().*key_ = true;
+        }
+        ~Held() { ImGui::GetIO().*key_ = false; }
+        Held(const Held&) = delete;
+        Held& operator=(const Held&) = delete;
+
+    private:
+        bool ImGuiIO::*key_;
+    };
+};
+
+} // namespace texplorer::test

@@ -1,0 +1,207 @@
+// The line over the texture space, and what is behind "…".
+
+#include "app/ui/model/chosen_vertices.h"
+#include "tests/ui/texture_space/plane_bench.h"
+
+#include <glm/glm.hpp>
+
+namespace texplorer::ui::plane_tools_test {
+namespace {
+
+using namespace test;
+
+class PlaneTools : public PlaneBench {
+protected:
+    TextureSpaceState& state() { return states.textureSpace; }
+    void openTools() {
+        click("plane tools");
+        frames(2);
+    }
+    int shown(ImVec2 place, int component = 0) {
+        const Image window = picture();
+        return std::to_integer<int>(
+            window.at(static_cast<int>(place.x),
+                      window.height - 1 - static_cast<int>(place.y))[static_cast<std::size_t>(component)]);
+    }
+    /// Within a white and a black square of checker.c's picture, away from outlines.
+    ImVec2 white() { return at(1.5F / 8, 2.5F / 8); }
+    ImVec2 black() { return at(0.5F / 8, 2.5F / 8); }
+};
+
+TEST_F(PlaneTools, StayInOneLine) {
+    for (const float width : {300.0F, 350.0F, 420.0F, 600.0F}) {
+        session->window.settings.workspace.seams.details = width;
+        frames(4);
+        const WidgetPlaces::Item& fit = places.items.at("fit plane");
+        const WidgetPlaces::Item& canvas = places.items.at("texture space");
+        for (const char* name :
+             {"channel:R", "channel:L", "snap", "box select", "mirror s", "mirror t", "plane tools"}) {
+            const auto found = places.items.find(std::string_view(name));
+            if (found == places.items.end())
+                continue;
+            EXPECT_EQ(found->second.top, fit.top) << name << " at " << width;
+            EXPECT_LE(found->second.right, fit.left) << name << " at " << width;
+            EXPECT_GE(found->second.left, canvas.left) << name << " at " << width;
+        }
+        EXPECT_LE(fit.right, canvas.right + 1);
+        EXPECT_LE(fit.bottom, canvas.top);
+        EXPECT_TRUE(has("plane tools"));
+    }
+    EXPECT_TRUE(has("mirror t")) << "with so much room";
+}
+
+// 255 times 2^-1 is 127.5; from 0.25 to 0.75 it is white again, and 0 stays black.
+TEST_F(PlaneTools, ExposureAndRangeChangeWhatIsShown) {
+    EXPECT_EQ(shown(white()), 255);
+    const Scene before = scene();
+    state().look.exposure = -1;
+    EXPECT_NEAR(shown(white()), 127.5, 0.6);
+    EXPECT_EQ(shown(black()), 0);
+    state().look.low = 0.25F;
+    state().look.high = 0.75F;
+    EXPECT_NEAR(shown(white()), 127.5, 0.6) << "(0.5 - 0.25) / 0.5";
+    state().look.exposure = 0;
+    EXPECT_EQ(shown(white()), 255);
+    EXPECT_EQ(scene(), before) << "nothing of the scene changes";
+}
+
+TEST_F(PlaneTools, AChannelIsShownAsGrey) {
+    texture().internalFormat = InternalFormat::Rgba;
+    texture().preparation = {{.op = ImageOp::Scale, .factor = {1, 0.5F, 0.25F, 1}}};
+    (void)picture();
+    EXPECT_NEAR(shown(white(), 1), 127.5, 1);
+    click("channel:G");
+    for (const int component : {0, 1, 2})
+        EXPECT_NEAR(shown(white(), component), 127.5, 1) << component;
+    click("channel:B");
+    EXPECT_NEAR(shown(white()), 63.75, 1);
+    click("channel:A");
+    EXPECT_EQ(shown(black()), 255) << "opaque";
+    // 0.2126 * 255 + 0.7152 * 127.5 + 0.0722 * 63.75
+    click("channel:L");
+    EXPECT_NEAR(shown(white()), 150, 1.5);
+    EXPECT_NE(noted("legend:level 0 · Luminance"), "");
+    click("channel:L");
+    EXPECT_EQ(state().look.channel, Channel::All) << "pressed again, all are shown";
+}
+
+// The last level of a picture that is half white: grey everywhere.
+TEST_F(PlaneTools, ShowsTheLevelThatIsChosen) {
+    texture().mipmaps = MipPolicy::Generated;
+    state().look.level = 6;
+    frames(3);
+    EXPECT_NEAR(shown(white()), 127.5, 1);
+    EXPECT_NEAR(shown(black()), 127.5, 1);
+    texture().mipmaps = MipPolicy::None;
+    frames(3);
+    EXPECT_EQ(state().look.level, 0) << "there is no other level";
+    EXPECT_EQ(shown(white()), 255);
+}
+
+// checker.c: half of the texels are 255, the others 0.
+TEST_F(PlaneTools, TheHistogramHasItsNumbers) {
+    (void)picture();
+    openTools();
+    EXPECT_TRUE(has("histogram"));
+    for (const char* name : {"statistics:R 0 255 127.50", "statistics:B 0 255 127.50",
+                             "statistics:A 255 255 255.00", "statistics:L 0 255 127.50"})
+        EXPECT_TRUE(has(name)) << name << ", not " << noted("statistics:");
+}
+
+TEST_F(PlaneTools, SlidersWork) {
+    openTools();
+    drag(place("exposure"), {60, 0});
+    EXPECT_GT(state().look.exposure, 0.1F);
+    click("plain look");
+    EXPECT_TRUE(state().look.isPlain());
+    click("channel=Red");
+    EXPECT_EQ(state().look.channel, Channel::Red);
+    click("board");
+    EXPECT_FALSE(state().look.board);
+    click("snap:Quarters");
+    EXPECT_TRUE(state().snapping.on);
+    EXPECT_EQ(state().snapping.to, Snap::Quarter);
+    click("drag selects");
+    EXPECT_TRUE(state().selects);
+    click("vertex numbers");
+    click("legend on");
+    EXPECT_EQ(noted("vertex number:"), "");
+    EXPECT_EQ(noted("legend:"), "");
+}
+
+TEST_F(PlaneTools, MirrorTheChosenOnesOrAll) {
+    openTools();
+    click("menu mirror s");
+    expectCoord(0, 1, 0);
+    expectCoord(2, 0, 1);
+    EXPECT_EQ(undoSteps(), 1U);
+    chooseVertices(session->window.selection, {0, 1});
+    click("menu mirror t");
+    expectCoord(0, 1, 0); // both have the same t
+    chooseVertices(session->window.selection, {1, 2});
+    click("menu mirror t");
+    expectCoord(1, 0, 1);
+    expectCoord(2, 0, 0);
+    expectCoord(3, 1, 1);
+}
+
+// Longitudes of the square's corners, which lie in the plane z = 0: 0.25 at the left, 0.75 at the right.
+TEST_F(PlaneTools, ProjectIsOneStep) {
+    openTools();
+    click("project:Spherical");
+    expectCoord(0, 0.25F, 0.25F);
+    expectCoord(2, 0.75F, 0.75F);
+    click("project:Planar");
+    expectCoord(0, 0, 0);
+    expectCoord(2, 1, 1);
+    EXPECT_EQ(undoSteps(), 2U);
+    EXPECT_EQ(session->document.history.undoName(), "Planar projection");
+}
+
+TEST_F(PlaneTools, CoordinatesAreCopiedAndPasted) {
+    openTools();
+    click("copy coordinates");
+    EXPECT_STREQ(ImGui::GetClipboardText(), "0 0\n1 0\n1 1\n0 1\n");
+    ImGui::SetClipboardText("0 0\n2 0\n2 2\n0 2");
+    click("paste coordinates");
+    expectCoord(2, 2, 2);
+    EXPECT_EQ(undoSteps(), 1U);
+    chooseVertices(session->window.selection, {0, 2});
+    ImGui::SetClipboardText("0.5, 0.25\n3, 4");
+    click("paste coordinates");
+    expectCoord(0, 0.5F, 0.25F);
+    expectCoord(1, 2, 0);
+    expectCoord(2, 3, 4);
+}
+
+TEST_F(PlaneTools, WhatDoesNotFitIsToldAndChangesNothing) {
+    const Scene before = scene();
+    moveTo(at(0.5F, 0.5F));
+    ImGui::SetClipboardText("hello");
+    key('V', {ctrl});
+    EXPECT_EQ(session->window.notice.text,
+              "The clipboard has no texture coordinates: line 1: expected a number, found \"hello\".");
+    ImGui::SetClipboardText("0 0\n1 1\n");
+    key('V', {ctrl});
+    EXPECT_EQ(session->window.notice.text,
+              "Expected coordinates of 4 vertices, the clipboard has those of 2.");
+    EXPECT_EQ(scene(), before);
+    ImGui::SetClipboardText("");
+    key('C', {ctrl});
+    EXPECT_STREQ(ImGui::GetClipboardText(), "0 0\n1 0\n1 1\n0 1\n");
+}
+
+TEST_F(PlaneTools, OfACubeMapHaveNoVertices) {
+    texture().pattern = Pattern::CubeFaces;
+    unit().target = Target::CubeMap;
+    state().look.channel = Channel::Red;
+    (void)picture();
+    // +x in the third column is red, +y above the second one green.
+    EXPECT_GT(shown(at(0.69F, 0.4F)), shown(at(0.44F, 0.66F)) + 60);
+    openTools();
+    EXPECT_FALSE(has("copy coordinates"));
+    EXPECT_TRUE(has("histogram"));
+}
+
+} // namespace
+} // namespace texplorer::ui::plane_tools_test

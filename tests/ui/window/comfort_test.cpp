@@ -1,0 +1,158 @@
+#include "app/ui/model/scene_files.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/palette.h"
+#include "app/ui/window/comfort.h"
+#include "core/base/file_io.h"
+#include "core/link/scene_link.h"
+#include "tests/support/temp_dir.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::comfort_test {
+namespace {
+
+using namespace ui;
+using test::ctrl;
+using test::shift;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Comfort : public test::Workbench {
+protected:
+    [[nodiscard]] int& percent() { return session->window.settings.textPercent; }
+};
+
+TEST_F(Comfort, TextGrowsAndShrinksByKeys) {
+    const float before = ImGui::GetFontSize();
+    for (int i = 0; i < 3; ++i)
+        key('=', {ctrl});
+    EXPECT_EQ(percent(), 150);
+    EXPECT_FLOAT_EQ(ImGui::GetFontSize(), std::round(before * 1.5F));
+    EXPECT_FLOAT_EQ(layout.scale, 1.5F);
+    key('-', {ctrl});
+    EXPECT_EQ(percent(), 125);
+    key(ui::key::keypadPlus, {ctrl});
+    key('=', {ctrl, shift}); // where + needs Shift
+    EXPECT_EQ(percent(), 175);
+    key('0', {ctrl});
+    EXPECT_EQ(percent(), 100);
+    EXPECT_FLOAT_EQ(ImGui::GetFontSize(), before);
+}
+
+TEST_F(Comfort, TextHasALargestAndASmallestSize) {
+    for (int i = 0; i < 20; ++i)
+        changeTextSize(*session, 1);
+    EXPECT_EQ(percent(), Settings::largestText);
+    for (int i = 0; i < 20; ++i)
+        changeTextSize(*session, -1);
+    EXPECT_EQ(percent(), Settings::smallestText);
+    percent() = 130; // between two
+    changeTextSize(*session, 1);
+    EXPECT_EQ(percent(), 150);
+    percent() = 130;
+    changeTextSize(*session, -1);
+    EXPECT_EQ(percent(), 125);
+    frames(2);
+    expectSoundFrame();
+}
+
+TEST_F(Comfort, EverySizeOfTextFillsTheWindow) {
+    for (const int size : {Settings::smallestText, Settings::largestText}) {
+        percent() = size;
+        frames(3);
+        expectSoundFrame();
+    }
+}
+
+TEST_F(Comfort, AThemeIsChosenInTheMenu) {
+    click("menu:View");
+    click("menu:Theme");
+    click("menu:Light");
+    EXPECT_EQ(session->window.settings.theme, Theme::Light);
+    frames(1);
+    EXPECT_EQ(static_cast<ImU32>(color::text), paletteOf(Theme::Light).text);
+    EXPECT_EQ(ImGui::ColorConvertFloat4ToU32(ImGui::GetStyle().Colors[ImGuiCol_WindowBg]),
+              paletteOf(Theme::Light).panel);
+}
+
+TEST_F(Comfort, TextSizesAreInTheMenu) {
+    click("menu:View");
+    click("menu:Text size");
+    click("menu:200 %");
+    EXPECT_EQ(percent(), 200);
+}
+
+TEST_F(Comfort, HelpStandsBelowOrBesideThePointer) {
+    moveTo(place("play"));
+    frames(2);
+    EXPECT_TRUE(has("hint"));
+    session->window.settings.helpBelow = false;
+    frames(2);
+    EXPECT_FALSE(has("hint"));
+}
+
+/// A link in the clipboard, which Dear ImGui keeps where nobody else does.
+TEST_F(Comfort, ALinkLeadsBackToTheScene) {
+    texture().wrapS = Wrap::ClampToBorder;
+    recordEdit(*session, "Wrap s");
+    click("menu:File");
+    click("menu:Copy link to this scene");
+    const std::string link = ImGui::GetClipboardText();
+    EXPECT_THAT(link, StartsWith("texplorer:1:"));
+    EXPECT_TRUE(session->window.notice.isGood);
+    const Scene copied = scene();
+    start(defaultScene());
+    ASSERT_NE(scene(), copied);
+    ImGui::SetClipboardText(link.c_str());
+    key('V', {ctrl});
+    frames(2);
+    EXPECT_EQ(texture().wrapS, Wrap::ClampToBorder);
+    EXPECT_FALSE(isDirty(session->document));
+}
+
+TEST_F(Comfort, UnsavedChangesAreAskedAboutBeforeALinkIsOpened) {
+    const std::string link = writeSceneLink(defaultScene()).value();
+    texture().wrapS = Wrap::ClampToBorder;
+    recordEdit(*session, "Wrap s");
+    ImGui::SetClipboardText(link.c_str());
+    key('V', {ctrl});
+    frames(3);
+    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_EQ(texture().wrapS, Wrap::ClampToBorder);
+    click("discard:drop");
+    frames(3);
+    EXPECT_EQ(texture().wrapS, defaultScene().textures.front().wrapS);
+}
+
+TEST_F(Comfort, WhatIsNoLinkIsSaid) {
+    for (const auto& [text, said] :
+         {std::pair("some words", "no link"), std::pair("texplorer:1:%", "damaged"),
+          std::pair("texplorer:2:AAAA", "later version")}) {
+        ImGui::SetClipboardText(text);
+        session->window.notice = {};
+        key('V', {ctrl});
+        EXPECT_THAT(session->window.notice.text, HasSubstr(said));
+        EXPECT_FALSE(session->window.notice.isGood);
+    }
+}
+
+TEST_F(Comfort, RecentFilesOpenAgain) {
+    const test::TempDir folder;
+    ASSERT_TRUE(saveScene(*session, folder / "mine.json"));
+    EXPECT_THAT(session->window.settings.recentFiles, ElementsAre(folder / "mine.json"));
+    const Settings settings = session->window.settings;
+    start(defaultScene());
+    session->window.settings = settings;
+    click("menu:File");
+    click("menu:Open recent");
+    click("menu:mine.json");
+    frames(2);
+    EXPECT_EQ(session->document.file, folder / "mine.json");
+    click("menu:File");
+    click("menu:Open recent");
+    click("menu:Forget these files");
+    EXPECT_TRUE(session->window.settings.recentFiles.empty());
+}
+
+} // namespace
+} // namespace texplorer::comfort_test

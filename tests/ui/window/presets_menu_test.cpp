@@ -1,0 +1,85 @@
+#include "core/preset/preset.h"
+#include "tests/ui/workbench.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::ui::presets_menu_test {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+class PresetsMenu : public Workbench {
+protected:
+    void choosePreset(std::string_view name) {
+        click("menu:Presets");
+        click("preset:" + std::string(name));
+    }
+};
+
+TEST_F(PresetsMenu, OffersEachOfThem) {
+    click("menu:Presets");
+    for (const Preset& each : presets())
+        EXPECT_TRUE(has("preset:" + std::string(each.name))) << each.name;
+}
+
+TEST_F(PresetsMenu, IsOneStepOfUndoThatBearsItsName) {
+    const Scene before = scene();
+    choosePreset("alpha-test");
+    EXPECT_TRUE(scene().passes[0].alphaTest);
+    EXPECT_EQ(texture().pattern, Pattern::Tree);
+    EXPECT_EQ(session->document.history.undoName(), "Alpha test > 0.5");
+    EXPECT_THAT(session->window.notice.text, HasSubstr("through the holes one sees the far sides"));
+    key('Z', {ctrl});
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->document.history.canUndo());
+}
+
+TEST_F(PresetsMenu, IsAboutTheSelectedUnit) {
+    session->window.selection.unit = 1;
+    choosePreset("sphere-map");
+    EXPECT_FALSE(scene().passes[0].units[0].texGenS.enabled);
+    EXPECT_TRUE(scene().passes[0].units[1].texGenS.enabled);
+}
+
+TEST_F(PresetsMenu, ShowsWhatItWouldDoWhileThePointerRestsOnIt) {
+    const Scene before = scene();
+    click("menu:Presets");
+    moveTo(place("preset:anisotropy"));
+    ASSERT_TRUE(session->window.preview);
+    EXPECT_EQ(session->window.preview->scene->textures[0].maxAnisotropy, 16);
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->document.history.canUndo());
+    moveTo(place("preset:decal"));
+    ASSERT_TRUE(session->window.preview);
+    EXPECT_EQ(session->window.preview->scene->passes[0].units[0].envMode, EnvMode::Decal);
+    moveTo({600, 700});
+    EXPECT_FALSE(session->window.preview);
+}
+
+TEST_F(PresetsMenu, LetsWhatMovesPlay) {
+    session->window.playback.playing = false;
+    choosePreset("decal");
+    EXPECT_FALSE(session->window.playback.playing);
+    choosePreset("scroll");
+    EXPECT_TRUE(session->window.playback.playing);
+}
+
+TEST_F(PresetsMenu, SelectsAModelThatOneSees) {
+    session->window.selection.vertex = 3;
+    choosePreset("shimmer");
+    EXPECT_EQ(scene().models[static_cast<std::size_t>(session->window.selection.model)].shape, Shape::Floor);
+    EXPECT_FALSE(session->window.selection.vertex);
+}
+
+TEST_F(PresetsMenu, SaysWhyThereIsNoRoom) {
+    for (Unit& each : scene().passes[0].units)
+        each.enabled = true;
+    const Scene before = scene();
+    choosePreset("detail");
+    EXPECT_EQ(scene(), before);
+    EXPECT_THAT(session->window.notice.text, HasSubstr("4 units"));
+}
+
+} // namespace
+} // namespace texplorer::ui::presets_menu_test

@@ -1,0 +1,91 @@
+#include "app/ui/widgets/keys.h"
+#include "app/ui/window/shortcuts.h"
+#include "tests/ui/workbench.h"
+
+#include <set>
+#include <tuple>
+
+namespace texplorer::shortcuts_test {
+namespace {
+
+using namespace ui;
+using test::ctrl;
+using test::shift;
+using test::Workbench;
+
+TEST(Shortcuts, HaveEachAKeyOfTheirOwnAndAName) {
+    std::set<std::tuple<int, bool, bool>> keys;
+    std::set<std::string_view> names;
+    for (const Shortcut& row : shortcuts()) {
+        EXPECT_TRUE(keys.insert({row.key, row.control, row.shift}).second) << labelOf(row);
+        EXPECT_TRUE(row.name.empty() || names.insert(row.name).second) << row.name;
+        EXPECT_NE(row.act, nullptr) << row.name;
+        EXPECT_STRNE(row.effect, "") << row.name;
+        EXPECT_LT(row.key, 512) << row.name;
+    }
+    EXPECT_FALSE(shortcuts().front().name.empty());
+}
+
+TEST(Shortcuts, AreCalledAsOnTheKeyboard) {
+    EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
+    EXPECT_EQ(keysOf("redo"), "Ctrl+Shift+Z");
+    EXPECT_EQ(keysOf("play"), "Space");
+    EXPECT_EQ(keysOf("larger text"), "Ctrl++");
+    EXPECT_EQ(keysOf("smaller text"), "Ctrl+−");
+    for (const Shortcut& row : shortcuts())
+        EXPECT_TRUE(row.key != ui::key::keypadPlus || labelOf(row) == "Ctrl++");
+    EXPECT_EQ(keysOf("full screen"), "F11");
+    EXPECT_EQ(keysOf("view picture"), "Shift+F12");
+}
+
+TEST_F(Workbench, TabShowsTheViewAlone) {
+    const int before = layout.view.width;
+    key(ui::key::tab);
+    EXPECT_EQ(maximisedOf(session->window.settings.workspace), Maximised::View);
+    EXPECT_GT(layout.view.width, before);
+    EXPECT_FALSE(has("textures[0].minFilter"));
+    key(ui::key::tab);
+    EXPECT_EQ(maximisedOf(session->window.settings.workspace), Maximised::None);
+    EXPECT_EQ(layout.view.width, before);
+}
+
+TEST_F(Workbench, TabIsATextFieldsWhileItHasTheKeyboard) {
+    key('F', {ctrl}); // the search among the parameters
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    key(ui::key::tab);
+    EXPECT_EQ(maximisedOf(session->window.settings.workspace), Maximised::None);
+}
+
+TEST_F(Workbench, F11FillsTheScreenAndGivesItBack) {
+    key(ui::key::f11);
+    EXPECT_TRUE(session->window.fillsScreen);
+    key(ui::key::f11);
+    EXPECT_FALSE(session->window.fillsScreen);
+}
+
+TEST_F(Workbench, F12AsksForAPicture) {
+    key(ui::key::f12);
+    EXPECT_EQ(session->window.wantedCapture, Capture::Window);
+    key(ui::key::f12, {shift});
+    EXPECT_EQ(session->window.wantedCapture, Capture::View);
+}
+
+TEST_F(Workbench, F1ListsTheKeys) {
+    key(ui::key::f1);
+    EXPECT_EQ(session->window.dialog, Dialog::Help);
+    EXPECT_TRUE(has("help:close"));
+    key(ui::key::f11); // a dialog has its own keys
+    EXPECT_FALSE(session->window.fillsScreen);
+    key(ui::key::escape);
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+}
+
+TEST_F(Workbench, AModifierMakesAnotherShortcut) {
+    key('M', {shift});
+    EXPECT_FALSE(session->window.view.magnifies);
+    key('M');
+    EXPECT_TRUE(session->window.view.magnifies);
+}
+
+} // namespace
+} // namespace texplorer::shortcuts_test

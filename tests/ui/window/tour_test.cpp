@@ -1,0 +1,63 @@
+#include "app/ui/widgets/keys.h"
+#include "app/ui/window/tour.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::tour_test {
+namespace {
+
+using namespace ui;
+
+class Tour : public test::Workbench {};
+
+TEST_F(Tour, IsNotShownUnlessItIsAskedFor) {
+    EXPECT_FALSE(has("tour:Next"));
+}
+
+TEST_F(Tour, LeadsThroughItsSteps) {
+    click("menu:Help");
+    click("menu:Tour");
+    frames(2);
+    EXPECT_EQ(session->window.tour, 0);
+    for (int step = 1; step < tourSteps; ++step) {
+        click("tour:Next");
+        EXPECT_EQ(session->window.tour, step);
+    }
+    click("tour:Back");
+    EXPECT_EQ(session->window.tour, tourSteps - 2);
+    click("tour:Next");
+    EXPECT_FALSE(session->window.settings.hasSeenTour);
+    click("tour:Done");
+    EXPECT_FALSE(session->window.tour);
+    EXPECT_TRUE(session->window.settings.hasSeenTour);
+}
+
+TEST_F(Tour, EndsWithSkipAndWithEscape) {
+    session->window.tour = 1;
+    frames(3);
+    click("tour:Skip");
+    EXPECT_FALSE(session->window.tour);
+    session->window.tour = 1;
+    session->window.explaining.pixel = {3, 3};
+    frames(3);
+    key(ui::key::escape);
+    EXPECT_FALSE(session->window.tour);
+    EXPECT_TRUE(session->window.explaining.pixel) << "one Escape does one thing";
+}
+
+TEST_F(Tour, FitsIntoEveryWindow) {
+    for (const auto& [width, height, scale] : {std::tuple(1024, 700, 1.0F), std::tuple(3840, 2160, 2.0F)}) {
+        start(defaultScene(), width, height, scale);
+        for (int step = 0; step < tourSteps; ++step) {
+            session->window.tour = step;
+            frames(3);
+            const WidgetPlaces::Item& next =
+                places.items.find(step + 1 < tourSteps ? "tour:Next" : "tour:Done")->second;
+            EXPECT_TRUE(next.visible) << step;
+            EXPECT_LE(next.right, static_cast<float>(width)) << step;
+            EXPECT_LE(next.bottom, static_cast<float>(height)) << step;
+        }
+    }
+}
+
+} // namespace
+} // namespace texplorer::tour_test
