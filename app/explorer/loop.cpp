@@ -71,7 +71,15 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
         return fail(graphics.error());
     ui::ServicesBeside services(Window::wake, BlockCache::ofUser());
     ui::UnsavedWork unsaved(unsavedFolderOfUser(), Window::wake);
-    ui::Session session(services.lend(&unsaved));
+    ui::SettingsFile settings(ui::SettingsPlaces::ofUser(), Window::wake);
+    ui::Captures captures(ui::picturesFolderOfUser(), When::WhenReady, Window::wake);
+    ui::Services lent = services.lend(&unsaved);
+    lent.settings = &settings;
+    lent.captures = &captures;
+    ui::Session session(lent);
+    session.window.settings = settings.read();
+    if (!session.window.settings.hasSeenTour)
+        session.window.tour = 0;
     stage::Loop loop(**graphics, session, window.surface(),
                      {[&window] { return window.clipboard(); },
                       [&window](const std::string& text) { window.setClipboard(text); }});
@@ -89,6 +97,7 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
         if (done.drawn) {
             window.setTitle(done.title);
             window.setCursor(done.cursor);
+            window.fillScreen(session.window.fillsScreen);
             window.swap();
         }
         if (done.quit) {

@@ -71,6 +71,8 @@ int main(int argc, char** argv) {
         "The images of a scene may take {} together once they are decoded.\n"
         "Unsaved work is kept in $XDG_STATE_HOME/texplorer/unsaved (~/.local/state/texplorer/unsaved) and "
         "offered at the next start.\n"
+        "Settings are kept in $XDG_CONFIG_HOME/texplorer/settings.json (~/.config/texplorer/settings.json), and "
+        "which files were opened in $XDG_STATE_HOME/texplorer/recent.json.\n"
         "Where the driver has a core profile alone, without fixed functions, the reference draws.\n"
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
         "usual, with the unsaved work kept.",

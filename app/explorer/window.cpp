@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace texplorer::explorer {
@@ -39,6 +40,7 @@ struct Window::State {
     stage::Surface surface;           // as it was said last
     stage::Modifiers modifiers;       // as GLFW said last: not every callback is told
     std::string title;
+    std::optional<std::array<int, 4>> windowed; // x, y, width and height, while it fills the screen
     std::map<ImGuiMouseCursor, GLFWcursor*> cursors;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 
@@ -250,6 +252,57 @@ double Window::frameSeconds() const {
     const GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(const_cast<GLFWmonitor*>(monitor)) : nullptr;
     return 1 / std::max(slowestMonitor, mode ? static_cast<double>(mode->refreshRate) : 0);
+}
+
+namespace {
+
+/// The monitor that has the largest part of a rectangle; nullptr: there is none.
+GLFWmonitor* monitorOf(const std::array<int, 4>& place) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = nullptr;
+    long long most = -1;
+    for (int i = 0; i < count; ++i) {
+        int x = 0;
+        int y = 0;
+        glfwGetMonitorPos(monitors[i], &x, &y);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (!mode)
+            continue;
+        const auto shared = [](int from, int length, int otherFrom, int otherLength) {
+            return std::max(0, std::min(from + length, otherFrom + otherLength) - std::max(from, otherFrom));
+        };
+        const long long area = static_cast<long long>(shared(place[0], place[2], x, mode->width)) *
+                               shared(place[1], place[3], y, mode->height);
+        if (area > most) {
+            most = area;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+void Window::fillScreen(bool fills) {
+    if (fills == state_->windowed.has_value())
+        return;
+    GLFWwindow* window = state_->window;
+    if (!fills) {
+        const auto [x, y, width, height] = *std::exchange(state_->windowed, std::nullopt);
+        glfwSetWindowMonitor(window, nullptr, x, y, width, height, GLFW_DONT_CARE);
+        return;
+    }
+    std::array<int, 4> place{};
+    glfwGetWindowPos(window, place.data(), &place[1]);
+    glfwGetWindowSize(window, &place[2], &place[3]);
+    GLFWmonitor* monitor = monitorOf(place);
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode)
+        return;
+    state_->windowed = place;
+    glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    glfwSwapInterval(1); // some drivers forget it
 }
 
 void Window::setTitle(const std::string& title) {

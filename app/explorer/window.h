@@ -39,6 +39,8 @@ public:
     [[nodiscard]] double frameSeconds() const; ///< how long the monitor shows a frame
     [[nodiscard]] static double now() { return steadySeconds(); }
 
+    /// Over the whole monitor that most of it is on, or as it was before that.
+    void fillScreen(bool fills);
     void setTitle(const std::string& title);
     void setCursor(ImGuiMouseCursor cursor);
     [[nodiscard]] std::string clipboard() const;

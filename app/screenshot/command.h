@@ -21,7 +21,10 @@ enum ExitCode : int {
 void addShot(CommandLine& line);
 void addProbe(CommandLine& line);
 void addCheck(CommandLine& line);
+void addCommands(CommandLine& line);
 void addParams(CommandLine& line);
+void addPresets(CommandLine& line);
+void addDiff(CommandLine& line);
 void addDecode(CommandLine& line);
 void addInfo(CommandLine& line);
 void addFlip(CommandLine& line);

@@ -88,9 +88,19 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     else
         showComparison(session.window.view, request.compared);
     session.window.view.anisotropy = request.anisotropy;
+    session.window.view.shown = request.shown;
+    session.window.selection.pass = request.shownUnit.pass;
+    session.window.selection.unit = request.shownUnit.unit;
+    ui::Workspace& workspace = session.window.settings.workspace;
+    workspace = workspaceOf(request.layout);
+    if (request.tab)
+        showTab(workspace, *request.tab);
+    session.window.settings.theme = request.theme;
+    if (request.tour > 0)
+        session.window.tour = request.tour - 1;
     if (request.probed) {
-        const ui::Rect picture = ui::layoutFor(request.size.width, request.size.height, 1,
-                                               session.window.columns, ui::gridOf(session.window.view))
+        const ui::Rect picture = ui::layoutFor(request.size.width, request.size.height, request.scale,
+                                               workspace, ui::gridOf(session.window.view))
                                      .picture;
         const auto [x, y] = *request.probed;
         if (x >= picture.width || y >= picture.height)
@@ -102,8 +112,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     }
     session.window.playback.time = request.time;
     session.window.showsFrameTime = false;
-    session.window.wantedTab = request.tab;
-    stage::Loop loop(**graphics, session, {request.size, request.size, 1});
+    stage::Loop loop(**graphics, session, {request.size, request.size, request.scale});
     for (int frame = 0; frame < settlingFrames; ++frame) {
         session.window.wantedSection = request.section; // where it is, is known once the panel has its size
         (void)loop.step(0, {});                         // the scene's time stands still

@@ -5,6 +5,7 @@
 
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/sections.h"
+#include "app/ui/model/settings.h"
 #include "app/view/offered_renderers.h"
 #include "app/view/pretence.h"
 #include "app/view/size.h"
@@ -15,6 +16,7 @@
 #include "core/image/image.h"
 #include "core/reference/draw_request.h"
 #include "core/reference/explain/explanation.h"
+#include "core/reference/false_colors.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
@@ -34,16 +36,22 @@ struct ShotRequest {
     double time = 0;                               ///< seconds
     view::Size size;                               ///< of the picture, in pixels
     bool window = false;                           ///< the whole window with its panels, not just the scene
-    ui::Tab tab = ui::Tab::Vertices;               ///< of the window
+    std::optional<ui::Tab> tab{};                  ///< of the window, in front; none: as the layout has it
     std::optional<reference::PixelPlace> probed{}; ///< of the picture in the window, from its top left
     RendererKind renderer = RendererKind::Fixed;
     std::vector<RendererKind>
         compared{};                ///< in the window, instead of one renderer: two or three; empty: none
     std::filesystem::path shaders; ///< the folder of the shader renderer's files; empty: the built-in ones
     reference::AnisotropyMethod anisotropy = reference::AnisotropyMethod::Probes; ///< of the reference
-    std::optional<ui::Section> section{}; ///< of the window's parameters, to scroll to
-    LevelWork levels{};                   ///< how textures are compressed at run time
-    view::Pretence pretence{};            ///< what the driver is treated as lacking
+    std::optional<ui::Section> section{};               ///< of the window's parameters, to scroll to
+    LevelWork levels{};                                 ///< how textures are compressed at run time
+    view::Pretence pretence{};                          ///< what the driver is treated as lacking
+    reference::Shown shown = reference::Shown::Picture; ///< of the window and of the reference
+    reference::LevelQuestion shownUnit{};          ///< whose false colours; of the window: the selected one
+    ui::LayoutRow layout = ui::layoutRows.front(); ///< which panels of the window are open
+    ui::Theme theme{};                             ///< of the window
+    int tour = 0;                                  ///< the step of the tour over the window, from 1; 0: none
+    float scale = 1;                               ///< of the window's text and lengths
 
     /// Of the reference.
     [[nodiscard]] reference::DrawRequest drawRequest() const {

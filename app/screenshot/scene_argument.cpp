@@ -1,6 +1,8 @@
 #include "app/screenshot/scene_argument.h"
 
+#include "app/screenshot/choice_argument.h"
 #include "core/base/file_io.h"
+#include "core/preset/preset.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
 
@@ -22,6 +24,16 @@ std::string checkAssignment(const std::string& text) {
                : fmt::format("expected PATH=VALUE, joined by = without a space, found \"{}\"", text);
 }
 
+Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
+    const Preset* preset = findPreset(name);
+    if (preset)
+        return applyPreset(*preset, scene);
+    std::string names;
+    for (const Preset& each : presets())
+        names.append(names.empty() ? "" : ", ").append(each.name);
+    return refuseChoice(names, name, "--preset");
+}
+
 } // namespace
 
 void addSceneArgument(Command& command, SceneArgument& argument) {
@@ -31,6 +43,10 @@ void addSceneArgument(Command& command, SceneArgument& argument) {
                    "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
                    "\"texshot params\" lists every path.",
                    {.value = "PATH=VALUE", .oneEach = true, .check = checkAssignment});
+    command.option("--preset", argument.presets,
+                   "What a textbook shows of a setting, as in alpha-test, after every --set. May be given "
+                   "again; \"texshot presets\" lists them.",
+                   {.value = "PRESET", .oneEach = true});
 }
 
 tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument) {
@@ -48,6 +64,10 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
     for (const std::string& assignment : argument.assignments) {
         if (const auto assigned = assign(opened.scene, assignment); !assigned)
             return tl::unexpected(SceneProblem{assigned.error(), wrongCall});
+    }
+    for (const std::string& preset : argument.presets) {
+        if (const auto applied = applyPresetNamed(opened.scene, preset); !applied)
+            return tl::unexpected(SceneProblem{applied.error(), wrongCall});
     }
     return opened;
 }

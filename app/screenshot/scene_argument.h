@@ -10,9 +10,10 @@ namespace texplorer::screenshot {
 struct SceneArgument {
     std::string file; ///< empty: the default scene
     std::vector<std::string> assignments;
+    std::vector<std::string> presets; ///< applied after them, to unit 0 of pass 0
 };
 
-/// Declares SCENE and --set.
+/// Declares SCENE, --set and --preset.
 void addSceneArgument(Command& command, SceneArgument& argument);
 
 struct OpenedScene {

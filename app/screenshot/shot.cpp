@@ -11,11 +11,13 @@
 #include "core/diagnosis/diagnosis.h"
 #include "core/image/convert.h"
 #include "core/reference/draw.h"
+#include "core/reference/false_colors.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 
 namespace texplorer::screenshot {
@@ -28,14 +30,21 @@ struct ShotOptions {
     PictureArgument picture;
     bool window = false;
     std::string tab;
+    std::string layout;
+    std::string theme;
+    std::string scale;
+    int tour = 0;
     std::string section;
     std::string probe;
     std::string renderer = std::string(rowOf(RendererKind::Fixed).name);
     std::string compared;
+    std::string shown = std::string(rowOf(reference::Shown::Picture).name);
+    reference::LevelQuestion shownUnit;
     std::string shaders;
     std::vector<std::string> pretended;
     std::string out;
     const Option* rendererOption = nullptr;
+    const Option* shownOption = nullptr;
     const Option* shadersOption = nullptr;
 };
 
@@ -59,10 +68,40 @@ Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view na
                 option);
 }
 
-Result<ui::Tab> parseTab(std::string_view name) {
+Result<std::optional<ui::Tab>> parseTab(std::string_view name) {
     if (name.empty())
-        return ui::Tab::Vertices;
-    return parseRow(ui::tabRows, name, "--tab").map(&ui::TabRow::tab);
+        return std::nullopt;
+    return parseRow(ui::tabRows, name, "--tab").map([](const ui::TabRow& row) {
+        return std::optional(row.tab);
+    });
+}
+
+Result<ui::LayoutRow> parseLayout(std::string_view name) {
+    if (name.empty())
+        return ui::layoutRows.front();
+    return parseRow(ui::layoutRows, name, "--layout");
+}
+
+Result<ui::Theme> parseTheme(std::string_view name) {
+    if (name.empty())
+        return ui::Settings{}.theme;
+    return parseRow(ui::themeRows, name, "--theme").map(&ui::ThemeRow::theme);
+}
+
+constexpr float leastScale = 0.5F;
+constexpr float largestScale = 4;
+
+Result<float> parseScale(std::string_view text) {
+    if (text.empty())
+        return 1.0F;
+    float scale = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, scale);
+    if (error == std::errc() && stop == end && scale >= leastScale && scale <= largestScale)
+        return scale;
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("expected a number from {} to {}, found \"{}\"", leastScale, largestScale, text),
+                "--scale");
 }
 
 Result<std::optional<ui::Section>> parseSection(std::string_view name) {
@@ -113,6 +152,21 @@ Result<Shot> drawByReference(const ShotRequest& request) {
     return Shot{std::move(*drawn), {}};
 }
 
+/// Of the unit's levels of detail or footprints; transparent where it samples nothing.
+Result<Shot> drawFalseColors(const ShotRequest& request) {
+    Result<reference::LevelMap> map = reference::levelMap(
+        request.drawRequest(), request.shownUnit, {.levels = request.levels, .stop = request.levels.stop});
+    if (!map)
+        return fail(map.error());
+    return Shot{{reference::falseColors(*map, request.shown), std::move(map->problems)}, {}};
+}
+
+Result<Shot> drawAsAsked(const ShotRequest& request) {
+    if (request.window || request.renderer != RendererKind::Reference)
+        return draw(request);
+    return request.shown == reference::Shown::Picture ? drawByReference(request) : drawFalseColors(request);
+}
+
 ExitCode shoot(const ShotOptions& options) {
     const Result<view::Size> size =
         parsePictureSize(options.picture.size, options.window ? ui::smallestWindow : view::Size{1, 1});
@@ -122,9 +176,18 @@ ExitCode shoot(const ShotOptions& options) {
     if (!time)
         return complain(time.error(), wrongCall);
 
-    const Result<ui::Tab> tab = parseTab(options.tab);
+    const Result<std::optional<ui::Tab>> tab = parseTab(options.tab);
     if (!tab)
         return complain(tab.error(), wrongCall);
+    const Result<ui::LayoutRow> layout = parseLayout(options.layout);
+    if (!layout)
+        return complain(layout.error(), wrongCall);
+    const Result<ui::Theme> theme = parseTheme(options.theme);
+    if (!theme)
+        return complain(theme.error(), wrongCall);
+    const Result<float> scale = parseScale(options.scale);
+    if (!scale)
+        return complain(scale.error(), wrongCall);
     const Result<std::optional<ui::Section>> section = parseSection(options.section);
     if (!section)
         return complain(section.error(), wrongCall);
@@ -147,6 +210,12 @@ ExitCode shoot(const ShotOptions& options) {
         return refuseUnused("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
     if (options.rendererOption->isGiven() && !options.compared.empty())
         return refuseUnused("--renderer", "--compare names the renderers");
+
+    const Result<reference::Shown> shown = parseChoice<reference::Shown>(options.shown, "--show");
+    if (!shown)
+        return complain(shown.error(), wrongCall);
+    if (options.shownOption->isGiven() && !options.window && *renderer != RendererKind::Reference)
+        return refuseUnused("--show", "it is for --renderer reference and --ui");
 
     const Result<std::optional<reference::PixelPlace>> probed = parseProbe(options.probe);
     if (!probed)
@@ -180,6 +249,12 @@ ExitCode shoot(const ShotOptions& options) {
         return complain(inScene(options.scene, loaded.error()));
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
     request.pretence = *pretence;
+    request.shown = *shown;
+    request.shownUnit = options.shownUnit;
+    request.layout = *layout;
+    request.theme = *theme;
+    request.tour = options.tour;
+    request.scale = *scale;
     request.levels.cache = BlockCache::ofUser();
     if (std::ranges::find(request.scene.textures, Compression::Cached, &Texture::compression) !=
         request.scene.textures.end()) {
@@ -187,8 +262,7 @@ ExitCode shoot(const ShotOptions& options) {
         request.levels.progress = [&work = *compressing](float done) { work.report(done); };
         request.levels.stop = compressing->stopToken();
     }
-    const bool needsGl = request.window || *renderer != RendererKind::Reference;
-    Result<Shot> shot = needsGl ? draw(request) : drawByReference(request);
+    Result<Shot> shot = drawAsAsked(request);
     if (compressing)
         compressing->finish();
     if (request.levels.stop.stop_requested())
@@ -201,8 +275,11 @@ ExitCode shoot(const ShotOptions& options) {
         if (each.severity <= Severity::Warning && !each.reportedByRenderer) // else it is a problem already
             complain({ErrorCode::Malformed, each.sentence, each.path});
     }
-    // What one sees: a viewer would let its own background through the framebuffer's alpha.
-    const TextureImage seen = textureOf(withoutAlpha(std::move(shot->frame.image)), {});
+    // What one sees: a viewer would let its own background through the framebuffer's alpha. False colours are
+    // no framebuffer: where there is none, there is nothing.
+    const bool isPicture = request.window || request.shown == reference::Shown::Picture;
+    const TextureImage seen =
+        textureOf(isPicture ? withoutAlpha(std::move(shot->frame.image)) : std::move(shot->frame.image), {});
     if (const auto written = output->write(seen); !written)
         return complain(written.error());
     return success;
@@ -216,9 +293,21 @@ void addShot(CommandLine& line) {
     addSceneArgument(command, options->scene);
     addPictureArgument(command, options->picture);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
-    command.option("--tab", options->tab,
-                   fmt::format("With --ui: the tab at the lower right, one of {}.", namesOf(ui::tabRows)),
-                   {.value = "TAB", .needs = &window});
+    command.option(
+        "--tab", options->tab,
+        fmt::format("With --ui: the tab that is in front where it lies, one of {}.", namesOf(ui::tabRows)),
+        {.value = "TAB", .needs = &window});
+    command.option("--layout", options->layout,
+                   fmt::format("With --ui: which panels are open, one of {}.", namesOf(ui::layoutRows)),
+                   {.value = "LAYOUT", .needs = &window});
+    command.option("--theme", options->theme,
+                   fmt::format("With --ui: the colours, one of {}.", namesOf(ui::themeRows)),
+                   {.value = "THEME", .needs = &window});
+    command.option("--scale", options->scale,
+                   "With --ui: the size of text and controls, 0.5 to 4, as of a monitor with that scale.",
+                   {.value = "S", .needs = &window});
+    command.number("--tour", options->tour, 1, ui::tourSteps,
+                   "With --ui: a step of the tour over the window.", {.needs = &window});
     command.option(
         "--section", options->section,
         fmt::format("With --ui: the part of the parameters that is opened, at their top, one of {}.",
@@ -236,6 +325,20 @@ void addShot(CommandLine& line) {
                    "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
                    "difference of the first two.",
                    {.value = "A,B", .needs = &window});
+    options->shownOption = &command.option(
+        "--show", options->shown,
+        fmt::format(
+            "With --renderer reference or --ui: the picture, or of one texture unit a number for each "
+            "pixel in false colours, one of {}. lambda: the level of detail, from dark violet at the "
+            "base level to yellow at the last one, black at 0 and below. anisotropy: how many times as "
+            "long as wide the footprint is, from 1, dark violet, in equal steps to 2, 4, 8 and 16, "
+            "yellow. Transparent where the unit samples nothing.",
+            listNames(EnumTable<reference::Shown>::rows)),
+        {.value = "WHAT", .showsDefault = true});
+    command.number("--pass", options->shownUnit.pass, 0, maxPasses - 1, "With --show: the pass.",
+                   {.needs = options->shownOption});
+    command.number("--unit", options->shownUnit.unit, 0, maxUnits - 1, "With --show: its texture unit.",
+                   {.needs = options->shownOption});
     options->shadersOption =
         &command.option("--shaders", options->shaders,
                         "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "

@@ -104,7 +104,15 @@ class Window(unittest.TestCase):
         self.display = Display()
         self.addCleanup(self.display.close)
         self.state = pathlib.Path(folder.name) / "state"
-        self.display.environment |= {"XDG_STATE_HOME": str(self.state)} | self.VARIABLES
+        self.config = pathlib.Path(folder.name) / "config"
+        self.pictures = pathlib.Path(folder.name) / "pictures"
+        self.pictures.mkdir()
+        self.settings = self.config / "texplorer" / "settings.json"
+        self.settings.parent.mkdir(parents=True)
+        self.settings.write_text('{"hasSeenTour": true, "fromLater": 1}')
+        (self.config / "user-dirs.dirs").write_text(f'XDG_PICTURES_DIR="{self.pictures}"\n')
+        self.display.environment |= {"XDG_STATE_HOME": str(self.state),
+                                     "XDG_CONFIG_HOME": str(self.config)} | self.VARIABLES
         self.program = None
         self.addCleanup(self.end_program)
         self.begin(self.scene)
@@ -151,12 +159,12 @@ class Window(unittest.TestCase):
 
     def orbit(self):
         """A drag below the models, as slow as a hand's."""
-        self.display.xdotool("mousemove", 600, 700)
+        self.display.xdotool("mousemove", 600, 440)
         time.sleep(0.1)
         self.display.xdotool("mousedown", 1)
         for x in range(610, 700, 10):
             time.sleep(0.05)
-            self.display.xdotool("mousemove", x, 700)
+            self.display.xdotool("mousemove", x, 440)
         self.display.xdotool("mouseup", 1)
         time.sleep(0.1)
 

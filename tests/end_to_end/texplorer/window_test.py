@@ -1,7 +1,10 @@
 """What a user does with the window, and what the window does by itself."""
 
+import json
 import time
 import unittest
+
+from PIL import Image
 
 from texplorer import Window, PATIENCE, wait_for
 
@@ -45,10 +48,32 @@ class AtTheWindow(Window):
         self.display.ask_to_close(self.window)
         self.assertEqual(self.program.wait(PATIENCE), 0)
 
+    def test_settings_are_kept(self):
+        self.display.xdotool("key", "ctrl+equal")
+        kept = wait_for(lambda: (read := json.loads(self.settings.read_text())).get("textPercent") == 110 and read,
+                        "the settings' file")
+        self.assertEqual(kept["fromLater"], 1)
+        recent = self.state / "texplorer" / "recent.json"
+        wait_for(recent.exists, "the list of files")
+        self.assertEqual(json.loads(recent.read_text()), [str(self.scene)])
+
+    def test_writes_pictures(self):
+        self.display.xdotool("key", "F12")
+        wait_for(lambda: list(self.pictures.glob("*.png")), "the picture of the window")
+        with Image.open(self.pictures / "texplorer-window.png") as window:
+            window.load()
+        self.assertEqual(window.size, (1280, 800))
+        self.display.xdotool("key", "shift+F12")
+        wait_for(lambda: len(list(self.pictures.glob("*.png"))) == 2, "the picture of the view")
+        with Image.open(self.pictures / "texplorer-view.png") as view:
+            view.load()
+        self.assertLess(view.size, window.size)
+        self.assertGreater(len(set(view.convert("RGB").getdata())), 50)
+
     def test_the_reference_draws_beside_the_window(self):
         self.display.xdotool("mousemove", 2, 798)  # where there is no tooltip
         before = self.display.screenshot()
-        place = (330, 70, 900, 740)
+        place = (330, 70, 900, 460)
         self.display.xdotool("key", "3")
         wait_for(lambda: self.display.screenshot().crop(place).tobytes() != before.crop(place).tobytes(),
                  "the reference's picture")
@@ -77,7 +102,7 @@ class AtTheWindow(Window):
         """What comes from a worker needs some frames until its columns have their widths."""
         self.display.xdotool("mousemove", 500, 400)
         before = self.display.screenshot()
-        details = (905, 440, 1280, 770)
+        details = (321, 500, 1280, 770)  # the dock below
         self.display.xdotool("keydown", "e")
         wait_for(lambda: self.display.screenshot().crop(details).tobytes() != before.crop(details).tobytes(),
                  "the explanation")
@@ -91,8 +116,8 @@ class AtTheWindow(Window):
     def test_a_click_as_fast_as_the_display_is_one(self):
         """Press, release and the next place may come within one frame."""
         before = self.save()
-        self.display.xdotool("mousemove", 600, 700, "mousedown", 1, "mousemove", 700, 700, "mouseup", 1,
-                             "mousemove", 610, 690)
+        self.display.xdotool("mousemove", 600, 440, "mousedown", 1, "mousemove", 700, 440, "mouseup", 1,
+                             "mousemove", 610, 430)
         wait_for(lambda: "•" in self.title(), "the mark of unsaved changes")
         self.assertNotEqual(self.save()["view"]["azimuth"], before["view"]["azimuth"])
 
@@ -106,7 +131,7 @@ class CoreProfile(AtTheWindow):
     VARIABLES = {"MESA_GL_VERSION_OVERRIDE": "3.3FC"}
 
     def test_keys_of_what_is_not_there_change_nothing(self):
-        place = (330, 70, 900, 740)
+        place = (330, 70, 900, 460)
         self.display.xdotool("mousemove", 2, 798)
         self.wait_until_it_rests()
         before = self.display.screenshot().crop(place).tobytes()

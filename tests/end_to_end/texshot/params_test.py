@@ -28,7 +28,7 @@ class Params(Texshot):
             text = self.succeeds(command, "--help").decode()
             self.assertRegex(text, r"--size WIDTHxHEIGHT +Of the picture, in pixels. Default: 1280x800.\n")
         for command in ([], ["shot"], ["probe"], ["check"], ["conform"], ["params"], ["decode"], ["info"], ["convert"],
-                        ["flip"], ["compress"]):
+                        ["flip"], ["compress"], ["presets"], ["diff"], ["commands"]):
             with self.subTest(command=command):
                 text = self.succeeds(*command, "--help").decode()
                 self.assertNotRegex(text, r"\b(TEXT|INT|Needs:|Env:)")

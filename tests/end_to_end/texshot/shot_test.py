@@ -83,9 +83,9 @@ class Shot(Texshot):
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
-            ("one of vertices, commands, glsl, explain, file, memory, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("one of vertices, levels, commands, glsl, explain, file, memory, a-b, history, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
-            ("one of texture, unit, combine, coordinates, matrix, model, pass, light, material, view, found \"lod\"",
+            ("one of essentials, texture, unit, combine, coordinates, matrix, pass, light, material, model, view, found \"lod\"",
              ["--ui", "--section", "lod"]),
             ("--ui", ["--section", "matrix"]),
             ("there is no option --nonsense; see texshot shot --help", ["--nonsense"]),
@@ -95,7 +95,7 @@ class Shot(Texshot):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
         self.complains(2, "--size: expected a value, found none", "shot", "-o", out, "--size")
-        self.complains(2, "expected one of shot, probe, check, conform, params, decode, info")
+        self.complains(2, "expected one of shot, probe, check, commands, conform, params, presets, diff, decode, info")
         for unknown in ["paint", "--paint", "-x", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
 
@@ -150,6 +150,51 @@ class Shot(Texshot):
         self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
         self.assertEqual(Image.open(io.BytesIO(drawn.stdout)).size, (16, 16))
 
+    def flat(self, high=0.5):
+        """A square that fills a square picture, in which s runs from 0 to 2 and t from 0 to `high`."""
+        scene = self.path / f"flat {high}.json"
+        scene.write_text(json.dumps({
+            "version": 1,
+            "view": {"projection": "orthographic", "azimuth": 0, "elevation": 0, "distance": 1, "fieldOfView": 90},
+            "models": [{"shape": "mesh", "mesh": {"primitive": "GL_QUADS",
+                        "positions": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+                        "texCoords": [[0, 0], [2, 0], [2, high], [0, high]]}}],
+            "textures": [{"pattern": "checker", "mipmaps": "generated"}],
+            "passes": [{"units": [{"enabled": True}]}],
+        }))
+        return scene
+
+    def test_false_colours_say_the_level_of_detail_and_the_anisotropy(self):
+        first, last = (0x44, 0x01, 0x54), (0xFD, 0xE7, 0x25)  # of viridis
+        scene = self.flat()
+        seen = self.shot(scene, "--size", "16x16", "--renderer", "reference", "--show", "anisotropy")
+        # 4 is half-way from 1 to 16 in steps of doubling; viridis has #21918c there.
+        for component, expected in zip(seen.getpixel((8, 8)), (0x21, 0x91, 0x8C, 255)):
+            self.assertAlmostEqual(component, expected, delta=4)
+        square = self.shot(self.flat(2), "--size", "16x16", "--renderer", "reference", "--show", "anisotropy")
+        self.assertEqual(square.getpixel((8, 8)), (*first, 255))
+        whole = self.shot(scene, "--size", "16x16", "--renderer", "reference", "--show", "lambda",
+                          "--set", "textures[0].minLod=500")
+        self.assertEqual(whole.getpixel((8, 8)), (*last, 255), "beyond the last level")
+        none = self.shot(scene, "--size", "16x16", "--renderer", "reference", "--show", "lambda",
+                         "--set", "textures[0].maxLod=-1")
+        self.assertEqual(none.getpixel((8, 8)), (0, 0, 0, 255), "magnified")
+        half = self.shot(scene, "--size", "32x16", "--renderer", "reference", "--show", "lambda")
+        self.assertEqual(half.getpixel((1, 8)), (0, 0, 0, 0), "nothing is drawn there")
+
+    def test_false_colours_are_refused_where_there_are_none(self):
+        scene = self.flat()
+        out = self.path / "a.png"
+        for code, expected, arguments in [
+            (2, "--show: has no effect here: it is for --renderer reference and --ui", ["--show", "lambda"]),
+            (2, "expected one of picture, lambda, anisotropy", ["--renderer", "reference", "--show", "lod"]),
+            (2, "--show", ["--renderer", "reference", "--unit", "1"]),
+            (1, "passes[0].units[1] samples nothing", ["--renderer", "reference", "--show", "lambda", "--unit", "1"]),
+            (1, "there is no pass 2, the scene has 1", ["--renderer", "reference", "--show", "lambda", "--pass", "2"]),
+        ]:
+            with self.subTest(arguments):
+                self.complains(code, expected, "shot", scene, *arguments, "-o", out)
+
     def test_the_reference_knows_two_ways_of_anisotropy(self):
         floor = ["--size", "64x48", "--renderer", "reference", "--set", "models[0].shape=floor",
                  "--set", "textures[0].maxAnisotropy=8"]
@@ -162,9 +207,9 @@ class Shot(Texshot):
                          ' "passes": [{"depthTest": true, "units": [{"enabled": true}]}]}')
         window = self.shot(scene, "--ui", "--renderer", "reference", "--anisotropy", "ellipse",
                            "--size", "1280x800")
-        alone = self.shot(scene, "--renderer", "reference", "--anisotropy", "ellipse", "--size", "583x682")
-        self.assertIsNone(self.difference(window.crop((321, 64, 321 + 583, 64 + 682)), alone))
-        otherwise = self.shot(scene, "--renderer", "reference", "--size", "583x682")
+        alone = self.shot(scene, "--renderer", "reference", "--anisotropy", "ellipse", "--size", "583x402")
+        self.assertIsNone(self.difference(window.crop((321, 64, 321 + 583, 64 + 402)), alone))
+        otherwise = self.shot(scene, "--renderer", "reference", "--size", "583x402")
         self.assertIsNotNone(self.difference(otherwise, alone))
         out = self.path / "out.png"
         self.complains(2, 'expected one of probes, ellipse, found "fast"',

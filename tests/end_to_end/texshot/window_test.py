@@ -19,23 +19,26 @@ class Window(Texshot):
         self.assertNotEqual(pretending.crop((0, 770, 1280, 800)).tobytes(), plain.crop((0, 770, 1280, 800)).tobytes())
 
     def test_each_tab_can_be_shown(self):
-        size = (1280, 800)
-        corner = (910, 440, 1280, 770)  # the tabs
-        plain = self.shot("--ui", "--size", "%dx%d" % size)
-        seen = {plain.crop(corner).tobytes()}
-        for tab in ("commands", "glsl", "file", "memory"):
+        dock = (321, 500, 1280, 770)
+        above = (0, 0, 1280, 490)
+        plain = self.shot("--ui", "--size", "1280x800")
+        seen = {plain.crop(dock).tobytes()}
+        for tab in ("commands", "glsl", "file", "memory", "a-b"):
             with self.subTest(tab):
-                picture = self.shot("--ui", "--size", "%dx%d" % size, "--tab", tab)
-                self.assertEqual(picture.crop((0, 0, 900, 800)).tobytes(), plain.crop((0, 0, 900, 800)).tobytes())
-                seen.add(picture.crop(corner).tobytes())
-        self.assertEqual(len(seen), 5)
+                picture = self.shot("--ui", "--size", "1280x800", "--tab", tab)
+                self.assertEqual(picture.crop(above).tobytes(), plain.crop(above).tobytes())
+                seen.add(picture.crop(dock).tobytes())
+        self.assertEqual(len(seen), 6)
+        right = self.shot("--ui", "--size", "1280x800", "--tab", "levels")
+        self.assertEqual(right.crop(dock).tobytes(), plain.crop(dock).tobytes())
+        self.assertIsNotNone(self.difference(right, plain))
         self.assertEqual(self.shot("--ui", "--tab", "vertices").tobytes(), plain.tobytes())
 
     def test_the_window_shows_the_section_that_is_asked_for(self):
         rest = (316, 0, 1280, 800)
         plain = self.shot("--ui", "--size", "1280x800")
         seen = {plain.tobytes()}
-        for section in ("coordinates", "matrix", "light"):
+        for section in ("coordinates", "pass", "light"):
             with self.subTest(section):
                 picture = self.shot("--ui", "--size", "1280x800", "--section", section)
                 self.assertEqual(picture.crop(rest).tobytes(), plain.crop(rest).tobytes())
@@ -48,19 +51,19 @@ class Window(Texshot):
     def test_the_window_shows_the_picture_of_each_renderer(self):
         scene = self.path / "scene.json"
         scene.write_text('{"version": 1, "view": {"azimuth": 33}}')  # a camera that the window need not fit
-        place = (321, 64, 321 + 583, 64 + 682)
+        place = (321, 64, 321 + 583, 64 + 402)
         for renderer in ("fixed", "shader", "reference"):
             with self.subTest(renderer):
                 window = self.shot(scene, "--ui", "--renderer", renderer, "--size", "1280x800")
-                alone = self.shot(scene, "--renderer", renderer, "--size", "583x682")
+                alone = self.shot(scene, "--renderer", renderer, "--size", "583x402")
                 self.assertIsNone(self.difference(window.crop(place), alone))
 
     def test_the_window_compares_renderers(self):
         scene = self.path / "scene.json"
         scene.write_text('{"version": 1, "view": {"azimuth": 33}}')
         window = self.shot(scene, "--ui", "--compare", "shader,reference", "--size", "1280x800")
-        for renderer, place in [("shader", (330, 110, 600, 700)), ("reference", (630, 110, 900, 700))]:
-            alone = self.shot(scene, "--renderer", renderer, "--size", "583x650")
+        for renderer, place in [("shader", (330, 110, 600, 420)), ("reference", (630, 110, 900, 420))]:
+            alone = self.shot(scene, "--renderer", renderer, "--size", "583x370")
             inside = tuple(value - (321, 64)[i % 2] for i, value in enumerate(place))
             left, top, right, bottom = self.difference(window.crop(place), alone.crop(inside)) or (0, 0, 0, 0)
             self.assertLess(max(right - left, bottom - top), 20, "no more than the ring around the worst pixel")
@@ -78,7 +81,7 @@ class Window(Texshot):
         self.complains(2, "--compare", "shot", "--compare", "fixed,shader", "-o", self.path / "out.png")
 
     def test_the_window_explains_the_pixel_that_it_is_asked_for(self):
-        window = ("--ui", "--size", "800x500", "--tab", "explain")
+        window = ("--ui", "--size", "1280x800", "--tab", "explain")
         without = self.shot(*window)
         probed = self.shot(*window, "--probe", "120,180")
         self.assertIsNotNone(self.difference(without, probed))

@@ -1,0 +1,72 @@
+#include "app/screenshot/command.h"
+#include "app/screenshot/scene_argument.h"
+#include "core/base/printable.h"
+#include "core/scene/params/scene_diff.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace texplorer::screenshot {
+namespace {
+
+struct DiffOptions {
+    std::string from;
+    std::string to;
+    bool json = false;
+};
+
+// As of diff(1): what can't be told has a status of its own.
+constexpr int scenesAreSame = 0;
+constexpr int scenesDiffer = 1;
+constexpr ExitCode scenesUnknown = wrongCall;
+
+std::string changesText(const std::vector<SceneChange>& changes) {
+    std::string text;
+    for (const SceneChange& each : changes)
+        text += fmt::format("{}: {} -> {}\n", each.path, printable(each.from), printable(each.to));
+    return text;
+}
+
+std::string changesJson(const std::vector<SceneChange>& changes) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const SceneChange& each : changes)
+        list.push_back({{"path", each.path}, {"label", each.label}, {"from", each.from}, {"to", each.to}});
+    const nlohmann::ordered_json document{{"same", changes.empty()}, {"changes", std::move(list)}};
+    // A file's name may be no UTF-8.
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+int diff(const DiffOptions& options) {
+    std::array<Scene, 2> scenes;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const auto opened = openScene({i == 0 ? options.from : options.to, {}, {}});
+        if (!opened)
+            return complain(opened.error().error, scenesUnknown);
+        scenes[i] = opened->scene;
+    }
+    const std::vector<SceneChange> changes = changesBetween(scenes[0], scenes[1]);
+    const Result<void> written = print(options.json ? changesJson(changes) : changesText(changes));
+    if (!written)
+        return complain(written.error(), scenesUnknown);
+    return changes.empty() ? scenesAreSame : scenesDiffer;
+}
+
+} // namespace
+
+void addDiff(CommandLine& line) {
+    Command& command = line.command("diff", "What differs between two scenes.");
+    auto options = std::make_shared<DiffOptions>();
+    command.option("FROM", options->from, "A scene file (JSON).", {.required = true});
+    command.option("TO", options->to, "Another one.", {.required = true});
+    command.flag("--json", options->json, "As JSON, for programs.");
+    command.footer(
+        "A line for each parameter that both have with different values; of lists that have different "
+        "lengths their lengths, and what differs in the elements that both have.\n"
+        "Exit status: 0 they are the same, 1 they differ, 2 one of them can't be read, or a wrong "
+        "call.");
+    command.onCall([options] { return diff(*options); });
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,48 @@
+#include "app/screenshot/command.h"
+#include "core/preset/preset.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace texplorer::screenshot {
+namespace {
+
+std::string presetsText() {
+    std::string text;
+    std::string_view group;
+    for (const Preset& preset : presets()) {
+        if (preset.group != group)
+            text += fmt::format("{}{}\n", group.empty() ? "" : "\n", preset.group);
+        group = preset.group;
+        text +=
+            fmt::format("  {}: {}\n    {}\n    {}\n", preset.name, preset.label, preset.help, preset.look);
+    }
+    return text;
+}
+
+std::string presetsJson() {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Preset& preset : presets())
+        list.push_back({{"name", preset.name},
+                        {"group", preset.group},
+                        {"label", preset.label},
+                        {"help", preset.help},
+                        {"look", preset.look}});
+    return nlohmann::ordered_json{{"presets", std::move(list)}}.dump(2) + "\n";
+}
+
+} // namespace
+
+void addPresets(CommandLine& line) {
+    Command& command =
+        line.command("presets", "What \"shot --preset\" accepts: what each sets, and what there is "
+                                "to see then.");
+    auto json = std::make_shared<bool>(false);
+    command.flag("--json", *json, "As JSON, for programs.");
+    command.onCall([json] {
+        const Result<void> written = print(*json ? presetsJson() : presetsText());
+        return written ? success : complain(written.error());
+    });
+}
+
+} // namespace texplorer::screenshot
