@@ -87,7 +87,7 @@ void showPixel(ViewSettings& settings, glm::ivec2 pixel, view::Size picture) {
                            glm::vec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
 }
 
-constexpr const char* unit = "/255";
+constexpr const char* perByte = "/255";
 
 /// "0.17 % over [2]/255": how much differs by more than the tolerance, which one can drag.
 void toleranceField(Session& session, Flow& flow, const Difference* difference, float gap) {
@@ -96,7 +96,8 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     const bool hasShare = difference && difference->max > 0;
     const std::string label =
         hasShare ? rounded(100 * difference->shareOver(), 2) + " % over" : std::string("Tolerance");
-    flow.place(ImGui::CalcTextSize(label.c_str()).x + field + ImGui::CalcTextSize(unit).x + 2 * narrow, gap);
+    flow.place(ImGui::CalcTextSize(label.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow,
+               gap);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, hasShare ? color::text : color::dim);
     ImGui::TextUnformatted(label.c_str());
@@ -112,14 +113,14 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     noteItem("tolerance");
     helpTip("Differences up to here don't count. Drag, or double click to type.");
     ImGui::SameLine(0, narrow);
-    ImGui::TextUnformatted(unit);
+    ImGui::TextUnformatted(perByte);
 }
 
 /// Leads to the worst pixel; with the ring that it has in the pictures, where it has one.
 void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
-    const std::string label = fmt::format("max {}{}", difference.max, unit);
+    const std::string label = fmt::format("max {}{}", difference.max, perByte);
     const float sign = ringed ? em * 1.2F : 0;
     const float width = buttonWidth(label.c_str()) + sign;
     flow.place(width, gap);
@@ -148,7 +149,7 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
         noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
-    flow.text(fmt::format("mean {}{}", rounded(difference.mean, 3), unit), color::text, gap);
+    flow.text(fmt::format("mean {}{}", rounded(difference.mean, 3), perByte), color::text, gap);
     noteItem("mean difference");
     helpTip("Of all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
