@@ -246,8 +246,6 @@ TEST_P(EmittedPrograms, DrawTheirScenes) {
 
 // What the list leaves out is what OpenGL has anyway.
 TEST_P(EmittedPrograms, DrawTheSameWithAllCalls) {
-    if (testedRenderer() != RendererKind::Fixed)
-        GTEST_SKIP() << "no renderer has a part in it";
     const Result<Scene> scene = sceneOf(GetParam());
     ASSERT_TRUE(scene) << describe(scene.error());
     const Image all = run(Program(*scene, true));

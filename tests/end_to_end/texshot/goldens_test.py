@@ -14,9 +14,13 @@ from PIL import Image, ImageChops, ImageStat
 from texshot import Texshot
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "golden" / "window"
-LAYOUTS = ("student", "teacher", "minimal")
 THEMES = ("dark", "light", "high-contrast")
 WINDOWS = (("1024x700", 1), ("1280x800", 1), ("1920x1080", 1.5), ("3840x2160", 2))
+PIXELS = {  # of the cube, in each of the windows: what is explained
+    "student": ("120,160", "120,160", "200,200", "560,460"),
+    "teacher": ("90,300", "150,340", "230,450", "500,960"),
+    "minimal": ("250,300", "300,350", "450,460", "900,1000"),
+}
 WIDTH = 160  # of a golden
 MEAN = 1.5  # allowed difference of a channel, in 255ths, over the whole window
 WORST = 48  # of a cell that counts as another one
@@ -52,12 +56,16 @@ class Goldens(Texshot):
                       f"{WORST} ({SHARE:.1%} allowed): see {folder}/{name}-*.png")
 
     def test_every_window_looks_as_it_did(self):
-        for layout, (size, scale), theme in itertools.product(LAYOUTS, WINDOWS, THEMES):
-            name = f"{layout}-{size}-{theme}"
-            with self.subTest(name):
-                self.compare(name, self.shot("--ui", "--size", size, "--scale", str(scale), "--theme", theme,
-                                             "--layout", layout, "--set", "textures[0].pattern=uv-template",
-                                             "--probe", "120,160"))
+        for (layout, pixels), theme in itertools.product(PIXELS.items(), THEMES):
+            for (size, scale), pixel in zip(WINDOWS, pixels):
+                self.look(layout, size, scale, theme, pixel)
+
+    def look(self, layout, size, scale, theme, pixel):
+        name = f"{layout}-{size}-{theme}"
+        with self.subTest(name):
+            self.compare(name, self.shot("--ui", "--size", size, "--scale", str(scale), "--theme", theme,
+                                         "--layout", layout, "--set", "textures[0].pattern=uv-template",
+                                         "--probe", pixel))
 
 
 if __name__ == "__main__":
