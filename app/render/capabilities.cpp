@@ -77,28 +77,30 @@ view::Capabilities namedCapabilities() {
 }
 
 Result<view::Capabilities> loadCapabilities() {
-    constexpr std::string_view needs = "Texplorer needs OpenGL 2.1 with framebuffer objects; ";
+    const auto needs = [](const std::string& but) {
+        return fmt::format("Texplorer needs OpenGL 2.1 with framebuffer objects; {}", but);
+    };
     if (const GLenum status = glewInit(); !functionsAreLoaded(status))
         return fail(ErrorCode::Driver,
-                    fmt::format("{}no functions of OpenGL could be loaded: {}", needs,
-                                reinterpret_cast<const char*>(glewGetErrorString(status))));
+                    needs(fmt::format("no functions of OpenGL could be loaded: {}",
+                                      reinterpret_cast<const char*>(glewGetErrorString(status)))));
     static_cast<void>(GlErrors().check("glewInit")); // it asks a core profile for things that are gone
 
     view::Capabilities capabilities = namedCapabilities();
     const std::string offer =
         fmt::format("{} offers version {}", capabilities.renderer, capabilities.version);
     if (!has(neededVersion))
-        return fail(ErrorCode::Unsupported, std::string(needs) + offer);
+        return fail(ErrorCode::Unsupported, needs(offer));
     if (std::ranges::none_of(neededFramebuffers, has))
         return fail(ErrorCode::Unsupported,
-                    fmt::format("{}{} without GL_ARB_framebuffer_object", needs, offer));
+                    needs(fmt::format("{} without GL_ARB_framebuffer_object", offer)));
 
     const std::span<const GlFunction> functions = glFunctions();
     const auto missing = std::ranges::find_if(
         functions, [](const GlFunction& each) { return each.needed && !each.isLoaded(); });
     if (missing != functions.end())
-        return fail(ErrorCode::Unsupported, fmt::format("{}{} without the function {} ({})", needs, offer,
-                                                        missing->name, missing->source));
+        return fail(ErrorCode::Unsupported, needs(fmt::format("{} without the function {} ({})", offer,
+                                                              missing->name, missing->source)));
 
     capabilities.s3tc = has(s3tc);
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
@@ -109,7 +111,7 @@ Result<view::Capabilities> loadCapabilities() {
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);
     if (!GlErrors().check("glGetIntegerv") || capabilities.textureUnits < 1 || !hasFixedFunctions())
         return fail(ErrorCode::Unsupported,
-                    fmt::format("{}{} without fixed functions (a core profile)", needs, offer));
+                    needs(fmt::format("{} without fixed functions (a core profile)", offer)));
     capabilities.textureBorders = keepsBorders();
     if (has(anisotropy))
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &capabilities.maxAnisotropy);

@@ -71,11 +71,11 @@ fs::path wantedDirectory() {
 
 Result<void> makePrivate(const fs::path& directory) {
     if (::mkdir(directory.c_str(), S_IRWXU) != 0 && errno != EEXIST)
-        return refuse("can't be made: " + systemText(errno), directory);
+        return refuse(fmt::format("can't be made: {}", systemText(errno)), directory);
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     struct stat found {};
     if (!opened.valid() || ::fstat(opened.get(), &found) != 0)
-        return refuse("is no directory of its own: " + systemText(errno), directory);
+        return refuse(fmt::format("is no directory of its own: {}", systemText(errno)), directory);
     if (found.st_uid != ::geteuid())
         return refuse("belongs to somebody else", directory);
     if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0)
@@ -98,7 +98,7 @@ Result<void> checkDriverCache(const fs::path& directory) {
         ::open(index.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600));
     struct stat found {};
     if (!opened.valid() || ::fstat(opened.get(), &found) != 0)
-        return refuse("can't be opened: " + systemText(errno), index);
+        return refuse(fmt::format("can't be opened: {}", systemText(errno)), index);
     if (!S_ISREG(found.st_mode) || found.st_uid != ::geteuid())
         return refuse("is no file of its own", index);
     // Where it is as long as it should be, too: a file with holes has its size and no place on the disk.

@@ -34,8 +34,9 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
     if (!format || (isS3tc(*format) ? capabilities.s3tc : capabilities.rgtc))
         return {};
     const EnumRow& row = rowOf(*format);
-    return fmt::format("the driver has no {}{}; uploaded decompressed", row.name,
-                       row.since.starts_with("GL_") ? fmt::format(" ({})", row.since) : "");
+    return row.since.starts_with("GL_")
+               ? fmt::format("the driver has no {} ({}); uploaded decompressed", row.name, row.since)
+               : fmt::format("the driver has no {}; uploaded decompressed", row.name);
 }
 
 } // namespace
@@ -103,9 +104,11 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
         if (!capabilities->nonPowerOfTwo &&
             !arePowersOfTwo(widthOf(base) - rim, std::max(1, heightOf(base) - rim),
                             std::max(1, depthOf(base) - rim)))
-            return refuse(request, where,
-                          extents(base, request.target) + " texels: the driver takes powers of two only (no "
-                                                          "GL_ARB_texture_non_power_of_two)");
+            return refuse(
+                request, where,
+                fmt::format(
+                    "{} texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
+                    extents(base, request.target)));
         if (const std::string lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
             errors.add(fmt::format("{}: {}", where, lack));
             TextureLevels pixels = **levels;

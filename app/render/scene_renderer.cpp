@@ -7,6 +7,7 @@
 #include "app/render/render_target.h"
 #include "app/render/state_guard.h"
 #include "app/render/texture_cache.h"
+#include "core/base/count.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
 
@@ -134,7 +135,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             continue;
         const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
-        errors.check([&] { return where + ": glDepthFunc, glBlendFunc"; });
+        errors.check([&] { return fmt::format("{}: glDepthFunc, glBlendFunc", where); });
         applySeamlessCubeMap(scene.passes[i], where);
         const BoundTextures bound = texturesOf(scene, i, images);
         if (!pipeline->beginPass(scene, i, bound, time, errors))
@@ -149,7 +150,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             errors.check([&] { return fmt::format("models[{}]: glMaterial, glLineWidth, glPointSize", m); });
             meshes.draw();
         }
-        errors.check([&] { return where + ": glDrawRangeElements"; });
+        errors.check([&] { return fmt::format("{}: glDrawRangeElements", where); });
     }
 }
 
@@ -160,7 +161,7 @@ void SceneRenderer::State::applySeamlessCubeMap(const Pass& pass, const std::str
     const bool matters = std::ranges::any_of(
         pass.units, [](const Unit& unit) { return unit.enabled && unit.target == Target::CubeMap; });
     if (pass.seamlessCubeMap && matters)
-        errors.add(where + ": the driver has no seamless cube maps; drawn without");
+        errors.add(fmt::format("{}: the driver has no seamless cube maps; drawn without", where));
 }
 
 void SceneRenderer::State::remember(const Scene& scene, double time, view::Size size) {
@@ -186,8 +187,8 @@ BoundTextures SceneRenderer::State::texturesOf(const Scene& scene, std::size_t p
 BoundTexture SceneRenderer::State::textureOf(const Scene& scene, const Unit& unit, int unitIndex,
                                              const std::string& where, const ImageSource& images) {
     if (unitIndex >= capabilities.textureUnits) {
-        errors.add(fmt::format("{}: the driver has {} texture unit{}; drawn without this one", where,
-                               capabilities.textureUnits, capabilities.textureUnits == 1 ? "" : "s"));
+        errors.add(fmt::format("{}: the driver has {}; drawn without this one", where,
+                               countOf(capabilities.textureUnits, "texture unit")));
         return {};
     }
     if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
@@ -208,7 +209,7 @@ void SceneRenderer::shareTextures(const SceneRenderer& other) {
 Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, Target target) {
     const TextureObject* object = state_->textures->find(index, target);
     if (!object)
-        return fail(ErrorCode::NotFound, "it has not been drawn as " + std::string(rowOf(target).name),
+        return fail(ErrorCode::NotFound, fmt::format("it has not been drawn as {}", rowOf(target).name),
                     fmt::format("textures[{}]", index));
     try {
         const StateGuard guard;

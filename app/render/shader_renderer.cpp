@@ -111,8 +111,9 @@ public:
             ++revision_;
         }
         if (!folder_->problem().empty())
-            errors.add(folder_->problem() + (newest_ ? "; the last shaders that could be read stay"
-                                                     : "; drawn with Texplorer's own shaders"));
+            errors.add(newest_
+                           ? fmt::format("{}; the last shaders that could be read stay", folder_->problem())
+                           : fmt::format("{}; drawn with Texplorer's own shaders", folder_->problem()));
     }
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
@@ -134,7 +135,7 @@ public:
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it adds to the shader's
             setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);
         }
-        errors.check([&] { return where + ": glUniform"; });
+        errors.check([&] { return fmt::format("{}: glUniform", where); });
         return true;
     }
 
@@ -237,10 +238,12 @@ Result<ShaderRenderer> ShaderRenderer::create(const view::Capabilities& capabili
 view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities) {
     view::OfferedRenderers offered;
     if (!capabilities.shaders)
-        offered.withhold(RendererKind::Shader,
-                         "the shader renderer needs OpenGL 3.3 with GLSL 3.30, " +
-                             (GLEW_VERSION_3_3 ? "which --pretend takes away"
-                                               : "the driver has OpenGL " + capabilities.version));
+        offered.withhold(
+            RendererKind::Shader,
+            GLEW_VERSION_3_3
+                ? "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend takes away"
+                : fmt::format("the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL {}",
+                              capabilities.version));
     return offered;
 }
 

@@ -26,7 +26,8 @@ BoundTexture TextureCache::prepare(const Scene& scene, std::size_t index, Target
     TexturePictures pictures = images.picturesOf(texture);
     if (!pictures.base || !hasPixels(*pictures.base)) {
         errors.add(fmt::format("{}: {}; drawn without it", where,
-                               texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded"));
+                               texture.file.empty() ? "no file is chosen"
+                                                    : fmt::format("{} is not loaded", texture.file)));
         return {};
     }
 

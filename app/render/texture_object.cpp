@@ -256,7 +256,7 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     if (maxAnisotropy > 1) // else the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         std::clamp(texture.maxAnisotropy, 1.0F, maxAnisotropy));
-    applyErrors_.check(std::string(where) + ": glTexParameter");
+    applyErrors_.check(fmt::format("{}: glTexParameter", where));
     errors.add(applyErrors_.sentences());
 }
 

@@ -124,11 +124,14 @@ Result<void> Pretence::add(std::string_view word) {
 }
 
 std::string pretenceHelp() {
-    std::string help = "Treat the driver as if it lacked something that it has, as old ones do: ";
+    std::string words;
     for (const PretenceRow& row : rows)
-        help += fmt::format("{}{}{}: {}", &row == rows.data() ? "" : "; ", row.word, row.high > 0 ? "N" : "",
-                            row.help);
-    return help + ". Several with commas between them.";
+        words +=
+            fmt::format("{}{}{}: {}", words.empty() ? "" : "; ", row.word, row.high > 0 ? "N" : "", row.help);
+    return fmt::format(
+        "Treat the driver as if it lacked something that it has, as old ones do: {}. Several with commas "
+        "between them.",
+        words);
 }
 
 } // namespace texplorer::view

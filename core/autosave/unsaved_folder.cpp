@@ -62,7 +62,8 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     const int exclusive = make == Make::New ? O_EXCL : 0;
     Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | exclusive | O_CLOEXEC | O_NOFOLLOW, 0600));
     const auto refuse = [&](int error) {
-        return fail(ErrorCode::Unwritable, "can't be locked: " + systemText(error), path.string());
+        return fail(ErrorCode::Unwritable, fmt::format("can't be locked: {}", systemText(error)),
+                    path.string());
     };
     if (!file.valid())
         return refuse(errno);

@@ -60,7 +60,7 @@ Result<std::filesystem::path> takePath(std::string_view& text, const char* what)
     const std::optional<std::string_view> line = takeLine(text);
     const std::optional<std::string> path = line ? unescaped(*line) : std::nullopt;
     if (!path || (!path->empty() && !std::filesystem::path(*path).is_absolute()))
-        return fail(ErrorCode::Malformed, std::string("expected the absolute path of ") + what);
+        return fail(ErrorCode::Malformed, fmt::format("expected the absolute path of {}", what));
     return std::filesystem::path(*path);
 }
 

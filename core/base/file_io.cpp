@@ -54,7 +54,7 @@ int openForReading(const fs::path& path) {
 Result<std::uint64_t> sizeOf(int file, const std::string& where) {
     struct stat info = {};
     if (::fstat(file, &info) != 0)
-        return fail(ErrorCode::Unreadable, "can't be examined: " + systemText(errno), where);
+        return fail(ErrorCode::Unreadable, fmt::format("can't be examined: {}", systemText(errno)), where);
     if (!S_ISREG(info.st_mode))
         return fail(ErrorCode::Unreadable, fmt::format("is {}, not a file", kindName(info.st_mode)), where);
     return static_cast<std::uint64_t>(info.st_size);
@@ -85,7 +85,7 @@ template<class Buffer>
 Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::size_t maxBytes,
                         const ReadObserver& observer = {}) {
     if (!file.valid())
-        return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), where);
+        return fail(codeForOpening(errno), fmt::format("can't be opened: {}", systemText(errno)), where);
     const Result<std::uint64_t> stated = sizeOf(file.get(), where);
     if (!stated)
         return fail(stated.error());
@@ -115,7 +115,8 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
                 return fail(ErrorCode::Cancelled, "reading was cancelled", where);
             const auto more = got ? readFully(file.get(), beyond, block) : std::nullopt;
             if (!more)
-                return fail(ErrorCode::Unreadable, "can't be read: " + systemText(errno), where);
+                return fail(ErrorCode::Unreadable, fmt::format("can't be read: {}", systemText(errno)),
+                            where);
             filled += *got;
             buffer.resize(filled);
             if (*more == 0)
@@ -144,14 +145,16 @@ Result<Bytes> readOpened(const Descriptor& file, const std::string& where, std::
 Result<Bytes> readFileStart(const fs::path& path, std::size_t count) {
     const Descriptor file(openForReading(path));
     if (!file.valid())
-        return fail(codeForOpening(errno), "can't be opened: " + systemText(errno), path.string());
+        return fail(codeForOpening(errno), fmt::format("can't be opened: {}", systemText(errno)),
+                    path.string());
     if (const Result<std::uint64_t> size = sizeOf(file.get(), path.string()); !size)
         return fail(size.error());
     Bytes start;
     start.resize(count);
     const auto got = readFully(file.get(), start.data(), count);
     if (!got)
-        return fail(ErrorCode::Unreadable, "can't be read: " + systemText(errno), path.string());
+        return fail(ErrorCode::Unreadable, fmt::format("can't be read: {}", systemText(errno)),
+                    path.string());
     start.resize(*got);
     return start;
 }

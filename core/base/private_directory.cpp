@@ -35,13 +35,14 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
     if (!directory.valid()) {
         const int error = errno;
         if (error == ENOENT)
-            return fail(ErrorCode::NotFound, "can't be opened: " + systemText(error), path.string());
+            return fail(ErrorCode::NotFound, fmt::format("can't be opened: {}", systemText(error)),
+                        path.string());
         if (::lstat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode))
             return refuse(fmt::format("is {}, not a directory", kindName(info.st_mode)), path);
-        return refuse("can't be opened: " + systemText(error), path);
+        return refuse(fmt::format("can't be opened: {}", systemText(error)), path);
     }
     if (::fstat(directory.get(), &info) != 0)
-        return refuse("can't be examined: " + systemText(errno), path);
+        return refuse(fmt::format("can't be examined: {}", systemText(errno)), path);
     if (info.st_uid != thisUser())
         return refuse(fmt::format("belongs to user {}, not to this one, {}", info.st_uid, thisUser()), path);
     if ((info.st_mode & (S_IWGRP | S_IWOTH)) != 0)
@@ -49,13 +50,13 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
                                   info.st_mode & 07777U),
                       path);
     if ((info.st_mode & 07777U) != 0700 && !makeOwnersAlone(directory.get()))
-        return refuse("can't be made private: " + systemText(errno), path);
+        return refuse(fmt::format("can't be made private: {}", systemText(errno)), path);
     return PrivateDirectory(std::move(directory));
 }
 
 Result<PrivateDirectory> PrivateDirectory::make(const fs::path& path) {
     if (!makeWithParents(path))
-        return refuse("can't be made: " + systemText(errno), path);
+        return refuse(fmt::format("can't be made: {}", systemText(errno)), path);
     return open(path);
 }
 

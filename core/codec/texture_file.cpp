@@ -3,6 +3,8 @@
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 
+#include <fmt/core.h>
+
 namespace texplorer {
 
 Result<TextureImage> loadTexture(const std::filesystem::path& path, const DecodeLimits& limits) {
@@ -19,7 +21,8 @@ Result<void> saveTexture(const TextureImage& texture, const std::filesystem::pat
                          const WriteOptions& options) {
     const CodecRow* format = codecForExtension(path.string());
     if (format == nullptr || !format->encode)
-        return fail(ErrorCode::Unsupported, "expected a name that ends in one of " + writtenExtensions(", "),
+        return fail(ErrorCode::Unsupported,
+                    fmt::format("expected a name that ends in one of {}", writtenExtensions(", ")),
                     path.string());
     const Result<Bytes> bytes = format->encode(texture, options);
     return bytes ? writeFileAtomically(path, *bytes)

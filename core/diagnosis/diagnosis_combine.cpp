@@ -25,8 +25,10 @@ void undefinedCrossbar(const Case& about, Report& report) {
                 continue;
             const std::string source = fmt::format("{}{}.{}", path, keyOf<&Unit::combine>(), each.sourceKey);
             report.add(source,
-                       fmt::format("{} is undefined: unit {}{}", nameOf(each.source), *asked,
-                                   other.enabled ? " has no texture that is complete" : " is off"),
+                       other.enabled
+                           ? fmt::format("{} is undefined: unit {} has no texture that is complete",
+                                         nameOf(each.source), *asked)
+                           : fmt::format("{} is undefined: unit {} is off", nameOf(each.source), *asked),
                        Fix{"Take this unit's texture", {{source, nameOf(CombineSource::Texture)}}});
         }
     });
@@ -39,7 +41,7 @@ void unreadArguments(const Case& about, Report& report) {
         const Combine& combine = unit.combine;
         const std::string own = fmt::format("{}{}.", path, keyOf<&Unit::combine>());
         const bool dot = combine.rgb == CombineRgb::Dot3Rgba;
-        const std::string overruled = nameOf(combine.rgb) + " gives alpha, too";
+        const std::string overruled = fmt::format("{} gives alpha, too", nameOf(combine.rgb));
         if (dot) // its scale stays: ARB_texture_env_dot3 multiplies alpha by it
             report.add(own + keyOf<&Combine::alpha>(), overruled);
         for (const Argument& each : argumentsOf(combine)) {

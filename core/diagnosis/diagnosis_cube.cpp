@@ -122,8 +122,8 @@ void seamlessInVain(const Case& about, Report& report) {
                      const Texture& texture = about.scene.textures[map];
                      return isLinearSomewhere(texture) || leaves(texture.wrapS) || leaves(texture.wrapT);
                  }))
-            report.add(seamlessPath(p),
-                       nameOf(MagFilter::Nearest) + " takes one texel, of the face that is hit");
+            report.add(seamlessPath(p), fmt::format("{} takes one texel, of the face that is hit",
+                                                    nameOf(MagFilter::Nearest)));
     }
 }
 

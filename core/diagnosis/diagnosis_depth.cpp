@@ -91,9 +91,9 @@ void depthTarget(const Case& about, Report& report) {
             return;
         report.add(path + keyOf<&Unit::target>(),
                    fmt::format("OpenGL has no depth textures for {}: drawn without it", nameOf(unit.target)),
-                   std::vector{Fix{"Make it " + nameOf(Target::Texture2D),
+                   std::vector{Fix{fmt::format("Make it {}", nameOf(Target::Texture2D)),
                                    {{path + keyOf<&Unit::target>(), nameOf(Target::Texture2D)}}},
-                               Fix{"Make the texture " + nameOf(InternalFormat::Luminance),
+                               Fix{fmt::format("Make the texture {}", nameOf(InternalFormat::Luminance)),
                                    {{texturePath(unit) + keyOf<&Texture::internalFormat>(),
                                      nameOf(InternalFormat::Luminance)}}}});
     });
@@ -109,7 +109,7 @@ void coloredDepths(const Case& about, Report& report) {
         report.add(format,
                    fmt::format("{} keeps depths as greys of 8 bits, and compares with nothing",
                                nameOf(texture.internalFormat)),
-                   Fix{"Make it " + nameOf(InternalFormat::DepthComponent24),
+                   Fix{fmt::format("Make it {}", nameOf(InternalFormat::DepthComponent24)),
                        {{format, nameOf(InternalFormat::DepthComponent24)}}});
     }
 }

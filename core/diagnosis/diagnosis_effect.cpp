@@ -72,7 +72,8 @@ std::string noWrapT(const Texture& texture, const TextureFacts& facts) {
 std::string noWrapR(const Texture&, const TextureFacts& facts) {
     return facts.hasTarget(Target::Texture3D)
                ? ""
-               : "only a 3D texture has r; the unit's target is " + nameOf(facts.targets.front().target);
+               : fmt::format("only a 3D texture has r; the unit's target is {}",
+                             nameOf(facts.targets.front().target));
 }
 
 std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
@@ -98,14 +99,17 @@ std::string noBorder(const Texture& texture, const TextureFacts& facts) {
 }
 
 std::string noMipmaps(const Texture& texture, const TextureFacts&) {
-    return reference::wantsMipmaps(texture.minFilter) ? "" : nameOf(texture.minFilter) + " reads no mipmaps";
+    return reference::wantsMipmaps(texture.minFilter)
+               ? ""
+               : fmt::format("{} reads no mipmaps", nameOf(texture.minFilter));
 }
 
 /// Without mipmaps λ decides only which of the two filters is taken.
 std::string noLod(const Texture& texture, const TextureFacts&) {
     const bool same =
         static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter);
-    return same ? nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same" : "";
+    return same ? fmt::format("{} reads no mipmaps, and both filters are the same", nameOf(texture.minFilter))
+                : "";
 }
 
 bool isDepthTexture(const Texture& texture) {
@@ -121,12 +125,13 @@ std::string noTransparency(const Texture& texture, const TextureFacts&) {
 }
 
 std::string noComparing(const Texture& texture, const TextureFacts&) {
-    return isDepthTexture(texture) ? "" : nameOf(texture.internalFormat) + " holds no depths";
+    return isDepthTexture(texture) ? "" : fmt::format("{} holds no depths", nameOf(texture.internalFormat));
 }
 
 std::string noCompareFunc(const Texture& texture, const TextureFacts& facts) {
     const bool compares = texture.compareMode == CompareMode::RToTexture;
-    return compares ? noComparing(texture, facts) : "nothing is compared: " + nameOf(texture.compareMode);
+    return compares ? noComparing(texture, facts)
+                    : fmt::format("nothing is compared: {}", nameOf(texture.compareMode));
 }
 
 constexpr std::array settings{
@@ -244,7 +249,7 @@ std::string lostAlpha(const Texture& texture, const TextureFacts& facts, std::si
         return !each.plan.blocks && (each.format == BaseFormat::Rgb || each.format == BaseFormat::Luminance);
     };
     if (std::ranges::all_of(facts.targets, isWithout))
-        return nameOf(texture.internalFormat) + " keeps no alpha";
+        return fmt::format("{} keeps no alpha", nameOf(texture.internalFormat));
     return {};
 }
 
@@ -270,7 +275,7 @@ void unused(const Case& about, Report& report) {
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         const auto unless = [&](bool used, const std::string& key, const std::string& chosen) {
             if (!used)
-                report.add(path + key, "it is not used with " + chosen);
+                report.add(path + key, fmt::format("it is not used with {}", chosen));
         };
         unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), nameOf(texture.source));
         unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), nameOf(texture.source));

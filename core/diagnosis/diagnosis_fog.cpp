@@ -82,7 +82,7 @@ Fix fittingFog(const Fog& fog, const std::string& path, Distances distances) {
     const float middle = std::max((distances.nearest + distances.farthest) / 2, 0.01F);
     const float thickness = std::log(2.0F);
     const float density = (fog.mode == FogMode::Exp2 ? std::sqrt(thickness) : thickness) / middle;
-    Fix fix{"Set " + rounded(density), {{path + keyOf<&Fog::density>(), rounded(density)}}};
+    Fix fix{fmt::format("Set {}", rounded(density)), {{path + keyOf<&Fog::density>(), rounded(density)}}};
     if (isLinear) { // which ends before all that there is
         fix.label = fmt::format("Make it {} with {}", nameOf(FogMode::Exp), rounded(density));
         fix.assignments.push_back({path + keyOf<&Fog::mode>(), nameOf(FogMode::Exp)});
@@ -179,9 +179,10 @@ void otherFog(const Case& about, Report& report) {
                   keyOf<&Fog::color>},
                  "the fog is off");
         else if (pass.fog.mode == FogMode::Linear)
-            idle({keyOf<&Fog::density>}, nameOf(pass.fog.mode) + " has a start and an end");
+            idle({keyOf<&Fog::density>}, fmt::format("{} has a start and an end", nameOf(pass.fog.mode)));
         else
-            idle({keyOf<&Fog::start>, keyOf<&Fog::end>}, nameOf(pass.fog.mode) + " has a density");
+            idle({keyOf<&Fog::start>, keyOf<&Fog::end>},
+                 fmt::format("{} has a density", nameOf(pass.fog.mode)));
     });
 }
 

@@ -26,7 +26,8 @@ void forEachShown(const Case& about, Visit visit) {
 /// The format of eight bits without a curve that has the same components.
 Fix plainFormat(const std::string& path, InternalFormat format) {
     const InternalFormat plain = internalFormat(baseFormat(format));
-    return {"Make it " + nameOf(plain), {{path + keyOf<&Texture::internalFormat>(), nameOf(plain)}}};
+    return {fmt::format("Make it {}", nameOf(plain)),
+            {{path + keyOf<&Texture::internalFormat>(), nameOf(plain)}}};
 }
 
 /// How many of its places along each axis an image is looked at.

@@ -40,14 +40,16 @@ void emptyPass(const Case& about, Report& report) {
 void nothingPasses(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (pass.alphaTest && pass.alphaFunc == CompareFunc::Never)
-            report.add(path + keyOf<&Pass::alphaFunc>(),
-                       nameOf(pass.alphaFunc) + " lets no fragment through: this pass draws nothing",
-                       Fix{"Switch the alpha test off", {{path + keyOf<&Pass::alphaTest>(), "false"}}});
+            report.add(
+                path + keyOf<&Pass::alphaFunc>(),
+                fmt::format("{} lets no fragment through: this pass draws nothing", nameOf(pass.alphaFunc)),
+                Fix{"Switch the alpha test off", {{path + keyOf<&Pass::alphaTest>(), "false"}}});
         if (pass.depthTest && pass.depthFunc == CompareFunc::Never)
-            report.add(path + keyOf<&Pass::depthFunc>(),
-                       nameOf(pass.depthFunc) + " lets no fragment through: this pass draws nothing",
-                       Fix{"Set " + nameOf(CompareFunc::LessEqual),
-                           {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
+            report.add(
+                path + keyOf<&Pass::depthFunc>(),
+                fmt::format("{} lets no fragment through: this pass draws nothing", nameOf(pass.depthFunc)),
+                Fix{fmt::format("Set {}", nameOf(CompareFunc::LessEqual)),
+                    {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
     });
 }
 
@@ -63,7 +65,7 @@ void hiddenPass(const Case& about, Report& report) {
             report.add(path + keyOf<&Pass::depthFunc>(),
                        "a pass before has drawn the same surfaces, and no depth is less than itself: this "
                        "pass draws nothing",
-                       Fix{"Set " + nameOf(CompareFunc::LessEqual),
+                       Fix{fmt::format("Set {}", nameOf(CompareFunc::LessEqual)),
                            {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
         const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
         if (pass.depthTest && writes && !pass.alphaTest) {
@@ -124,7 +126,8 @@ void noFragmentTest(const Case& about, Report& report) {
             report.add(path + keyOf<&Pass::alphaFunc>(), "the alpha test is off");
             report.add(path + keyOf<&Pass::alphaRef>(), "the alpha test is off");
         } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
-            report.add(path + keyOf<&Pass::alphaRef>(), nameOf(pass.alphaFunc) + " compares with nothing");
+            report.add(path + keyOf<&Pass::alphaRef>(),
+                       fmt::format("{} compares with nothing", nameOf(pass.alphaFunc)));
         if (!pass.blend) {
             report.add(path + keyOf<&Pass::blendSrc>(), "blending is off");
             report.add(path + keyOf<&Pass::blendDst>(), "blending is off");
@@ -168,7 +171,7 @@ void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
                 wantsInfinite ? fmt::format("a coordinate of vertex {} is infinite or no number", vertex)
                               : fmt::format("q of vertex {} is 0, and s, t and r are divided by it", vertex);
             if (others > 0)
-                sentence += fmt::format("; so it is with {} more", others);
+                sentence = fmt::format("{}; so it is with {} more", sentence, others);
             report.add(fmt::format("{}[{}]", texCoordsPath(m, u), vertex), std::move(sentence));
         }
     }
@@ -194,8 +197,8 @@ void unreadCoordinates(const Case& about, Report& report) {
                     unit.texGenQ.enabled);
         });
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
-            report.add(texCoordsPath(m, u),
-                       fmt::format("unit {}{}", u, off ? " is off" : " generates all of its coordinates"));
+            report.add(texCoordsPath(m, u), off ? fmt::format("unit {} is off", u)
+                                                : fmt::format("unit {} generates all of its coordinates", u));
     }
 }
 

@@ -36,9 +36,9 @@ void missingFile(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         if (facts.image)
             return;
-        report.add(path + keyOf<&Texture::file>(), texture.file.empty()
-                                                       ? "the texture wants an image file, but names none"
-                                                       : texture.file + " can't be found or read");
+        report.add(path + keyOf<&Texture::file>(),
+                   texture.file.empty() ? "the texture wants an image file, but names none"
+                                        : fmt::format("{} can't be found or read", texture.file));
     });
 }
 
@@ -49,7 +49,7 @@ void missingPart(const Case& about, Report& report) {
             report.add(fmt::format("{}{}.{}", path, part, keyOf<&Texture::file>()),
                        fmt::format("{}: {}",
                                    file.empty() ? "an image file is wanted, but none is named"
-                                                : file + " can't be found or read",
+                                                : fmt::format("{} can't be found or read", file),
                                    effect));
         };
         for (std::size_t i = 0; i < texture.levels.size() && texture.mipmaps == MipPolicy::Given; ++i) {
@@ -104,7 +104,7 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
     if (reference::wantsMipmaps(texture.minFilter)) {
         const MinFilter filter =
             reference::isLinear(texture.minFilter) ? MinFilter::Linear : MinFilter::Nearest;
-        add("Set " + nameOf(filter), keyOf<&Texture::minFilter>(), nameOf(filter),
+        add(fmt::format("Set {}", nameOf(filter)), keyOf<&Texture::minFilter>(), nameOf(filter),
             [&](Texture& cured) { cured.minFilter = filter; });
     }
     return cures;
@@ -137,7 +137,7 @@ std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, cons
     fixes = fixesOf(whole, facts, path);
     for (Fix& fix : fixes) {
         fix.label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(fix.label.front())));
-        fix.label = "Begin at level 0 and " + fix.label;
+        fix.label = fmt::format("Begin at level 0 and {}", fix.label);
         fix.assignments.push_back({path + keyOf<&Texture::baseLevel>(), "0"});
     }
     return fixes;
@@ -166,7 +166,8 @@ void incomplete(const Case& about, Report& report) {
         });
         if (broken == facts.targets.end())
             return;
-        const std::string sentence = broken->completeness.reason + "; drawn as if the unit were off";
+        const std::string sentence =
+            fmt::format("{}; drawn as if the unit were off", broken->completeness.reason);
         if (const std::string level = wrongLevel(texture, broken->completeness); !level.empty()) {
             report.add(path + level, sentence, fixesOf(texture, facts, path));
             return;
@@ -210,7 +211,8 @@ void anisotropyLimit(const Case& about, Report& report) {
                        ? std::string("the driver has no anisotropic filtering")
                        : fmt::format("an anisotropy of {} exceeds the driver's {}, which is used instead",
                                      formatNumber(texture.maxAnisotropy), most),
-                   Fix{"Set anisotropy to " + most, {{path + keyOf<&Texture::maxAnisotropy>(), most}}});
+                   Fix{fmt::format("Set anisotropy to {}", most),
+                       {{path + keyOf<&Texture::maxAnisotropy>(), most}}});
     });
 }
 
@@ -241,10 +243,11 @@ void nonPowerOfTwo(const Case& about, Report& report) {
         std::vector<Fix> fixes;
         if (texture.mipmaps != MipPolicy::FromFile)
             fixes = {{"Scale it", {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
-        report.add(path + keyOf<&Texture::npot>(),
-                   extentsOf(plan.levels.front()) +
-                       " texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
-                   std::move(fixes));
+        report.add(
+            path + keyOf<&Texture::npot>(),
+            fmt::format("{} texels: the driver takes powers of two only (no GL_ARB_texture_non_power_of_two)",
+                        extentsOf(plan.levels.front())),
+            std::move(fixes));
     });
 }
 

@@ -1,6 +1,7 @@
 // Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
 // collapse, and what changes nothing.
 
+#include "core/base/count.h"
 #include "core/diagnosis/color_flow.h"
 #include "core/gl/combine_arguments.h"
 #include "core/scene/drawn_models.h"
@@ -67,8 +68,8 @@ void unitLimit(const Case& about, Report& report) {
                 continue;
             const std::string path = unitPath(p, u) + keyOf<&Unit::enabled>();
             report.add(path,
-                       fmt::format("the driver has {} texture unit{}: drawn without this one; {}", limit,
-                                   limit == 1 ? "" : "s", insteadOfUnit(unit.envMode)),
+                       fmt::format("the driver has {}: drawn without this one; {}",
+                                   countOf(limit, "texture unit"), insteadOfUnit(unit.envMode)),
                        Fix{"Switch the unit off", {{path, "false"}}});
         }
     }
@@ -86,7 +87,7 @@ void undefinedDecal(const Case& about, Report& report) {
             path + keyOf<&Unit::envMode>(),
             fmt::format("{} of a {} texture is undefined: it needs {} or {}", nameOf(unit.envMode),
                         nameOf(facts->format), nameOf(BaseFormat::Rgb), nameOf(BaseFormat::Rgba)),
-            Fix{"Make it " + nameOf(BaseFormat::Rgba),
+            Fix{fmt::format("Make it {}", nameOf(BaseFormat::Rgba)),
                 {{fmt::format("{}.{}", elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)),
                               keyOf<&Texture::internalFormat>()),
                   nameOf(BaseFormat::Rgba)}}});
@@ -215,8 +216,9 @@ void noLodBias(const Case& about, Report& report) {
             return;
         const Texture& texture = about.scene.textures[static_cast<std::size_t>(unit.texture)];
         if (static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter))
-            report.add(path + keyOf<&Unit::lodBias>(),
-                       nameOf(texture.minFilter) + " reads no mipmaps, and both filters are the same");
+            report.add(
+                path + keyOf<&Unit::lodBias>(),
+                fmt::format("{} reads no mipmaps, and both filters are the same", nameOf(texture.minFilter)));
     });
 }
 
@@ -229,8 +231,9 @@ void noGeneration(const Case& about, Report& report) {
         for (const Generated& each : generated) {
             const TexGen& state = unit.*each.state;
             const std::string own = fmt::format("{}{}.", path, each.key());
-            const std::string reason = state.enabled ? nameOf(state.mode) + " does not read this plane"
-                                                     : "the vertex's own coordinate is taken";
+            const std::string reason = state.enabled
+                                           ? fmt::format("{} does not read this plane", nameOf(state.mode))
+                                           : "the vertex's own coordinate is taken";
             if (!state.enabled)
                 report.add(own + keyOf<&TexGen::mode>(), reason);
             if (!state.enabled || state.mode != TexGenMode::ObjectLinear)
@@ -246,7 +249,7 @@ void noGeneration(const Case& about, Report& report) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
                 report.add(fmt::format("{}{}.{}", path, each.key(), keyOf<&TexGen::enabled>()),
-                           nameOf(unit.target) + " does not look at this coordinate");
+                           fmt::format("{} does not look at this coordinate", nameOf(unit.target)));
         }
     });
 }
@@ -336,12 +339,16 @@ void noTangent(const Case& about, Report& report) {
                         return each.s == glm::vec3(0) || each.t == glm::vec3(0);
                     }));
                 if (missing > 0)
-                    report.add(fmt::format("{}{}.{}", unitPath(p, u), keyOf<&Unit::emboss>(),
-                                           keyOf<&Emboss::enabled>()),
-                               fmt::format("at {} of the {} vertices of models[{}] the coordinates say no "
-                                           "direction on the surface: they don't follow the light",
-                                           missing == tangents.size() ? "all" : std::to_string(missing),
-                                           tangents.size(), m));
+                    report.add(
+                        fmt::format("{}{}.{}", unitPath(p, u), keyOf<&Unit::emboss>(),
+                                    keyOf<&Emboss::enabled>()),
+                        missing == tangents.size()
+                            ? fmt::format("at all of the {} vertices of models[{}] the coordinates say no "
+                                          "direction on the surface: they don't follow the light",
+                                          missing, m)
+                            : fmt::format("at {} of the {} vertices of models[{}] the coordinates say no "
+                                          "direction on the surface: they don't follow the light",
+                                          missing, tangents.size(), m));
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "core/emit/code_writer.h"
 
 #include "core/base/printable.h"
+#include "core/gl/argument_names.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -44,8 +45,7 @@ std::vector<Part> valueParts(const ParamRow& row, const Value& value, const std:
                              std::string_view callText, bool negated) {
     switch (row.kind) {
     case Kind::Bool: {
-        const bool on = std::get<bool>(value);
-        return {{Part::Kind::Switch, on ? "GL_TRUE" : "GL_FALSE", path}};
+        return {{Part::Kind::Switch, std::string(booleanName(std::get<bool>(value))), path}};
     }
     case Kind::Int:
         return {whole(std::get<int>(value), path)};

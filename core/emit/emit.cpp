@@ -1,6 +1,7 @@
 #include "core/emit/emit.h"
 
 #include "core/emit/emission.h"
+#include "core/gl/argument_names.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
 
@@ -95,7 +96,7 @@ std::vector<Line> callsOf(const Scene& scene) {
     if (hasQuadric) {
         writer.heading("quadrics with texture coordinates");
         writer.add("GLUquadric* quadric = gluNewQuadric();");
-        writer.add("gluQuadricTexture(quadric, GL_TRUE);");
+        writer.add(fmt::format("gluQuadricTexture(quadric, {});", booleanName(true)));
     }
     writeProjection(emission);
     writeLight(emission);

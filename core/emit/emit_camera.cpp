@@ -1,4 +1,5 @@
 #include "core/emit/emission.h"
+#include "core/gl/argument_names.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/keys.h"
 
@@ -34,7 +35,7 @@ void writeProjection(Emission& emission) {
     writer.add("GLint viewport[4];");
     writer.add("glGetIntegerv(GL_VIEWPORT, viewport);");
     writer.add("GLdouble aspect = (GLdouble)viewport[2] / viewport[3];");
-    writer.add("glMatrixMode(GL_PROJECTION);");
+    writer.add(fmt::format("glMatrixMode({});", projectionMode));
     writer.add("glLoadIdentity();");
     const auto [near, far] = clipPlanes(view);
     if (view.projection == Projection::Orthographic) {
@@ -48,7 +49,7 @@ void writeProjection(Emission& emission) {
         writer.add(callWith("gluPerspective",
                             {angle, plain(", aspect, "), plainNumber(near), plain(", "), plainNumber(far)}));
     }
-    writer.add("glMatrixMode(GL_MODELVIEW);");
+    writer.add(fmt::format("glMatrixMode({});", modelViewMode));
 }
 
 void writeLight(Emission& emission) {

@@ -1,6 +1,7 @@
 // The texels of a texture object: what glTexImage is given.
 
 #include "core/emit/emission.h"
+#include "core/gl/argument_names.h"
 #include "core/gl/pixel_transfer.h"
 #include "core/scene/params/keys.h"
 
@@ -139,7 +140,7 @@ private:
         const ParamRow& row = uploadRow();
         const auto pathOf = [&](std::string_view key) { return fmt::format("{}.{}", holder_.path, key); };
         const EnumRow* format = findRow(row.choices, std::get<EnumValue>(row.read(&texture_)).number);
-        const Part stored = choice(format ? format->name : "GL_RGBA", pathOf(row.key));
+        const Part stored = choice(format ? format->name : rowOf(InternalFormat::Rgba).name, pathOf(row.key));
         const auto own = [&](std::string_view what) {
             return fmt::format("{}{}{}{}", names.name, what, names.index.empty() ? "" : "s", names.index);
         };
@@ -167,9 +168,11 @@ private:
             if (word == keyOf<&Texture::border>())
                 return std::vector<Part>{whole(texture_.border, pathOf(word))};
             if (word == "format")
-                return std::vector<Part>{plain(isOfDepths() ? "GL_DEPTH_COMPONENT" : "GL_RGBA")};
-            if (word == "GL_UNSIGNED_BYTE")
-                return std::vector<Part>{plain(isOfDepths() ? "GL_UNSIGNED_INT" : "GL_UNSIGNED_BYTE")};
+                return std::vector<Part>{
+                    plain(std::string(isOfDepths() ? depthPixels : rowOf(BaseFormat::Rgba).name))};
+            if (word == unsignedByteType)
+                return std::vector<Part>{
+                    plain(std::string(isOfDepths() ? unsignedIntType : unsignedByteType))};
             if (word == "pixels")
                 return std::vector<Part>{plain(pixels)};
             return std::nullopt;
@@ -200,8 +203,9 @@ private:
         const ImageNames names{holder_.variable, "0", {}};
         declare(names, origin());
         if (isGeneratedByGl())
-            writer_.add({call("glTexParameteri"), plain(fmt::format("({}, GL_GENERATE_MIPMAP, GL_TRUE);",
-                                                                    rowOf(holder_.target).name))});
+            writer_.add(
+                {call("glTexParameteri"), plain(fmt::format("({}, GL_GENERATE_MIPMAP, {});",
+                                                            rowOf(holder_.target).name, booleanName(true)))});
         add(upload(names));
     }
 

@@ -1,4 +1,5 @@
 #include "core/emit/emission.h"
+#include "core/gl/argument_names.h"
 #include "core/scene/animation.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/model_mesh.h"
@@ -269,7 +270,7 @@ private:
             const std::string path = fmt::format("{}[{}]", coordsPath(index_, u), vertex);
             std::vector<Part> arguments;
             if (!isOne)
-                arguments.push_back(plain(fmt::format("GL_TEXTURE{}, ", u)));
+                arguments.push_back(plain(fmt::format("{}, ", textureUnitName(u))));
             append(arguments, numbers(firstOf(coords[u][vertex], count), path));
             append(parts, callWith(fmt::format("{}{}f", isOne ? "glTexCoord" : "glMultiTexCoord", count),
                                    std::move(arguments)));
@@ -282,17 +283,17 @@ private:
     void drawArrays(const Pass& pass) {
         writeSize();
         writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
-        point("GL_VERTEX_ARRAY", "glVertexPointer(3, ", "Positions");
+        point(vertexArray, "glVertexPointer(3, ", "Positions");
         if (emission_.needsNormals)
-            point("GL_NORMAL_ARRAY", "glNormalPointer(", "Normals");
+            point(normalArray, "glNormalPointer(", "Normals");
         if (isColored())
-            point("GL_COLOR_ARRAY", "glColorPointer(4, ", "Colors");
+            point(colorArray, "glColorPointer(4, ", "Colors");
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = pass.units[u];
             if (!takesCoords(unit))
                 continue;
-            writer_.add(fmt::format("glClientActiveTexture(GL_TEXTURE{});", u));
-            point("GL_TEXTURE_COORD_ARRAY",
+            writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)));
+            point(texCoordArray,
                   fmt::format("glTexCoordPointer({}, ", coordComponents(u, unit.emboss.enabled)),
                   coordsName(u, unit.emboss.enabled));
         }
@@ -300,7 +301,7 @@ private:
             const std::string count = form_.isWritten ? fmt::format("{}", validIndices().size())
                                                       : fmt::format("{}IndexCount", variable_);
             writer_.add({call("glDrawElements"), plain("("), primitivePart(),
-                         plain(fmt::format(", {}, GL_UNSIGNED_INT, {}Indices);", count, variable_))});
+                         plain(fmt::format(", {}, {}, {}Indices);", count, unsignedIntType, variable_))});
         } else {
             writer_.add({call("glDrawArrays"), plain("("), primitivePart(),
                          plain(fmt::format(", 0, {});", vertexCountOf(model_)))});
@@ -310,7 +311,7 @@ private:
 
     void point(std::string_view array, const std::string& function, std::string_view name) {
         writer_.add(fmt::format("glEnableClientState({});", array));
-        writer_.add(fmt::format("{}GL_FLOAT, 0, {}{});", function, variable_, name));
+        writer_.add(fmt::format("{}{}, 0, {}{});", function, floatType, variable_, name));
     }
 
     Emission& emission_;

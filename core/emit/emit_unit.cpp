@@ -1,4 +1,5 @@
 #include "core/emit/emission.h"
+#include "core/gl/argument_names.h"
 #include "core/scene/animation.h"
 #include "core/scene/params/keys.h"
 
@@ -166,7 +167,7 @@ private:
     }
 
     void activate(bool needed) {
-        writer_.add({call("glActiveTexture"), plain(fmt::format("(GL_TEXTURE{});", index_))}, needed);
+        writer_.add({call("glActiveTexture"), plain(fmt::format("({});", textureUnitName(index_)))}, needed);
     }
 
     [[nodiscard]] std::string own(std::string_view key) const {
@@ -271,11 +272,11 @@ private:
         bool& hasMatrix = emission_.hasMatrix[index_];
         if (unit_.matrix.empty() && !hasMatrix)
             return;
-        writer_.add("glMatrixMode(GL_TEXTURE);");
+        writer_.add(fmt::format("glMatrixMode({});", textureMode));
         writer_.add("glLoadIdentity();");
         for (std::size_t i = 0; i < unit_.matrix.size(); ++i)
             StepWriter(emission_, holder_, i).write();
-        writer_.add("glMatrixMode(GL_MODELVIEW);");
+        writer_.add(fmt::format("glMatrixMode({});", modelViewMode));
         hasMatrix = !unit_.matrix.empty();
     }
 

@@ -60,6 +60,12 @@ inline constexpr std::array compareFuncRows{
     row(CompareFunc::Always, "GL_ALWAYS", "Always", "Everything passes.", "1.0"),
 };
 
+/// Whose label is long; `brief` is for a narrow control.
+constexpr EnumRow blendFactorRow(BlendFactor value, std::string_view name, std::string_view label,
+                                 std::string_view help, std::string_view brief) {
+    return {static_cast<std::uint32_t>(value), name, label, help, "1.0", {}, brief};
+}
+
 inline constexpr std::array blendFactorRows{
     row(BlendFactor::Zero, "GL_ZERO", "0", "Leave it out.", "1.0"),
     row(BlendFactor::One, "GL_ONE", "1", "Take it whole.", "1.0"),
@@ -69,12 +75,14 @@ inline constexpr std::array blendFactorRows{
     row(BlendFactor::SrcAlpha, "GL_SRC_ALPHA", "Source alpha", "Times the new fragment's alpha.", "1.0"),
     row(BlendFactor::OneMinusSrcAlpha, "GL_ONE_MINUS_SRC_ALPHA", "1 - source alpha",
         "Times one minus the new fragment's alpha.", "1.0"),
-    row(BlendFactor::DstAlpha, "GL_DST_ALPHA", "Destination alpha", "Times the stored alpha.", "1.0"),
-    row(BlendFactor::OneMinusDstAlpha, "GL_ONE_MINUS_DST_ALPHA", "1 - destination alpha",
-        "Times one minus the stored alpha.", "1.0"),
-    row(BlendFactor::DstColor, "GL_DST_COLOR", "Destination colour", "Times the stored colour.", "1.0"),
-    row(BlendFactor::OneMinusDstColor, "GL_ONE_MINUS_DST_COLOR", "1 - destination colour",
-        "Times one minus the stored colour.", "1.0"),
+    blendFactorRow(BlendFactor::DstAlpha, "GL_DST_ALPHA", "Destination alpha", "Times the stored alpha.",
+                   "Stored alpha"),
+    blendFactorRow(BlendFactor::OneMinusDstAlpha, "GL_ONE_MINUS_DST_ALPHA", "1 - destination alpha",
+                   "Times one minus the stored alpha.", "1 - stored alpha"),
+    blendFactorRow(BlendFactor::DstColor, "GL_DST_COLOR", "Destination colour", "Times the stored colour.",
+                   "Stored colour"),
+    blendFactorRow(BlendFactor::OneMinusDstColor, "GL_ONE_MINUS_DST_COLOR", "1 - destination colour",
+                   "Times one minus the stored colour.", "1 - stored colour"),
 };
 
 template<>

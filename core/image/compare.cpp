@@ -13,8 +13,10 @@ namespace texplorer {
 namespace {
 
 std::string describe(const Image& image) {
-    return fmt::format("{} x {}{} pixels ({})", image.width, image.height,
-                       image.depth == 1 ? "" : fmt::format(" x {}", image.depth), rowOf(image.format).name);
+    const std::string extents = image.depth == 1
+                                    ? fmt::format("{} x {}", image.width, image.height)
+                                    : fmt::format("{} x {} x {}", image.width, image.height, image.depth);
+    return fmt::format("{} pixels ({})", extents, rowOf(image.format).name);
 }
 
 Result<void> checkComparable(const Image& a, const Image& b) {

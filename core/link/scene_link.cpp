@@ -139,7 +139,7 @@ Result<Scene> parseSceneLink(std::string_view text) {
         return fail(json.error());
     Result<Scene> scene = parseScene(*json);
     if (!scene)
-        return fail(scene.error().code, "the link has no scene: " + describe(scene.error()));
+        return fail(scene.error().code, fmt::format("the link has no scene: {}", describe(scene.error())));
     return scene;
 }
 

@@ -37,14 +37,16 @@ void filterTrilinear(Texture& texture) {
 }
 
 void generateNothing(Unit& unit) {
+    unit.target = Target::Texture2D;
     for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR, &unit.texGenQ})
         each->enabled = false;
     unit.emboss.enabled = false;
     std::erase_if(unit.matrix, [](const MatrixStep& step) { return step.op == MatrixOp::Projector; });
 }
 
-void takeGivenCoordinates(Unit& unit) {
+void takeGivenCoordinates(Unit& unit, Target target) {
     generateNothing(unit);
+    unit.target = target;
     unit.matrix.clear();
 }
 

@@ -15,7 +15,6 @@ constexpr std::array alphaPatterns{Pattern::Tree, Pattern::LogoOpenGl, Pattern::
 /// A picture of one's own stays, as a pattern with alpha does.
 void showAlpha(const PresetTarget& target) {
     Texture& texture = target.texture;
-    target.unit.target = Target::Texture2D;
     generateNothing(target.unit);
     const bool hasAlpha = std::ranges::find(alphaPatterns, texture.pattern) != alphaPatterns.end();
     showPatternUnless(texture, Pattern::Tree,

@@ -44,8 +44,8 @@ Result<void> pulse(const PresetTarget& target) {
                            turning(-60, centre)});
 }
 
-void generate(Unit& unit, TexGenMode mode, int coordinates) {
-    takeGivenCoordinates(unit);
+void generate(Unit& unit, Target target, TexGenMode mode, int coordinates) {
+    takeGivenCoordinates(unit, target);
     for (TexGen* each : {&unit.texGenS, &unit.texGenT, &unit.texGenR}) {
         if (coordinates-- == 0)
             break;
@@ -56,18 +56,16 @@ void generate(Unit& unit, TexGenMode mode, int coordinates) {
 
 Result<void> sphereMap(const PresetTarget& target) {
     showPattern(target.texture, Pattern::MirrorBall);
-    target.unit.target = Target::Texture2D;
-    generate(target.unit, TexGenMode::SphereMap, 2);
+    generate(target.unit, Target::Texture2D, TexGenMode::SphereMap, 2);
     return {};
 }
 
 Result<void> contours(const PresetTarget& target) {
     showPattern(target.texture, Pattern::CheckerRed);
     target.texture.internalFormat = InternalFormat::Intensity;
-    target.unit.target = Target::Texture1D;
     target.unit.envMode = EnvMode::Blend;
     target.unit.envColor = {0.15F, 0.3F, 0.1F, 1};
-    generate(target.unit, TexGenMode::ObjectLinear, 1);
+    generate(target.unit, Target::Texture1D, TexGenMode::ObjectLinear, 1);
     target.unit.texGenS.objectPlane = {0, 3, 0, 0};
     return {};
 }
@@ -76,8 +74,7 @@ Result<void> reflection(const PresetTarget& target) {
     showPattern(target.texture, Pattern::CubeFaces);
     Texture& texture = target.texture;
     texture.wrapS = texture.wrapT = texture.wrapR = Wrap::ClampToEdge;
-    target.unit.target = Target::CubeMap;
-    generate(target.unit, TexGenMode::ReflectionMap, 3);
+    generate(target.unit, Target::CubeMap, TexGenMode::ReflectionMap, 3);
     return {};
 }
 
@@ -86,7 +83,6 @@ Result<void> projector(const PresetTarget& target) {
     Texture& texture = target.texture;
     texture.wrapS = texture.wrapT = Wrap::ClampToBorder;
     texture.borderColor = glm::vec4(1);
-    target.unit.target = Target::Texture2D;
     target.unit.envMode = EnvMode::Modulate;
     takeGivenCoordinates(target.unit);
     projectFromLight(target.unit); // an empty matrix has room for it

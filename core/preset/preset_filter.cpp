@@ -14,8 +14,14 @@ void showFloor(const PresetTarget& target) {
     constexpr std::array floor{Shape::Floor};
     showOnlyShapes(target.scene, floor);
     lookAlongFloor(target.scene.view);
-    target.unit.target = Target::Texture2D;
     takeGivenCoordinates(target.unit);
+}
+
+/// With a board on it, or a picture of one's own, trilinear: what there is to see is the levels.
+void showTrilinearFloor(const PresetTarget& target) {
+    showFloor(target);
+    showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
+    filterTrilinear(target.texture);
 }
 
 Result<void> shimmer(const PresetTarget& target) {
@@ -34,17 +40,16 @@ Result<void> shimmerCure(const PresetTarget& target) {
 }
 
 /// Begins with a level of so few texels that one sees each of them.
-void showFewTexels(Texture& texture, Pattern pattern) {
-    showPattern(texture, pattern);
-    filterTrilinear(texture);
-    texture.baseLevel = 4;
+void showFewTexels(const PresetTarget& target, Pattern pattern) {
+    showPattern(target.texture, pattern);
+    filterTrilinear(target.texture);
+    target.texture.baseLevel = 4;
+    takeGivenCoordinates(target.unit);
 }
 
 Result<void> blocks(const PresetTarget& target) {
-    showFewTexels(target.texture, Pattern::Tree);
+    showFewTexels(target, Pattern::Tree);
     target.texture.magFilter = MagFilter::Nearest;
-    target.unit.target = Target::Texture2D;
-    takeGivenCoordinates(target.unit);
     return {};
 }
 
@@ -54,13 +59,11 @@ Result<void> blocksCure(const PresetTarget& target) {
 }
 
 Result<void> seam(const PresetTarget& target) {
+    showFewTexels(target, Pattern::Brick);
     Texture& texture = target.texture;
-    showFewTexels(texture, Pattern::Brick);
     texture.minFilter = MinFilter::Linear;
     texture.wrapS = texture.wrapT = Wrap::Clamp;
     texture.borderColor = {1, 0, 1, 1};
-    target.unit.target = Target::Texture2D;
-    takeGivenCoordinates(target.unit);
     return {};
 }
 
@@ -70,17 +73,13 @@ Result<void> seamCure(const PresetTarget& target) {
 }
 
 Result<void> colouredLevels(const PresetTarget& target) {
-    showFloor(target);
-    showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
-    filterTrilinear(target.texture);
+    showTrilinearFloor(target);
     target.texture.mipmaps = MipPolicy::Colored;
     return {};
 }
 
 Result<void> anisotropy(const PresetTarget& target) {
-    showFloor(target);
-    showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
-    filterTrilinear(target.texture);
+    showTrilinearFloor(target);
     target.texture.maxAnisotropy = 16;
     return {};
 }

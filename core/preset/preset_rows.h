@@ -20,12 +20,12 @@ void showPatternUnless(Texture& texture, Pattern pattern, bool suits);
 /// Trilinear, with all levels generated.
 void filterTrilinear(Texture& texture);
 
-/// The coordinates of the vertices, not generated ones; the texture matrix stays but for the light's
-/// projector, which is for generated ones.
+/// The unit shows an image with the coordinates of the vertices, not generated ones; the texture matrix stays
+/// but for the light's projector, which is for generated ones.
 void generateNothing(Unit& unit);
 
-/// The same without a texture matrix.
-void takeGivenCoordinates(Unit& unit);
+/// The same without a texture matrix, and for any target.
+void takeGivenCoordinates(Unit& unit, Target target = Target::Texture2D);
 
 /// The first unit of the pass behind this one that is off, else before it. The error: all are on.
 [[nodiscard]] Result<std::size_t> freeUnit(const PresetTarget& target);

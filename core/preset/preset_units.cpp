@@ -14,7 +14,6 @@ constexpr std::string_view unitGroup = "Environments and several units";
 
 Result<void> decal(const PresetTarget& target) {
     showPattern(target.texture, Pattern::Tree);
-    target.unit.target = Target::Texture2D;
     generateNothing(target.unit);
     target.unit.envMode = EnvMode::Decal;
     target.scene.material.color = {0.95F, 0.6F, 0.2F, 1};
@@ -79,7 +78,6 @@ Result<void> emboss(const PresetTarget& target) {
     showPattern(target.texture, Pattern::BrickHeight);
     filterTrilinear(target.texture);
     takeGivenCoordinates(target.unit);
-    target.unit.target = Target::Texture2D;
     target.unit.envMode = EnvMode::Replace;
     const Result<Unit*> moved = heightsIn(target, true);
     if (!moved)

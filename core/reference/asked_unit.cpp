@@ -18,7 +18,8 @@ Result<const UnitState*> askedUnit(std::span<const PassState> passes, int pass, 
     const UnitState& found = passes[static_cast<std::size_t>(pass)].units[static_cast<std::size_t>(unit)];
     if (!found.texture)
         return fail(ErrorCode::Unsupported,
-                    unitName(pass, unit) + " samples nothing: it is off, or its texture can't be drawn");
+                    fmt::format("{} samples nothing: it is off, or its texture can't be drawn",
+                                unitName(pass, unit)));
     return &found;
 }
 

@@ -377,7 +377,7 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
         if (!unit.enabled || pass.units[u].texture)
             continue;
         const std::string name = fmt::format("textures[{}]", unit.texture);
-        std::string reason = "there is no " + name;
+        std::string reason = fmt::format("there is no {}", name);
         if (unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size()) {
             std::vector<std::string> said;
             const StoredTexture* stored = textures.prepare(scene, static_cast<std::size_t>(unit.texture),
@@ -385,7 +385,7 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
             reason =
                 stored ? fmt::format("{} is incomplete: {}", name, checkCompleteness(stored->sampled).reason)
                 : !said.empty() ? said.front()
-                                : name + " can't be drawn";
+                                : fmt::format("{} can't be drawn", name);
         }
         idle.push_back({static_cast<int>(u), std::move(reason)});
     }

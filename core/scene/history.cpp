@@ -1,6 +1,7 @@
 #include "core/scene/history.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace texplorer {
@@ -13,8 +14,9 @@ History::History(Scene initial, std::size_t limit)
 void History::record(const Scene& scene, std::string_view what) {
     if (scene == current())
         return;
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(position_) + 1,
-                 steps_.end()); // no redo any more
+    const auto behind = steps_.begin() + static_cast<std::ptrdiff_t>(position_) + 1;
+    std::vector<Step> redone(std::make_move_iterator(behind), std::make_move_iterator(steps_.end()));
+    steps_.erase(behind, steps_.end()); // no redo any more
     if (!sealed_ && !what.empty() && steps_[position_].what == what) {
         steps_[position_].scene = scene;
         steps_[position_].picture.reset();
@@ -24,17 +26,32 @@ void History::record(const Scene& scene, std::string_view what) {
     if (steps_.size() > limit_ + 1)
         steps_.erase(steps_.begin());
     position_ = steps_.size() - 1;
+    redone_ = std::move(redone);
     sealed_ = false;
 }
 
 void History::seal() {
+    redone_.clear();
     sealed_ = true;
 }
 
+const Scene& History::takeBack() {
+    if (sealed_ || position_ == 0)
+        return current();
+    steps_.pop_back();
+    --position_;
+    steps_.insert(steps_.end(), std::make_move_iterator(redone_.begin()),
+                  std::make_move_iterator(redone_.end()));
+    seal();
+    return current();
+}
+
 void History::replaceView(const View& from, const View& to) {
-    for (Step& step : steps_) {
-        if (step.scene.view == from)
-            step.scene.view = to;
+    for (std::vector<Step>* steps : {&steps_, &redone_}) {
+        for (Step& step : *steps) {
+            if (step.scene.view == from)
+                step.scene.view = to;
+        }
     }
 }
 

@@ -19,6 +19,9 @@ public:
     [[nodiscard]] const Scene& current() const { return steps_[position_].scene; }
     void record(const Scene& scene, std::string_view what);
     void seal();
+    /// The last edit never was: it has no step, and what could be redone before it can be redone again.
+    /// For one that isn't sealed yet; nothing happens otherwise. Returns current().
+    const Scene& takeBack();
     /// Every step whose camera is `from` has `to` from now on. For what isn't an edit: a camera that follows
     /// the shape of its view.
     void replaceView(const View& from, const View& to);
@@ -36,6 +39,7 @@ public:
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
     [[nodiscard]] std::size_t position() const { return position_; } ///< of `current`
     [[nodiscard]] const std::string& nameOf(std::size_t step) const { return steps_[step].what; }
+    [[nodiscard]] const Scene& sceneOf(std::size_t step) const { return steps_[step].scene; }
     const Scene& goTo(std::size_t step); ///< as many undos or redos; returns current()
 
     /// A small picture of a step; nullptr: nobody has made one. It is given up when the step goes on.
@@ -51,6 +55,7 @@ private:
         std::shared_ptr<const Image> picture{};
     };
     std::vector<Step> steps_;
+    std::vector<Step> redone_; ///< what the edit in progress took away: steps behind it
     std::size_t position_ = 0;
     std::size_t limit_;
     bool sealed_ = true;

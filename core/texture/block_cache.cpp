@@ -206,7 +206,7 @@ Result<void> BlockCache::keep(const fs::path& file, std::vector<BlockImage> leve
     std::ranges::copy(checksumOf(name, *bytes), bytes->begin() + checksumAt);
     const Result<PrivateDirectory> directory = PrivateDirectory::make(directory_);
     if (!directory)
-        return fail(directory.error().code, "the cache directory " + directory.error().message,
+        return fail(directory.error().code, fmt::format("the cache directory {}", directory.error().message),
                     directory.error().where);
     makeRoom(*directory, maxBytes_ - bytes->size(), name); // before: the disk may be as small as the bound
     return writeFileAtomically(directory->descriptor(), name, *bytes, file.string());

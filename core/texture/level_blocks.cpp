@@ -38,7 +38,7 @@ bool LevelMaker::keepsBlocks() {
         return false;
     }
     if (axesOf(target_) != 2) {
-        note("OpenGL has compressed pictures only: decompressed for " + std::string(rowOf(target_).name));
+        note(fmt::format("OpenGL has compressed pictures only: decompressed for {}", rowOf(target_).name));
         return false;
     }
     if (cutsFaces(image_)) {
@@ -143,7 +143,7 @@ Result<void> LevelMaker::compress() {
         return {};
     }
     if (axesOf(target_) != 2) {
-        note("OpenGL has compressed pictures only: not compressed for " + std::string(rowOf(target_).name));
+        note(fmt::format("OpenGL has compressed pictures only: not compressed for {}", rowOf(target_).name));
         return {};
     }
     if (hasBorder()) {
@@ -183,7 +183,8 @@ Result<void> LevelMaker::compressHere(std::span<TextureLevel> levels) {
         if (!made)
             return fail(made.error());
         if (const Result<void> kept = work_.cache.keep(file, *made); !kept)
-            note("the compressed levels are not kept for the next time: " + describe(kept.error()));
+            note(fmt::format("the compressed levels are not kept for the next time: {}",
+                             describe(kept.error())));
         blocks = *std::move(made);
     }
     for (std::size_t i = 0; i < levels.size(); ++i)

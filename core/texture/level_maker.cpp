@@ -202,7 +202,7 @@ Result<void> LevelMaker::checkRoom() const {
 /// Of the files that are wanted beside the base's.
 void LevelMaker::noteMissing() {
     const auto reason = [](const std::string& file) {
-        return file.empty() ? std::string("no file is chosen") : file + " is not loaded";
+        return file.empty() ? std::string("no file is chosen") : fmt::format("{} is not loaded", file);
     };
     for (std::size_t i = 0; i < texture_.levels.size() && texture_.mipmaps == MipPolicy::Given; ++i) {
         if (!holdsPicture(pictures_.level(i)))
@@ -250,7 +250,7 @@ void LevelMaker::roundToBits() {
 Result<TextureLevels> LevelMaker::run() {
     if (isDepth(texture_.internalFormat) && !takesDepths(target_))
         return fail(ErrorCode::Unsupported,
-                    "OpenGL has no depth textures for " + std::string(rowOf(target_).name));
+                    fmt::format("OpenGL has no depth textures for {}", rowOf(target_).name));
     if (image_.faces > 1 && !isCube())
         note(fmt::format("the file is a cube map of {} faces; its first, +x, is drawn", image_.faces));
     if (const Result<void> room = checkRoom(); !room)

@@ -114,11 +114,11 @@ Image levelPicture(const Image& level) {
 
 /// A level's surface as the texture has it; what is left to do about a picture that is upside down is done.
 std::vector<std::pair<int, Thumbnail>> levelPictures(const LevelsRequest& request,
-                                                     const TextureLevels& levels) {
+                                                     const TextureLevels& levels, int face) {
     std::vector<std::pair<int, Thumbnail>> pictures;
     const bool topFirst = request.target == Target::CubeMap || levels.lateFlip != LateFlip::None;
     for (const TextureLevel& level : levels.levels) {
-        if (level.face != 0)
+        if (level.face != face)
             continue;
         Image whole = toImage(level.surface);
         if (whole.depth > 1)
@@ -157,7 +157,9 @@ std::shared_ptr<const LevelsSummary> summarise(const LevelsRequest& request, con
     summary->notes = levels->notes;
     summary->steps = std::move(steps);
     summary->pictures = givenPictures(request, *levels);
-    summary->levels = levelPictures(request, *levels);
+    summary->levels = levelPictures(request, *levels, 0);
+    for (std::size_t i = 0; request.target == Target::CubeMap && i < summary->otherFaces.size(); ++i)
+        summary->otherFaces[i] = levelPictures(request, *levels, static_cast<int>(i) + 1);
     return summary;
 }
 

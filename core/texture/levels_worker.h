@@ -4,6 +4,7 @@
 #include "core/image/image.h"
 #include "core/texture/levels_source.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,6 +31,8 @@ struct LevelsSummary {
     /// Of each level, upright, of a cube map its first face: texel by texel up to levelExtent a side, what is
     /// larger reduced to that.
     std::vector<std::pair<int, std::shared_ptr<const Image>>> levels;
+    /// The same of the other faces of a cube map, from -x on.
+    std::array<std::vector<std::pair<int, std::shared_ptr<const Image>>>, 5> otherFaces;
 
     static constexpr int thumbnailExtent = 64;
     static constexpr int levelExtent = 256;

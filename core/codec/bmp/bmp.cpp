@@ -126,8 +126,8 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
             "the run-length codes end at offset {} within row {} of {}, without an end-of-picture code",
             header.dataPos + report.consumed, report.row + 1, image.height));
     if (report.clipped > 0)
-        header.notes.push_back(countOf(report.clipped, "run-length code") +
-                               " went on beyond a row's end and were cut off there");
+        header.notes.push_back(fmt::format("{} went on beyond a row's end and were cut off there",
+                                           countOf(report.clipped, "run-length code")));
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (report.painted < pixels)
         header.notes.push_back(

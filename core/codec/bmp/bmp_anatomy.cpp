@@ -196,7 +196,7 @@ private:
                            static_cast<int>(header_.width), static_cast<int>(header_.height), nowhere);
         std::string wrong;
         if (report.clipped > 0)
-            wrong = countOf(report.clipped, "code") + " go on beyond a row's end";
+            wrong = fmt::format("{} go on beyond a row's end", countOf(report.clipped, "code"));
         pixelData(report.consumed,
                   fmt::format("{}: {}, {}, {}", bmp::compressionName(header_.compression, header_.headerSize),
                               countOf(report.runs, "run"), countOf(report.literals, "literal"),

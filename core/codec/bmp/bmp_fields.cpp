@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/count.h"
+#include "core/base/word.h"
 #include "core/codec/bmp/bmp_bitfields.h"
 
 #include <fmt/core.h>
@@ -20,7 +21,7 @@ std::string checkMagic(std::int64_t value, const FieldContext& /*context*/) {
 
 std::string checkFileSize(std::int64_t value, const FieldContext& context) {
     const auto size = static_cast<std::int64_t>(context.file.size());
-    return value == size ? "" : "the file has " + countOf(context.file.size(), "byte");
+    return value == size ? "" : fmt::format("the file has {}", countOf(context.file.size(), "byte"));
 }
 
 std::string checkZero(std::int64_t value, const FieldContext& /*context*/) {
@@ -33,7 +34,7 @@ std::string checkDataPos(std::int64_t value, const FieldContext& context) {
     if (value < static_cast<std::int64_t>(context.header.palettePos))
         return fmt::format("lies within the headers, which end at {}", context.header.palettePos);
     if (value > static_cast<std::int64_t>(context.file.size()))
-        return "the file has " + countOf(context.file.size(), "byte");
+        return fmt::format("the file has {}", countOf(context.file.size(), "byte"));
     return {};
 }
 
@@ -67,16 +68,17 @@ std::string checkBits(std::int64_t value, const FieldContext& context) {
 
 std::string checkCompression(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
-    const std::string found = fmt::format(", the file has {}", bits);
     if (value > 6)
         return value >= 11 && value <= 13 ? "" : "expected 0 to 6";
     if (value == 1 && bits != 8)
-        return "needs 8 bits a pixel" + found;
+        return fmt::format("needs 8 bits a pixel, the file has {}", bits);
     if (value == 2 && bits != 4)
-        return "needs 4 bits a pixel" + found;
+        return fmt::format("needs 4 bits a pixel, the file has {}", bits);
     const bool masks =
         (value == 3 || value == 6) && headerKind(context.header.headerSize) != HeaderKind::Os22;
-    return masks && bits != 16 && bits != 32 ? "needs 16 or 32 bits a pixel" + found : "";
+    return masks && bits != 16 && bits != 32
+               ? fmt::format("needs 16 or 32 bits a pixel, the file has {}", bits)
+               : "";
 }
 
 // 0 is fine for uncompressed pixels; many writers leave it out, and some count without the padding.
@@ -86,7 +88,9 @@ std::string checkImageSize(std::int64_t value, const FieldContext& context) {
     if (!raw || value == 0 || header.width < 1 || header.height < 1 || header.bitsPerPixel < 1)
         return {};
     const std::uint64_t needed = header.pixelBytes() + header.rowStride() - header.rowBytes();
-    return static_cast<std::uint64_t>(value) == needed ? "" : "the pixels need " + countOf(needed, "byte");
+    return static_cast<std::uint64_t>(value) == needed
+               ? ""
+               : fmt::format("the pixels need {}", countOf(needed, "byte"));
 }
 
 std::string checkColorsUsed(std::int64_t value, const FieldContext& context) {
@@ -121,7 +125,7 @@ constexpr std::array fileFields{
 constexpr std::array coreFields{
     FieldRow{14, 4, "bcSize", "bytes of this header", Show::Number, checkHeaderSize},
     FieldRow{18, 2, "bcWidth", "pixels a row", Show::Number, checkWidth},
-    FieldRow{20, 2, "bcHeight", "rows", Show::Number, checkWidth},
+    FieldRow{20, 2, "bcHeight", word("rows"), Show::Number, checkWidth},
     FieldRow{22, 2, "bcPlanes", "", Show::Number, checkPlanes},
     FieldRow{24, 2, "bcBitCount", "bits a pixel", Show::Number, checkBits},
 };
@@ -167,7 +171,7 @@ constexpr std::array windowsFields{
 constexpr std::array os2Fields{
     FieldRow{14, 4, "cbFix", "bytes of this header", Show::Number, checkHeaderSize},
     FieldRow{18, 4, "cx", "pixels a row", Show::Signed, checkWidth},
-    FieldRow{22, 4, "cy", "rows", Show::Signed, checkHeight},
+    FieldRow{22, 4, "cy", word("rows"), Show::Signed, checkHeight},
     FieldRow{26, 2, "cPlanes", "", Show::Number, checkPlanes},
     FieldRow{28, 2, "cBitCount", "bits a pixel", Show::Number, checkBits},
     FieldRow{30, 4, "ulCompression", "how the pixels are coded", Show::Compression, checkCompression},

@@ -87,8 +87,8 @@ Result<void> checkCompression(const Header& header) {
     };
     const std::string name = compressionName(header.compression, header.headerSize);
     if (headerKind(header.headerSize) == HeaderKind::Os22 && header.compression > 2)
-        return unsupported("uncompressed and RLE pixels are read of OS/2 files, this one's compression is " +
-                           name);
+        return unsupported(fmt::format(
+            "uncompressed and RLE pixels are read of OS/2 files, this one's compression is {}", name));
     switch (static_cast<Compression>(header.compression)) {
     case Compression::None:
         if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 24 && bits != 32)
@@ -109,15 +109,15 @@ Result<void> checkCompression(const Header& header) {
             "offset {}",
             name, header.dataPos));
     default:
-        return unsupported("uncompressed, RLE and bit-field pixels are read, this file's compression is " +
-                           name);
+        return unsupported(fmt::format(
+            "uncompressed, RLE and bit-field pixels are read, this file's compression is {}", name));
     }
 }
 
 Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
     const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
-        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
+        return malformed(fmt::format("a picture has at least 1 x 1 pixels, this one says {}", extents));
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
             fmt::format("at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent, extents));

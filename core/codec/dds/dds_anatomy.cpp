@@ -1,4 +1,5 @@
 #include "core/base/byte_reader.h"
+#include "core/base/word.h"
 #include "core/codec/dds/dds.h"
 #include "core/codec/dds/dds_layout.h"
 
@@ -88,7 +89,7 @@ std::string reservedText(ByteView file) {
             ? ByteView{}
             : file.subspan(at::reserved, std::min<std::size_t>(44, file.size() - at::reserved));
     if (std::ranges::all_of(bytes, [](std::byte byte) { return byte == std::byte{0}; }))
-        return "zeros";
+        return word("zeros");
     std::string text = "\"";
     for (const std::byte byte : bytes) {
         const auto c = std::to_integer<char>(byte);
@@ -109,13 +110,13 @@ std::string describeFormat(const DxgiRow* format) {
 
 std::string describeMask(std::string_view channel, std::uint32_t mask) {
     if (mask == 0)
-        return "no " + std::string(channel);
+        return fmt::format("no {}", channel);
     const int low = std::countr_zero(mask);
     const int high = 31 - std::countl_zero(mask);
-    std::string text(channel);
-    text += low == high ? fmt::format(" in bit {}", low) : fmt::format(" in bits {} to {}", low, high);
+    const std::string text = low == high ? fmt::format("{} in bit {}", channel, low)
+                                         : fmt::format("{} in bits {} to {}", channel, low, high);
     const bool holes = std::popcount(mask) != high - low + 1;
-    return text + (holes ? ", with holes" : "");
+    return holes ? fmt::format("{}, with holes", text) : text;
 }
 
 void addPixelFormat(Dissection& to, const Header& header) {
@@ -134,10 +135,11 @@ void addPixelFormat(Dissection& to, const Header& header) {
     to.number(at::bitCount, "ddspf.dwRGBBitCount", header.bitCount,
               header.hasFourCC() ? "bits a pixel; without meaning beside a FourCC" : "bits a pixel");
     constexpr std::array<std::string_view, 4> letters{"R", "G", "B", "A"};
-    constexpr std::array<std::string_view, 4> channels{"red", "green", "blue", "alpha"};
+    constexpr std::array<std::string_view, 4> channels{word("red"), word("green"), word("blue"),
+                                                       word("alpha")};
     const bool luminance = (header.formatFlags & formatLuminance) != 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::string_view channel = luminance && i == 0 ? "luminance" : channels[i];
+        const std::string_view channel = luminance && i == 0 ? word("luminance") : channels[i];
         to.add(1, at::masks + 4 * i, 4, fmt::format("ddspf.dw{}BitMask", letters[i]), hex(header.masks[i]),
                describeMask(channel, header.masks[i]));
     }
@@ -205,9 +207,10 @@ void addLevels(Dissection& to, const Layout& layout) {
     for (int face = 0; face < layout.faces; ++face)
         for (int i = 0; i < layout.levels; ++i) {
             const Level level = layout.at(face, i);
-            const std::string where = layout.faces > 1 ? fmt::format("face {}, ", faceName(face)) : "";
-            Field& field = to.add(1, level.offset, level.size, fmt::format("{}level {}", where, i), "",
-                                  describeLevel(layout, level));
+            std::string name = layout.faces > 1 ? fmt::format("face {}, level {}", faceName(face), i)
+                                                : fmt::format("level {}", i);
+            Field& field =
+                to.add(1, level.offset, level.size, std::move(name), "", describeLevel(layout, level));
             field.value = fmt::format("{} x {}{}", level.width, level.height,
                                       layout.depth > 1 ? fmt::format(" x {}", level.depth) : "");
         }

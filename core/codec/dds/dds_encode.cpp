@@ -53,9 +53,10 @@ Result<void> check(const TextureImage& texture) {
     const int height = heightOf(base);
     const int depth = depthOf(base);
     if (width < 1 || height < 1 || depth < 1)
-        return refuse("a texture has at least 1 x 1 x 1 texels, this one has " + extentsOf(base));
+        return refuse(
+            fmt::format("a texture has at least 1 x 1 x 1 texels, this one has {}", extentsOf(base)));
     if (texture.faces == 6 && (width != height || depth != 1))
-        return refuse("the faces of a cube map are square, these are " + extentsOf(base));
+        return refuse(fmt::format("the faces of a cube map are square, these are {}", extentsOf(base)));
     if (texture.levels > mipLevelCount(width, height, depth))
         return refuse(fmt::format("a mip chain of {} texels has at most {} levels, this one has {}",
                                   extentsOf(base), mipLevelCount(width, height, depth), texture.levels));

@@ -1,5 +1,7 @@
 #include "core/codec/dds/dds_format.h"
 
+#include "core/base/word.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -137,11 +139,11 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
             "DXGI format {} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
             header.dxgiFormat));
     if (!row->isRead())
-        return unsupported(std::string(row->name) +
-                           " is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are");
+        return unsupported(fmt::format(
+            "{} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are", row->name));
     if (row->name.ends_with("_TYPELESS"))
         findings.push_back(
-            {at::dxgiFormat, std::string(row->name) + " leaves open what its bits mean; read as UNORM"});
+            {at::dxgiFormat, fmt::format("{} leaves open what its bits mean; read as UNORM", row->name)});
     Format format{row->name, row->pixels, row->srgb, AlphaMeaning::None};
     const AlphaMeaning said = alphaMeaning(header.miscFlags2 & alphaModeMask, findings);
     if (mayHaveAlpha(format))
@@ -164,7 +166,7 @@ Result<Format> fromFourCC(const Header& header, Findings& findings) {
         return unsupported(fmt::format("dwFourCC is {}; {}DX10 are read", spellFourCC(header.fourCC), known));
     }
     if (row->alpha == AlphaMeaning::Premultiplied)
-        findings.push_back({at::fourCC, std::string(row->name) + ": the colours are multiplied by alpha"});
+        findings.push_back({at::fourCC, fmt::format("{}: the colours are multiplied by alpha", row->name)});
     return Format{row->name, row->format, false, row->alpha};
 }
 
@@ -203,13 +205,13 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
 
     std::string_view name = "RGB";
     if (alphaAlone) {
-        name = "alpha";
+        name = word("alpha");
         pixels.decoded = PixelFormat::Alpha8;
         pixels.masks = {0, 0, 0, pixels.masks[3] == 0 ? all : pixels.masks[3]};
         if (header.masks[3] == 0)
             findings.push_back({at::masks + 12, "dwABitMask is 0; all bits of a pixel are its alpha"});
     } else if ((flags & formatLuminance) != 0) {
-        name = alpha ? "luminance and alpha" : "luminance";
+        name = alpha ? "luminance and alpha" : word("luminance");
         pixels.decoded = alpha ? PixelFormat::LuminanceAlpha8 : PixelFormat::Luminance8;
         pixels.masks[1] = pixels.masks[2] = 0; // some writers repeat the mask
         if (pixels.masks[0] == 0) {

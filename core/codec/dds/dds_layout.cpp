@@ -38,8 +38,10 @@ void readElements(const Header& header, Layout& layout, Findings& findings) {
         findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
     if (header.arraySize > 1)
         findings.push_back(
-            {at::arraySize, fmt::format("it is an array of {}{}; the first is read", header.arraySize,
-                                        layout.faces > 1 ? " cube maps" : " textures")});
+            {at::arraySize,
+             layout.faces > 1
+                 ? fmt::format("it is an array of {} cube maps; the first is read", header.arraySize)
+                 : fmt::format("it is an array of {} textures; the first is read", header.arraySize)});
 }
 
 /// What kind of texture it is, in the order in which Direct3D's loaders ask: volume before cube map.
@@ -115,7 +117,7 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
     if (layout.depth != 1)
         extents += fmt::format(" x {}", header.depth);
     if (header.width == 0 || layout.height == 0)
-        return malformed("a picture has at least 1 x 1 texels, this one says " + extents);
+        return malformed(fmt::format("a picture has at least 1 x 1 texels, this one says {}", extents));
     const auto largest = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
     // Read as unsigned: what became negative is too large as well.
     const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > largest; };
@@ -124,7 +126,7 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
                     fmt::format("DDS: at most {} texels along each axis are read, the file has {}", largest,
                                 extents));
     if (layout.faces == 6 && layout.width != layout.height)
-        return malformed("the faces of a cube map are square, these are " + extents);
+        return malformed(fmt::format("the faces of a cube map are square, these are {}", extents));
 
     // So many that no product of them overflows, whatever the limits are.
     const std::uint64_t maxPixels = std::min<std::uint64_t>(limits.maxPixels, std::uint64_t{1} << 40);
@@ -253,8 +255,9 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
                 {at::arraySize, fmt::format("its {} elements need {}, the file has {}", layout.elements,
                                             countOf(layout.arrayEnd(), "byte"), fileSize)});
         if (fileSize > layout.arrayEnd())
-            findings.push_back({layout.arrayEnd(), countOf(fileSize - layout.arrayEnd(), "byte") +
-                                                       " after the last level: ignored"});
+            findings.push_back(
+                {layout.arrayEnd(), fmt::format("{} after the last level: ignored",
+                                                countOf(fileSize - layout.arrayEnd(), "byte"))});
         return layout.levels;
     }
     const auto isWhole = [&](int face, int level) {
@@ -264,8 +267,9 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
     for (int face = 0; face < layout.faces; ++face)
         if (!isWhole(face, 0)) {
             const Level base = layout.at(face, 0);
-            const std::string where = layout.faces > 1 ? " of face " + std::string(faceName(face)) : "";
-            return malformed(fmt::format("level 0{} needs {} from offset {}, the file has {}", where,
+            const std::string surface =
+                layout.faces > 1 ? fmt::format("level 0 of face {}", faceName(face)) : "level 0";
+            return malformed(fmt::format("{} needs {} from offset {}, the file has {}", surface,
                                          countOf(base.size, "byte"), base.offset, fileSize));
         }
     int levels = 1;
@@ -273,9 +277,12 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
         ++levels;
     findings.push_back(
         {at::mipMapCount,
-         fmt::format("dwMipMapCount is {}, which needs {}; the file has {} and only level{} whole",
-                     layout.levels, countOf(layout.end(), "byte"), fileSize,
-                     levels == 1 ? " 0 is" : fmt::format("s 0 to {} are", levels - 1))});
+         levels == 1
+             ? fmt::format("dwMipMapCount is {}, which needs {}; the file has {} and only level 0 is whole",
+                           layout.levels, countOf(layout.end(), "byte"), fileSize)
+             : fmt::format(
+                   "dwMipMapCount is {}, which needs {}; the file has {} and only levels 0 to {} are whole",
+                   layout.levels, countOf(layout.end(), "byte"), fileSize, levels - 1)});
     return levels;
 }
 

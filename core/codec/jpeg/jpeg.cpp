@@ -58,7 +58,7 @@ Error inJpeg(const Error& error) {
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
     const std::string extents = fmt::format("{} x {} pixels", frame.width, frame.height);
     if (frame.width < 1 || frame.height < 1)
-        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
+        return malformed(fmt::format("a picture has at least 1 x 1 pixels, this one says {}", extents));
     if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
         return fail(ErrorCode::TooLarge,
                     fmt::format("JPEG: at most {0} x {0} pixels are read, the file has {1}", limits.maxExtent,
@@ -78,9 +78,10 @@ Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimit
         });
     };
     if (!divides(&JpegComponent::horizontal) || !divides(&JpegComponent::vertical))
-        return fail(ErrorCode::Unsupported, "JPEG: sampling factors that divide the largest are read, the "
-                                            "components have " +
-                                                samplingOf(frame));
+        return fail(
+            ErrorCode::Unsupported,
+            fmt::format("JPEG: sampling factors that divide the largest are read, the components have {}",
+                        samplingOf(frame)));
     if (!frame.arithmetic() && frame.blocks() / 8 > file.size())
         return malformed(fmt::format("{} need {} coded blocks of at least 1 bit each, the file has {} bytes",
                                      extents, frame.blocks(), file.size()));

@@ -1,3 +1,4 @@
+#include "core/base/word.h"
 #include "core/codec/jpeg/jpeg.h"
 #include "core/codec/jpeg/jpeg_markers.h"
 
@@ -29,7 +30,7 @@ std::string meaningOf(const JpegSegment& segment) {
     case jpegDri:
         return "restart interval";
     case jpegCom:
-        return "comment";
+        return word("comment");
     default:
         return segment.isFrame() ? "start of frame" : "";
     }
@@ -44,11 +45,13 @@ void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
             fields.push_back({at + offset, size, std::move(name), std::move(value), std::move(meaning),
                               std::move(wrong), 1});
     };
-    add(0, 1, "precision", std::to_string(frame.precision), "bits a sample",
+    add(0, 1, word("precision"), std::to_string(frame.precision), "bits a sample",
         frame.precision == 8 ? "" : "only 8 are read");
-    add(1, 2, "height", std::to_string(frame.height), "pixels", frame.height > 0 ? "" : "expected 1 or more");
-    add(3, 2, "width", std::to_string(frame.width), "pixels", frame.width > 0 ? "" : "expected 1 or more");
-    add(5, 1, "components",
+    add(1, 2, word("height"), std::to_string(frame.height), word("pixels"),
+        frame.height > 0 ? "" : "expected 1 or more");
+    add(3, 2, word("width"), std::to_string(frame.width), word("pixels"),
+        frame.width > 0 ? "" : "expected 1 or more");
+    add(5, 1, word("components"),
         std::to_string(segment.payload.size() > 5 ? std::to_integer<int>(segment.payload[5]) : 0),
         "1 grey, 3 colour, 4 CMYK");
     for (std::size_t i = 0; i < std::min(frame.components.size(), mostComponents); ++i) {
@@ -74,7 +77,7 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
     if (segment.hasLength())
         fields.push_back({segment.offset + 2,
                           2,
-                          "length",
+                          word("length"),
                           std::to_string(segment.length + 2),
                           "bytes, with these two",
                           {},

@@ -46,7 +46,7 @@ void JpegReader::keepMessage() noexcept {
     errors_.format_message(reinterpret_cast<j_common_ptr>(&jpeg_), text.data());
     try {
         if (errors_.msg_code == JWRN_EXTRANEOUS_DATA)
-            notes_.push_back("survived: " + std::string(text.data()));
+            notes_.push_back(fmt::format("survived: {}", text.data()));
         else
             error_ = text.data();
     } catch (const std::bad_alloc&) {

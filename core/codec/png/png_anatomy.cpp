@@ -1,4 +1,5 @@
 #include "core/base/printable.h"
+#include "core/base/word.h"
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
 
@@ -29,7 +30,7 @@ constexpr std::array chunkMeanings{
     ChunkMeaning{"gAMA", "gamma times 100000"},
     ChunkMeaning{"sRGB", "the colours are sRGB"},
     ChunkMeaning{"pHYs", "size of a pixel"},
-    ChunkMeaning{"tEXt", "text"},
+    ChunkMeaning{"tEXt", word("text")},
     ChunkMeaning{"iCCP", "a colour profile"},
 };
 
@@ -51,7 +52,8 @@ std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_vie
 }
 
 std::string colorTypeName(std::uint8_t type) {
-    constexpr std::array names{"grey", "", "RGB", "palette", "grey and alpha", "", "RGB and alpha"};
+    constexpr std::array names{word("grey"),     "", "RGB",          word("palette"),
+                               "grey and alpha", "", "RGB and alpha"};
     return type < names.size() ? names[type] : "";
 }
 
@@ -65,25 +67,25 @@ void describeHeader(const PngChunk& chunk, std::vector<Field>& fields) {
                               good ? std::string() : std::move(expected), 1});
     };
     const std::string kind = colorTypeName(header.colorType);
-    add(0, 4, "width", header.width, "pixels", header.width > 0, "expected 1 or more");
-    add(4, 4, "height", header.height, "pixels", header.height > 0, "expected 1 or more");
+    add(0, 4, word("width"), header.width, word("pixels"), header.width > 0, "expected 1 or more");
+    add(4, 4, word("height"), header.height, word("pixels"), header.height > 0, "expected 1 or more");
     add(8, 1, "bit depth", header.depth, "bits a sample",
         header.depth <= 16 && (0x10116U >> header.depth & 1) != 0, "expected 1, 2, 4, 8 or 16");
     add(9, 1, "colour type", header.colorType, kind, !kind.empty(), "expected 0, 2, 3, 4 or 6");
-    add(10, 1, "compression", header.compression, "deflate", header.compression == 0, "expected 0");
-    add(11, 1, "filter", header.filter, "five kinds of row filter", header.filter == 0, "expected 0");
-    add(12, 1, "interlace", header.interlace, header.interlace == 1 ? "Adam7" : "none", header.interlace < 2,
-        "expected 0 or 1");
+    add(10, 1, word("compression"), header.compression, "deflate", header.compression == 0, "expected 0");
+    add(11, 1, word("filter"), header.filter, "five kinds of row filter", header.filter == 0, "expected 0");
+    add(12, 1, word("interlace"), header.interlace, header.interlace == 1 ? "Adam7" : word("none"),
+        header.interlace < 2, "expected 0 or 1");
 }
 
 void describeChunk(const PngChunk& chunk, ByteView file, std::string wrong, std::vector<Field>& fields) {
     fields.push_back(
         {chunk.offset, chunk.size(), printable(chunk.type), {}, meaningOf(chunk), std::move(wrong), 0});
-    fields.push_back({chunk.offset, 4, "length", std::to_string(chunk.length), "bytes of data", {}, 1});
+    fields.push_back({chunk.offset, 4, word("length"), std::to_string(chunk.length), "bytes of data", {}, 1});
     if (chunk.type == "IHDR")
         describeHeader(chunk, fields);
     else if (chunk.length > 0)
-        fields.push_back({chunk.offset + 8, chunk.length, "data", {}, {}, {}, 1});
+        fields.push_back({chunk.offset + 8, chunk.length, word("data"), {}, {}, {}, 1});
     if (!chunk.complete())
         return;
     const std::uint32_t found =

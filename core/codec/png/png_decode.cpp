@@ -49,7 +49,7 @@ Survey survey(ByteView file) {
 Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
     const std::string extents = fmt::format("{} x {} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
-        return malformed("a picture has at least 1 x 1 pixels, this one says " + extents);
+        return malformed(fmt::format("a picture has at least 1 x 1 pixels, this one says {}", extents));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
     if (header.width > maxExtent || header.height > maxExtent)
         return fail(
@@ -146,7 +146,7 @@ void onWarning(png_structp png, png_const_charp message) {
     std::vector<std::string>& notes = decoderOf(png_get_error_ptr(png)).notes;
     try {
         if (notes.size() < enough)
-            notes.push_back("survived: " + std::string(message));
+            notes.push_back(fmt::format("survived: {}", message));
     } catch (const std::bad_alloc&) { // then without
         notes.clear();
     }
@@ -236,7 +236,8 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     if (found.animated)
         texture.notes.emplace_back("the file is an animation; its first picture is read");
     if (found.end != 0 && found.end < file.size())
-        texture.notes.push_back(countOf(file.size() - found.end, "byte") + " behind the end (IEND) left out");
+        texture.notes.push_back(
+            fmt::format("{} behind the end (IEND) left out", countOf(file.size() - found.end, "byte")));
     return texture;
 }
 

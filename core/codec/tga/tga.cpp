@@ -59,7 +59,7 @@ Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, cons
 
 std::string shortage(const Header& header, std::uint64_t needed, std::size_t found) {
     return fmt::format("pixel data needs {} from offset {}, the file has {} there",
-                       header.runLengthCoded() ? "at least " + countOf(needed, "byte")
+                       header.runLengthCoded() ? fmt::format("at least {}", countOf(needed, "byte"))
                                                : countOf(needed, "byte"),
                        header.pixelOffset(), found);
 }

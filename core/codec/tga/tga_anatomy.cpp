@@ -1,5 +1,6 @@
 #include "core/base/byte_reader.h"
 #include "core/base/count.h"
+#include "core/base/word.h"
 #include "core/codec/tga/tga.h"
 #include "core/codec/tga/tga_format.h"
 
@@ -74,7 +75,7 @@ std::string describeEntry(ByteView entry, int bits) {
     std::string shown = fmt::format("red {}, green {}, blue {}", bgra[2], bgra[1], bgra[0]);
     if (bits == 16 || bits == 32)
         shown += fmt::format(", alpha {}", bgra[3]);
-    return shown + (entry.size() == 2 ? " of 31" : "");
+    return entry.size() == 2 ? fmt::format("{} of 31", shown) : shown;
 }
 
 Fields describeColorMap(ByteView file, const Header& header) {
@@ -117,7 +118,8 @@ Packets walkPackets(ByteView data, const Header& header) {
         if (packets.count < mostPackets || cut)
             packets.first.push_back(
                 field(fmt::format("Packet {}", packets.count), header.pixelOffset() + packets.bytes, size,
-                      fmt::format("{}{}", pixels, head >= 128 ? " times the same pixel" : " raw pixels"),
+                      head >= 128 ? fmt::format("{} times the same pixel", pixels)
+                                  : fmt::format("{} raw pixels", pixels),
                       fmt::format("from column {} of row {}", column, packets.pixels / header.width),
                       cut       ? fmt::format("needs {}, {} are left", countOf(size, "byte"),
                                               countOf(data.size() - packets.bytes, "byte"))
@@ -140,7 +142,7 @@ Fields describePackets(ByteView data, const Header& header, std::string& damage)
     std::string wrong;
     if (packets.pixels < needed) {
         const std::string got = fmt::format("{} of {} pixels", packets.pixels, needed);
-        wrong = "ends after " + got;
+        wrong = fmt::format("ends after {}", got);
         damage =
             fmt::format("the packets end at offset {}, after {}", header.pixelOffset() + packets.bytes, got);
     } else if (packets.crossing > 0) {
@@ -162,8 +164,9 @@ Fields describePixels(ByteView data, const Header& header, std::string& damage) 
                              header.pixelOffset(), data.size());
     }
     return {section("Image Data", header.pixelOffset(), size, fmt::format("{} pixels", header.pixelCount()),
-                    fmt::format("rows from the {}, each from the {}", header.topFirst() ? "top" : "bottom",
-                                header.rightToLeft() ? "right" : "left"),
+                    fmt::format("rows from the {}, each from the {}",
+                                header.topFirst() ? word("top") : word("bottom"),
+                                header.rightToLeft() ? word("right") : word("left")),
                     wrong)};
 }
 
@@ -231,7 +234,7 @@ std::string_view attributesMeaning(int type) {
                                                        "undefined, should be kept", "useful alpha",
                                                        "premultiplied alpha"};
     return type < static_cast<int>(meanings.size()) ? meanings[static_cast<std::size_t>(type)]
-                                                    : std::string_view{"reserved"};
+                                                    : std::string_view{word("reserved")};
 }
 
 Fields describeExtension(ByteView file, const Footer& footer) {
@@ -292,7 +295,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
         const std::uint64_t size = reader.u32();
         if (reader.truncated())
             break;
-        fields.push_back(field("Tag " + tag, offset, 10,
+        fields.push_back(field(fmt::format("Tag {}", tag), offset, 10,
                                fmt::format("{} at offset {}", countOf(size, "byte"), where),
                                "for the program that knows it", beyond(where, size, file.size())));
     }

@@ -1,6 +1,7 @@
 #include "core/codec/tga/tga_format.h"
 
 #include "core/base/byte_reader.h"
+#include "core/base/word.h"
 
 #include <fmt/core.h>
 
@@ -34,7 +35,7 @@ std::string describeType(const Header& header) {
     case 2:
         return "true colour";
     case 3:
-        return "grey";
+        return word("grey");
     case 9:
         return "colour-mapped, run-length coded";
     case 10:
@@ -46,7 +47,7 @@ std::string describeType(const Header& header) {
     case 33:
         return "colour-mapped; Huffman, delta and run-length coded, as a quadtree";
     default:
-        return "unknown";
+        return word("unknown");
     }
 }
 
@@ -120,10 +121,11 @@ Check checkDescriptor(const Header& header) {
 }
 
 std::string describeDescriptor(const Header& header) {
-    std::string text = fmt::format("{} attribute bits, first pixel at the ", header.attributeBits());
-    text += header.topFirst() ? "top " : "bottom ";
-    text += header.rightToLeft() ? "right" : "left";
-    return header.interleave() == 0 ? text : text + ", interleaved rows";
+    constexpr std::array corners{"bottom left", "bottom right", "top left", "top right"};
+    const auto corner = (header.topFirst() ? 2U : 0U) + (header.rightToLeft() ? 1U : 0U);
+    const std::string text =
+        fmt::format("{} attribute bits, first pixel at the {}", header.attributeBits(), corners[corner]);
+    return header.interleave() == 0 ? text : fmt::format("{}, interleaved rows", text);
 }
 
 std::string bitsOf(int value) {
@@ -143,7 +145,7 @@ constexpr std::array rows{
               [](const Header& h) -> std::string {
                   return h.colorMapType == 0   ? "no colour map"
                          : h.colorMapType == 1 ? "a colour map"
-                                               : "unknown";
+                                               : word("unknown");
               },
               checkMapType},
     HeaderRow{2, 1, "Image Type", number<&Header::imageType>, describeType, checkType},
@@ -162,7 +164,7 @@ constexpr std::array rows{
               [](const Header&) -> std::string { return "pixels a row"; },
               [](const Header& h) { return checkExtent(h.width); }},
     HeaderRow{14, 2, "Image Height", number<&Header::height>,
-              [](const Header&) -> std::string { return "rows"; },
+              [](const Header&) -> std::string { return word("rows"); },
               [](const Header& h) { return checkExtent(h.height); }},
     HeaderRow{16, 1, "Pixel Depth", number<&Header::pixelBits>,
               [](const Header& h) -> std::string { return h.mapped() ? "bits an index" : "bits a pixel"; },

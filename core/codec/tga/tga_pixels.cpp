@@ -232,9 +232,9 @@ AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image, std::vector<s
             allZero = allZero && image.pixels[i] == std::byte{0};
         if (allZero) {
             rule = AlphaRule::Ignore;
-            notes.push_back(reading.doubt + ", and every alpha is 0: ignored");
+            notes.push_back(fmt::format("{}, and every alpha is 0: ignored", reading.doubt));
         } else if (rule == AlphaRule::Unknown) {
-            notes.push_back(reading.doubt + ", but not every alpha is 0: kept");
+            notes.push_back(fmt::format("{}, but not every alpha is 0: kept", reading.doubt));
         }
     }
     if (rule == AlphaRule::Ignore)
@@ -343,10 +343,14 @@ bool PixelReader::readPackets(std::byte* to, std::size_t count) {
 }
 
 void PixelReader::describeStrays(std::vector<std::string>& notes) const {
-    if (map_.strays > 0)
-        notes.push_back(fmt::format("{} {} no entry of the colour map ({} to {}): black",
-                                    countOf(map_.strays, "pixel"), map_.strays == 1 ? "names" : "name",
-                                    map_.firstEntry, map_.firstEntry + map_.entries.size() - 1));
+    if (map_.strays > 0) {
+        const std::size_t last = map_.firstEntry + map_.entries.size() - 1;
+        notes.push_back(map_.strays == 1
+                            ? fmt::format("1 pixel names no entry of the colour map ({} to {}): black",
+                                          map_.firstEntry, last)
+                            : fmt::format("{} pixels name no entry of the colour map ({} to {}): black",
+                                          map_.strays, map_.firstEntry, last));
+    }
 }
 
 } // namespace texplorer::tga

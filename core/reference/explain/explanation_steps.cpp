@@ -27,9 +27,11 @@ std::string nameOf(const EnumRow& row) {
     return std::string(row.name);
 }
 
+constexpr const char* switchedOff = word("off");
+
 /// The heading of a table with a column for each corner.
 StepRow corners(const FragmentExplanation& fragment) {
-    StepRow row{"vertex", {}, {}, true};
+    StepRow row{word("vertex"), {}, {}, true};
     for (const VertexExplanation& vertex : fragment.vertices)
         row.cells.push_back({std::to_string(vertex.vertex), Ink::Dim});
     return row;
@@ -50,8 +52,8 @@ struct PartWords {
     const char* name;
 };
 PartWords partWords(const FragmentExplanation& fragment) {
-    constexpr std::array words{PartWords{"Point", "point"}, PartWords{"Line", "line"},
-                               PartWords{"Triangle", "triangle"}};
+    constexpr std::array words{PartWords{"Point", word("point")}, PartWords{"Line", word("line")},
+                               PartWords{"Triangle", word("triangle")}};
     return words.at(std::clamp<std::size_t>(fragment.vertices.size(), 1, 3) - 1);
 }
 
@@ -81,9 +83,10 @@ Step primaryStep(const FragmentExplanation& fragment) {
     Step step{StepKind::PrimaryColor, -1, "Primary colour", colorText(fragment.primary), fragment.primary};
     if (!fragment.lighting) {
         if (fragment.coloredVertices)
-            step.rows = {{"Lighting is off: the colours of the vertices, interpolated."},
-                         corners(fragment),
-                         perCorner("colour", fragment, [](const auto& v) { return colorText(v.primary); })};
+            step.rows = {
+                {"Lighting is off: the colours of the vertices, interpolated."},
+                corners(fragment),
+                perCorner(word("colour"), fragment, [](const auto& v) { return colorText(v.primary); })};
         else
             step.rows = {{"Lighting is off: the current colour (glColor), the same at every vertex."}};
         return step;
@@ -109,7 +112,7 @@ Step primaryStep(const FragmentExplanation& fragment) {
         fragment.vertices, [](const VertexExplanation& v) { return v.lighting->emission != glm::vec3(0); });
     if (emits)
         step.rows.insert(step.rows.begin() + 3,
-                         perCorner("emission", fragment, term(&LightingTerms::emission)));
+                         perCorner(word("emission"), fragment, term(&LightingTerms::emission)));
     if (fragment.twoSided && fragment.vertices.size() == 3)
         step.rows.push_back({fragment.fromBehind ? "Seen from behind: lit with the opposite normal "
                                                    "(GL_LIGHT_MODEL_TWO_SIDE)."
@@ -135,8 +138,7 @@ Step environmentStep(const UnitExplanation& unit) {
             row.cells.push_back({numberText(color[i])});
         step.rows.push_back(std::move(row));
     };
-    step.rows.push_back(
-        {"", {{"red", Ink::Dim}, {"green", Ink::Dim}, {"blue", Ink::Dim}, {"alpha", Ink::Dim}}, {}, true});
+    step.rows.push_back(componentHeading(""));
     input("Cp, Ap: incoming", unit.inputs.previous);
     input("Cs, As: texture", unit.inputs.source);
     const std::string written = unit.equations.color.symbols + unit.equations.alpha.symbols;
@@ -145,12 +147,12 @@ Step environmentStep(const UnitExplanation& unit) {
     if (written.find("Cf") != std::string::npos || written.find("Af") != std::string::npos)
         input("Cf, Af: primary", unit.inputs.primary);
     step.rows.push_back({unit.equations.color.symbols, {}, {}, false, Ink::Dim});
-    constexpr std::array names{"red", "green", "blue"};
     for (std::size_t i = 0; i < unit.equations.color.numbers.size(); ++i)
-        step.rows.push_back({names.at(std::min<std::size_t>(i, 2)), {{unit.equations.color.numbers[i]}}});
+        step.rows.push_back(
+            {componentNames.at(std::min<std::size_t>(i, 2)), {{unit.equations.color.numbers[i]}}});
     step.rows.push_back({unit.equations.alpha.symbols, {}, {}, false, Ink::Dim});
     for (const std::string& numbers : unit.equations.alpha.numbers)
-        step.rows.push_back({"alpha", {{numbers}}});
+        step.rows.push_back({componentNames[3], {{numbers}}});
     if (unit.equations.undefined)
         step.rows.push_back(
             {unit.mode == EnvMode::Combine
@@ -167,13 +169,12 @@ Step environmentStep(const UnitExplanation& unit) {
 
 Step colorSumStep(const FragmentExplanation& fragment) {
     Step step{StepKind::ColorSum, -1, "Colour sum", colorText(fragment.summed), fragment.summed};
-    constexpr std::array names{"red", "green", "blue"};
     for (int i = 0; i < 3; ++i) {
         const float sum = fragment.textured[i] + fragment.secondary[i];
-        step.rows.push_back({names.at(static_cast<std::size_t>(i)),
-                             {{fmt::format("{} + {} = {}{}", numberText(fragment.textured[i]),
-                                           numberText(fragment.secondary[i]), numberText(sum),
-                                           sum > 1 ? ", clamped to 1" : "")}}});
+        const std::string numbers = fmt::format("{} + {} = {}", numberText(fragment.textured[i]),
+                                                numberText(fragment.secondary[i]), numberText(sum));
+        step.rows.push_back({componentNames.at(static_cast<std::size_t>(i)),
+                             {{sum > 1 ? fmt::format("{}, clamped to 1", numbers) : numbers}}});
     }
     return step;
 }
@@ -181,7 +182,7 @@ Step colorSumStep(const FragmentExplanation& fragment) {
 Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
     Step step{StepKind::Fog, -1, "Fog", colorText(fragment.color), fragment.color};
     const glm::vec4 color = glm::clamp(fog.state.color, 0.0F, 1.0F);
-    step.rows = {{"mode", {{nameOf(rowOf(fog.state.mode))}}},
+    step.rows = {{word("mode"), {{nameOf(rowOf(fog.state.mode))}}},
                  {"c: distance from the eye's plane", {{numberText(fog.distance)}}},
                  {fog.equation.symbols, {}, {}, false, Ink::Dim}};
     for (const std::string& numbers : fog.equation.numbers)
@@ -190,10 +191,9 @@ Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
     step.rows.push_back({"Cr: before", {{colorText(fragment.summed)}}, fragment.summed});
     step.rows.push_back({"Cf: fog colour", {{vectorText(glm::vec3(color))}}, glm::vec4(glm::vec3(color), 1)});
     step.rows.push_back({"C = f * Cr + (1 - f) * Cf", {}, {}, false, Ink::Dim});
-    constexpr std::array names{"red", "green", "blue"};
     for (int i = 0; i < 3; ++i)
         step.rows.push_back(
-            {names.at(static_cast<std::size_t>(i)),
+            {componentNames.at(static_cast<std::size_t>(i)),
              {{fmt::format("{} = {}",
                            inNumbers("f * Cr + (1 - f) * Cf",
                                      {{"f", fog.factor}, {"Cr", fragment.summed[i]}, {"Cf", color[i]}}),
@@ -205,14 +205,14 @@ Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
 template<class T>
 Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, const std::string& value,
               const std::string& with) {
-    Step step{kind, -1, title, "off"};
+    Step step{kind, -1, title, switchedOff};
     if (!test.enabled)
         return step;
     step.summary = fmt::format("{} {} {}: {}", value, nameOf(rowOf(test.function)), with,
-                               test.passed ? "passed" : "failed");
+                               test.passed ? word("passed") : word("failed"));
     step.rows = {{"of the fragment", {{value}}},
                  {kind == StepKind::AlphaTest ? "reference value" : "in the depth buffer", {{with}}},
-                 {test.passed ? "passed" : "failed: nothing is written",
+                 {test.passed ? word("passed") : "failed: nothing is written",
                   {},
                   {},
                   false,
@@ -226,20 +226,20 @@ std::string depthText(std::uint32_t depth) {
 
 Step blendStep(const FragmentExplanation& fragment) {
     const BlendExplanation& blend = fragment.blend;
-    Step step{StepKind::Blending, -1, "Blending", "off"};
+    Step step{StepKind::Blending, -1, "Blending", switchedOff};
     if (!blend.enabled)
         return step;
     step.summary = colorText(blend.result);
     step.swatch = blend.result;
-    step.rows.push_back({"source " + colorText(blend.source), {}, blend.source});
-    step.rows.push_back({"  times " + nameOf(rowOf(blend.sourceFactor)), {{colorText(blend.sourceWeight)}}});
-    step.rows.push_back({"destination " + colorText(blend.destination), {}, blend.destination});
-    step.rows.push_back(
-        {"  times " + nameOf(rowOf(blend.destinationFactor)), {{colorText(blend.destinationWeight)}}});
-    constexpr std::array names{"red", "green", "blue", "alpha"};
+    step.rows.push_back({fmt::format("source {}", colorText(blend.source)), {}, blend.source});
+    step.rows.push_back({indented(fmt::format("times {}", nameOf(rowOf(blend.sourceFactor)))),
+                         {{colorText(blend.sourceWeight)}}});
+    step.rows.push_back({fmt::format("destination {}", colorText(blend.destination)), {}, blend.destination});
+    step.rows.push_back({indented(fmt::format("times {}", nameOf(rowOf(blend.destinationFactor)))),
+                         {{colorText(blend.destinationWeight)}}});
     for (int i = 0; i < 4; ++i)
         step.rows.push_back(
-            {names.at(static_cast<std::size_t>(i)),
+            {componentNames.at(static_cast<std::size_t>(i)),
              {{fmt::format("{} * {} + {} * {} = {}", numberText(blend.source[i]),
                            numberText(blend.sourceWeight[i]), numberText(blend.destination[i]),
                            numberText(blend.destinationWeight[i]), numberText(blend.result[i]))}}});
@@ -253,8 +253,8 @@ glm::vec4 colorOfBytes(const PixelBytes& bytes) {
 Step framebufferStep(const FragmentExplanation& fragment) {
     Step step{StepKind::Framebuffer, -1, "Framebuffer", bytesText(fragment.after),
               colorOfBytes(fragment.after)};
-    step.rows = {{"before", {{bytesText(fragment.before)}}, colorOfBytes(fragment.before)},
-                 {"after", {{bytesText(fragment.after)}}, colorOfBytes(fragment.after)}};
+    step.rows = {{word("before"), {{bytesText(fragment.before)}}, colorOfBytes(fragment.before)},
+                 {word("after"), {{bytesText(fragment.after)}}, colorOfBytes(fragment.after)}};
     return step;
 }
 
@@ -279,6 +279,17 @@ std::string columnText(float value, int digits) {
     return isZero && number.front() == '-' ? number.substr(1) : number;
 }
 
+std::string indented(std::string_view label) {
+    return fmt::format("  {}", label);
+}
+
+StepRow componentHeading(std::string label) {
+    StepRow row{std::move(label), {}, {}, true};
+    for (const char* name : componentNames)
+        row.cells.push_back({name, Ink::Dim});
+    return row;
+}
+
 std::string bytesText(const PixelBytes& bytes) {
     std::string text;
     for (const std::uint8_t byte : bytes)
@@ -289,13 +300,14 @@ std::string bytesText(const PixelBytes& bytes) {
 FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     FragmentSteps text;
     const std::string shape(rowOf(fragment.shape).label);
-    text.title = fmt::format("{}{}, {} {} (models[{}], pass {})", shape,
-                             fragment.face.empty() || fragment.face == shape ? "" : ", " + fragment.face,
-                             partWords(fragment).name, fragment.part, fragment.model, fragment.pass);
+    const std::string place =
+        fragment.face.empty() || fragment.face == shape ? shape : fmt::format("{}, {}", shape, fragment.face);
+    text.title = fmt::format("{}, {} {} (models[{}], pass {})", place, partWords(fragment).name,
+                             fragment.part, fragment.model, fragment.pass);
     text.drawn = fragment.outcome == FragmentOutcome::Drawn;
     text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
                    : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"
-                                                                          : "drawn";
+                                                                          : word("drawn");
     std::vector<Step>& steps = text.steps;
     steps.push_back(triangleStep(fragment));
     steps.push_back(primaryStep(fragment));

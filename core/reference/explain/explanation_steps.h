@@ -3,10 +3,13 @@
 // An Explanation in words, for a terminal and for a window alike: what OpenGL did, in its order, as steps
 // that can be folded.
 
+#include "core/base/word.h"
 #include "core/reference/explain/explanation.h"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::reference {
@@ -63,6 +66,15 @@ struct FragmentSteps {
 
 [[nodiscard]] FragmentSteps stepsOf(const FragmentExplanation& fragment);
 [[nodiscard]] std::vector<FragmentSteps> stepsOf(const Explanation& explanation);
+
+/// The components of a colour, as readers know them.
+inline constexpr std::array componentNames{word("red"), word("green"), word("blue"), word("alpha")};
+
+/// A label that is told by the spaces before it to belong to what stands above.
+[[nodiscard]] std::string indented(std::string_view label);
+
+/// A line with the components' names above their columns.
+[[nodiscard]] StepRow componentHeading(std::string label);
 
 /// "181 90 12 255".
 [[nodiscard]] std::string bytesText(const PixelBytes& bytes);

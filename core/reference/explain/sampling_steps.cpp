@@ -59,11 +59,12 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     const auto stage = [&](const char* title, glm::vec4 CoordinateSteps::*member) {
         step.rows.push_back(heading(title, 4));
         for (std::size_t i = 0; i < unit.vertices.size(); ++i)
-            step.rows.push_back(coordinates(fmt::format("  at vertex {}", fragment.vertices[i].vertex),
-                                            unit.vertices[i].*member));
-        step.rows.push_back(coordinates("  here", unit.pixel.*member));
+            step.rows.push_back(
+                coordinates(indented(fmt::format("at vertex {}", fragment.vertices[i].vertex)),
+                            unit.vertices[i].*member));
+        step.rows.push_back(coordinates(indented(word("here")), unit.pixel.*member));
     };
-    stage("given", &CoordinateSteps::given);
+    stage(word("given"), &CoordinateSteps::given);
     if (unit.embosses)
         stage("moved towards the light", &CoordinateSteps::embossed);
     std::string generated;
@@ -72,10 +73,11 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     if (unit.flipped)
         step.rows.push_back({"The image is upside down: t becomes q - t."});
     if (!generated.empty())
-        step.rows.push_back({fmt::format("{}{} generated at each vertex.", generated,
-                                         generated.size() > 1 ? " are" : " is")});
+        step.rows.push_back({generated.size() > 1
+                                 ? fmt::format("{} are generated at each vertex.", generated)
+                                 : fmt::format("{} is generated at each vertex.", generated)});
     if (unit.flipped || !generated.empty())
-        stage("generated", &CoordinateSteps::generated);
+        stage(word("generated"), &CoordinateSteps::generated);
     if (unit.matrix != glm::mat4(1))
         stage("after the matrix", &CoordinateSteps::transformed);
     step.rows.push_back(coordinates("over q", glm::vec4(unit.coords, 0), 3));
@@ -110,13 +112,13 @@ Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
     Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
-    step.summary =
-        fmt::format("lambda {}: {}", numberText(lod.lambda), lod.magnified ? "magnified" : "minified");
+    step.summary = fmt::format("lambda {}: {}", numberText(lod.lambda),
+                               lod.magnified ? word("magnified") : word("minified"));
     const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     step.rows.push_back(
         heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
-    step.rows.push_back(coordinates("  d/dx", glm::vec4(change.dx, 0), axes, derivativeDigits));
-    step.rows.push_back(coordinates("  d/dy", glm::vec4(change.dy, 0), axes, derivativeDigits));
+    step.rows.push_back(coordinates(indented("d/dx"), glm::vec4(change.dx, 0), axes, derivativeDigits));
+    step.rows.push_back(coordinates(indented("d/dy"), glm::vec4(change.dy, 0), axes, derivativeDigits));
     const auto value = [&](std::string label, double number) {
         step.rows.push_back({std::move(label), {{amountText(static_cast<float>(number))}}});
     };
@@ -170,7 +172,7 @@ std::string texelText(int index, int size, bool seamless) {
 std::string texelsText(bool linear, const WrappedCoordinate& coordinate, int size, bool seamless) {
     const float u = coordinate.texels;
     if (!linear)
-        return "its whole part: " + texelText(nearestTexel(u, size), size, seamless);
+        return fmt::format("its whole part: {}", texelText(nearestTexel(u, size), size, seamless));
     const auto [first, second, share] = linearTexels(coordinate.wrap, u, size);
     return fmt::format("- 0.5 = {}: {} and {}, shares {} and {}", numberText(u - 0.5F),
                        texelText(first, size, seamless), texelText(second, size, seamless),
@@ -192,13 +194,16 @@ bool isAtCorner(const UnitExplanation& unit, int level, int size) {
 Step wrapStep(const UnitExplanation& unit) {
     Step step{StepKind::Wrap, unit.unit, "Levels and wrapping", {}};
     for (const LevelShare& share : unit.sample.levels)
-        step.summary += fmt::format("{}{}{}", step.summary.empty() ? "level " : ", level ", share.level,
-                                    unit.sample.levels.size() > 1 ? ": " + percent(share.weight) : "");
+        step.summary.append(step.summary.empty() ? "" : ", ")
+            .append(unit.sample.levels.size() > 1
+                        ? fmt::format("level {}: {}", share.level, percent(share.weight))
+                        : fmt::format("level {}", share.level));
     for (const LevelExtent& extent : unit.extents) {
         std::string size = std::to_string(extent.size.x);
         for (int axis = 1; axis < axesOf(unit.target); ++axis)
             size += fmt::format(" x {}", extent.size[axis]);
-        step.rows.push_back({fmt::format("level {}", extent.level), {{size + " texels"}}, {}, true});
+        step.rows.push_back(
+            {fmt::format("level {}", extent.level), {{fmt::format("{} texels", size)}}, {}, true});
         for (int axis = 0; axis < axesOf(unit.target); ++axis) {
             const auto i = static_cast<std::size_t>(axis);
             const auto found = std::ranges::find_if(unit.sample.wrapped, [&](const WrappedCoordinate& each) {
@@ -208,9 +213,10 @@ Step wrapStep(const UnitExplanation& unit) {
                 continue;
             const std::string wrapped = fmt::format("{} lands at texel {} of {}", numberText(found->given),
                                                     numberText(found->texels), extent.size[axis]);
-            step.rows.push_back({fmt::format("  {}, {}", coordinateNames.at(i),
-                                             unit.sample.seamless ? "seamless" : rowOf(found->wrap).name),
-                                 {{wrapped, coordinateInks.at(i)}}});
+            step.rows.push_back(
+                {indented(fmt::format("{}, {}", coordinateNames.at(i),
+                                      unit.sample.seamless ? word("seamless") : rowOf(found->wrap).name)),
+                 {{wrapped, coordinateInks.at(i)}}});
             if (!unit.sample.lod.ellipse) // which weighs all texels in it
                 step.rows.push_back(
                     {"",
@@ -227,13 +233,13 @@ Step wrapStep(const UnitExplanation& unit) {
 }
 
 std::string placeText(const Tap& tap, Target target, bool severalLevels) {
-    const int axes = axesOf(target);
-    std::string text =
-        target == Target::CubeMap ? std::string(rowOf(cubeFaceAt(tap.index.z)).label) + " " : "";
-    text += fmt::format("{}{}", severalLevels ? fmt::format("level {} (", tap.level) : "(", tap.index.x);
-    for (int axis = 1; axis < axes; ++axis)
-        text += fmt::format(", {}", tap.index[axis]);
-    return text + ")";
+    std::string indices = std::to_string(tap.index.x);
+    for (int axis = 1; axis < axesOf(target); ++axis)
+        indices += fmt::format(", {}", tap.index[axis]);
+    const std::string place =
+        severalLevels ? fmt::format("level {} ({})", tap.level, indices) : fmt::format("({})", indices);
+    return target == Target::CubeMap ? fmt::format("{} {}", rowOf(cubeFaceAt(tap.index.z)).label, place)
+                                     : place;
 }
 
 /// Three digits are enough to tell colours apart, and leave room beside them.
@@ -243,7 +249,7 @@ std::string shorter(float value) {
 
 /// "6/15" below each component of a tap.
 StepRow storedRow(const StoredTexel& stored) {
-    StepRow row{"  stored", {{}}};
+    StepRow row{indented(word("stored")), {{}}};
     for (std::size_t c = 0; c < stored.numbers.size(); ++c)
         row.cells.push_back(
             {stored.largest[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.largest[c]),
@@ -273,15 +279,15 @@ Step depthsStep(const UnitExplanation& unit) {
     if (asks)
         step.rows.push_back({"r over q, clamped to 0 ... 1",
                              {{columnText(comparedDepth(unit.coords.p), depthDigits), Ink::R}}});
-    StepRow head{"texel", {{"weight", Ink::Dim}, {"depth", Ink::Dim}}, {}, true};
+    StepRow head{word("texel"), {{word("weight"), Ink::Dim}, {word("depth"), Ink::Dim}}, {}, true};
     if (asks)
         head.cells.push_back({function, Ink::Dim});
     step.rows.push_back(std::move(head));
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
-        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) +
-                        (tap.border ? " border" : ""),
+        const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
+        StepRow row{tap.border ? fmt::format("{} border", place) : place,
                     {{columnText(tap.weight)}, {columnText(tap.depth, depthDigits)}},
                     tap.color};
         if (asks) {
@@ -295,8 +301,8 @@ Step depthsStep(const UnitExplanation& unit) {
     if (const std::string sentence = preparedSentence(unit); !sentence.empty())
         step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     step.rows.push_back(
-        {asks ? "filtered: the share that passes" : "filtered", {{columnText(result)}}, color});
-    step.rows.push_back({"as " + std::string(rowOf(unit.sampler.depthMode).name),
+        {asks ? "filtered: the share that passes" : word("filtered"), {{columnText(result)}}, color});
+    step.rows.push_back({fmt::format("as {}", rowOf(unit.sampler.depthMode).name),
                          {{fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g),
                                        numberText(color.b), numberText(color.a))}},
                          color});
@@ -311,22 +317,17 @@ Step texelsStep(const UnitExplanation& unit) {
     step.swatch = color;
     step.summary = fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g), numberText(color.b),
                                numberText(color.a));
-    step.rows.push_back({"texel",
-                         {{"weight", Ink::Dim},
-                          {"red", Ink::Dim},
-                          {"green", Ink::Dim},
-                          {"blue", Ink::Dim},
-                          {"alpha", Ink::Dim}},
-                         {},
-                         true});
+    StepRow head = componentHeading(word("texel"));
+    head.cells.insert(head.cells.begin(), {word("weight"), Ink::Dim});
+    step.rows.push_back(std::move(head));
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), mostTapsShown); ++i) {
         const Tap& tap = taps[i];
         const bool across = unit.sample.seamless && tap.index.z != unit.sample.cube->face;
-        StepRow row{placeText(tap, unit.target, unit.sample.levels.size() > 1) + (tap.border ? " border"
-                                                                                  : across
-                                                                                      ? " across the edge"
-                                                                                      : ""),
+        const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
+        StepRow row{tap.border ? fmt::format("{} border", place)
+                    : across   ? fmt::format("{} across the edge", place)
+                               : place,
                     {{columnText(tap.weight)}},
                     tap.color};
         for (int c = 0; c < 4; ++c)
@@ -341,7 +342,7 @@ Step texelsStep(const UnitExplanation& unit) {
         if (!sentence.empty())
             step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     }
-    StepRow sum{"filtered", {{columnText(1)}}, color};
+    StepRow sum{word("filtered"), {{columnText(1)}}, color};
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});
     step.rows.push_back(std::move(sum));

@@ -50,7 +50,7 @@ int faceOf(const SampleRecord& sample) {
 /// A texel of the image around, with what wrapping makes of its surroundings; of a seamless cube map the
 /// faces around the one that is hit. Beyond a corner of that, the mean of the three texels that meet there.
 glm::vec4 colorAround(const SampledTexture& texture, const LevelPatch& patch, const Level& level,
-                      glm::ivec2 at) {
+                      glm::ivec2 at, bool linear) {
     const int axes = axesOf(texture.target);
     if (patch.seamless) {
         const glm::ivec2 within = glm::clamp(at, -level.width, 2 * level.width - 1);
@@ -60,15 +60,20 @@ glm::vec4 colorAround(const SampledTexture& texture, const LevelPatch& patch, co
         }
         const glm::ivec2 nearest = glm::clamp(at, 0, level.width - 1);
         const glm::ivec2 beside = glm::clamp(at, -1, level.width);
-        return (colorAround(texture, patch, level, nearest) +
-                colorAround(texture, patch, level, {beside.x, nearest.y}) +
-                colorAround(texture, patch, level, {nearest.x, beside.y})) /
+        return (colorAround(texture, patch, level, nearest, linear) +
+                colorAround(texture, patch, level, {beside.x, nearest.y}, linear) +
+                colorAround(texture, patch, level, {nearest.x, beside.y}, linear)) /
                3.0F;
     }
     const int slice = axes > 2 ? patch.layer : 0; // a face is a level of its own
-    glm::ivec3 index(wrappedTexel(texture.wrapS, at.x, level.width), 0, slice);
+    // Under a linear filter the neighbour of GL_CLAMP's last texel is the border, as is that of
+    // GL_CLAMP_TO_BORDER.
+    const auto wrapped = [&](Wrap wrap, int i, int size) {
+        return wrappedTexel(wrap == Wrap::Clamp && linear ? Wrap::ClampToBorder : wrap, i, size);
+    };
+    glm::ivec3 index(wrapped(texture.wrapS, at.x, level.width), 0, slice);
     if (axes > 1)
-        index.y = wrappedTexel(texture.wrapT, at.y, level.height);
+        index.y = wrapped(texture.wrapT, at.y, level.height);
     return isBeyond(level, index, axes) ? texture.borderColor : texelAt(level, index, axes);
 }
 
@@ -105,9 +110,10 @@ LevelPatch patchOf(const SampledTexture& texture, const Level& level, const Samp
     const int side = std::min(largestPatch, std::max(high.x - low.x, high.y - low.y) + 1 + 2 * margin);
     patch.size = {side, axes > 1 ? side : 1};
     patch.low = {(low.x + high.x + 1 - side) / 2, axes > 1 ? (low.y + high.y + 1 - side) / 2 : 0};
+    const bool linear = !sample.lod.ellipse && chooseLevels(texture, sample.lod).linear;
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x)
-            patch.colors.push_back(colorAround(texture, patch, level, patch.low + glm::ivec2(x, y)));
+            patch.colors.push_back(colorAround(texture, patch, level, patch.low + glm::ivec2(x, y), linear));
     }
     return patch;
 }

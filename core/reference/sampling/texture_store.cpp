@@ -26,7 +26,7 @@ TextureStore::Slot TextureStore::filled(TexturePictures pictures, Texture settin
     } else if (sampled.error().code == ErrorCode::Cancelled)
         return {};
     else
-        slot.notes = {describe(sampled.error()) + "; drawn without it"};
+        slot.notes = {fmt::format("{}; drawn without it", describe(sampled.error()))};
     for (std::string& note : slot.notes)
         note = fmt::format("{}: {}", where, note);
     slot.pictures = std::move(pictures);
@@ -46,7 +46,8 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
     TexturePictures pictures = images.picturesOf(texture);
     if (!pictures.base || !hasPixels(*pictures.base)) {
         say(fmt::format("{}: {}; drawn without it", where,
-                        texture.file.empty() ? "no file is chosen" : texture.file + " is not loaded"));
+                        texture.file.empty() ? "no file is chosen"
+                                             : fmt::format("{} is not loaded", texture.file)));
         return nullptr;
     }
     Slot& slot = slots_[{index, target}];

@@ -114,12 +114,6 @@ std::string dotNumbers(const CombineArguments& arguments, CombineScale scale, co
     return scale == CombineScale::One ? text : fmt::format("{} * {}", static_cast<int>(scale), text);
 }
 
-std::string resultText(float value) {
-    const float clamped = std::clamp(value, 0.0F, 1.0F);
-    return fmt::format(" = {}{}", shortNumber(value),
-                       clamped != value ? ", clamped to " + shortNumber(clamped) : "");
-}
-
 } // namespace
 
 EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs& inputs,
@@ -133,27 +127,27 @@ EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs
         equations.alpha.symbols = "Av = undefined; here Ap";
         for (int i = 0; i < 4; ++i)
             (i < 3 ? equations.color : equations.alpha)
-                .numbers.push_back(shortNumber(inputs.previous[i]) + resultText(inputs.previous[i]));
+                .numbers.push_back(withResult(shortNumber(inputs.previous[i]), inputs.previous[i]));
         return equations;
     }
     const CombineArguments rgb = rgbArguments(combine);
     const bool dot = isDot(combine.rgb);
     const std::string color = functionText(combine.rgb, rgb, combine.rgbScale, false);
-    equations.color.symbols = "Cv = " + color;
+    equations.color.symbols = fmt::format("Cv = {}", color);
     for (int i = 0; i < 3; ++i)
         equations.color.numbers.push_back(
-            (dot ? dotNumbers(rgb, combine.rgbScale, values) : values(color, i)) +
-            resultText(result.color[i]));
+            withResult(dot ? dotNumbers(rgb, combine.rgbScale, values) : values(color, i), result.color[i]));
     if (combine.rgb == CombineRgb::Dot3Rgba) { // the same product, with alpha's scale
-        equations.alpha.symbols = "Av = " + functionText(combine.rgb, rgb, combine.alphaScale, false);
-        equations.alpha.numbers.push_back(dotNumbers(rgb, combine.alphaScale, values) +
-                                          resultText(result.color.a));
+        equations.alpha.symbols =
+            fmt::format("Av = {}", functionText(combine.rgb, rgb, combine.alphaScale, false));
+        equations.alpha.numbers.push_back(
+            withResult(dotNumbers(rgb, combine.alphaScale, values), result.color.a));
         return equations;
     }
     const std::string alpha = functionText(static_cast<CombineRgb>(combine.alpha), alphaArguments(combine),
                                            combine.alphaScale, true);
-    equations.alpha.symbols = "Av = " + alpha;
-    equations.alpha.numbers.push_back(values(alpha, 3) + resultText(result.color.a));
+    equations.alpha.symbols = fmt::format("Av = {}", alpha);
+    equations.alpha.numbers.push_back(withResult(values(alpha, 3), result.color.a));
     return equations;
 }
 

@@ -54,17 +54,14 @@ const FunctionRow& rowOf(Function function) {
     return functionRows[static_cast<std::size_t>(function)];
 }
 
-/// "0.5 * 0.4 = 0.2", with the clamp where it takes effect.
 std::string numbersOf(std::string_view symbols, const EnvironmentInputs& in, int component, float result) {
-    const float clamped = std::clamp(result, 0.0F, 1.0F);
-    return fmt::format("{} = {}{}",
-                       inNumbers(symbols, {{"Cp", in.previous[component]},
-                                           {"Cs", in.source[component]},
-                                           {"Cc", in.constant[component]},
-                                           {"Ap", in.previous.a},
-                                           {"As", in.source.a},
-                                           {"Ac", in.constant.a}}),
-                       shortNumber(result), clamped != result ? ", clamped to " + shortNumber(clamped) : "");
+    return withResult(inNumbers(symbols, {{"Cp", in.previous[component]},
+                                          {"Cs", in.source[component]},
+                                          {"Cc", in.constant[component]},
+                                          {"Ap", in.previous.a},
+                                          {"As", in.source.a},
+                                          {"Ac", in.constant.a}}),
+                      result);
 }
 
 } // namespace
@@ -116,8 +113,8 @@ EnvironmentEquations equationsOf(EnvMode mode, BaseFormat format, const Environm
     const EnvCell cell = environmentCell(mode, format);
     EnvironmentEquations equations;
     equations.undefined = cell.color == Function::Undefined;
-    equations.color.symbols = "Cv = " + std::string(rowOf(cell.color).color);
-    equations.alpha.symbols = "Av = " + std::string(rowOf(cell.alpha).alpha);
+    equations.color.symbols = fmt::format("Cv = {}", rowOf(cell.color).color);
+    equations.alpha.symbols = fmt::format("Av = {}", rowOf(cell.alpha).alpha);
     for (int i = 0; i < 4; ++i) {
         const Function function = i < 3 ? cell.color : cell.alpha;
         const float result = apply(function, previous[i], source[i], constant[i], source.a);

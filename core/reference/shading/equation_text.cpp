@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace texplorer::reference {
@@ -14,6 +15,12 @@ std::string shortNumber(float value) {
     if (number.back() == '.')
         number.pop_back();
     return number == "-0" ? "0" : number;
+}
+
+std::string withResult(std::string_view numbers, float result) {
+    const float clamped = std::clamp(result, 0.0F, 1.0F);
+    const std::string equation = fmt::format("{} = {}", numbers, shortNumber(result));
+    return clamped == result ? equation : fmt::format("{}, clamped to {}", equation, shortNumber(clamped));
 }
 
 std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands) {

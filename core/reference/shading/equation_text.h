@@ -15,6 +15,9 @@ struct Operand {
 /// Cs)".
 [[nodiscard]] std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands);
 
+/// "0.5 * 0.4 = 0.2", with the clamp to 0 … 1 where it takes effect.
+[[nodiscard]] std::string withResult(std::string_view numbers, float result);
+
 /// "0.25", "1", "0.3333": at most four digits after the point.
 [[nodiscard]] std::string shortNumber(float value);
 

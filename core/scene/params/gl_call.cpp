@@ -1,5 +1,6 @@
 // A row's GL call as a program has it: for a texture's target, with the value in its place.
 
+#include "core/gl/argument_names.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
@@ -46,7 +47,7 @@ std::string numbersOf(const Vector& vector, bool negates, bool pointer) {
 std::string argumentOf(const ParamRow& row, const Value& value, bool negates) {
     switch (row.kind) {
     case Kind::Bool:
-        return std::get<bool>(value) ? "GL_TRUE" : "GL_FALSE";
+        return std::string(booleanName(std::get<bool>(value)));
     case Kind::Float:
         return formatNumber(negates ? 0 - std::get<float>(value) : std::get<float>(value));
     case Kind::Vec3:

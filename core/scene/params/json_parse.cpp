@@ -277,7 +277,7 @@ bool Reader::key(std::string& key) {
         auto names = tableKeys(*frame.table);
         if (root)
             names.insert(names.begin(), versionKey);
-        return stop(ErrorCode::OutOfRange, "unknown key; " + suggestName(key, names));
+        return stop(ErrorCode::OutOfRange, fmt::format("unknown key; {}", suggestName(key, names)));
     }
     if ((frame.seen >> bit & 1U) != 0)
         return stop(ErrorCode::Malformed,

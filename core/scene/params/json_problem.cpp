@@ -50,21 +50,20 @@ std::string readableProblem(std::string_view said) {
     const auto place = std::ranges::find(places, context, &Expectation::context);
     if (place == places.end())
         return std::string(said);
-    const std::string expected = "expected " + std::string(place->expected);
     if (problem == "invalid literal") // neither a word nor a sign that JSON has
-        return expected + ", found what is no part of JSON";
+        return fmt::format("expected {}, found what is no part of JSON", place->expected);
     if (!problem.starts_with(unexpected)) // "invalid string: missing closing quote"
         return std::string(problem);
     problem.remove_prefix(unexpected.size());
     const std::size_t semicolon = problem.find("; expected ");
     const std::string_view token = problem.substr(0, semicolon);
     if (semicolon != std::string_view::npos && problem.substr(semicolon).ends_with(theEnd))
-        return "expected the end of the file, found " + foundText(token);
+        return fmt::format("expected the end of the file, found {}", foundText(token));
     if (token != theEnd)
-        return fmt::format("{}, found {}", expected, foundText(token));
-    return fmt::format("the file ends{}; {}",
-                       place->inside.empty() ? "" : " in the middle of " + std::string(place->inside),
-                       expected);
+        return fmt::format("expected {}, found {}", place->expected, foundText(token));
+    return place->inside.empty() ? fmt::format("the file ends; expected {}", place->expected)
+                                 : fmt::format("the file ends in the middle of {}; expected {}",
+                                               place->inside, place->expected);
 }
 
 } // namespace texplorer

@@ -60,7 +60,8 @@ public:
             const ChildRow* child = findChild(*place_.table, part.key);
             walked_.append(walked_.empty() ? "" : ".").append(shortened(part.whole));
             if (!row && !child)
-                return refuse("no such parameter; " + suggestName(part.key, tableKeys(*place_.table)));
+                return refuse(
+                    fmt::format("no such parameter; {}", suggestName(part.key, tableKeys(*place_.table))));
             auto entered = row ? enter(*row, part) : enter(*child, part);
             if (!entered)
                 return fail(std::move(entered.error()));
@@ -95,7 +96,8 @@ private:
         const std::size_t count = vertexCountOf(model);
         place_.vertex = parseIndex(*part.index);
         if (!place_.vertex)
-            return refuse("expected the number of a vertex in the brackets, found " + inQuotes(*part.index));
+            return refuse(fmt::format("expected the number of a vertex in the brackets, found {}",
+                                      inQuotes(*part.index)));
         if (*place_.vertex >= count)
             return refuse(count == 0 ? "the mesh has no vertices"
                                      : fmt::format("the {} has {} vertices, expected 0 to {}",
@@ -112,15 +114,18 @@ private:
         if (part.index) {
             const auto parsed = parseIndex(*part.index);
             if (!parsed)
-                return refuse("expected a number in the brackets, found " + inQuotes(*part.index));
+                return refuse(
+                    fmt::format("expected a number in the brackets, found {}", inQuotes(*part.index)));
             if (*parsed >= child.size(place_.owner))
-                return refuse("expected the number of one that exists, counted from 0; " + has(child));
+                return refuse(
+                    fmt::format("expected the number of one that exists, counted from 0; {}", has(child)));
             index = *parsed;
         }
         place_.owner = child.at(place_.owner, index);
         place_.table = child.table;
         if (!dotted_)
-            return refuse("it has parameters of its own; " + suggestName("", tableKeys(*child.table)));
+            return refuse(
+                fmt::format("it has parameters of its own; {}", suggestName("", tableKeys(*child.table))));
         return {};
     }
 

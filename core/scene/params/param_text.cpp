@@ -87,7 +87,7 @@ std::string suggestName(std::string_view text, const std::vector<std::string_vie
     std::string all;
     for (const std::string_view name : names)
         all.append(all.empty() ? "" : ", ").append(name);
-    return "expected one of " + all;
+    return fmt::format("expected one of {}", all);
 }
 
 } // namespace texplorer

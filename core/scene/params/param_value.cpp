@@ -309,7 +309,7 @@ Result<glm::vec4> parseTexCoord(std::string_view text) {
             parseVector(text, texCoordNumbers.least, texCoordNumbers.most, texCoordNumbers.rest))
         return *coord;
     return fail(ErrorCode::OutOfRange,
-                "expected 2 to 4 finite numbers separated by commas, found " + inQuotes(text));
+                fmt::format("expected 2 to 4 finite numbers separated by commas, found {}", inQuotes(text)));
 }
 
 std::string describeAccepted(const ParamRow& row) {
@@ -317,29 +317,30 @@ std::string describeAccepted(const ParamRow& row) {
     case Kind::Bool:
         return "true or false";
     case Kind::Int:
-        return "a whole number " + withUnit(row.range);
+        return fmt::format("a whole number {}", withUnit(row.range));
     case Kind::Float:
-        return "a number " + withUnit(row.range);
+        return fmt::format("a number {}", withUnit(row.range));
     case Kind::Vec3:
-        return "3 numbers, each " + withUnit(row.range);
+        return fmt::format("3 numbers, each {}", withUnit(row.range));
     case Kind::Vec4:
-        return "4 numbers, each " + withUnit(row.range);
+        return fmt::format("4 numbers, each {}", withUnit(row.range));
     case Kind::Color:
-        return "4 numbers (red, green, blue, alpha), each " + withUnit(row.range);
+        return fmt::format("4 numbers (red, green, blue, alpha), each {}", withUnit(row.range));
     case Kind::Enum:
-        return "one of " + listNames(row.choices);
+        return fmt::format("one of {}", listNames(row.choices));
     case Kind::Text:
         return fmt::format("UTF-8 text of at most {} bytes", maxTextBytes);
     case Kind::Matrix:
-        return "16 numbers, each " + withUnit(row.range);
+        return fmt::format("16 numbers, each {}", withUnit(row.range));
     case Kind::PointList:
         return "3 finite numbers for each vertex";
     case Kind::ColorList:
-        return "3 or 4 numbers (red, green, blue, alpha) for each vertex, each " + withUnit(row.range);
+        return fmt::format("3 or 4 numbers (red, green, blue, alpha) for each vertex, each {}",
+                           withUnit(row.range));
     case Kind::TexCoordList:
         return "2 to 4 finite numbers for each vertex";
     case Kind::IndexList:
-        return "whole numbers, each " + withUnit(row.range);
+        return fmt::format("whole numbers, each {}", withUnit(row.range));
     }
     return {};
 }

@@ -27,7 +27,7 @@ constexpr std::array passRows{
                             "Whether fragments are dropped by their alpha: cut-outs, as leaves on a tree."),
     param<&Pass::alphaFunc>("alphaFunc", "Alpha test", "Alpha function", "glAlphaFunc({}, alphaRef)",
                             "When a fragment passes the alpha test: its alpha compared with the reference."),
-    param<&Pass::alphaRef>("alphaRef", "Alpha test", "Reference", "glAlphaFunc(alphaFunc, {})",
+    param<&Pass::alphaRef>("alphaRef", "Alpha test", "Reference value", "glAlphaFunc(alphaFunc, {})",
                            "The alpha that each fragment is compared with.", {0, 1, 0.005F, {}}),
     param<&Pass::blend>("blend", "Blending", "Blending", "glEnable(GL_BLEND)",
                         "Whether a fragment is mixed with what is there already instead of replacing it."),

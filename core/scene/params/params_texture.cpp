@@ -1,3 +1,4 @@
+#include "core/base/word.h"
 #include "core/scene/params/param_builder.h"
 
 namespace texplorer {
@@ -83,16 +84,16 @@ constexpr std::array textureRows{
     param<&Texture::minLod>("minLod", "Mipmaps", "Min LOD",
                             "glTexParameterf({target}, GL_TEXTURE_MIN_LOD, {})",
                             "The level of detail never falls below this: 2 hides the two sharpest levels.",
-                            {-1000, 1000, 0.02F, "levels", "no limit"}),
+                            {-1000, 1000, 0.02F, word("levels"), "no limit"}),
     param<&Texture::maxLod>(
         "maxLod", "Mipmaps", "Max LOD", "glTexParameterf({target}, GL_TEXTURE_MAX_LOD, {})",
         "The level of detail never rises above this: 0 keeps far surfaces sharp, and aliased.",
-        {-1000, 1000, 0.02F, "levels", "no limit"}),
+        {-1000, 1000, 0.02F, word("levels"), "no limit"}),
     param<&Texture::lodBias>(
         "lodBias", "Mipmaps", "LOD bias", "glTexParameterf({target}, GL_TEXTURE_LOD_BIAS, {})",
         "Added to the level of detail before the limits, beside the bias of the unit: above 0 blurs, below 0 "
         "sharpens and aliases.",
-        {-16, 16, 0.02F, "levels"}),
+        {-16, 16, 0.02F, word("levels")}),
     param<&Texture::maxAnisotropy>(
         "maxAnisotropy", "Anisotropy", "Max anisotropy",
         "glTexParameterf({target}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",

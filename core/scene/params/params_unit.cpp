@@ -1,3 +1,4 @@
+#include "core/base/word.h"
 #include "core/scene/params/param_builder.h"
 
 #include <array>
@@ -26,7 +27,7 @@ constexpr std::array unitRows{
     param<&Unit::lodBias>("lodBias", "Level of detail", "LOD bias",
                           "glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {})",
                           "Added to the level of detail: above 0 blurs, below 0 sharpens and aliases.",
-                          {-16, 16, 0.02F, "levels"}),
+                          {-16, 16, 0.02F, word("levels")}),
 };
 
 constexpr std::array matrixStepRows{

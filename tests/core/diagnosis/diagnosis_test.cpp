@@ -525,6 +525,27 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"CrossbarOfAUnitThatIsOff", "undefined-crossbar", Warning,
             "passes[0].units[0].combine.source1Rgb", "GL_TEXTURE2 is undefined: unit 2 is off",
             [](Stage& s) { s.combine().source1Rgb = CombineSource::Texture2; }},
+        Row{"CrossbarOfAUnitWithoutTexture", "undefined-crossbar", Warning,
+            "passes[0].units[0].combine.source1Rgb",
+            "GL_TEXTURE2 is undefined: unit 2 has no texture that is complete",
+            [](Stage& s) {
+                s.combine().source1Rgb = CombineSource::Texture2;
+                s.unit(2).enabled = true;
+                s.unit(2).texture = 9;
+            },
+            [](Stage& s) { s.unit(2).texture = 0; }},
+        Row{"CoordinatesWithoutDirection", "no-tangent", Warning, "passes[0].units[0].emboss.enabled",
+            "at all of the 24 vertices of models[0] the coordinates say no direction on the surface",
+            [](Stage& s) {
+                s.scene.models[0].texCoords[0].assign(24, {0, 0, 0, 1});
+                s.unit().emboss.enabled = true;
+            },
+            [](Stage& s) { s.unit().emboss.enabled = false; }},
+        Row{"CoordinatesWithoutDirectionAtThePoles", "no-tangent", Warning,
+            "passes[0].units[0].emboss.enabled",
+            " vertices of models[1] the coordinates say no direction on the surface",
+            [](Stage& s) { s.unit().emboss.enabled = true; },
+            [](Stage& s) { s.scene.models[1].visible = false; }},
         Row{"CrossbarSwitchedOn", "undefined-crossbar", Warning, "passes[0].units[0].combine.source0Alpha",
             "GL_TEXTURE1", [](Stage& s) { s.combine().source0Alpha = CombineSource::Texture1; },
             [](Stage& s) { s.unit(1).enabled = true; }},
@@ -879,7 +900,7 @@ INSTANTIATE_TEST_SUITE_P(
             },
             [](Stage& s) { s.unit(2).enabled = true; }},
         Row{"CoordinatesOfAUnitThatMakesItsOwn", "unread-coordinates", Hint, "models[0].texCoords0",
-            "generates all",
+            "unit 0 generates all of its coordinates",
             [](Stage& s) {
                 s.scene.models[0].texCoords[0].assign(24, {1, 1, 0, 1});
                 for (TexGen Unit::*each : {&Unit::texGenS, &Unit::texGenT, &Unit::texGenR, &Unit::texGenQ})

@@ -136,6 +136,34 @@ TEST(History, IsAListOfStepsToWhichOneGoes) {
     EXPECT_EQ(history.size(), 4U) << "going somewhere ends a step";
 }
 
+TEST(History, AnEditThatIsTakenBackLeavesNothing) {
+    History history(numbered(1));
+    history.record(numbered(2), "a");
+    history.record(numbered(3), "b");
+    history.undo();
+    history.record(numbered(4), "drag");
+    history.record(numbered(5), "drag");
+    EXPECT_FALSE(history.canRedo());
+    EXPECT_EQ(number(history.takeBack()), 2);
+    EXPECT_EQ(history.redoName(), "b") << "what could be redone before";
+    EXPECT_EQ(history.size(), 3U);
+    EXPECT_EQ(number(history.takeBack()), 2) << "nothing is in progress";
+    EXPECT_EQ(number(history.redo()), 3);
+    history.record(numbered(6), "c");
+    history.seal();
+    EXPECT_EQ(number(history.takeBack()), 6) << "a step that has ended stays";
+}
+
+TEST(History, ACameraIsReplacedInWhatComesBackWithATakenBackEdit) {
+    History history(numbered(1));
+    history.record(numbered(2), "a");
+    history.undo();
+    history.record(numbered(3), "drag");
+    history.replaceView(numbered(2).view, numbered(7).view);
+    EXPECT_EQ(number(history.takeBack()), 1);
+    EXPECT_EQ(number(history.redo()), 7);
+}
+
 TEST(History, AStepsPictureIsGivenUpWhenItGoesOn) {
     History history(numbered(1), 2);
     const auto picture = std::make_shared<const Image>();

@@ -190,6 +190,18 @@ TEST(Tga, PixelsThatNameNoEntryAreBlackAndCounted) {
     EXPECT_THAT(texture->notes, ElementsAre("5 pixels name no entry of the colour map (10 to 11): black"));
 }
 
+TEST(Tga, OnePixelWithoutAnEntryIsNamedInTheSingular) {
+    const Result<TextureImage> texture = decodeTga(fileOf({.type = 1,
+                                                           .width = 1,
+                                                           .depth = 8,
+                                                           .firstEntry = 10,
+                                                           .entries = 2,
+                                                           .entryBits = 24,
+                                                           .data = {1, 2, 3, 4, 5, 6, 9}}));
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_THAT(texture->notes, ElementsAre("1 pixel names no entry of the colour map (10 to 11): black"));
+}
+
 TEST(Tga, FieldsOfAColorMapThatIsNotThereAreNotedAndIgnored) {
     Bytes file = fileOf({.width = 2, .firstEntry = 7, .entryBits = 24, .data = {1, 2, 3, 4, 5, 6}});
     file[5] = std::byte{255}; // entries

@@ -109,6 +109,24 @@ TEST(LevelPatches, HaveTheMeanOfThreeTexelsBeyondACorner) {
         EXPECT_TRUE(tap.at == glm::ivec2(0, 0) || tap.at == glm::ivec2(-1, 0) || tap.at == glm::ivec2(0, -1));
 }
 
+// Half of what is read at the rim is the border: the patch shows it beside the last texel.
+TEST(LevelPatches, ShowTheBorderThatClampReadsUnderALinearFilter) {
+    for (const MagFilter filter : {MagFilter::Linear, MagFilter::Nearest}) {
+        const SampledTexture texture = rowOf4(Wrap::Clamp, filter);
+        const glm::vec3 coords(1.1F, 0.4F, 0);
+        const LevelPatch patch = levelPatches(texture, explainSample(texture, coords, {}), coords).at(0);
+        const glm::ivec2 in = glm::ivec2(4, 1) - patch.low;
+        const glm::vec4 beyond = patch.colors.at(static_cast<std::size_t>(in.y * patch.size.x + in.x));
+        const glm::vec4 edge(0.3F, 0.1F, 0, 1);
+        EXPECT_TRUE(isNear(beyond, filter == MagFilter::Linear ? texture.borderColor : edge));
+        for (const PlacedTap& tap : patch.taps) {
+            const glm::ivec2 place = tap.at - patch.low;
+            const auto index = static_cast<std::size_t>(place.y * patch.size.x + place.x);
+            EXPECT_TRUE(isNear(patch.colors.at(index), tap.tap.color)) << tap.at.x;
+        }
+    }
+}
+
 TEST(LevelPatches, HoldTheTexelsAndTheirSurroundings) {
     const SampledTexture texture = rowOf4(Wrap::Repeat, MagFilter::Linear);
     const glm::vec3 coords(1, 0.5F, 0); // between texel 3 and the next copy's texel 0
