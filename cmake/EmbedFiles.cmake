@@ -2,6 +2,7 @@
 # installed program needs none: FUNCTION, which HEADER declares, returns them as const std::vector<TYPE>&, each
 # {name, text}. Run as a script, this file writes that source.
 if(CMAKE_SCRIPT_MODE_FILE)
+    cmake_minimum_required(VERSION 3.25)
     string(REPLACE "," ";" names "${NAMES}")
     set(text "// Made by cmake/EmbedFiles.cmake.\n#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n")
     string(APPEND text "const std::vector<${TYPE}>& ${FUNCTION}() {\n    static const std::vector<${TYPE}> files{\n")

@@ -1,0 +1,395 @@
+#include "app/ui/language/catalogue.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <numeric>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr int deepestPart = 6;
+constexpr std::size_t leastEffort = 100;    ///< for a part, beside its bytes, which are held against all keys
+constexpr std::size_t mostEffort = 100'000; ///< for a text: several times what any of ours takes
+constexpr std::size_t fewestLetters = 3;    ///< of a key with places: "{} × {}" says nothing
+
+/// "a {} b {}" → "a ", " b ", "". A format such as {:.2f} is a place, and {{ a brace.
+std::vector<std::string> piecesOf(std::string_view key) {
+    std::vector<std::string> pieces(1);
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        if ((key[i] == '{' || key[i] == '}') && i + 1 < key.size() && key[i + 1] == key[i]) {
+            pieces.back() += key[i++];
+        } else if (key[i] == '{') {
+            const std::size_t end = key.find('}', i);
+            if (end == std::string_view::npos)
+                return {std::string(key)};
+            pieces.emplace_back();
+            i = end;
+        } else {
+            pieces.back() += key[i];
+        }
+    }
+    return pieces;
+}
+
+bool isLetter(char byte) {
+    return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
+}
+
+std::size_t lettersIn(const std::vector<std::string>& pieces) {
+    return std::accumulate(pieces.begin(), pieces.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& piece) {
+                               return sum + static_cast<std::size_t>(std::ranges::count_if(piece, isLetter));
+                           });
+}
+
+/// What stands at the places, where `text` can be read as the key; each as short as it can be. `tries` bounds
+/// what a text that is made for it could cost.
+bool match(std::string_view text, std::span<const std::string> pieces, std::vector<std::string_view>& parts,
+           int& tries) {
+    if (pieces.size() == 1) {
+        if (!text.ends_with(pieces.front()))
+            return false;
+        parts.push_back(text.substr(0, text.size() - pieces.front().size()));
+        return true;
+    }
+    for (std::size_t at = text.find(pieces.front()); at != std::string_view::npos && --tries > 0;
+         at = text.find(pieces.front(), at + 1)) {
+        parts.push_back(text.substr(0, at));
+        if (match(text.substr(at + pieces.front().size()), pieces.subspan(1), parts, tries))
+            return true;
+        parts.pop_back();
+        if (pieces.front().empty())
+            return false; // two places beside each other: nobody knows where one ends
+    }
+    return false;
+}
+
+std::optional<std::vector<std::string_view>> partsOf(std::string_view text,
+                                                     std::span<const std::string> pieces) {
+    if (!text.starts_with(pieces.front()))
+        return std::nullopt;
+    std::vector<std::string_view> parts;
+    int tries = 200;
+    if (!match(text.substr(pieces.front().size()), pieces.subspan(1), parts, tries))
+        return std::nullopt;
+    return parts;
+}
+
+/// A translation with its parts: "{}" takes the next one, "{1}" the second.
+std::string filled(std::string_view form, std::span<const std::string> parts) {
+    std::string text;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < form.size(); ++i) {
+        if ((form[i] == '{' || form[i] == '}') && i + 1 < form.size() && form[i + 1] == form[i]) {
+            text += form[i++];
+        } else if (form[i] == '{') {
+            const std::size_t end = std::min(form.find('}', i), form.size());
+            std::size_t index = next++;
+            std::from_chars(form.data() + i + 1, form.data() + end, index);
+            if (index < parts.size())
+                text += parts[index];
+            i = end;
+        } else {
+            text += form[i];
+        }
+    }
+    return text;
+}
+
+/// Which parts a translation has: every place of its key exactly once, by order or by number.
+bool hasPlaces(std::string_view form, std::size_t count) {
+    std::vector<std::string> names(count);
+    for (std::size_t i = 0; i < count; ++i)
+        names[i] = fmt::format("\x01{}\x02", i);
+    const std::string text = filled(form, names);
+    return std::ranges::all_of(names,
+                               [&](const std::string& name) {
+                                   const std::size_t at = text.find(name);
+                                   return at != std::string::npos &&
+                                          text.find(name, at + 1) == std::string::npos;
+                               }) &&
+           piecesOf(form).size() == count + 1;
+}
+
+std::string withCapital(std::string text) {
+    if (text.empty())
+        return text;
+    const auto byte = [&text](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    if (text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    } else if (byte(0) == 0xD0 && byte(1) >= 0xB0 && byte(1) <= 0xBF) { // а to п
+        text[1] = static_cast<char>(byte(1) - 0x20);
+    } else if (byte(0) == 0xD1 && byte(1) >= 0x80 && byte(1) <= 0x8F) { // р to я
+        text[0] = static_cast<char>(0xD0);
+        text[1] = static_cast<char>(byte(1) + 0x20);
+    }
+    return text;
+}
+
+/// But not of a name that has several: "GL_REPEAT".
+std::string withoutCapital(std::string_view text) {
+    std::string small(text);
+    const auto byte = [&small](std::size_t i) {
+        return i < small.size() ? static_cast<unsigned char>(small[i]) : 0U;
+    };
+    if (byte(0) >= 'A' && byte(0) <= 'Z' && small.size() > 1 && (byte(1) < 'A' || byte(1) > 'Z')) {
+        small[0] = static_cast<char>(small[0] - 'A' + 'a');
+    } else if (byte(0) == 0xD0 && byte(1) >= 0x90 && byte(1) <= 0x9F) { // А to П
+        small[1] = static_cast<char>(byte(1) + 0x20);
+    } else if (byte(0) == 0xD0 && byte(1) >= 0xA0 && byte(1) <= 0xAF) { // Р to Я
+        small[0] = static_cast<char>(0xD1);
+        small[1] = static_cast<char>(byte(1) - 0x20);
+    }
+    return small;
+}
+
+/// The text of a line's quotation: "msgid \"a\\n\"" → a and a line's end.
+std::optional<std::string> quoted(std::string_view line) {
+    const std::size_t begin = line.find('"');
+    const std::size_t end = line.rfind('"');
+    if (begin == std::string_view::npos || begin == end)
+        return std::nullopt;
+    std::string text;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        if (line[i] != '\\') {
+            text += line[i];
+            continue;
+        }
+        if (++i == end)
+            return std::nullopt;
+        text += line[i] == 'n' ? '\n' : line[i] == 't' ? '\t' : line[i];
+    }
+    return text;
+}
+
+} // namespace
+
+/// An entry while its lines are read.
+struct Catalogue::Draft {
+    std::optional<std::string> key;
+    std::optional<std::string> pluralKey;
+    std::vector<std::string> forms;
+    bool isFuzzy = false;
+    std::size_t line = 0;
+};
+
+void Catalogue::addKey(std::string_view key, const Draft& draft) {
+    std::vector<std::string> pieces = piecesOf(key);
+    if (pieces.size() == 1)
+        whole_.emplace(pieces.front(), filled(draft.forms.front(), {}));
+    else if (lettersIn(pieces) >= fewestLetters)
+        entries_.push_back({std::move(pieces), draft.forms, draft.pluralKey.has_value(),
+                            key.find('\n') != std::string_view::npos});
+}
+
+Result<void> Catalogue::add(const Draft& draft, std::string_view file) {
+    if (!draft.key || draft.key->empty() || draft.isFuzzy)
+        return {};
+    const auto isMissing = [](const std::string& form) { return form.empty(); };
+    if (draft.forms.empty() || std::ranges::any_of(draft.forms, isMissing))
+        return {};
+    const std::size_t places = piecesOf(*draft.key).size() - 1;
+    for (const std::string& form : draft.forms) {
+        if (!hasPlaces(form, places))
+            return fail(ErrorCode::Malformed,
+                        fmt::format("expected a translation with {} places, found \"{}\"", places, form),
+                        fmt::format("{}:{}", file, draft.line));
+        letters_ += form;
+    }
+    addKey(*draft.key, draft);
+    if (draft.pluralKey && draft.pluralKey != draft.key)
+        addKey(*draft.pluralKey, draft);
+    return {};
+}
+
+Result<Catalogue> Catalogue::parse(Language language, std::span<const CatalogueFile> files) {
+    Catalogue catalogue;
+    catalogue.language_ = language;
+    for (const CatalogueFile& file : files) {
+        Draft draft;
+        std::string* last = nullptr;
+        std::size_t number = 0;
+        for (std::size_t from = 0; from <= file.text.size();) {
+            const std::size_t end = std::min(file.text.find('\n', from), file.text.size());
+            const std::string_view line = file.text.substr(from, end - from);
+            from = end + 1;
+            ++number;
+            const auto malformed = [&] {
+                return fail(ErrorCode::Malformed,
+                            "expected a line of a .po file, msgid or msgstr with its text",
+                            fmt::format("{}:{}", file.name, number));
+            };
+            if (line.empty() || line.starts_with("#")) {
+                if (draft.key && !draft.forms.empty()) {
+                    if (Result<void> added = catalogue.add(draft, file.name); !added)
+                        return fail(added.error());
+                    draft = {};
+                    last = nullptr;
+                }
+                draft.isFuzzy |= line.starts_with("#,") && line.find("fuzzy") != std::string_view::npos;
+                continue;
+            }
+            std::optional<std::string> text = quoted(line);
+            if (!text)
+                return malformed();
+            if (line.starts_with("msgid_plural ") && draft.key) {
+                last = &draft.pluralKey.emplace(*std::move(text));
+            } else if (line.starts_with("msgid ")) {
+                if (draft.key && !draft.forms.empty()) {
+                    if (Result<void> added = catalogue.add(draft, file.name); !added)
+                        return fail(added.error());
+                    draft = {};
+                }
+                draft.line = number;
+                last = &draft.key.emplace(*std::move(text));
+            } else if (line.starts_with("msgstr") && draft.key) {
+                last = &draft.forms.emplace_back(*std::move(text));
+            } else if (line.starts_with("\"") && last) {
+                *last += *text;
+            } else {
+                return malformed();
+            }
+        }
+        if (Result<void> added = catalogue.add(draft, file.name); !added)
+            return fail(added.error());
+    }
+    // The key that says most of a text is the one that it was made of.
+    std::ranges::stable_sort(catalogue.entries_, std::greater<>(),
+                             [](const Entry& entry) { return lettersIn(entry.pieces); });
+    return catalogue;
+}
+
+Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language) {
+    if (language == Language::System || language == Language::English)
+        return nullptr;
+    std::vector<CatalogueFile> files;
+    const std::string folder = std::string(rowOf(language).name) + "/";
+    std::ranges::copy_if(catalogueFiles(), std::back_inserter(files),
+                         [&](const CatalogueFile& file) { return file.name.starts_with(folder); });
+    return Catalogue::parse(language, files).map([](Catalogue catalogue) {
+        return std::unique_ptr<const Catalogue>(std::make_unique<Catalogue>(std::move(catalogue)));
+    });
+}
+
+std::optional<std::string> Catalogue::translate(std::string_view english) const {
+    std::size_t left = mostEffort;
+    return lookUp(english, {0, &left});
+}
+
+std::optional<std::string> Catalogue::lookUp(std::string_view english, Search search) const {
+    if (english.empty() || search.depth > deepestPart || std::ranges::none_of(english, isLetter))
+        return std::nullopt;
+    const std::size_t effort = leastEffort + english.size();
+    if (*search.left < effort)
+        return std::nullopt;
+    *search.left -= effort;
+    // What stands further right belongs to what is above it.
+    if (const std::size_t indent = english.find_first_not_of(' '); indent > 0) {
+        std::optional<std::string> text = lookUp(english.substr(indent), search.deeper());
+        return text ? std::optional(std::string(indent, ' ') + *text) : std::nullopt;
+    }
+    if (std::optional<std::string> text = fromKeys(english, search))
+        return text;
+    if (const std::string small = withoutCapital(english); small != english) {
+        if (std::optional<std::string> text = fromKeys(small, search))
+            return withCapital(*std::move(text));
+    }
+    if (const std::string large = withCapital(std::string(english)); large != english) {
+        if (std::optional<std::string> text = fromKeys(large, search))
+            return withoutCapital(*text);
+    }
+    return fromParts(english, search);
+}
+
+std::optional<std::string> Catalogue::fromKeys(std::string_view english, Search search) const {
+    if (const auto found = whole_.find(std::string(english)); found != whole_.end())
+        return found->second;
+    if (std::optional<std::string> text = fromKey(Keys::Closed, english, search))
+        return text;
+    if (std::optional<std::string> text = afterPlace(english, search))
+        return text;
+    return fromKey(Keys::Open, english, search);
+}
+
+std::optional<std::string> Catalogue::fromKey(Keys keys, std::string_view english, Search search) const {
+    const bool hasLines = english.find('\n') != std::string_view::npos;
+    for (const Entry& entry : entries_) {
+        if (entry.isOpen() != (keys == Keys::Open) || entry.hasLines != hasLines)
+            continue;
+        const auto parts = partsOf(english, entry.pieces);
+        if (!parts)
+            continue;
+        unsigned long number = 0;
+        const char* end = parts->front().data() + parts->front().size();
+        const bool isNumber = std::from_chars(parts->front().data(), end, number).ptr == end;
+        if (entry.counts && !isNumber)
+            continue;
+        std::vector<std::string> words;
+        for (const std::string_view part : *parts)
+            words.push_back(lookUp(part, search.deeper()).value_or(std::string(part)));
+        const std::size_t form = entry.counts ? rowOf(language_).form(number) : 0;
+        return filled(entry.forms[std::min(form, entry.forms.size() - 1)], words);
+    }
+    return std::nullopt;
+}
+
+/// "textures[0]: …", "brick.bmp: …": what is wrong, after where it is. Before a key that begins with a place
+/// takes both for one.
+std::optional<std::string> Catalogue::afterPlace(std::string_view english, Search search) const {
+    constexpr std::string_view colon = ": ";
+    const std::size_t at = english.find(colon);
+    if (at == std::string_view::npos || english.substr(0, at).find_first_of(" \n") != std::string_view::npos)
+        return std::nullopt;
+    const std::size_t begin = at + colon.size();
+    const std::optional<std::string> text = lookUp(english.substr(begin), search.deeper());
+    return text ? std::optional(std::string(english.substr(0, begin)) + *text) : std::nullopt;
+}
+
+std::optional<std::string> Catalogue::joined(std::string_view english, std::string_view separator,
+                                             Search search) const {
+    std::size_t at = english.find(separator);
+    if (at == std::string_view::npos)
+        return std::nullopt;
+    std::string text;
+    bool isKnown = false;
+    for (std::size_t from = 0;; at = english.find(separator, from)) {
+        const std::string_view part = english.substr(from, at - from);
+        const std::optional<std::string> known = lookUp(part, search.deeper());
+        isKnown |= known.has_value();
+        text += known.value_or(std::string(part));
+        if (at == std::string_view::npos)
+            break;
+        text += separator;
+        from = at + separator.size();
+    }
+    return isKnown ? std::optional(std::move(text)) : std::nullopt;
+}
+
+std::optional<std::string> Catalogue::fromParts(std::string_view english, Search search) const {
+    for (const std::string_view separator : {"\n", "  ·  ", " · ", ". "}) {
+        if (std::optional<std::string> text = joined(english, separator, search))
+            return text;
+    }
+    if (english.ends_with('.')) {
+        if (std::optional<std::string> text = lookUp(english.substr(0, english.size() - 1), search.deeper()))
+            return *text + (language_ == Language::Chinese ? "。" : ".");
+    }
+    // "Triangle 12"
+    if (const std::size_t last = english.find_last_not_of("0123456789");
+        last != std::string_view::npos && last + 1 < english.size() && english[last] == ' ') {
+        if (std::optional<std::string> text = lookUp(english.substr(0, last), search.deeper()))
+            return *text + std::string(english.substr(last));
+    }
+    for (const std::string_view separator : {": ", ", "}) {
+        if (std::optional<std::string> text = joined(english, separator, search))
+            return text;
+    }
+    return std::nullopt;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace texplorer::ui {
+
+enum class Language { System, English, Chinese, Russian };
+
+struct LanguageRow {
+    Language language;
+    std::string_view
+        name;          ///< the folder of its catalogues, and what the settings' file and --language call it
+    const char* label; ///< in letters that the usual font has
+    /// Which of gettext's forms a number takes.
+    std::size_t (*form)(unsigned long number);
+};
+
+namespace plural {
+constexpr std::size_t one(unsigned long) {
+    return 0;
+}
+constexpr std::size_t oneAndMore(unsigned long number) {
+    return number == 1 ? 0 : 1;
+}
+/// 1, 21, 31 …; 2 to 4, 22 to 24 …; the others.
+constexpr std::size_t slavic(unsigned long number) {
+    const unsigned long last = number % 10;
+    const bool isTeen = number % 100 >= 11 && number % 100 <= 14;
+    if (last == 1 && !isTeen)
+        return 0;
+    return last >= 2 && last <= 4 && !isTeen ? 1 : 2;
+}
+} // namespace plural
+
+inline constexpr std::array languageRows{
+    LanguageRow{Language::System, "system", "Like the system", plural::oneAndMore},
+    LanguageRow{Language::English, "en", "English", plural::oneAndMore},
+    LanguageRow{Language::Chinese, "zh_CN", "Chinese (Zhongwen)", plural::one},
+    LanguageRow{Language::Russian, "ru", "Русский (Russian)", plural::slavic},
+};
+
+[[nodiscard]] const LanguageRow& rowOf(Language language);
+
+/// The language of a locale's name, "zh_CN.UTF-8", "ru" or "zh-Hans"; English where it is another one or
+/// none.
+[[nodiscard]] Language languageOfLocale(std::string_view locale);
+
+/// What the environment asks for: LC_ALL, LC_MESSAGES or LANG, the first that is set; and where that isn't
+/// "C", the first language of the list LANGUAGE, as gettext has it.
+[[nodiscard]] Language languageOfEnvironment(const std::function<const char*(const char* name)>& variable);
+
+/// That of this process.
+[[nodiscard]] Language languageOfSystem();
+
+} // namespace texplorer::ui

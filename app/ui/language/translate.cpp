@@ -1,0 +1,85 @@
+#include "app/ui/language/translate.h"
+
+#include <unordered_map>
+
+namespace texplorer::ui {
+namespace {
+
+struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+};
+
+using Memory = std::unordered_map<std::string, std::string, TextHash, std::equal_to<>>;
+
+// As Dear ImGui's own context: of the window that is being drawn.
+const Catalogue* inUse = nullptr;
+std::set<std::string, std::less<>>* gapsFound = nullptr;
+Memory translated; // most texts stay as they are from frame to frame
+Memory labelled;
+
+constexpr std::size_t mostRemembered = 20'000;
+
+const std::string& remembered(std::string_view english) {
+    const auto found = translated.find(english);
+    if (found != translated.end())
+        return found->second;
+    std::optional<std::string> text = inUse->translate(english);
+    if (!text && gapsFound)
+        gapsFound->emplace(english);
+    return translated.emplace(english, text ? *std::move(text) : std::string(english)).first->second;
+}
+
+const std::string& rememberedLabel(std::string_view english) {
+    const auto found = labelled.find(english);
+    if (found != labelled.end())
+        return found->second;
+    const std::size_t end = english.find("##");
+    const std::string_view shown = english.substr(0, end);
+    const std::string text = shown.empty() ? std::string() : remembered(shown);
+    std::string whole = text == shown ? std::string(english)
+                        : english.find("###") != std::string_view::npos
+                            ? text + std::string(english.substr(end))
+                            : text + "###" + std::string(english);
+    return labelled.emplace(english, std::move(whole)).first->second;
+}
+
+} // namespace
+
+void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>* gaps) {
+    if (catalogue != inUse || gaps != gapsFound) {
+        translated.clear();
+        labelled.clear();
+    }
+    inUse = catalogue;
+    gapsFound = gaps;
+}
+
+const Catalogue* catalogueInUse() {
+    return inUse;
+}
+
+const char* tr(const char* english) {
+    return inUse && *english ? remembered(english).c_str() : english;
+}
+
+std::string tr(std::string_view english) {
+    return inUse && !english.empty() ? remembered(english) : std::string(english);
+}
+
+const char* label(const char* english) {
+    return inUse && *english ? rememberedLabel(english).c_str() : english;
+}
+
+std::string label(std::string_view english) {
+    return inUse && !english.empty() ? rememberedLabel(english) : std::string(english);
+}
+
+void beginTranslations() {
+    if (translated.size() > mostRemembered || labelled.size() > mostRemembered) {
+        translated.clear();
+        labelled.clear();
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,216 @@
+#!/usr/bin/python3
+"""Collects the English texts that Texplorer's window shows, and brings the catalogues up to date.
+
+    collect.py            writes every LANGUAGE/NAME.po anew: what is translated stays, what is new is empty,
+                          what the sources no longer have goes
+    collect.py --check    says what is missing, superfluous or not translated, and fails where there is something
+
+A text is a string literal of the sources that a reader sees: what has a space or begins with a capital letter. What
+fmt puts into it is "{}" here, whatever its format. Words without either are found where they stand in words(…),
+tr(…), label(…) or countOf(…).
+"""
+import pathlib
+import re
+import sys
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+ROOT = FOLDER.parent.parent
+LANGUAGES = {"zh_CN": ("Chinese (simplified)", 1, "nplurals=1; plural=0;"),
+             "ru": ("Russian", 3, "nplurals=3; plural=(n%10==1 && n%100!=11 ? 0 : n%10>=2 && n%10<=4 && "
+                                  "(n%100<10 || n%100>=20) ? 1 : 2);")}
+
+# Which catalogue has the texts of which sources: folders, or beginnings of files' names.
+CATALOGUES = {
+    "vocabulary": ["core/gl/", "core/preset/", "core/mesh/", "core/image/patterns/", "app/view/",
+                   "core/scene/renderer.h", "core/scene/scene.h", "core/scene/sampler_state.h",
+                   "app/ui/model/examples.cpp"],
+    "parameters": ["core/scene/params/params"],
+    "diagnosis": ["core/diagnosis/"],
+    "explanation": ["core/reference/"],
+    "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/model/", "app/ui/view/", "app/ui/language/", "app/stage/"],
+    "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/"],
+    "messages": ["core/base/", "core/autosave/", "core/codec/", "core/image/", "core/link/", "core/s3tc/",
+                 "core/texture/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
+}
+
+TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P<text>(?:[^"\\\n]|\\.)*)"'
+                   r"|'(?:[^'\\]|\\.)'", re.S)
+ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "0": "\0", "'": "'"}
+# Calls whose literals no reader sees.
+UNSEEN = re.compile(r'(noteItem|noteBox|PushID|GetID|BeginChild|InvisibleButton|wasUsed|static_assert|assert|getenv|rule'
+                    r'|CallRow|[cC]odeLine|emit|cStyle)\(\s*(std::string\()?$|#include\s*$|extern\s*$|since\s*=\s*$')
+ALWAYS = re.compile(r'\b(words|tr|label|unit|word)\(\s*$')
+COUNT = re.compile(r'\bcountOf\([^"]*,\s*$')
+
+
+PIECES = []  # (catalogue, source, text) of half sentences
+
+
+def literals(source):
+    """(text before it, literal) of each, those beside each other as one."""
+    tokens = [m for m in TOKEN.finditer(source) if m.group("text") is not None or m.group("raw") is not None
+              or m.group(0).startswith("'") is False]
+    run, begin, end = "", None, None
+    for match in tokens:
+        comment = match.group("text") is None and match.group("raw") is None
+        if comment:
+            continue
+        text = match.group("raw")
+        if text is None:
+            text = re.sub(r'\\(.)', lambda m: ESCAPES.get(m.group(1), m.group(1)), match.group("text"))
+        between = re.sub(r'//[^\n]*', '', source[end:match.start()]) if end is not None else "x"
+        if begin is not None and not between.strip():
+            run += text
+        else:
+            if begin is not None:
+                yield source[max(0, begin - 200):begin], run
+            run, begin = text, match.start()
+        end = match.end()
+    if begin is not None:
+        yield source[max(0, begin - 200):begin], run
+
+
+def key_of(text):
+    return re.sub(r'(?<!\{)\{(?!\{)[^{}]*\}', '{}', text)
+
+
+def is_text(text):
+    letters = re.sub(r'\{\}', '', text)
+    if not re.search(r'[a-z]{2}', letters) and not re.search(r'[A-Z][a-z]', letters):
+        return False
+    if len(re.findall(r'[A-Za-z]', letters)) < 3 and "{}" in text:
+        return False
+    if re.match(r'^[~!(]*(gl|GL_|glu|#|float |int |void |vec[234]\b|uniform |const |GL[a-z]+ )', text) and not re.search(r'(?<![\w])[a-z]{3,}[,:]? [a-z]{1,}', text):
+        return False
+    if re.match(r'^gl[A-Z]\w*[({]', text):
+        return False
+    if re.match(r'^[\w./*\[\]{}-]*(\.\w+|\[\]\.\w+)$', text):  # a path of a parameter, a file's name
+        return False
+    if re.match(r'^https?:|^/usr|^\{\}$|^##', text):
+        return False
+    return " " in text.strip() or bool(re.match(r'^s?[A-ZÀ-Þ][a-z]', text)) or text[-1:] in ".…"
+
+
+def collect():
+    """Catalogue → {key: (plural or None, [sources])}. A key belongs to the first catalogue that has it."""
+    found = {name: {} for name in CATALOGUES}
+    owner = {}
+    for name, folders in CATALOGUES.items():
+        for folder in folders:
+            for path in sorted(p for p in (ROOT / folder).parent.rglob("*") if p.suffix in (".cpp", ".h", ".inl")
+                               and str(p.relative_to(ROOT)).startswith(folder)):
+                where = str(path.relative_to(ROOT))
+                if any(where.startswith(other) for others in list(CATALOGUES.values())[:list(CATALOGUES).index(name)]
+                       for other in others):
+                    continue
+                if path.name == "shader_source.cpp" or ("json" in path.name and name == "window"):
+                    continue
+                for before, text in literals(path.read_text()):
+                    line = before.rsplit("\n", 1)[-1]
+                    plural = None
+                    if COUNT.search(before):
+                        text, plural = "{} " + text, "{} " + text + "s"
+                    elif UNSEEN.search(before) or line.lstrip().startswith("#"):
+                        continue
+                    elif not ALWAYS.search(before) and not is_text(key_of(text)):
+                        continue
+                    key = key_of(text.split("##")[0] if "##" in text else text)
+                    if not key.strip() or '\0' in key or not re.search('[A-Za-z]', key):
+                        continue
+                    if key != key.strip():  # a piece of something: what becomes of it is looked up
+                        if " " in key.strip() and not re.match(r"^ (--|[•-] Texplorer)", key):
+                            PIECES.append((name, where, key))
+                        continue
+                    home = owner.setdefault(key, name)
+                    old = found[home].get(key, (None, []))
+                    found[home][key] = (plural or old[0], old[1] + ([where] if where not in old[1] else []))
+    return found
+
+
+def unquote(line):
+    text = line[line.index('"') + 1:line.rindex('"')]
+    return re.sub(r'\\(.)', lambda m: ESCAPES.get(m.group(1), m.group(1)), text)
+
+
+def read(path):
+    """Key → list of forms, of a .po file. Fuzzy entries count as not translated."""
+    entries, key, forms, last, fuzzy = {}, None, [], None, False
+    for line in (path.read_text().splitlines() if path.exists() else []) + [""]:
+        if line.startswith("#,"):
+            fuzzy = "fuzzy" in line
+        elif line.startswith("msgid "):
+            key, last, forms = unquote(line), "key", []
+        elif line.startswith("msgid_plural "):
+            last = "plural"
+        elif line.startswith("msgstr"):
+            forms.append(unquote(line))
+            last = "form"
+        elif line.startswith('"'):
+            if last == "key":
+                key += unquote(line)
+            elif last == "form":
+                forms[-1] += unquote(line)
+        elif not line and key is not None:
+            if key and not fuzzy:
+                entries[key] = forms
+            key, fuzzy = None, False
+    return entries
+
+
+def quote(text):
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\t", "\\t") + '"'
+
+
+def write(path, language, entries, known):
+    title, forms, plural = LANGUAGES[language]
+    lines = ["# %s of Texplorer's window: %s." % (title, path.stem), 'msgid ""', 'msgstr ""',
+             quote("Content-Type: text/plain; charset=UTF-8\n"), quote("Content-Transfer-Encoding: 8bit\n"),
+             quote("Language: %s\n" % language), quote("Plural-Forms: %s\n" % plural), ""]
+    for key, (plural_key, sources) in entries.items():
+        lines += ["#: " + " ".join(sources), "msgid " + quote(key)]
+        old = known.get(key, [])
+        if plural_key:
+            lines.append("msgid_plural " + quote(plural_key))
+            lines += ["msgstr[%d] %s" % (i, quote(old[i] if i < len(old) else "")) for i in range(forms)]
+        else:
+            lines.append("msgstr " + quote(old[0] if old else ""))
+        lines.append("")
+    path.parent.mkdir(exist_ok=True)
+    path.write_text("\n".join(lines))
+
+
+def complaints(found):
+    for language, (_, forms, _) in LANGUAGES.items():
+        for name, entries in found.items():
+            path = FOLDER / language / (name + ".po")
+            known = read(path)
+            for key, (plural, _) in entries.items():
+                texts = known.get(key)
+                if not texts or not all(texts) or len(texts) != (forms if plural else 1):
+                    yield "%s/%s.po: not translated: %s" % (language, name, quote(key))
+            for key in known:
+                if key not in entries:
+                    yield "%s/%s.po: the sources no longer have %s" % (language, name, quote(key))
+    for name, source, key in PIECES:
+        if name != "messages":
+            yield "%s: half a sentence can't be translated: %s" % (source, quote(key))
+
+
+def main():
+    found = collect()
+    if "--check" in sys.argv[1:]:
+        said = list(complaints(found))
+        print("\n".join(said[:60]))
+        print("%d texts in %d languages, %d complaints" % (sum(map(len, found.values())), len(LANGUAGES), len(said)))
+        return 1 if said else 0
+    for language in LANGUAGES:
+        everything = {}
+        for name in found:
+            everything.update(read(FOLDER / language / (name + ".po")))
+        for name, entries in found.items():
+            write(FOLDER / language / (name + ".po"), language, entries, everything)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,172 @@
+#include "app/ui/language/catalogue.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::catalogue_test {
+namespace {
+
+using namespace ui;
+using testing::HasSubstr;
+using testing::Optional;
+using testing::StrEq;
+
+constexpr std::string_view header = "# A comment.\nmsgid \"\"\nmsgstr \"\"\n\"Language: ru\\n\"\n\n";
+
+Catalogue read(std::string_view entries, Language language = Language::Russian) {
+    const std::string text = std::string(header) + std::string(entries);
+    const std::vector<CatalogueFile> files{{"ru/test.po", text}};
+    return Catalogue::parse(language, files).value();
+}
+
+Error refused(const std::string& text) {
+    const std::vector<CatalogueFile> files{{"ru/test.po", text}};
+    const Result<Catalogue> catalogue = Catalogue::parse(Language::Russian, files);
+    EXPECT_FALSE(catalogue) << text;
+    return catalogue ? Error{} : catalogue.error();
+}
+
+TEST(Catalogue, FindsAWholeText) {
+    const Catalogue catalogue = read("#: a.cpp\nmsgid \"Cancel\"\nmsgstr \"Отмена\"\n");
+    EXPECT_THAT(catalogue.translate("Cancel"), Optional(StrEq("Отмена")));
+    EXPECT_EQ(catalogue.translate("Cancelled"), std::nullopt);
+    EXPECT_EQ(catalogue.translate(""), std::nullopt);
+    EXPECT_EQ(catalogue.translate("0.5 × 2"), std::nullopt);
+}
+
+TEST(Catalogue, ReadsEscapesAndTextsOfSeveralLines) {
+    const Catalogue catalogue = read(
+        "msgid \"\"\n\"a \\\"b\\\"\\n\"\n\"c\"\nmsgstr \"\"\n\"x \\\\\"\n\"y\"\nmsgid \"d\"\nmsgstr \"z\"");
+    EXPECT_THAT(catalogue.translate("a \"b\"\nc"), Optional(StrEq("x \\y")));
+    EXPECT_THAT(catalogue.translate("d"), Optional(StrEq("z"))) << "without an empty line between them";
+}
+
+TEST(Catalogue, FillsPlacesAndTranslatesWhatStandsThere) {
+    const Catalogue catalogue = read("msgid \"{} of {} is off\"\nmsgstr \"у {1} выключен {0}\"\n\n"
+                                     "msgid \"the filter\"\nmsgstr \"фильтр\"\n\n"
+                                     "msgid \"save {{}}: {:.3g}\"\nmsgstr \"запись {{}}: {}\"\n");
+    EXPECT_THAT(catalogue.translate("the filter of unit 2 is off"),
+                Optional(StrEq("у unit 2 выключен фильтр")));
+    EXPECT_THAT(catalogue.translate("save {}: 1.5"), Optional(StrEq("запись {}: 1.5")));
+}
+
+TEST(Catalogue, TakesTheKeyThatSaysMost) {
+    const Catalogue catalogue = read("msgid \"expected {}\"\nmsgstr \"A {}\"\n\n"
+                                     "msgid \"expected {}, found {}\"\nmsgstr \"B {} {}\"\n");
+    EXPECT_THAT(catalogue.translate("expected 1, found 2"), Optional(StrEq("B 1 2")));
+    EXPECT_THAT(catalogue.translate("expected 1"), Optional(StrEq("A 1")));
+    EXPECT_THAT(catalogue.translate("expected a, b, found c, found d"), Optional(StrEq("B a, b c, found d")))
+        << "the first place ends where it can";
+}
+
+TEST(Catalogue, TakesTheFormOfANumber) {
+    const Catalogue catalogue = read("msgid \"{} setting\"\nmsgid_plural \"{} settings\"\n"
+                                     "msgstr[0] \"{} настройка\"\nmsgstr[1] \"{} настройки\"\n"
+                                     "msgstr[2] \"{} настроек\"\n");
+    EXPECT_THAT(catalogue.translate("1 setting"), Optional(StrEq("1 настройка")));
+    EXPECT_THAT(catalogue.translate("3 settings"), Optional(StrEq("3 настройки")));
+    EXPECT_THAT(catalogue.translate("11 settings"), Optional(StrEq("11 настроек")));
+    EXPECT_THAT(catalogue.translate("21 settings"), Optional(StrEq("21 настройка")));
+}
+
+TEST(Catalogue, ReadsAPlaceBeforeASentence) {
+    const Catalogue catalogue =
+        read("msgid \"{} pixels are read\"\nmsgstr \"прочитано {}\"\n\n"
+             "msgid \"{} delta\"\nmsgid_plural \"{} deltas\"\n"
+             "msgstr[0] \"{} дельта\"\nmsgstr[1] \"{} дельты\"\nmsgstr[2] \"{} дельт\"\n");
+    EXPECT_THAT(catalogue.translate("BMP: 8 pixels are read"), Optional(StrEq("BMP: прочитано 8")));
+    EXPECT_THAT(catalogue.translate("RLE8: 3 runs, 2 deltas"), Optional(StrEq("RLE8: 3 runs, 2 дельты")))
+        << "only a number is counted";
+    const Catalogue chinese =
+        read("msgid \"{} pixel\"\nmsgid_plural \"{} pixels\"\nmsgstr[0] \"{} 个像素\"\n", Language::Chinese);
+    EXPECT_EQ(chinese.translate("enlarge the pixels"), std::nullopt);
+}
+
+TEST(Catalogue, FindsASentenceWithItsCapitalAndItsFullStop) {
+    const std::string_view entry = "msgid \"the unit is off\"\nmsgstr \"блок выключен\"\n\n"
+                                   "msgid \"it is on\"\nmsgstr \"ёмкость\"\n\n"
+                                   "msgid \"red\"\nmsgstr \"рамка\"\n";
+    EXPECT_THAT(read(entry).translate("The unit is off."), Optional(StrEq("Блок выключен.")));
+    EXPECT_THAT(read(entry).translate("Red"), Optional(StrEq("Рамка"))) << "р has another first byte than б";
+    EXPECT_THAT(
+        read("msgid \"begin and {}\"\nmsgstr \"начать и {}\"\n\nmsgid \"Make them\"\nmsgstr \"Сделать\"\n")
+            .translate("begin and make them"),
+        Optional(StrEq("начать и сделать")));
+    EXPECT_THAT(read(entry, Language::Chinese).translate("the unit is off."),
+                Optional(StrEq("блок выключен。")));
+}
+
+TEST(Catalogue, TranslatesPartsOneByOne) {
+    const Catalogue catalogue =
+        read("msgid \"Red\"\nmsgstr \"Красный\"\n\nmsgid \"Green\"\nmsgstr \"Зелёный\"\n");
+    EXPECT_THAT(catalogue.translate("Red\nGL_RED  ·  Green"), Optional(StrEq("Красный\nGL_RED  ·  Зелёный")));
+    EXPECT_THAT(catalogue.translate("a.png: Red"), Optional(StrEq("a.png: Красный")));
+    EXPECT_THAT(catalogue.translate("Red 12"), Optional(StrEq("Красный 12")));
+    EXPECT_THAT(catalogue.translate("  Red"), Optional(StrEq("  Красный")));
+    EXPECT_THAT(catalogue.translate("Red 25 %, Red"), Optional(StrEq("Red 25 %, Красный")));
+    EXPECT_THAT(catalogue.translate("Red. Green."), Optional(StrEq("Красный. Зелёный.")));
+    EXPECT_EQ(catalogue.translate("a.png: b"), std::nullopt);
+}
+
+TEST(Catalogue, ReadsAKeyOfSeveralLines) {
+    const Catalogue catalogue = read("msgid \"{}\\nClick: undo {}\"\nmsgstr \"{}\\nЩелчок: отменить {}\"\n\n"
+                                     "msgid \"Red\"\nmsgstr \"Красный\"\n");
+    EXPECT_THAT(catalogue.translate("Red\nClick: undo 3"), Optional(StrEq("Красный\nЩелчок: отменить 3")));
+}
+
+TEST(Catalogue, LeavesOutWhatIsNotReady) {
+    const Catalogue catalogue =
+        read("#, fuzzy\nmsgid \"Red\"\nmsgstr \"Р\"\n\nmsgid \"Green\"\nmsgstr \"\"\n\n"
+             "msgid \"Blue\"\nmsgstr \"Синий\"\n");
+    EXPECT_EQ(catalogue.translate("Red"), std::nullopt);
+    EXPECT_EQ(catalogue.translate("Green"), std::nullopt);
+    EXPECT_THAT(catalogue.translate("Blue"), Optional(StrEq("Синий")));
+    EXPECT_THAT(catalogue.letters(), StrEq("Синий"));
+}
+
+TEST(Catalogue, SaysWhichLineIsWrong) {
+    EXPECT_EQ(refused("msgid \"a\"\nmsgstr \"b\"\nnonsense\n").where, "ru/test.po:3");
+    EXPECT_EQ(refused("msgstr \"b\"\n").where, "ru/test.po:1");
+    EXPECT_EQ(refused("\n\n\"b\"\n").where, "ru/test.po:3");
+    EXPECT_EQ(refused("msgid \"a\n").where, "ru/test.po:1");
+    EXPECT_EQ(refused("msgid \"a\\\"\n").where, "ru/test.po:1");
+}
+
+TEST(Catalogue, RefusesATranslationWithOtherPlaces) {
+    for (const char* form : {"нет", "{} {}", "{1}", "{0} {0}", "{"}) {
+        const Error error = refused(std::string("\nmsgid \"a place: {}\"\nmsgstr \"") + form + "\"\n");
+        EXPECT_THAT(error.message, HasSubstr("expected a translation with 1 places")) << form;
+        EXPECT_EQ(error.where, "ru/test.po:2") << form;
+    }
+}
+
+// Texts of files and drivers are looked up, too: whatever they are, it ends soon.
+TEST(Catalogue, AnswersForTextsThatAreMadeForItWithoutACrash) {
+    const Catalogue catalogue = read("msgid \"{} abc {} abc {} abc {} abc {} end\"\nmsgstr \"{}{}{}{}{}\"\n");
+    std::string text;
+    for (int i = 0; i < 5000; ++i)
+        text += " abc . : \n · ";
+    EXPECT_EQ(catalogue.translate(text), std::nullopt);
+    EXPECT_EQ(catalogue.translate(std::string(100'000, 'a') + ": "), std::nullopt);
+    EXPECT_EQ(catalogue.translate("\xff\xfe abc \xc0"), std::nullopt);
+}
+
+// A name that a scene's file brings along, in a tooltip: to divide it in every way would take minutes.
+TEST(Catalogue, GivesUpATextThatCanBeDividedInTooManyWays) {
+    for (const Language language : {Language::Chinese, Language::Russian}) {
+        const auto catalogue = catalogueOf(language).value();
+        for (const std::string_view part : {"a: b, c. d · e  ·  f\n", "a: "}) {
+            std::string text;
+            while (text.size() < 100'000)
+                text += part;
+            EXPECT_EQ(catalogue->translate(text), std::nullopt);
+            EXPECT_EQ(
+                catalogue->translate(std::string_view(text).substr(0, 4096 / part.size() * part.size())),
+                std::nullopt)
+                << part;
+        }
+        EXPECT_NE(catalogue->translate("Cancel"), std::nullopt) << "the next text has its own time";
+    }
+}
+
+} // namespace
+} // namespace texplorer::catalogue_test

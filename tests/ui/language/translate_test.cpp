@@ -1,0 +1,54 @@
+#include "app/ui/language/translate.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::translate_test {
+namespace {
+
+using namespace ui;
+using testing::ElementsAre;
+
+class Translate : public testing::Test {
+protected:
+    void SetUp() override { useCatalogue(&catalogue, &gaps); }
+    void TearDown() override { useCatalogue(nullptr); }
+
+    std::set<std::string, std::less<>> gaps;
+    Catalogue catalogue =
+        Catalogue::parse(Language::Chinese, std::vector<CatalogueFile>{{"zh_CN/a.po", "msgid \"Cancel\"\n"
+                                                                                      "msgstr \"取消\"\n"}})
+            .value();
+};
+
+TEST_F(Translate, LeavesEnglishAlone) {
+    useCatalogue(nullptr);
+    const char* text = "Cancel";
+    EXPECT_EQ(tr(text), text);
+    EXPECT_EQ(label(text), text);
+    EXPECT_EQ(tr(std::string("Cancel##3")), "Cancel##3");
+}
+
+TEST_F(Translate, RemembersWhatIsMissing) {
+    EXPECT_STREQ(tr("Cancel"), "取消");
+    EXPECT_STREQ(tr("Nothing"), "Nothing");
+    EXPECT_EQ(tr(std::string_view("Nothing")), "Nothing");
+    EXPECT_THAT(gaps, ElementsAre("Nothing"));
+}
+
+TEST_F(Translate, KeepsTheIdentityOfALabel) {
+    EXPECT_STREQ(label("Cancel"), "取消###Cancel");
+    EXPECT_EQ(label(std::string("Cancel##3")), "取消###Cancel##3");
+    EXPECT_EQ(label(std::string("Cancel###id")), "取消###id");
+    EXPECT_STREQ(label("##only an identity"), "##only an identity");
+    EXPECT_STREQ(label(""), "");
+}
+
+TEST_F(Translate, ForgetsWithTheCatalogue) {
+    EXPECT_STREQ(tr("Cancel"), "取消");
+    useCatalogue(nullptr);
+    EXPECT_STREQ(tr("Cancel"), "Cancel");
+    EXPECT_EQ(catalogueInUse(), nullptr);
+}
+
+} // namespace
+} // namespace texplorer::translate_test
