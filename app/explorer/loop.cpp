@@ -78,6 +78,7 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
     lent.captures = &captures;
     ui::Session session(lent);
     session.window.settings = settings.read();
+    session.window.systemLanguage = ui::languageOfSystem();
     if (!session.window.settings.hasSeenTour)
         session.window.tour = 0;
     stage::Loop loop(**graphics, session, window.surface(),

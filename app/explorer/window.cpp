@@ -5,6 +5,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -157,7 +158,7 @@ Result<Window> Window::open(view::Size size, const std::string& title) {
     render::setUpDriverCache();
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
-        return fail(ErrorCode::Driver, "no display can be opened (" + lastGlfwError + ")");
+        return fail(ErrorCode::Driver, fmt::format("no display can be opened ({})", lastGlfwError));
     auto state = std::make_unique<State>();
     state->title = title;
     float scale = 1;
@@ -186,7 +187,8 @@ Result<Window> Window::open(view::Size size, const std::string& title) {
         create();
     }
     if (!state->window)
-        return fail(ErrorCode::Driver, "no window with OpenGL can be opened (" + lastGlfwError + ")");
+        return fail(ErrorCode::Driver,
+                    fmt::format("no window with OpenGL can be opened ({})", lastGlfwError));
     glfwSetWindowSizeLimits(state->window, ui::smallestWindow.width, ui::smallestWindow.height,
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->window, state.get());

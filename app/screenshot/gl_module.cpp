@@ -96,6 +96,8 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     if (request.tab)
         showTab(workspace, *request.tab);
     session.window.settings.theme = request.theme;
+    session.window.settings.language = request.language;
+    session.window.systemLanguage = ui::languageOfSystem();
     if (request.tour > 0)
         session.window.tour = request.tour - 1;
     if (request.probed) {

@@ -50,6 +50,7 @@ struct ShotRequest {
     reference::LevelQuestion shownUnit{};          ///< whose false colours; of the window: the selected one
     ui::LayoutRow layout = ui::layoutRows.front(); ///< which panels of the window are open
     ui::Theme theme{};                             ///< of the window
+    ui::Language language = ui::Language::English; ///< of the window
     int tour = 0;                                  ///< the step of the tour over the window, from 1; 0: none
     float scale = 1;                               ///< of the window's text and lengths
 

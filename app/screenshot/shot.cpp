@@ -32,6 +32,7 @@ struct ShotOptions {
     std::string tab;
     std::string layout;
     std::string theme;
+    std::string language;
     std::string scale;
     int tour = 0;
     std::string section;
@@ -86,6 +87,12 @@ Result<ui::Theme> parseTheme(std::string_view name) {
     if (name.empty())
         return ui::Settings{}.theme;
     return parseRow(ui::themeRows, name, "--theme").map(&ui::ThemeRow::theme);
+}
+
+Result<ui::Language> parseLanguage(std::string_view name) {
+    if (name.empty())
+        return ui::Language::English;
+    return parseRow(ui::languageRows, name, "--language").map(&ui::LanguageRow::language);
 }
 
 constexpr float leastScale = 0.5F;
@@ -185,6 +192,9 @@ ExitCode shoot(const ShotOptions& options) {
     const Result<ui::Theme> theme = parseTheme(options.theme);
     if (!theme)
         return complain(theme.error(), wrongCall);
+    const Result<ui::Language> language = parseLanguage(options.language);
+    if (!language)
+        return complain(language.error(), wrongCall);
     const Result<float> scale = parseScale(options.scale);
     if (!scale)
         return complain(scale.error(), wrongCall);
@@ -253,6 +263,7 @@ ExitCode shoot(const ShotOptions& options) {
     request.shownUnit = options.shownUnit;
     request.layout = *layout;
     request.theme = *theme;
+    request.language = *language;
     request.tour = options.tour;
     request.scale = *scale;
     request.levels.cache = BlockCache::ofUser();
@@ -303,6 +314,10 @@ void addShot(CommandLine& line) {
     command.option("--theme", options->theme,
                    fmt::format("With --ui: the colours, one of {}.", namesOf(ui::themeRows)),
                    {.value = "THEME", .needs = &window});
+    command.option(
+        "--language", options->language,
+        fmt::format("With --ui: the language of the window's texts, one of {}.", namesOf(ui::languageRows)),
+        {.value = "LANGUAGE", .needs = &window});
     command.option("--scale", options->scale,
                    "With --ui: the size of text and controls, 0.5 to 4, as of a monitor with that scale.",
                    {.value = "S", .needs = &window});

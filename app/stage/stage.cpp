@@ -1,12 +1,14 @@
 #include "app/stage/stage.h"
 
 #include "app/stage/view_frames.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/layout.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -52,24 +54,50 @@ public:
     ~HostedPanels() {
         graphics_.endPanels();
         ImGui::DestroyContext();
+        ui::useCatalogue(nullptr);
     }
     HostedPanels(const HostedPanels&) = delete;
     HostedPanels& operator=(const HostedPanels&) = delete;
 
-    void setLook(float scale, const ui::Settings& settings) {
+    /// Sentences about what can't be had, such as letters that no font has.
+    [[nodiscard]] std::string setLook(float scale, const ui::Settings& settings, ui::Language system) {
+        const ui::Language language = settings.language == ui::Language::System ? system : settings.language;
+        std::string problem;
+        const bool translated = language != language_;
+        if (translated)
+            problem = setLanguage(language);
+        ui::useCatalogue(catalogue_.get());
+        ui::beginTranslations();
         const bool resized = scale != scale_ || settings.textPercent != textPercent_;
-        if (!resized && settings.theme == theme_)
-            return;
+        if (!resized && !translated && settings.theme == theme_)
+            return problem;
         scale_ = scale;
         theme_ = settings.theme;
         textPercent_ = settings.textPercent;
-        ui::applyTheme(scale_, theme_, textPercent_);
+        ui::applyTheme(scale_, theme_, textPercent_, catalogue_.get());
         graphics_.fontsChanged();
+        return problem;
     }
 
 private:
+    std::string setLanguage(ui::Language language) {
+        language_ = language;
+        ui::useCatalogue(nullptr);
+        catalogue_.reset();
+        if (!ui::hasLettersOf(language))
+            return "No font with Chinese letters was found. Install fonts-droid-fallback or fonts-wqy-microhei, "
+                   "and start Texplorer again.";
+        Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(language);
+        if (!catalogue)
+            return fmt::format("The window stays in English: {}.", describe(catalogue.error()));
+        catalogue_ = *std::move(catalogue);
+        return {};
+    }
+
     Graphics& graphics_;
     float scale_;
+    ui::Language language_ = ui::Language::English;
+    std::unique_ptr<const ui::Catalogue> catalogue_; ///< nullptr: English
     ui::Theme theme_ = ui::Theme::Dark;
     int textPercent_ = 100;
 };
@@ -100,7 +128,10 @@ const std::vector<std::string>& Stage::problems() const {
 ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float seconds,
                          const std::function<void()>& feedInput) {
     Graphics& graphics = state_->graphics;
-    state_->panels.setLook(surface.scale, session.window.settings);
+    if (const std::string problem =
+            state_->panels.setLook(surface.scale, session.window.settings, session.window.systemLanguage);
+        !problem.empty())
+        ui::say(session, problem);
     if (const std::string instead = ui::offerRenderers(session.window.view, graphics.renderers());
         !instead.empty())
         ui::say(session, instead);

@@ -14,9 +14,9 @@ namespace {
 using namespace ui;
 
 constexpr int actions = 60;
-constexpr std::array keys{int{'K'}, int{'T'},   int{'Z'},  int{'Y'},   int{'F'}, int{'M'},
-                          int{'E'}, int{'1'},   int{'2'},  int{'3'},   int{'4'}, key::home,
-                          key::f1,  key::space, key::down, key::enter, key::tab};
+constexpr std::array keys{int{'K'},  int{'T'},   int{'Z'}, int{'Y'}, int{'F'},  int{'M'}, int{'E'},
+                          int{'1'},  int{'2'},   int{'3'}, int{'4'}, key::home, key::f1,  key::space,
+                          key::down, key::enter, key::tab, int{'N'}, int{'L'},  key::del};
 
 } // namespace
 

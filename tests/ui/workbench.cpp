@@ -75,7 +75,7 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     height_ = height;
     scale_ = scale;
     ImGui::CreateContext();
-    applyTheme(scale);
+    applyTheme(scale, Theme::Dark, 100, catalogue_.get());
     textPercent_ = 100;
     theme_ = Theme::Dark;
     mapKeys();
@@ -95,6 +95,7 @@ void Workbench::lend(const ui::Services& services) {
 
 Workbench::~Workbench() {
     drawing_.reset();
+    useCatalogue(nullptr);
     ImGui::DestroyContext();
 }
 
@@ -111,13 +112,22 @@ void Workbench::build(const ui::Pictures& pictures) {
     io.MouseWheel = 0;
 }
 
+void Workbench::speak(Language language, std::set<std::string, std::less<>>* gaps) {
+    Result<std::unique_ptr<const Catalogue>> catalogue = catalogueOf(language);
+    ASSERT_TRUE(catalogue) << describe(catalogue.error());
+    useCatalogue(nullptr);
+    catalogue_ = *std::move(catalogue);
+    useCatalogue(catalogue_.get(), gaps);
+    textPercent_ = 0; // so that the fonts are made anew
+}
+
 /// As the stage does it before a frame.
 void Workbench::layOut() {
     const Settings& settings = session->window.settings;
     if (settings.theme != theme_ || settings.textPercent != textPercent_) {
         theme_ = settings.theme;
         textPercent_ = settings.textPercent;
-        applyTheme(scale_, theme_, textPercent_);
+        applyTheme(scale_, theme_, textPercent_, catalogue_.get());
         unsigned char* pixels = nullptr;
         int width = 0;
         int height = 0;
@@ -272,6 +282,11 @@ void Workbench::open(std::string_view section) {
     frames(1);
     session->window.wantedSection = row->section; // where it is, is known now
     frames(2);
+}
+
+void Workbench::putListRight() {
+    moveTab(session->window.settings.workspace, Tab::Vertices, Dock::Right);
+    frames(3);
 }
 
 void Workbench::scrollTo(std::string_view name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/layout.h"
 #include "app/ui/window/workbench.h"
@@ -12,6 +13,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace texplorer::test {
@@ -29,6 +31,9 @@ protected:
     /// Begins again with other services than those that do everything at once.
     void lend(const ui::Services& services);
 
+    /// What the window's texts are from here on, until a test begins; `gaps` as in useCatalogue.
+    void speak(ui::Language language, std::set<std::string, std::less<>>* gaps = nullptr);
+
     /// Draws frames, with whatever the hands hold. The clock stands still unless a test lets it run.
     void frames(int count = 1);
 
@@ -45,6 +50,8 @@ protected:
     void wheel(ImVec2 place, float notches);
     /// Opens a section of the parameters and scrolls there.
     void open(std::string_view section);
+    /// The list of vertices on the right, where one may drag it: so it is in sight beside a tab below.
+    void putListRight();
     /// Turns the wheel over the parameters until a widget is whole in sight.
     void scrollTo(std::string_view name);
     void choose(std::string_view param, std::string_view name); ///< in a combo
@@ -88,6 +95,7 @@ private:
     float scale_ = 1;
     int textPercent_ = 100; ///< with the theme, what Dear ImGui was set up for
     ui::Theme theme_ = ui::Theme::Dark;
+    std::unique_ptr<const ui::Catalogue> catalogue_;
     std::unique_ptr<Drawing> drawing_;
 };
 

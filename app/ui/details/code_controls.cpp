@@ -1,5 +1,6 @@
 #include "app/ui/details/code_controls.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/hover_link.h"
 #include "app/ui/widgets/param_place.h"
@@ -10,6 +11,7 @@
 #include <imgui_internal.h> // whether a number is being typed
 
 #include <algorithm>
+#include <array>
 
 namespace texplorer::ui {
 namespace {
@@ -57,7 +59,7 @@ void codeUnderline(ImU32 ink) {
 }
 
 /// What the pointer is told where it rests on a value.
-void codeTip(Session& session, const std::string& path) {
+void codeTip(Session& session, const std::string& path, int component) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
         return;
     const std::optional<ParamPlace> place = placeOf(session.document.scene, path);
@@ -65,7 +67,11 @@ void codeTip(Session& session, const std::string& path) {
         return;
     ImGui::PushFont(nullptr); // words, no code
     if (place->vertex) {
-        helpTip("A coordinate of this vertex: drag it, or double-click to type");
+        constexpr std::array names{"s", "t", "r", "q"};
+        helpTip(component >= 0 && component < 4
+                    ? fmt::format("Coordinate {} of vertex {}: drag it, or double-click to type",
+                                  names.at(static_cast<std::size_t>(component)), *place->vertex)
+                    : std::string("A coordinate of this vertex: drag it, or double-click to type"));
     } else {
         const Value value = place->row->read(place->owner.values);
         paramTip(*place->row, value, value, selectedUnit(session).target,
@@ -142,17 +148,17 @@ void codeChoices(Session& session, const ParamPlace& place, const std::string& p
     const EnumValue now = std::get<EnumValue>(place.row->read(place.owner.values));
     float names = 0;
     for (const EnumRow& choice : place.row->choices)
-        names = std::max(names, ImGui::CalcTextSize(choice.label.data()).x);
+        names = std::max(names, ImGui::CalcTextSize(tr(choice.label).c_str()).x);
     for (const EnumRow& choice : place.row->choices) {
         const bool isNow = choice.value == now.number;
-        if (ImGui::Selectable(fmt::format("{}##{}", choice.label, choice.name).c_str(), isNow))
+        if (ImGui::Selectable(label(fmt::format("{}##{}", choice.label, choice.name)).c_str(), isNow))
             assignParam(session, place.owner, *place.row, EnumValue{choice.value});
         noteItem(fmt::format("command:{}={}", path, choice.name));
         choiceTip(choice);
         if (choice.name.starts_with("GL_")) {
             ImGui::SameLine(names + ImGui::GetFontSize() * 2);
             ImGui::PushFont(codeFont());
-            dimText(choice.name);
+            ImGui::TextDisabled("%s", choice.name.data());
             ImGui::PopFont();
         }
     }
@@ -216,7 +222,7 @@ float codePart(Session& session, const emit::Part& part, const CodeLook& look) {
     if (part.occurrence == 0)
         noteItem(part.kind == Kind::Call ? fmt::format("call:{}", part.path) : codeName(part));
     linkHover(session, part.path);
-    codeTip(session, part.path);
+    codeTip(session, part.path, part.component);
     if (part.kind == Kind::Choice) {
         if (const std::optional<ParamPlace> place = placeOf(session.document.scene, part.path))
             codeChoices(session, *place, part.path);

@@ -1,11 +1,14 @@
 #include "app/ui/details/commands_tab.h"
 
 #include "app/ui/details/code_controls.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/emit/emit.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,18 +21,18 @@ constexpr const char* commandsHint = "Drag numbers, click names and switches";
 void toolRow(CommandsTabState& state) {
     const char* copy = "Copy";
     const float width = buttonWidth(copy);
-    ImGui::Checkbox("All calls", &state.showsAll);
+    ImGui::Checkbox(label("All calls"), &state.showsAll);
     noteItem("all commands");
     helpTip("Off: only the calls that change what OpenGL starts with");
     ImGui::SameLine(0, ImGui::GetFontSize());
     if (ImGui::GetContentRegionAvail().x >
-        ImGui::CalcTextSize(commandsHint).x + ImGui::GetFontSize() + width) {
+        ImGui::CalcTextSize(tr(commandsHint)).x + ImGui::GetFontSize() + width) {
         ImGui::AlignTextToFramePadding();
         dimText(commandsHint);
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::Button(copy))
+    if (ImGui::Button(label(copy)))
         ImGui::SetClipboardText(emit::textOf(state.lines, state.showsAll).c_str());
     noteItem("copy commands");
     helpTip("Copies the calls that are listed, as C");
@@ -40,7 +43,7 @@ void makeRows(CommandsTabState& state) {
     state.rows.clear();
     for (std::size_t i = 0; i < state.lines.size(); ++i) {
         const emit::Line& line = state.lines[i];
-        if (!state.showsAll && !line.needed && !mentions(line, state.kept))
+        if (!state.showsAll && !line.needed && !mentionsAny(line, state.changed))
             continue;
         if (line.heading && !state.rows.empty())
             state.rows.push_back({{}, i, false});
@@ -54,14 +57,16 @@ void makeRows(CommandsTabState& state) {
 void renew(const Session& session, CommandsTabState& state, std::size_t columns) {
     const Document& document = session.document;
     const bool isSame = state.scene && *state.scene == document.scene;
+    // The numbers of a list are compared with those before only where something changed.
     if (isSame && state.columns == columns && state.rowsShowAll == state.showsAll &&
-        state.kept == document.lastChanged)
+        state.lastChanged == document.lastChanged)
         return;
+    state.changed = changedPaths(document);
     if (!isSame) {
         std::vector<emit::Line> lines = emit::callsOf(document.scene);
         const auto haveChanged = [&](const std::vector<emit::Line>& among) {
             return std::ranges::any_of(
-                among, [&](const emit::Line& line) { return mentions(line, document.lastChanged); });
+                among, [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
         };
         // A number that is dragged to where its call isn't needed stays under the hand.
         if (!ImGui::IsAnyItemActive() || haveChanged(lines) || !haveChanged(state.lines)) {
@@ -71,16 +76,17 @@ void renew(const Session& session, CommandsTabState& state, std::size_t columns)
     }
     state.columns = columns;
     state.rowsShowAll = state.showsAll;
-    state.kept = document.lastChanged;
+    state.lastChanged = document.lastChanged;
     makeRows(state);
 }
 
 /// Scrolls to the line that changed last, once, where it isn't in sight.
 void showChanged(CommandsTabState& state, float rowHeight) {
-    if (std::exchange(state.revealed, state.kept) == state.kept || state.kept.empty())
+    if (state.revealed == state.changed)
         return;
+    state.revealed = state.changed;
     const auto found = std::ranges::find_if(
-        state.rows, [&](const CodeRow& row) { return mentions(state.lines[row.line], state.kept); });
+        state.rows, [&](const CodeRow& row) { return mentionsAny(state.lines[row.line], state.changed); });
     if (found == state.rows.end())
         return;
     const float top = rowHeight * static_cast<float>(found - state.rows.begin());
@@ -97,14 +103,16 @@ std::string firstPath(const emit::Line& line) {
 
 void drawRow(Session& session, const CommandsTabState& state, const CodeRow& row, float letter) {
     const emit::Line& line = state.lines[row.line];
-    const bool isChanged = mentions(line, session.document.lastChanged);
+    const bool isChanged = mentionsAny(line, state.changed);
     const CodeLook look{letter, !line.needed && !line.heading, isChanged};
     const ImVec2 start = ImGui::GetCursorPos();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float bar = letter * 0.4F;
-    if (isChanged)
-        ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + bar, corner.y + ImGui::GetFontSize()},
-                                                  color::changed);
+    if (isChanged) {
+        const ImVec2 end(corner.x + bar, corner.y + ImGui::GetFontSize());
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, end, color::changed);
+        noteDrawn(fmt::format("changed line:{}", row.line), corner, end);
+    }
     float x = start.x + letter;
     for (const emit::Part& part : row.parts) {
         ImGui::SetCursorPos({x, start.y});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/details/changed_paths.h"
 #include "app/ui/model/session.h"
 #include "core/emit/code.h"
 
@@ -19,15 +20,16 @@ struct CodeRow {
 /// What the tab remembers.
 struct CommandsTabState {
     bool showsAll = false; ///< calls that set what OpenGL has anyway, too
-    std::string revealed;  ///< the parameter that the list was scrolled to already
+    ChangedPaths revealed; ///< the values that the list was scrolled to already
 
     // What was made of the scene, until it is another one.
     std::optional<Scene> scene;
     std::vector<emit::Line> lines;
     std::vector<CodeRow> rows;
-    std::string kept; ///< the parameter whose calls stay though OpenGL has their values
+    ChangedPaths changed; ///< whose lines glow, and stay though OpenGL has their values
     std::size_t columns = 0;
     bool rowsShowAll = false;
+    std::string lastChanged;
 };
 
 /// The calls that draw the scene, in C, with their values as controls.

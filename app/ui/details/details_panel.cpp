@@ -1,6 +1,8 @@
 #include "app/ui/details/details_panel.h"
 
+#include "app/ui/details/level_edits.h"
 #include "app/ui/details/memory_tab.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -71,7 +73,7 @@ void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
     const float em = ImGui::GetFontSize();
     float width = 0;
     for (const TabRow& row : tabRows)
-        width += liesIn(workspace, row.tab, dock) ? ImGui::CalcTextSize(row.label).x + em * 0.4F + 2 : 0;
+        width += liesIn(workspace, row.tab, dock) ? ImGui::CalcTextSize(tr(row.label)).x + em * 0.4F + 2 : 0;
     const bool brief = width > ImGui::GetContentRegionAvail().x;
     pushTabStyle();
     const bool hasTabs = ImGui::BeginTabBar("tabs");
@@ -82,10 +84,10 @@ void drawTabBar(Workspace& workspace, DetailsState& state, Dock dock) {
         if (!liesIn(workspace, row.tab, dock))
             continue;
         pushTabStyle();
-        const std::string label = fmt::format("{}###{}", brief ? row.brief : row.label, row.label);
+        const std::string shown = fmt::format("{}###{}", tr(brief ? row.brief : row.label), row.label);
         const bool isFront = frontOf(workspace, dock) == row.tab;
         const bool open =
-            ImGui::BeginTabItem(label.c_str(), nullptr, isFront ? ImGuiTabItemFlags_SetSelected : 0);
+            ImGui::BeginTabItem(shown.c_str(), nullptr, isFront ? ImGuiTabItemFlags_SetSelected : 0);
         ImGui::PopStyleVar(2);
         noteItem(std::string("tab:") + row.label);
         handleTab(workspace, state, row, dock);
@@ -146,6 +148,7 @@ Rect dropZone(const Layout& layout, Dock dock) {
 
 void drawDock(Session& session, DetailsState& state, const Pictures& pictures, const Layout& layout,
               Dock dock) {
+    followForced(session);
     if (layout.of(dock).isEmpty())
         return;
     Workspace& workspace = session.window.settings.workspace;
@@ -184,12 +187,12 @@ void drawDraggedTab(Session& session, DetailsState& state, const Layout& layout)
     draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_SeparatorHovered), 0, 0, 2);
     const float em = ImGui::GetFontSize();
     const ImVec2 at(mouse.x + em * 0.8F, mouse.y + em * 0.8F);
-    const char* label = rowOf(*state.dragged).label;
-    const ImVec2 size = ImGui::CalcTextSize(label);
+    const char* name = tr(rowOf(*state.dragged).label);
+    const ImVec2 size = ImGui::CalcTextSize(name);
     draw.AddRectFilled({at.x - em * 0.3F, at.y - em * 0.2F},
                        {at.x + size.x + em * 0.3F, at.y + size.y + em * 0.2F},
                        ImGui::GetColorU32(ImGuiCol_PopupBg), em * 0.2F);
-    draw.AddText(at, color::text, label);
+    draw.AddText(at, color::text, name);
     noteDrawn("tab falls", low, high);
 }
 

@@ -1,5 +1,7 @@
 #include "app/ui/details/explain_cards.h"
 
+#include "core/base/word.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -81,9 +83,9 @@ Lines lodLines(const UnitExplanation& unit) {
     Lines lines{{fmt::format("λ {}", reference::numberText(lod.lambda))}};
     const bool isFactor = std::isfinite(lod.rho) && lod.rho > 0;
     lines.push_back({lod.magnified ? isFactor && lod.rho < 1 ? fmt::format("magnified {:.3g}×", 1 / lod.rho)
-                                                             : std::string("magnified")
+                                                             : std::string(word("magnified"))
                      : isFactor && lod.rho > 1 ? fmt::format("minified {:.3g}×", lod.rho)
-                                               : std::string("minified")});
+                                               : std::string(word("minified"))});
     if (lod.ellipse)
         lines.push_back({"over an ellipse"});
     else if (lod.probes > 1)
@@ -115,14 +117,18 @@ Lines texelsLines(const UnitExplanation& unit) {
 
 Lines filterLines(const UnitExplanation& unit) {
     const auto& levels = unit.sample.levels;
+    const glm::vec4 color = unit.sample.color;
     if (levels.size() < 2)
         return {{std::string(unit.sample.lod.magnified ? rowOf(unit.sampler.magFilter).label
                                                        : rowOf(unit.sampler.minFilter).label)},
-                colorLine(unit.sample.color)};
+                colorLine(color),
+                {fmt::format("alpha {:.2f}", color.a)}};
     Lines lines;
     for (const reference::LevelShare& share : levels)
         lines.push_back({fmt::format("level {}: {} %", share.level, percentText(share.weight))});
-    lines.push_back(colorLine(unit.sample.color));
+    lines.push_back(colorLine(color)); // what isn't opaque says so: a card has no fourth line
+    if (std::lround(color.a * 100) < 100)
+        lines.back().text += fmt::format(" {:.2f}", color.a);
     return lines;
 }
 
@@ -204,6 +210,12 @@ std::vector<Card> cardsOf(const FragmentExplanation& fragment, const reference::
         card.lines = linesOf(stage, fragment, unit == fragment.units.end() ? nullptr : &*unit);
     }
     return cards;
+}
+
+const Card* sameCard(const std::vector<Card>& cards, const Card& card) {
+    const auto found = std::ranges::find_if(
+        cards, [&](const Card& other) { return other.stage == card.stage && other.unit == card.unit; });
+    return found == cards.end() ? nullptr : &*found;
 }
 
 } // namespace texplorer::ui

@@ -76,4 +76,7 @@ struct Card {
 [[nodiscard]] std::vector<Card> cardsOf(const reference::FragmentExplanation& fragment,
                                         const reference::FragmentSteps& steps);
 
+/// The one of `cards` for the same stage of the same unit; nullptr: none.
+[[nodiscard]] const Card* sameCard(const std::vector<Card>& cards, const Card& card);
+
 } // namespace texplorer::ui

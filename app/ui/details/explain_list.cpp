@@ -1,6 +1,7 @@
 #include "app/ui/details/explain_list.h"
 
 #include "app/ui/details/step_rows.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -22,6 +23,14 @@ bool differsFrom(const reference::FragmentSteps* other, const Step& step) {
     return same == other->steps.end() || same->summary != step.summary;
 }
 
+/// A bar, so that what differs isn't known by its colour alone.
+void differenceMark() {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + em * 0.25F, low.y + em}, color::changed);
+    ImGui::Dummy({em * 0.25F, em});
+}
+
 void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool differs) {
     const std::string title =
         step.unit < 0 || !severalUnits ? step.title : fmt::format("{}, unit {}", step.title, step.unit);
@@ -31,7 +40,7 @@ void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool 
     const bool hasRows = !step.rows.empty();
     const bool open =
         ImGui::TreeNodeEx("step", ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
-                          "%s", title.c_str());
+                          "%s", tr(title).c_str());
     noteItem("explain:" + title);
     ImGui::SameLine();
     if (step.swatch) {
@@ -40,6 +49,11 @@ void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool 
     }
     const bool idle = step.kind == reference::StepKind::IdleUnit;
     const ImU32 usual = idle ? color::problem : color::dim;
+    if (differs) {
+        differenceMark();
+        noteItem("explain:differs " + title);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
     hangingText(step.summary, differs ? ImU32(color::changed) : usual);
     noteItem("explain:summary of " + title);
     if (open) {
@@ -54,12 +68,13 @@ void drawFragment(const reference::FragmentSteps& fragment, const reference::Fra
                   std::size_t index, bool seen, const reference::FragmentSteps* other) {
     ImGui::PushID(seen ? -1 : static_cast<int>(index));
     ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
-    const std::string title = fragment.title + (fragment.drawn ? "" : ": " + fragment.outcome);
+    const std::string title =
+        fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
     ImGui::PushStyleColor(ImGuiCol_Text, fragment.drawn ? color::text : color::dim);
     const float room = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX() - ImGui::GetCursorPosX() -
                        ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.5F;
     const bool open = ImGui::CollapsingHeader((fitted(title, room) + "###fragment").c_str());
-    if (fitted(title, room) != title)
+    if (fitted(title, room) != tr(title))
         helpTip(title);
     ImGui::PopStyleColor();
     noteItem(fmt::format("explain:fragment {}", index));

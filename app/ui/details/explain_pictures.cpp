@@ -1,6 +1,9 @@
 #include "app/ui/details/explain_pictures.h"
 
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/theme.h"
+#include "core/base/word.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -99,7 +102,9 @@ void drawNamedColors(const Sketch& box, const std::vector<NamedColor>& colors) {
         if (each.sign)
             sketchText(box.draw, {x - gap / 2, top + side / 2}, each.sign, color::dim);
         filledBox({box.draw, {x, top}, {x + side, top + side}}, each.color);
-        sketchText(box.draw, {x + side / 2, top + side + line / 2}, each.name, color::dim);
+        constexpr float small = 0.8F; // see sketchText
+        sketchText(box.draw, {x + side / 2, top + side + line / 2}, fitted(each.name, (side + gap) / small),
+                   color::dim);
         x += side + gap;
     }
 }
@@ -159,6 +164,14 @@ void drawCoordinatesSketch(const Sketch& whole, const UnitExplanation& unit) {
     whole.draw.AddLine(at(shown.x, 0), at(shown.x, shown.y), color::s, line);
     whole.draw.AddLine(at(0, shown.y), at(shown.x, shown.y), color::t, line);
     sketchDot(whole, at(shown.x, shown.y));
+    // Not known by their colours alone, in a square large enough.
+    const float em = ImGui::GetFontSize();
+    if (box.width() < em * 3)
+        return;
+    const ImVec2 corner = at(1, 1);
+    const ImVec2 origin = at(0, 0);
+    sketchText(whole.draw, {corner.x - em * 0.3F, origin.y - em * 0.45F}, "s", color::s);
+    sketchText(whole.draw, {origin.x + em * 0.35F, corner.y + em * 0.4F}, "t", color::t);
 }
 
 /// How many texels the base level has, from a level that was read.
@@ -336,9 +349,9 @@ glm::vec4 colorOfBytes(const reference::PixelBytes& bytes) {
 
 void drawTestsSketch(const Sketch& whole, const FragmentExplanation& fragment) {
     const bool drawn = fragment.outcome == reference::FragmentOutcome::Drawn;
-    drawNamedColors(whole, {{nullptr, "here", colorOfBytes(fragment.before)},
-                            {"+", "new", fragment.color},
-                            {"→", "then", colorOfBytes(drawn ? fragment.after : fragment.before)}});
+    drawNamedColors(whole, {{nullptr, word("here"), colorOfBytes(fragment.before)},
+                            {"+", word("new"), fragment.color},
+                            {"→", word("then"), colorOfBytes(drawn ? fragment.after : fragment.before)}});
 }
 
 } // namespace
@@ -367,8 +380,8 @@ void drawStagePicture(ImDrawList& draw, ImVec2 low, ImVec2 high, const Card& car
         break;
     case Stage::ColorSum:
         return drawNamedColors(whole, {{nullptr, "C", fragment.textured},
-                                       {"+", "spec.", glm::vec4(glm::vec3(fragment.secondary), 1)},
-                                       {"→", "sum", fragment.summed}});
+                                       {"+", word("spec."), glm::vec4(glm::vec3(fragment.secondary), 1)},
+                                       {"→", word("sum"), fragment.summed}});
     case Stage::Fog:
         return drawNamedColors(whole, {{nullptr, "Cr", fragment.summed},
                                        {"·", "Cf", glm::vec4(glm::vec3(fragment.fog->state.color), 1)},

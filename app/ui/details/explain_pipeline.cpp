@@ -1,15 +1,17 @@
 #include "app/ui/details/explain_pipeline.h"
 
 #include "app/ui/details/explain_pictures.h"
+#include "app/ui/details/open_cards.h"
 #include "app/ui/details/step_rows.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -18,9 +20,10 @@ namespace {
 constexpr float leastPicture = 2.5F; // what is lower is left out
 constexpr float usualPicture = 4;
 constexpr float largestPicture = 8;
-constexpr float leastOpen = 9; // what open cards need below
-constexpr float narrowestOpen = 17;
-constexpr float mostSlack = 5; // that a card is wider than it must be
+constexpr float leastOpen = 7.5F;     // what open cards need below
+constexpr float mostSlack = 5;        // that a card is wider than it must be
+constexpr float narrowestCard = 5.2F; // where cards share too little room
+constexpr float smallestText = 0.78F; // of the usual size, before a text is cut
 
 /// The lengths of the cards, in pixels.
 struct CardMeasure {
@@ -30,36 +33,118 @@ struct CardMeasure {
     float line = std::floor(em * 1.2F);
     float picture = 0; ///< 0: cards show none
 
+    /// What stands between the texts gets less room, and they get more.
+    void tighten() {
+        pad = std::floor(em * 0.3F);
+        arrow = std::floor(em * 0.45F);
+    }
+
+    /// Lines as close as they can be, where cards have little height.
+    void flatten() {
+        pad = std::floor(em * 0.2F);
+        line = std::floor(em * 1.05F);
+    }
+
     [[nodiscard]] float height() const {
         return 2 * pad + 4 * line + (picture > 0 ? picture + pad : 0); // the name and three lines
     }
 };
 
 float naturalWidth(const Card& card, const CardMeasure& measure) {
-    float width = std::max(ImGui::CalcTextSize(card.name.c_str()).x, usualPicture * measure.em);
+    float width = std::max(ImGui::CalcTextSize(tr(card.name).c_str()).x, usualPicture * measure.em);
     for (const CardLine& line : card.lines)
-        width = std::max(width, ImGui::CalcTextSize(line.text.c_str()).x);
+        width = std::max(width, ImGui::CalcTextSize(tr(line.text).c_str()).x);
     return std::ceil(width) + 2 * measure.pad;
 }
 
-const Card* sameCard(const Lane& lane, const Card& card) {
-    const auto found = std::ranges::find_if(
-        lane.cards, [&](const Card& other) { return other.stage == card.stage && other.unit == card.unit; });
-    return found == lane.cards.end() ? nullptr : &*found;
+float arrowsOf(const Lane& lane, const CardMeasure& measure) {
+    return measure.arrow * static_cast<float>(lane.cards.size() - 1);
 }
 
-/// What one adds to each card so that they fill the width.
-float slackOf(const Lane& lane, const CardMeasure& measure, float available) {
-    float width = measure.arrow * static_cast<float>(lane.cards.size() - 1);
+/// Of a lane whose cards are all as wide as what they say.
+float naturalWidth(const Lane& lane, const CardMeasure& measure) {
+    float width = arrowsOf(lane, measure);
     for (const Card& card : lane.cards)
         width += naturalWidth(card, measure);
-    const float slack = (available - width) / static_cast<float>(lane.cards.size());
-    return std::floor(std::clamp(slack, 0.0F, mostSlack * measure.em));
+    return width;
 }
 
-/// A card at the cursor; true where it was clicked. `other` is what it is compared with.
-bool drawCard(const Lane& lane, const Card& card, const Card* other, bool open, float width,
-              const CardMeasure& measure) {
+/// The widest ones are made narrower, all of those to one width, until the cards have room; none becomes
+/// narrower than one can read.
+void shareRoom(std::vector<float>& widths, float room, float least) {
+    std::vector<float> sorted = widths;
+    std::ranges::sort(sorted);
+    float cap = least;
+    float before = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const float each = (room - before) / static_cast<float>(sorted.size() - i);
+        if (each < sorted[i]) {
+            cap = std::max(least, std::floor(each));
+            break;
+        }
+        before += sorted[i];
+    }
+    for (float& width : widths)
+        width = std::min(width, cap);
+}
+
+/// As wide as what they say and somewhat more, where that has room.
+std::vector<float> widthsOf(const Lane& lane, const CardMeasure& measure, float available) {
+    std::vector<float> widths;
+    for (const Card& card : lane.cards)
+        widths.push_back(naturalWidth(card, measure));
+    const float left = available - naturalWidth(lane, measure);
+    if (left < 0) {
+        shareRoom(widths, available - arrowsOf(lane, measure), narrowestCard * measure.em);
+        return widths;
+    }
+    const float slack = left / static_cast<float>(lane.cards.size());
+    for (float& width : widths)
+        width += std::floor(std::min(slack, mostSlack * measure.em));
+    return widths;
+}
+
+/// What a card says in a line: somewhat smaller where it has little room, and cut where that is too little.
+struct ShownLine {
+    std::string text;
+    float scale = 1;
+    bool cut = false;
+
+    [[nodiscard]] float width() const { return ImGui::CalcTextSize(text.c_str()).x * scale; }
+};
+
+ShownLine lineThatFits(const std::string& english, float room) {
+    const std::string text = tr(english);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    if (width <= room)
+        return {text};
+    const float scale = std::max(smallestText, room / width);
+    const std::string shown = fitted(english, room / scale + 0.5F);
+    return {shown, scale, shown != text};
+}
+
+void drawLine(ImDrawList& draw, ImVec2 at, ImU32 tint, const ShownLine& line) {
+    const float size = ImGui::GetFontSize();
+    draw.AddText(ImGui::GetFont(), size * line.scale, {at.x, std::round(at.y + size * (1 - line.scale) / 2)},
+                 tint, line.text.c_str());
+}
+
+/// All that a card says, for where it is cut.
+std::string wordsOf(const Card& card) {
+    std::string words = card.name;
+    for (const CardLine& line : card.lines)
+        words += "\n" + line.text;
+    return words + "\n" + rowOf(card.stage).help;
+}
+
+struct CardClick {
+    bool pressed;
+    bool cut; ///< it says more than it shows
+};
+
+/// A card at the cursor. `other` is what it is compared with.
+CardClick drawCard(const Lane& lane, const Card& card, const Card* other, bool open, float width,
+                   const CardMeasure& measure) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + width, low.y + measure.height());
     const bool clicked = ImGui::InvisibleButton("card", {width, measure.height()});
@@ -71,7 +156,10 @@ bool drawCard(const Lane& lane, const Card& card, const Card* other, bool open, 
         draw.AddRect(low, high, color::text, ImGui::GetStyle().FrameRounding);
     float y = low.y + measure.pad;
     const float x = low.x + measure.pad;
-    draw.AddText({x, y}, color::text, card.name.c_str());
+    const float room = width - 2 * measure.pad;
+    const ShownLine name = lineThatFits(card.name, room);
+    bool cut = name.cut;
+    drawLine(draw, {x, y}, color::text, name);
     y += measure.line;
     if (measure.picture > 0) {
         draw.PushClipRect(low, high, true);
@@ -83,14 +171,16 @@ bool drawCard(const Lane& lane, const Card& card, const Card* other, bool open, 
         const CardLine& line = card.lines[i];
         const bool differs = other && (i >= other->lines.size() || other->lines[i].text != line.text);
         const ImU32 tint = differs ? color::changed : tintOf(line.ink);
-        draw.AddText({x, y}, tint, line.text.c_str());
+        const ShownLine shown = lineThatFits(line.text, room);
+        cut |= shown.cut;
+        drawLine(draw, {x, y}, tint, shown);
         if (differs) {
             const float under = y + measure.em + 1;
-            draw.AddLine({x, under}, {x + ImGui::CalcTextSize(line.text.c_str()).x, under}, tint);
+            draw.AddLine({x, under}, {x + shown.width(), under}, tint);
         }
         y += measure.line;
     }
-    return clicked;
+    return {clicked, cut};
 }
 
 void drawArrow(const CardMeasure& measure) {
@@ -104,7 +194,7 @@ void drawArrow(const CardMeasure& measure) {
 
 void drawLane(PipelineState& state, const Lane& lane, const Lane* other, const CardMeasure& measure,
               float available) {
-    const float slack = slackOf(lane, measure, available);
+    const std::vector<float> widths = widthsOf(lane, measure, available);
     for (std::size_t i = 0; i < lane.cards.size(); ++i) {
         const Card& card = lane.cards[i];
         if (i > 0) {
@@ -115,80 +205,47 @@ void drawLane(PipelineState& state, const Lane& lane, const Lane* other, const C
         const std::pair key(card.stage, card.unit);
         ImGui::PushID(static_cast<int>(i));
         const bool open = state.open.contains(key);
-        const Card* against = other ? sameCard(*other, card) : nullptr;
-        if (drawCard(lane, card, against, open, naturalWidth(card, measure) + slack, measure)) {
+        const Card* against = other ? sameCard(other->cards, card) : nullptr;
+        const CardClick click = drawCard(lane, card, against, open, widths[i], measure);
+        if (click.pressed) {
             if (open)
                 state.open.erase(key);
             else
                 state.open.insert(key);
         }
         noteItem((other || lane.title.empty() ? "card:" : "pinned card:") + card.name);
-        helpTip(rowOf(card.stage).help);
+        helpTip(click.cut ? wordsOf(card) : std::string(rowOf(card.stage).help));
         ImGui::PopID();
     }
 }
 
-/// All that a card's steps say.
-void drawCardSteps(const Lane& lane, const Card& card) {
-    for (const std::size_t index : card.steps) {
-        const reference::Step& step = lane.steps.steps[index];
-        inkText(step.title, color::text);
-        noteItem("explain:" + step.title);
-        ImGui::SameLine();
-        if (step.swatch) {
-            swatch(*step.swatch);
-            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-        }
-        hangingText(step.summary, step.kind == reference::StepKind::IdleUnit ? color::problem : color::dim);
-        drawRows(step.rows);
-        noteItem("explain:rows of " + step.title);
+/// There is more at a side of the window: it fades there, below an arrow. The wheel leads there.
+void hintAtMore(const CardMeasure& measure) {
+    const float most = ImGui::GetScrollMaxX();
+    const float now = ImGui::GetScrollX();
+    if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0)
+        ImGui::SetScrollX(std::clamp(now - ImGui::GetIO().MouseWheel * 4 * measure.em, 0.0F, most));
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 high(low.x + ImGui::GetWindowWidth(),
+                      low.y + ImGui::GetWindowHeight() - ImGui::GetStyle().ScrollbarSize);
+    const float wide = measure.em * 2;
+    const float y = (low.y + high.y) / 2;
+    const float half = measure.em * 0.5F;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 solid = color::panel;
+    const ImU32 clear = solid & ~IM_COL32_A_MASK;
+    if (now < most) {
+        draw.AddRectFilledMultiColor({high.x - wide, low.y}, high, clear, solid, solid, clear);
+        draw.AddTriangleFilled({high.x - 1.5F * half, y - half}, {high.x - 1.5F * half, y + half},
+                               {high.x - 0.5F * half, y}, color::text);
+        noteDrawn("cards:more right", {high.x - wide, low.y}, high);
     }
-}
-
-float stepsWidth(const Lane& lane, const Card& card) {
-    float width = narrowestOpen * ImGui::GetFontSize();
-    for (const std::size_t index : card.steps)
-        width = std::max(width, rowsWidth(lane.steps.steps[index].rows));
-    return width;
-}
-
-/// The open cards side by side, each with all of its numbers.
-void drawOpenCards(PipelineState& state, std::span<const Lane> lanes, float height) {
-    const Lane& lane = lanes.back();
-    const float em = ImGui::GetFontSize();
-    bool first = true;
-    std::optional<std::pair<Stage, int>> closed;
-    for (const Card& card : lane.cards) {
-        const std::pair key(card.stage, card.unit);
-        if (!state.open.contains(key))
-            continue;
-        if (!std::exchange(first, false))
-            ImGui::SameLine(0, em * 0.5F);
-        const Card* pinned = lanes.size() > 1 ? sameCard(lanes.front(), card) : nullptr;
-        const float width =
-            std::max(stepsWidth(lane, card), pinned ? stepsWidth(lanes.front(), *pinned) : 0) +
-            2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
-        ImGui::PushID(static_cast<int>(card.stage) * 16 + card.unit);
-        ImGui::BeginChild("steps", {width, height}, true);
-        inkText(card.name, color::chosen);
-        const float button = ImGui::GetFrameHeight();
-        ImGui::SameLine(std::max(0.0F, ImGui::GetWindowContentRegionMax().x - button));
-        if (ImGui::SmallButton("✕"))
-            closed = key;
-        noteItem("close card:" + card.name);
-        drawCardSteps(lane, card);
-        if (pinned) {
-            ImGui::Separator();
-            inkText(lanes.front().title, color::dim);
-            ImGui::PushID("pinned");
-            drawCardSteps(lanes.front(), *pinned);
-            ImGui::PopID();
-        }
-        ImGui::EndChild();
-        ImGui::PopID();
+    if (now > 0) {
+        draw.AddRectFilledMultiColor(low, {low.x + wide, high.y}, solid, clear, clear, solid);
+        draw.AddTriangleFilled({low.x + 1.5F * half, y - half}, {low.x + 0.5F * half, y},
+                               {low.x + 1.5F * half, y + half}, color::text);
+        noteDrawn("cards:more left", low, {low.x + wide, high.y});
     }
-    if (closed)
-        state.open.erase(*closed);
 }
 
 bool isAnyOpen(const PipelineState& state, const Lane& lane) {
@@ -202,24 +259,34 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
     CardMeasure measure;
     const auto count = static_cast<float>(lanes.size());
     const bool titled = lanes.size() > 1;
-    const float title = titled ? measure.line : 0;
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const bool open = isAnyOpen(state, lanes.back());
     const ImVec2 available = ImGui::GetContentRegionAvail();
-    float widest = 0;
-    for (const Lane& lane : lanes) {
-        float width = measure.arrow * static_cast<float>(lane.cards.size() - 1);
-        for (const Card& card : lane.cards)
-            width += naturalWidth(card, measure);
-        widest = std::max(widest, width);
-    }
+    const auto lanesHeight = [&] {
+        const float title = titled ? measure.line + gap : 0;
+        return count * (title + measure.height()) + (count - 1) * gap;
+    };
+    if (lanesHeight() + (open ? leastOpen * measure.em + gap : 0) > available.y)
+        measure.flatten();
+    const float title = titled ? measure.line : 0;
+    const auto widestOf = [&](const auto& widthOf) {
+        float widest = 0;
+        for (const Lane& lane : lanes)
+            widest = std::max(widest, widthOf(lane));
+        return widest;
+    };
+    if (widestOf([&](const Lane& lane) { return naturalWidth(lane, measure); }) > available.x)
+        measure.tighten();
+    const float widest = widestOf([&](const Lane& lane) {
+        const std::vector<float> widths = widthsOf(lane, measure, available.x);
+        return std::accumulate(widths.begin(), widths.end(), arrowsOf(lane, measure));
+    });
     const float bar = widest > available.x ? ImGui::GetStyle().ScrollbarSize : 0;
     const float room = available.y - (open ? leastOpen * measure.em + gap : 0);
     const float left = (room - bar) / count - title - gap - measure.height() - measure.pad;
     if (left >= leastPicture * measure.em)
         measure.picture = std::floor(std::min(left, (open ? usualPicture : largestPicture) * measure.em));
-    const float height =
-        count * (title + measure.height()) + (count - 1) * gap + (titled ? count * gap : 0) + bar;
+    const float height = lanesHeight() + bar;
     ImGui::BeginChild("cards", {0, height}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     for (const Lane& lane : lanes) {
@@ -230,6 +297,8 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
         drawLane(state, lane, compared ? &lanes.front() : nullptr, measure, available.x);
         ImGui::PopID();
     }
+    if (bar > 0)
+        hintAtMore(measure);
     ImGui::EndChild();
     if (open) {
         const float rest = std::max(ImGui::GetContentRegionAvail().y, leastOpen * measure.em);
@@ -237,40 +306,6 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
         drawOpenCards(state, lanes, ImGui::GetContentRegionAvail().y);
         ImGui::EndChild();
     }
-}
-
-void drawStages() {
-    const CardMeasure measure;
-    const auto shown = static_cast<float>(std::ranges::count(stageRows, true, &StageRow::always));
-    const ImVec2 available = ImGui::GetContentRegionAvail();
-    const float width = std::floor((available.x - (shown - 1) * measure.arrow) / shown);
-    const float wrap = width - 2 * measure.pad;
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImVec2 low = ImGui::GetCursorScreenPos();
-    float height = 0;
-    for (const StageRow& row : stageRows)
-        height = std::max(height, row.always ? ImGui::CalcTextSize(row.help, nullptr, false, wrap).y : 0);
-    height += measure.line + 3 * measure.pad;
-    for (const StageRow& row : stageRows) {
-        if (!row.always)
-            continue;
-        const ImVec2 high(low.x + width, low.y + height);
-        draw.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.5F),
-                           ImGui::GetStyle().FrameRounding);
-        draw.AddText({low.x + measure.pad, low.y + measure.pad}, color::text, row.name);
-        draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
-                     {low.x + measure.pad, low.y + measure.pad + measure.line}, color::dim, row.help, nullptr,
-                     wrap);
-        noteDrawn(fmt::format("stage:{}", row.name), low, high);
-        if (&row != &stageRows.back()) {
-            const float half = measure.em * 0.28F;
-            const float x = high.x + (measure.arrow - half) / 2;
-            const float y = low.y + height / 2;
-            draw.AddTriangleFilled({x, y - half}, {x, y + half}, {x + half, y}, color::dim);
-        }
-        low.x = high.x + measure.arrow;
-    }
-    ImGui::Dummy({available.x, height});
 }
 
 } // namespace texplorer::ui

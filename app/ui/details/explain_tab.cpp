@@ -3,8 +3,10 @@
 #include "app/ui/details/explain_comparison.h"
 #include "app/ui/details/explain_list.h"
 #include "app/ui/details/step_rows.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -29,15 +31,15 @@ std::string pixelText(const Explanation& explanation) {
 }
 
 void offerEllipse(Session& session) {
-    constexpr const char* label = "Compare by ellipse";
+    constexpr const char* offer = "Compare by ellipse";
     hangingText("How to filter anisotropically is left to the driver. Mesa's averages over an ellipse.",
                 color::text);
     noteItem("explain:ellipse");
-    const float button = buttonWidth(label);
+    const float button = buttonWidth(offer);
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < button)
         ImGui::NewLine();
-    if (ImGui::SmallButton(label))
+    if (ImGui::SmallButton(label(offer)))
         session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
     noteItem("explain:use ellipse");
     helpTip(texplorer::rowOf(reference::AnisotropyMethod::Ellipse).help);
@@ -54,9 +56,9 @@ void sameLineFor(float width) {
 void drawInLine(const std::vector<StepRow>& rows, float reserved) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     for (const StepRow& row : rows) {
-        float width = ImGui::GetTextLineHeight() + ImGui::CalcTextSize(row.label.c_str()).x;
+        float width = ImGui::GetTextLineHeight() + ImGui::CalcTextSize(tr(row.label).c_str()).x;
         for (const reference::StepCell& cell : row.cells)
-            width += gap + ImGui::CalcTextSize(cell.text.c_str()).x;
+            width += gap + ImGui::CalcTextSize(tr(cell.text).c_str()).x;
         sameLineFor(width + reserved);
         swatch(*row.swatch);
         ImGui::SameLine(0, gap);
@@ -77,7 +79,7 @@ void pixelButtons(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(pin) + gap + buttonWidth("Clear");
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
-    if (ImGui::SmallButton(pin)) {
+    if (ImGui::SmallButton(label(pin))) {
         if (pinned)
             session.window.explaining.pinned.reset();
         else
@@ -88,7 +90,7 @@ void pixelButtons(Session& session) {
                    : "Keeps this pixel as it is now. The next one, or the same one after a change, is shown "
                      "beside it, with what differs marked.");
     ImGui::SameLine(0, gap);
-    if (ImGui::SmallButton("Clear")) {
+    if (ImGui::SmallButton(label("Clear"))) {
         session.window.explaining.pixel.reset();
         session.window.explaining.pinned.reset();
         clearTexel(session);
@@ -118,24 +120,26 @@ void drawHead(Session& session, const Pictures& pictures, const Explanation& exp
         offerEllipse(session);
 }
 
+/// How many pixels read the texel that is asked for.
+std::string readersOf(const Explaining& asked) {
+    if (!asked.answer || !asked.answer->contributions || asked.answer->request.texel != asked.texel)
+        return "looking for its pixels…";
+    const auto& found = *asked.answer->contributions;
+    if (!found)
+        return describe(found.error());
+    const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
+    return count == 0   ? "no visible pixel reads it"
+           : count == 1 ? "one pixel reads it"
+                        : fmt::format("{} pixels read it", count);
+}
+
 void drawTexelLine(Session& session) {
     const Explaining& asked = session.window.explaining;
     if (!asked.texel)
         return;
     const auto& [level, index] = asked.texel->texel;
-    std::string words = fmt::format("Texel {}, {} of level {}: ", index.x, index.y, level);
-    const bool answered =
-        asked.answer && asked.answer->contributions && asked.answer->request.texel == asked.texel;
-    if (!answered) {
-        words += "looking for its pixels…";
-    } else if (const auto& found = *asked.answer->contributions; !found) {
-        words += describe(found.error());
-    } else {
-        const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
-        words += count == 0   ? "no visible pixel reads it"
-                 : count == 1 ? "one pixel reads it"
-                              : fmt::format("{} pixels read it", count);
-    }
+    const std::string words =
+        fmt::format("Texel {}, {} of level {}: {}", index.x, index.y, level, readersOf(asked));
     const bool cleared = ImGui::SmallButton("✕##texel");
     noteItem("explain:clear texel");
     helpTip("Lets go of this texel (Escape)");
@@ -168,19 +172,19 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
     ImGui::SameLine();
     const std::string title = titleOf(fragments[shown]);
     const float arrow = ImGui::GetFrameHeight();
-    const float width = std::min(ImGui::CalcTextSize(title.c_str()).x + arrow + ImGui::GetFontSize(),
+    const float width = std::min(ImGui::CalcTextSize(tr(title).c_str()).x + arrow + ImGui::GetFontSize(),
                                  ImGui::GetContentRegionAvail().x);
     ImGui::SetNextItemWidth(width);
     const std::string preview = fitted(title, width - arrow - ImGui::GetFontSize());
     const bool open = ImGui::BeginCombo("##fragment", preview.c_str());
     noteItem("explain:fragments");
-    if (preview != title)
+    if (preview != tr(title))
         helpTip(title);
     if (!open)
         return;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(titleOf(fragments[i]).c_str(), i == shown)) {
+        if (ImGui::Selectable(label(titleOf(fragments[i])).c_str(), i == shown)) {
             state.fragment = i;
             state.fragmentOf = explanation.pixel;
         }
@@ -237,12 +241,11 @@ void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushTextWrapPos(ImGui::GetScrollX() + ImGui::GetWindowWidth() - style.WindowPadding.x -
                            style.ScrollbarSize);
-    ImGui::TextUnformatted(
-        "Why has this pixel that colour? Click one in the view, or hold E over it: here is "
-        "everything that OpenGL computes on the way, in its order.");
+    text("Why has this pixel that colour? Click one in the view, or hold E over it: here is "
+         "everything that OpenGL computes on the way, in its order.");
     ImGui::PopTextWrapPos();
     noteItem("explain:none");
-    if (ImGui::SmallButton("Explain the pixel in the middle"))
+    if (ImGui::SmallButton(label("Explain the pixel in the middle")))
         session.window.explaining.pixel = {width / 2, height / 2};
     noteItem("explain:middle");
     if (wide) {
@@ -263,9 +266,9 @@ void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pi
         drawTexelLine(session);
     } else if (!explanation) {
         if (answer && answer->explanation && !*answer->explanation)
-            ImGui::TextWrapped("%s", describe(answer->explanation->error()).c_str());
+            ImGui::TextWrapped("%s", tr(describe(answer->explanation->error())).c_str());
         else
-            ImGui::TextDisabled("The texture's levels are being made…");
+            dimText("The texture's levels are being made…");
         noteItem("explain:waiting");
     } else {
         drawHead(session, pictures, *explanation, wide);
@@ -273,7 +276,7 @@ void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pi
         const auto fragments = reference::stepsOf(*explanation);
         const Explanation* pinned = pinnedExplanation(session);
         if (fragments.empty())
-            ImGui::TextWrapped("Nothing covers it: it shows the background.");
+            ImGui::TextWrapped("%s", tr("Nothing covers it: it shows the background."));
         if (wide && !fragments.empty())
             drawLanes(state, pinned, *explanation, fragments);
         else

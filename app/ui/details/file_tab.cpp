@@ -2,7 +2,9 @@
 
 #include "app/ui/details/file_tab.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"
@@ -21,17 +23,18 @@ int offsetDigits(std::size_t fileBytes) {
 }
 
 void fieldTip(const Field& field) {
-    std::string text = field.name;
-    if (!field.value.empty())
-        text += " = " + field.value;
+    // Names and values are the file's.
+    std::vector<std::string> lines{field.value.empty() ? field.name
+                                                       : fmt::format("{} = {}", field.name, field.value)};
     if (!field.meaning.empty())
-        text += "\n" + field.meaning;
+        lines.push_back(tr(field.meaning));
     if (!field.wrong.empty())
-        text += "\n" + field.wrong;
-    text += fmt::format("\n{} from offset {}", countOf(field.size, "byte"), field.offset);
+        lines.push_back(tr(field.wrong));
+    lines.push_back(tr(fmt::format("{} from offset {}", countOf(field.size, "byte"), field.offset)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-    ImGui::TextUnformatted(printable(text, LineBreaks::Keep).c_str());
+    for (const std::string& line : lines)
+        ImGui::TextUnformatted(printable(line, LineBreaks::Keep).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -91,9 +94,9 @@ void fieldTable(FileTabState& state, float height, std::optional<std::size_t>& h
     const float offsets = ImGui::CalcTextSize("0").x * static_cast<float>(std::max(digits, 6));
     ImGui::PopFont();
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Offset", ImGuiTableColumnFlags_WidthFixed, offsets);
-    ImGui::TableSetupColumn("Field", ImGuiTableColumnFlags_WidthFixed, nameWidth(fields));
-    ImGui::TableSetupColumn("Value and meaning", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn(label("Offset"), ImGuiTableColumnFlags_WidthFixed, offsets);
+    ImGui::TableSetupColumn(label("Field"), ImGuiTableColumnFlags_WidthFixed, nameWidth(fields));
+    ImGui::TableSetupColumn(label("Value and meaning"), ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
     if (state.revealInTable) {
         const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
@@ -207,7 +210,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (file.bytes.size() < file.fileBytes)
-        ImGui::TextDisabled("The first %zu of %zu bytes are shown.", file.bytes.size(), file.fileBytes);
+        dimText(fmt::format("The first {} of {} bytes are shown.", file.bytes.size(), file.fileBytes));
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -225,8 +228,8 @@ void heading(Session& session) {
     std::string text = printable(view.shown.filename().string());
     if (view.content) {
         const std::string_view format = view.content->anatomy.format;
-        text += fmt::format(" · {} · {} bytes", format.empty() ? "unknown format" : format,
-                            view.content->fileBytes);
+        text = fmt::format("{} · {} · {}", text, format.empty() ? tr("unknown format") : std::string(format),
+                           tr(countOf(view.content->fileBytes, "byte")));
     }
     ImGui::TextUnformatted(text.c_str());
     noteItem("file:name");
@@ -238,7 +241,7 @@ void heading(Session& session) {
     if (problem.empty())
         return;
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    ImGui::TextWrapped("%s", printable(problem).c_str());
+    wrappedText(printable(problem));
     ImGui::PopStyleColor();
     noteItem("file:problem");
     if (!damage.empty() && damage != problem)
@@ -251,22 +254,22 @@ void drawFileTab(Session& session, FileTabState& state) {
     followFile(session);
     const InspectedFile& view = session.window.fileView;
     if (view.shown.empty()) {
-        ImGui::TextWrapped(boundTexture(session)
-                               ? "This texture is a built-in pattern: there is no file. Open an image with "
-                                 "Ctrl+I to see what its file holds."
-                               : "No texture is bound to this unit.");
+        ImGui::TextWrapped("%s", tr(boundTexture(session)
+                                        ? "This texture is a built-in pattern: there is no file. Open an "
+                                          "image with Ctrl+I to see what its file holds."
+                                        : "No texture is bound to this unit."));
         noteItem("file:none");
         return;
     }
     heading(session);
     if (!view.problem.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", printable(view.problem).c_str());
+        wrappedText(printable(view.problem));
         ImGui::PopStyleColor();
     }
     if (!view.content) {
         if (view.ticket != 0)
-            ImGui::TextDisabled("Reading…");
+            dimText("Reading…");
         return;
     }
     if (state.content != view.content) { // the fields were another file's
@@ -275,7 +278,7 @@ void drawFileTab(Session& session, FileTabState& state) {
     }
     std::optional<std::size_t> hovered;
     if (view.content->anatomy.fields.empty())
-        ImGui::TextDisabled("Its fields are not known.");
+        dimText("Its fields are not known.");
     else
         fieldTable(state, ImGui::GetContentRegionAvail().y * 0.55F, hovered);
     hexView(state, view.map, hovered);

@@ -1,6 +1,7 @@
 #include "app/ui/details/glsl_tab.h"
 
 #include "app/ui/details/glsl_text.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -63,7 +64,7 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
         const bool chosen = state.stage == row.stage;
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-        if (ImGui::Button(row.label))
+        if (ImGui::Button(label(row.label)))
             state.stage = row.stage;
         ImGui::PopStyleColor();
         noteItem(std::string("stage:") + row.label);
@@ -73,12 +74,12 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
     const char* copy = "Copy";
     const float width = buttonWidth(copy);
     const std::string pass = fmt::format("pass {}", session.window.selection.pass);
-    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(pass.c_str()).x + 2 * width) {
-        ImGui::TextDisabled("%s", pass.c_str());
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(pass).c_str()).x + 2 * width) {
+        dimText(pass);
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::Button(copy))
+    if (ImGui::Button(label(copy)))
         ImGui::SetClipboardText(sourceOf(shader, state.stage).text.c_str());
     noteItem("copy glsl");
     helpTip("Copies the stage's source as it is given to the driver");
@@ -92,7 +93,7 @@ void drawLog(GlslTabState& state, const PassShader& shader) {
     ImGui::PushTextWrapPos(0);
     int number = 0;
     for (const ShaderMessage& message : shader.log) {
-        ImGui::TextUnformatted(message.sentence.c_str());
+        text(message.sentence);
         noteItem(fmt::format("message:{}", number++));
         if (message.line > 0 && ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -100,7 +101,7 @@ void drawLog(GlslTabState& state, const PassShader& shader) {
             showLine(state, message);
     }
     ImGui::PopStyleColor();
-    ImGui::TextDisabled("Until this is mended, what ran before goes on drawing.");
+    dimText("Until this is mended, what ran before goes on drawing.");
     ImGui::PopTextWrapPos();
 }
 

@@ -2,9 +2,12 @@
 
 #include "app/ui/details/kept_tab.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"
@@ -32,8 +35,8 @@ void cell(const std::string& text, ImU32 ink) {
         helpTip(text);
 }
 
-bool button(const char* label, std::string_view name, std::string_view help) {
-    const bool pressed = ImGui::Button(label);
+bool button(const char* words, std::string_view name, std::string_view help) {
+    const bool pressed = ImGui::Button(label(words));
     noteItem(name);
     helpTip(help);
     ImGui::SameLine();
@@ -42,9 +45,9 @@ bool button(const char* label, std::string_view name, std::string_view help) {
 
 void beforeKeeping(Session& session) {
     ImGui::TextWrapped(
-        "Keep the scene as A, change something, and see what it does: T flips between A and what is "
-        "now, Shift+T shows both across one picture, and each difference is listed here.");
-    if (ImGui::Button("Keep as A"))
+        "%s", tr("Keep the scene as A, change something, and see what it does: T flips between A and what is "
+                 "now, Shift+T shows both across one picture, and each difference is listed here."));
+    if (ImGui::Button(label("Keep as A")))
         keepAsA(session);
     noteItem("a-b tab:keep");
 }
@@ -73,18 +76,18 @@ std::optional<std::size_t> drawChanges(Session& session, const std::vector<Scene
         return wanted;
     const char* take = "Take over";
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Parameter", ImGuiTableColumnFlags_WidthStretch, 1.6F);
+    ImGui::TableSetupColumn(label("Parameter"), ImGuiTableColumnFlags_WidthStretch, 1.6F);
     ImGui::TableSetupColumn("A", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("Now", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn(label("Now"), ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableSetupColumn("##take", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoResize,
-                            ImGui::CalcTextSize(take).x + 2 * ImGui::GetStyle().FramePadding.x);
+                            buttonWidth(take));
     ImGui::TableHeadersRow();
     for (std::size_t i = 0; i < changes.size(); ++i) {
         const SceneChange& change = changes[i];
         ImGui::PushID(change.path.c_str());
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        fittedText(fmt::format("{}   {}", change.label, change.path), color::text);
+        fittedText(fmt::format("{}   {}", tr(change.label), change.path), color::text);
         noteItem(fmt::format("change:{}", change.path));
         if (ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -94,7 +97,7 @@ std::optional<std::size_t> drawChanges(Session& session, const std::vector<Scene
         cell(change.from, color::dim);
         cell(change.to, color::changed);
         ImGui::TableNextColumn();
-        if (ImGui::SmallButton(take))
+        if (ImGui::SmallButton(label(take)))
             wanted = i;
         noteItem(fmt::format("take:{}", change.path));
         helpTip(fmt::format("{} becomes what it is in A: {}", change.label, change.from));
@@ -112,7 +115,7 @@ void drawKeptTab(Session& session, KeptTabState& state) {
         return beforeKeeping(session);
     keptButtons(session, state.changes.size());
     if (state.changes.empty()) {
-        ImGui::TextDisabled("Nothing differs from A but the place of the camera.");
+        dimText("Nothing differs from A but the place of the camera.");
         noteItem("a-b tab:same");
         return;
     }

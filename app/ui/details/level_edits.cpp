@@ -29,25 +29,30 @@ bool reads(const Texture& texture, int base, int max) {
 
 } // namespace
 
-void toggleForced(Session& session, LevelsTabState& state, int level) {
+void followForced(Session& session) {
+    std::optional<ForcedLevel>& forced = session.document.forced;
+    const Texture* texture = boundTexture(session);
+    if (forced && (!texture || selectedUnit(session).texture != forced->texture ||
+                   !reads(*texture, forced->level, forced->level)))
+        forced.reset();
+}
+
+void toggleForced(Session& session, int level) {
     Texture* texture = boundTexture(session);
     if (!texture)
         return;
-    const int index = selectedUnit(session).texture;
+    followForced(session);
+    std::optional<ForcedLevel>& forced = session.document.forced;
     const bool isForced = reads(*texture, level, level);
-    const bool isOurs = state.forced && state.forced->texture == index && state.forced->level == level;
-    const bool wasForced = state.forced && state.forced->texture == index &&
-                           reads(*texture, state.forced->level, state.forced->level);
     std::pair levels{level, level};
     if (isForced)
-        levels =
-            isOurs ? std::pair{state.forced->baseLevel, state.forced->maxLevel} : std::pair{0, noMaxLevel};
+        levels = forced ? std::pair{forced->baseLevel, forced->maxLevel} : std::pair{0, noMaxLevel};
     if (isForced)
-        state.forced.reset();
-    else if (wasForced) // from one level to the next: what was there first comes back in the end
-        state.forced->level = level;
+        forced.reset();
+    else if (forced) // from one level to the next: what was there first comes back in the end
+        forced->level = level;
     else
-        state.forced = {index, level, texture->baseLevel, texture->maxLevel};
+        forced = {selectedUnit(session).texture, level, texture->baseLevel, texture->maxLevel};
     sealEdit(session);
     std::tie(texture->baseLevel, texture->maxLevel) = levels;
     recordEdit(session, isForced ? "Read the levels from before" : fmt::format("Read level {} alone", level));

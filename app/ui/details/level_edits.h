@@ -11,7 +11,10 @@ inline constexpr float noMinLod = -1000;
 inline constexpr float noMaxLod = 1000;
 
 /// The level alone is read; if it is the only one already, those from before are read again.
-void toggleForced(Session& session, LevelsTabState& state, int level);
+void toggleForced(Session& session, int level);
+/// To be called in every frame: what was before is forgotten where the bound texture is another one, or reads
+/// other levels by now.
+void followForced(Session& session);
 
 void setBaseLevel(Session& session, int level);
 void setMaxLevel(Session& session, int level);

@@ -1,12 +1,14 @@
 #include "app/ui/details/level_strip_drawing.h"
 
 #include "app/ui/details/level_edits.h"
-#include "app/ui/details/level_strip.h"
+#include "app/ui/details/level_handles.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/image/mip_colors.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,11 @@ struct ShownLevel {
     bool missing = false;
 };
 
-std::vector<ShownLevel> shownLevels(const LevelsSummary& summary) {
+/// `face`: of a cube map.
+std::vector<ShownLevel> shownLevels(const LevelsSummary& summary, int face) {
+    const auto others = static_cast<std::size_t>(std::max(face, 1)) - 1;
+    const bool isOther = face > 0 && !summary.otherFaces.at(others).empty();
+    const auto& pictures = isOther ? summary.otherFaces.at(others) : summary.levels;
     std::vector<ShownLevel> levels;
     for (const LevelReport& report : summary.report.levels) {
         while (!levels.empty() && levels.back().report.number + 1 < report.number) {
@@ -35,8 +41,8 @@ std::vector<ShownLevel> shownLevels(const LevelsSummary& summary) {
             levels.push_back({absent, nullptr, true});
         }
         const auto picture =
-            std::ranges::find(summary.levels, report.number, [](const auto& each) { return each.first; });
-        levels.push_back({report, picture == summary.levels.end() ? nullptr : picture->second});
+            std::ranges::find(pictures, report.number, [](const auto& each) { return each.first; });
+        levels.push_back({report, picture == pictures.end() ? nullptr : picture->second});
     }
     return levels;
 }
@@ -125,8 +131,7 @@ public:
         , pictures_(pictures)
         , texture_(*boundTexture(std::as_const(session)))
         , target_(selectedUnit(session).target)
-        , levels_(shownLevels(summary))
-        , map_(levelMapOf(session))
+        , levels_(shownLevels(summary, state.face))
         , asked_(askedLevels(session)) {}
 
     void draw(float below);
@@ -140,7 +145,6 @@ private:
     /// What the sampler makes of base and max level: those that there are.
     [[nodiscard]] int base() const { return std::clamp(texture_.baseLevel, 0, lastLevel()); }
     [[nodiscard]] int max() const { return std::clamp(texture_.maxLevel, base(), lastLevel()); }
-    [[nodiscard]] float xOf(float level) const { return origin_.x + strip_.placeOf(level); }
     [[nodiscard]] float levelUnderMouse() const {
         return strip_.levelAt(ImGui::GetIO().MousePos.x - origin_.x);
     }
@@ -148,11 +152,8 @@ private:
 
     void zoom(ImVec2 room);
     void drawCell(std::size_t index);
+    [[nodiscard]] std::string cellWords(const ShownLevel& level) const;
     void cellTip(const ShownLevel& level) const;
-    void levelHandle(const char* name, float x, const char* help, void (*set)(Session&, int), int least,
-                     int most, int unlimited);
-    void lodHandle(const char* name, float lod, float unlimited, bool least);
-    void drawAxis();
 
     Session& session_;
     LevelsTabState& state_;
@@ -160,7 +161,6 @@ private:
     const Texture& texture_;
     Target target_;
     std::vector<ShownLevel> levels_;
-    const reference::LevelMap* map_;
     const reference::PixelLevels* asked_;
 
     LevelStrip strip_;
@@ -193,24 +193,32 @@ void StripDrawing::zoom(ImVec2 room) {
     ImGui::SetScrollY(1e6F);
 }
 
-void StripDrawing::cellTip(const ShownLevel& level) const {
+std::string StripDrawing::cellWords(const ShownLevel& level) const {
     const int number = level.report.number;
     const std::string extents = levelExtentsText(level.report, target_);
-    if (level.missing)
-        return helpTip(fmt::format("Level {} is missing: it would have {} texels.", number, extents));
-    std::string text = target_ == Target::CubeMap
-                           ? fmt::format("Level {}: six faces of {} texels, here +x", number, extents)
-                           : fmt::format("Level {}: {} texels", number, extents);
+    if (target_ == Target::CubeMap)
+        return fmt::format("Level {}: six faces of {} texels, here {}", number, extents,
+                           rowOf(cubeFaceAt(state_.face)).label);
     if (target_ == Target::Texture3D)
-        text = fmt::format("Level {}: {} texels, here the slice in the middle", number, extents);
+        return fmt::format("Level {}: {} texels, here the slice in the middle", number, extents);
+    return fmt::format("Level {}: {} texels", number, extents);
+}
+
+void StripDrawing::cellTip(const ShownLevel& level) const {
+    const int number = level.report.number;
+    if (level.missing)
+        return helpTip(fmt::format("Level {} is missing: it would have {} texels.", number,
+                                   levelExtentsText(level.report, target_)));
+    std::vector<std::string> lines{cellWords(level)};
     if (number < base())
-        text += fmt::format("\nNever read: GL_TEXTURE_BASE_LEVEL is {}.", texture_.baseLevel);
+        lines.push_back(fmt::format("Never read: GL_TEXTURE_BASE_LEVEL is {}.", texture_.baseLevel));
     else if (number > max())
-        text += fmt::format("\nNever read: GL_TEXTURE_MAX_LEVEL is {}.", texture_.maxLevel);
-    text += texture_.baseLevel == number && texture_.maxLevel == number
-                ? "\nClick: read the levels from before again"
-                : "\nClick: read this level alone, as base and max level";
-    helpTip(text + "\nThe flag has the colour of this level where Mipmaps is Coloured.");
+        lines.push_back(fmt::format("Never read: GL_TEXTURE_MAX_LEVEL is {}.", texture_.maxLevel));
+    lines.emplace_back(texture_.baseLevel == number && texture_.maxLevel == number
+                           ? "Click: read the levels from before again"
+                           : "Click: read this level alone, as base and max level");
+    lines.emplace_back("The flag has the colour of this level where Mipmaps is Coloured.");
+    helpTip(fmt::format("{}", fmt::join(lines, "\n")));
 }
 
 void StripDrawing::drawCell(std::size_t index) {
@@ -231,7 +239,7 @@ void StripDrawing::drawCell(std::size_t index) {
     const bool hovered = ImGui::IsItemHovered();
     cellTip(level);
     if (clicked && !level.missing)
-        toggleForced(session_, state_, level.report.number);
+        toggleForced(session_, level.report.number);
 
     const bool isRead = level.report.number >= base() && level.report.number <= max();
     const view::PictureHandle picture = pictures_.showTexels(level.picture);
@@ -248,6 +256,12 @@ void StripDrawing::drawCell(std::size_t index) {
     if (hovered || isForced)
         draw.AddRect({low.x - 2, low.y - 2}, {high.x + 2, high.y + 2}, isForced ? color::chosen : color::text,
                      0, 0, isForced ? 2.0F : 1.0F);
+    if (isForced) { // not known by its colour alone
+        const float side = em() * 0.6F;
+        draw.AddTriangleFilled({low.x - 2, low.y - 2}, {low.x + side, low.y - 2}, {low.x - 2, low.y + side},
+                               color::chosen);
+        noteDrawn("levels:alone", low, {low.x + side, low.y + side});
+    }
     const float share = shareOf(level.report.number);
     if (share > 0) {
         draw.AddRect({low.x - 3, low.y - 3}, {high.x + 3, high.y + 3}, color::shade, 0, 0, 4);
@@ -281,123 +295,6 @@ void StripDrawing::drawCell(std::size_t index) {
     draw.AddText({x, y}, color::dim, extents.c_str());
 }
 
-/// A bar beside the first or the last level that is read, which one drags from level to level.
-void StripDrawing::levelHandle(const char* name, float x, const char* help, void (*set)(Session&, int),
-                               int least, int most, int unlimited) {
-    const float reach = em() * 0.35F;
-    ImGui::SetCursorScreenPos({x - reach, origin_.y - em() * 0.4F});
-    ImGui::InvisibleButton(name, {2 * reach, strip_.extent.y + em() * 0.4F});
-    noteItem(name);
-    const bool held = ImGui::IsItemActive();
-    const bool hot = held || ImGui::IsItemHovered();
-    if (hot)
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    helpTip(help);
-    if (held && ImGui::GetIO().MouseDelta.x != 0) {
-        const int level = std::clamp(static_cast<int>(std::lround(levelUnderMouse())), least, most);
-        set(session_, level == lastLevel() && unlimited > 0 ? unlimited : level);
-    }
-    sealAfterItem(session_);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImU32 tint = hot ? color::text : color::outline;
-    const float width = std::max(1.0F, em() * 0.12F);
-    draw.AddRectFilled({x - width / 2, origin_.y - em() * 0.4F}, {x + width / 2, origin_.y + strip_.extent.y},
-                       tint);
-    const float grip = em() * 0.22F;
-    const float middle = origin_.y + strip_.extent.y / 2;
-    draw.AddRectFilled({x - grip, middle - 3 * grip}, {x + grip, middle + 3 * grip}, tint, grip);
-}
-
-/// An end of the range to which λ is clamped. Beyond the strip there is no limit.
-void StripDrawing::lodHandle(const char* name, float lod, float unlimited, bool least) {
-    const float x = xOf(static_cast<float>(base()) + lod);
-    const float y = axisY();
-    const float reach = em() * 0.4F;
-    ImGui::SetCursorScreenPos({x - reach, y - reach * 1.5F});
-    ImGui::InvisibleButton(name, {2 * reach, 2 * reach});
-    noteItem(name);
-    const bool held = ImGui::IsItemActive();
-    const bool hot = held || ImGui::IsItemHovered();
-    if (hot)
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    const std::string value = lod == unlimited ? std::string("no limit") : fmt::format("{:.2f}", lod);
-    helpTip(least
-                ? fmt::format("GL_TEXTURE_MIN_LOD: {}\nλ is never below it. Drag it; at the end of the strip "
-                              "there is no limit.",
-                              value)
-                : fmt::format("GL_TEXTURE_MAX_LOD: {}\nλ is never above it. Drag it; at the end of the strip "
-                              "there is no limit.",
-                              value));
-    if (held && ImGui::GetIO().MouseDelta.x != 0) {
-        const float level = levelUnderMouse();
-        const bool beyond = least ? level <= static_cast<float>(levels_.front().report.number) - 0.45F
-                                  : level >= static_cast<float>(lastLevel()) + 0.45F;
-        const float wanted = std::round((level - static_cast<float>(base())) * 20) / 20;
-        if (least)
-            setMinLod(session_, beyond ? unlimited : std::min(wanted, texture_.maxLod));
-        else
-            setMaxLod(session_, beyond ? unlimited : std::max(wanted, texture_.minLod));
-    }
-    sealAfterItem(session_);
-    const ImU32 tint = hot ? color::chosen : color::text;
-    ImGui::GetWindowDrawList()->AddTriangleFilled({x, y}, {x - reach * 0.8F, y - reach * 1.4F},
-                                                  {x + reach * 0.8F, y - reach * 1.4F}, tint);
-}
-
-/// λ 0 is below the base level. The part between the limits is bright, and has the false colours where the
-/// view shows them.
-void StripDrawing::drawAxis() {
-    lodHandle("levels:min lod", texture_.minLod, noMinLod, true);
-    lodHandle("levels:max lod", texture_.maxLod, noMaxLod, false);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float y = axisY();
-    const float left = origin_.x;
-    const float right = origin_.x + strip_.extent.x;
-    const auto zero = static_cast<float>(base());
-    const float low = xOf(zero + texture_.minLod);
-    const float high = std::max(low, xOf(zero + texture_.maxLod));
-    const float thick = em() * 0.2F;
-    draw.AddRectFilled({left, y - 1}, {right, y + 1}, color::faint);
-    if (map_ && session_.window.view.shown == reference::Shown::Lambda) {
-        const int steps = reference::stepsOf(*map_);
-        constexpr float step = 4; // pixels
-        for (float x = low; x < high; x += step) {
-            const float level = strip_.levelAt(x + step / 2 - origin_.x);
-            const auto [r, g, b, a] = reference::lambdaColor(level - zero, steps);
-            draw.AddRectFilled({x, y - thick}, {std::min(x + step, high), y + thick}, IM_COL32(r, g, b, a));
-        }
-    } else {
-        draw.AddRectFilled({low, y - thick / 2}, {high, y + thick / 2}, color::dim);
-    }
-    float free = left; // numbers don't overlap
-    for (const LevelStrip::Cell& cell : strip_.cells) {
-        const std::string lambda = cell.number == base() ? fmt::format("λ {}", cell.number - base())
-                                                         : fmt::format("{}", cell.number - base());
-        const float width = ImGui::CalcTextSize(lambda.c_str()).x;
-        const float x = std::max(origin_.x + cell.middle() - width / 2, left);
-        draw.AddLine({origin_.x + cell.middle(), y - thick}, {origin_.x + cell.middle(), y + thick},
-                     color::text);
-        if (x < free)
-            continue;
-        draw.AddText({x, y + em() * 0.35F}, color::dim, lambda.c_str());
-        free = x + width + em() * 0.2F;
-    }
-    if (!asked_)
-        return;
-    const float x = xOf(zero + asked_->lambda);
-    if (const float bias = biasOf(session_); bias != 0) {
-        const float from = xOf(zero + asked_->lambda - bias);
-        draw.AddLine({from, y}, {x, y}, color::changed, std::max(1.0F, thick * 0.8F));
-        draw.AddCircleFilled({from, y}, thick, color::changed);
-        noteDrawn("levels:unbiased", {from, y}, {from, y});
-    }
-    const float size = em() * 0.36F;
-    const ImVec2 corners[] = {{x, y - size}, {x + size, y}, {x, y + size}, {x - size, y}};
-    draw.AddConvexPolyFilled(corners, 4, color::probed);
-    draw.AddPolyline(corners, 4, color::shade, ImDrawFlags_Closed, 1);
-    noteDrawn("levels:lambda", {x, y}, {x, y});
-}
-
 void StripDrawing::draw(float below) {
     const float height = std::max(em() * 6, ImGui::GetContentRegionAvail().y - below);
     const bool scrolls = state_.zoom > 1;
@@ -418,23 +315,12 @@ void StripDrawing::draw(float below) {
     origin_ = {corner.x + pad + free, corner.y + pad};
     zoom(room);
     if (!strip_.cells.empty()) {
-        const auto cellOf = [&](int level) -> const LevelStrip::Cell& {
-            const auto found = std::ranges::find(strip_.cells, level, &LevelStrip::Cell::number);
-            return found == strip_.cells.end() ? strip_.cells.front() : *found;
-        };
-        const LevelStrip::Cell& first = cellOf(base());
-        const LevelStrip::Cell& last = cellOf(max());
-        const float beside = em() * 0.3F;
-        levelHandle("levels:base", origin_.x + first.left - beside,
-                    "GL_TEXTURE_BASE_LEVEL: the first level that is read. Drag it to another one.",
-                    setBaseLevel, levels_.front().report.number, max(), 0);
-        levelHandle("levels:max", origin_.x + last.left + last.width + beside,
-                    "GL_TEXTURE_MAX_LEVEL: the last level that is read. Drag it to another one; at the last "
-                    "one there is no limit.",
-                    setMaxLevel, base(), lastLevel(), noMaxLevel);
+        const StripPlace place{strip_,      origin_, axisY(), levels_.front().report.number,
+                               lastLevel(), base(),  max()};
+        drawLevelHandles(session_, place);
         for (std::size_t i = 0; i < strip_.cells.size(); ++i)
             drawCell(i);
-        drawAxis();
+        drawLodAxis(session_, place);
     }
     ImGui::SetCursorScreenPos(corner);
     ImGui::Dummy({strip_.extent.x + 2 * pad, strip_.extent.y + labels_ + axisHeight() + 2 * pad});

@@ -2,12 +2,16 @@
 
 #include "app/ui/details/level_edits.h"
 #include "app/ui/details/level_strip_drawing.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/drag_number.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
+#include "core/image/cube_faces.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -36,15 +40,15 @@ void pixelLine(const Session& session, float room) {
     noteItem(levels ? "levels:pixel" : "levels:hint");
     if (levels)
         helpTip(fmt::format("{}\n{}", words, reference::footprintText(*levels)));
-    else if (shown != words)
+    else if (shown != tr(words))
         helpTip(words);
 }
 
-void switchButton(const char* label, const char* name, const char* help, bool& value) {
+void switchButton(const char* sign, const char* name, const char* help, bool& value) {
     const bool on = value;
     ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
                                               : ImGui::GetColorU32(ImGuiCol_Button));
-    if (ImGui::Button(label))
+    if (ImGui::Button(sign))
         value = !value;
     ImGui::PopStyleColor();
     noteItem(name);
@@ -80,11 +84,29 @@ void fixButtons(Session& session, const Finding& finding) {
             ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(fix.label.c_str()) <
                 ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
             ImGui::SameLine();
-        if (ImGui::SmallButton(fix.label.c_str()))
+        if (ImGui::SmallButton(label(fix.label).c_str()))
             session.window.wantedFix = fix;
         noteItem("levels:fix " + fix.label);
         helpTip(assignmentsOf(fix));
     }
+}
+
+/// Which face of a cube map is shown.
+void faceChoice(LevelsTabState& state) {
+    std::vector<Segment> faces;
+    for (int face = 0; face < cubeFaceCount; ++face)
+        faces.push_back({std::string(rowOf(cubeFaceAt(face)).label)});
+    const float width = ImGui::GetContentRegionAvail().x;
+    const auto plan = planSegments(faces, width, faces.size());
+    if (!plan)
+        return;
+    const auto pressed = drawSegments(faces, *plan, static_cast<std::size_t>(state.face), [&](std::size_t i) {
+        const EnumRow& row = rowOf(cubeFaceAt(static_cast<int>(i)));
+        noteItem(fmt::format("levels:face {}", row.label));
+        helpTip(fmt::format("{}\n{}", row.name, row.help));
+    });
+    if (pressed)
+        state.face = static_cast<int>(*pressed);
 }
 
 /// Of the texture and of the unit, which are added, and the way back to no limits.
@@ -92,13 +114,14 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
     const float field = ImGui::CalcTextSize("-16.00").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float button = buttonWidth("All levels");
-    const float words = ImGui::CalcTextSize("Biastexture+ unit").x;
+    const float words = ImGui::CalcTextSize(tr("Bias")).x + ImGui::CalcTextSize(tr("texture")).x +
+                        ImGui::CalcTextSize(tr("+ unit")).x;
     const bool isBrief = words + 2 * field + 4 * gap + ImGui::GetStyle().ItemSpacing.x + button >
                          ImGui::GetContentRegionAvail().x;
-    const auto number = [&](const char* label, const char* name, float value, const char* help,
+    const auto number = [&](const char* shown, const char* name, float value, const char* help,
                             void (*set)(Session&, float)) {
         ImGui::SameLine(0, gap);
-        ImGui::TextDisabled("%s", label);
+        dimText(shown);
         ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(field);
         if (dragNumber(fmt::format("##{}", name).c_str(), value, biasRange, -1))
@@ -108,7 +131,7 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
         sealAfterItem(session);
     };
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Bias");
+    dimText("Bias");
     number(
         isBrief ? "" : "texture", "levels:texture bias", texture.lodBias,
         "GL_TEXTURE_LOD_BIAS of the texture: added to λ. Below 0 larger levels are read, which is sharper.",
@@ -122,7 +145,7 @@ void biasLine(Session& session, const Texture& texture, const Unit& unit) {
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);
     const bool limited = limitsLevels(session);
     ImGui::BeginDisabled(!limited);
-    if (ImGui::Button("All levels"))
+    if (ImGui::Button(label("All levels")))
         readAllLevels(session);
     ImGui::EndDisabled();
     noteItem("levels:all");
@@ -149,16 +172,18 @@ void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictur
     const std::string path = elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + ".";
     if (const Finding* incomplete = incompleteness(session, path)) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", sentenceOf(*incomplete).c_str());
+        ImGui::TextWrapped("%s", tr(sentenceOf(*incomplete)).c_str());
         ImGui::PopStyleColor();
         noteItem("levels:incomplete");
         fixButtons(session, *incomplete);
     } else if (const std::string words = remark(session, texture, unit, summary); !words.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-        ImGui::TextWrapped("%s", words.c_str());
+        ImGui::TextWrapped("%s", tr(words).c_str());
         ImGui::PopStyleColor();
         noteItem("levels:remark");
     }
+    if (unit.target == Target::CubeMap)
+        faceChoice(state);
     drawLevelStrip(session, state, pictures, summary,
                    ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y);
     biasLine(session, texture, unit);
@@ -169,23 +194,24 @@ void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictur
 void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pictures) {
     const Texture* texture = boundTexture(std::as_const(session));
     if (!texture) {
-        ImGui::TextWrapped("No texture is bound to this unit.");
+        ImGui::TextWrapped("%s", tr("No texture is bound to this unit."));
         noteItem("levels:none");
         return;
     }
     if (!session.document.images.find(*texture)) {
-        ImGui::TextWrapped("The image is not loaded.");
+        ImGui::TextWrapped("%s", tr("The image is not loaded."));
         return;
     }
     const std::shared_ptr<const LevelsSummary> summary =
         session.services.levels.summary({session.document.images.picturesOf(*texture),
                                          imageSettings(*texture), selectedUnit(session).target});
     if (!summary) {
-        ImGui::TextDisabled("The levels are being made…");
+        dimText("The levels are being made…");
         noteItem("levels:waiting");
     } else if (!summary->problem.empty() || summary->report.levels.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", summary->problem.empty() ? "There is no level." : summary->problem.c_str());
+        ImGui::TextWrapped("%s",
+                           tr(summary->problem.empty() ? "There is no level." : summary->problem.c_str()));
         ImGui::PopStyleColor();
         noteItem("levels:problem");
     } else {

@@ -2,6 +2,8 @@
 
 #include "app/ui/details/memory_tab.h"
 
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"
@@ -9,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace texplorer::ui {
@@ -31,7 +34,7 @@ std::string extentsOf(const LevelReport& level, Target target) {
 }
 
 std::string psnrText(double psnr) {
-    return std::isinf(psnr) ? "exact" : fmt::format("{:.1f} dB", psnr);
+    return std::isinf(psnr) ? tr("exact") : fmt::format("{:.1f} dB", psnr);
 }
 
 LevelsRequest requestOf(Session& session, const Texture& texture) {
@@ -65,49 +68,54 @@ void drawSentences(const std::vector<std::string>& sentences) {
         if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
             sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s.", sentence.c_str());
+        ImGui::TextWrapped("%s", tr(fmt::format("{}.", sentence)).c_str());
         ImGui::PopStyleColor();
         noteItem(fmt::format("memory:note {}", i));
     }
 }
 
 std::string formatName(const Texture& texture, const LevelsSummary& summary) {
-    if (!summary.compressed)
-        return std::string(rowOf(texture.internalFormat).label);
-    return std::string(rowOf(*summary.compressed).label) + (summary.byDriver ? ", by the driver" : "");
+    return std::string(summary.compressed ? rowOf(*summary.compressed).label
+                                          : rowOf(texture.internalFormat).label);
+}
+
+/// What the levels take, in how many of which format.
+std::string sumText(const Texture& texture, const LevelsSummary& summary) {
+    const TextureReport& report = summary.report;
+    const std::string bytes = grouped(report.bytes);
+    const std::string levels = countOf(report.levels.size(), "level");
+    const std::string format = formatName(texture, summary);
+    return summary.compressed && summary.byDriver
+               ? fmt::format("{} bytes in {}, {}, by the driver", bytes, levels, format)
+               : fmt::format("{} bytes in {}, {}", bytes, levels, format);
 }
 
 /// The sum, and what it is beside the base level and beside a texture that isn't compressed.
 void drawSum(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
-    ImGui::TextUnformatted(fmt::format("{} bytes", grouped(report.bytes)).c_str());
+    ImGui::PushTextWrapPos(0);
+    text(sumText(texture, summary));
+    ImGui::PopTextWrapPos();
     noteItem("memory:sum");
-    ImGui::SameLine(0, 0);
-    ImGui::TextDisabled(" in %s, %s", countOf(report.levels.size(), "level").c_str(),
-                        formatName(texture, summary).c_str());
     float used = 0; // of the line; what doesn't fit begins the next one
-    const auto fact = [&](const std::string& number, const char* words, const char* name, const char* help) {
+    const auto fact = [&](const std::string& words, const char* name, const char* help) {
         const float gap = ImGui::GetFontSize();
-        const float width = ImGui::CalcTextSize((number + words).c_str()).x;
+        const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
         if (used > 0 && used + gap + width <= ImGui::GetContentRegionMax().x)
             ImGui::SameLine(0, gap);
         else
             used = 0;
         used += gap + width;
-        ImGui::BeginGroup();
-        ImGui::TextUnformatted(number.c_str());
-        ImGui::SameLine(0, 0);
-        ImGui::TextDisabled("%s", words);
-        ImGui::EndGroup();
+        dimText(words);
         noteItem(name);
         helpTip(help);
     };
-    fact(fmt::format("{:.3f}", report.ratioToBase), " × base", "memory:ratio",
+    fact(fmt::format("{:.3f} × base", report.ratioToBase), "memory:ratio",
          "Each level of a picture has a quarter of the texels of the one before: the sum of a full chain "
          "tends to 4/3 of its base level.");
-    fact(fmt::format("{:.1f} %", 100 * report.shareOfRgba8), " of RGBA8", "memory:rgba8",
+    fact(fmt::format("{:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
          "Of what the same levels would take with four bytes a texel");
-    fact(fmt::format("{:.1f} %", 100 * report.shareOfRgb8), " of RGB8", "memory:rgb8",
+    fact(fmt::format("{:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
          "Of what the same levels would take with three bytes a texel");
 }
 
@@ -120,10 +128,10 @@ void rightAligned(const std::string& text, ImU32 ink = color::text) {
     ImGui::PopStyleColor();
 }
 
-void rightAlignedHeader(const char* label) {
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x;
+void rightAlignedHeader(const char* words) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(tr(words)).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
-    ImGui::TableHeader(label);
+    ImGui::TableHeader(label(words));
 }
 
 /// How large a level is beside the base, as a bar behind its bytes.
@@ -142,7 +150,7 @@ void missingRow(int number) {
     rightAligned(std::to_string(number), color::problem);
     noteItem(fmt::format("memory:level {}", number));
     ImGui::TableNextColumn();
-    rightAligned("missing", color::problem);
+    rightAligned(tr("missing"), color::problem);
     helpTip(
         "A filter that uses mipmaps finds the texture incomplete: it is drawn as if it were switched off.");
 }
@@ -156,15 +164,16 @@ void drawLevels(const LevelsSummary& summary, Target target) {
     if (!ImGui::BeginTable("levels", measured ? 4 : 3, flags))
         return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Level", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("Level").x);
-    ImGui::TableSetupColumn("Texels", ImGuiTableColumnFlags_WidthStretch, 1.2F);
-    ImGui::TableSetupColumn("Bytes", ImGuiTableColumnFlags_WidthStretch, 1.2F);
+    constexpr std::array names{"Level", "Texels", "Bytes", "PSNR"};
+    ImGui::TableSetupColumn(names[0], ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize(tr(names[0])).x);
+    ImGui::TableSetupColumn(names[1], ImGuiTableColumnFlags_WidthStretch, 1.2F);
+    ImGui::TableSetupColumn(names[2], ImGuiTableColumnFlags_WidthStretch, 1.2F);
     if (measured)
-        ImGui::TableSetupColumn("PSNR", ImGuiTableColumnFlags_WidthStretch, 0.8F);
+        ImGui::TableSetupColumn(names[3], ImGuiTableColumnFlags_WidthStretch, 0.8F);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int column = 0; column < (measured ? 4 : 3); ++column) {
         ImGui::TableSetColumnIndex(column);
-        rightAlignedHeader(ImGui::TableGetColumnName(column));
+        rightAlignedHeader(names.at(static_cast<std::size_t>(column)));
         if (column == 3)
             helpTip("How near the compressed level is to what it was made of, over all its components: above "
                     "40 dB one hardly sees a difference, below 30 dB one does.");
@@ -198,11 +207,11 @@ void drawLevels(const LevelsSummary& summary, Target target) {
 void drawMemoryTab(Session& session, const Pictures& pictures) {
     const Texture* texture = boundTexture(std::as_const(session));
     if (!texture) {
-        ImGui::TextWrapped("No texture is bound to this unit.");
+        ImGui::TextWrapped("%s", tr("No texture is bound to this unit."));
         return;
     }
     if (!session.document.images.find(*texture)) {
-        ImGui::TextWrapped("The image is not loaded.");
+        ImGui::TextWrapped("%s", tr("The image is not loaded."));
         return;
     }
     LevelsWorker& worker = session.services.levels;
@@ -212,15 +221,15 @@ void drawMemoryTab(Session& session, const Pictures& pictures) {
         drawSum(*texture, *summary);
     else if (summary) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", summary->problem.c_str());
+        ImGui::TextWrapped("%s", tr(summary->problem).c_str());
         ImGui::PopStyleColor();
     } else if (worker.isCancelled(request)) {
-        ImGui::TextWrapped("Making the levels was cancelled: what was drawn before stays.");
-        if (ImGui::Button("Make them"))
+        ImGui::TextWrapped("%s", tr("Making the levels was cancelled: what was drawn before stays."));
+        if (ImGui::Button(label("Make them")))
             worker.retry(request);
         noteItem("memory:retry");
     } else {
-        ImGui::TextDisabled("The levels are being made…");
+        dimText("The levels are being made…");
         noteItem("memory:waiting");
     }
     drawSentences(sentencesOf(session, pictures, summary.get()));

@@ -1,5 +1,6 @@
 #include "app/ui/details/step_rows.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/theme.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ using reference::StepRow;
 float tableWidth(std::span<const StepRow> rows, float padding) {
     std::vector<float> columns(rows.front().cells.size() + 1);
     const auto widen = [](float& column, const std::string& words, float more) {
-        column = std::max(column, ImGui::CalcTextSize(words.c_str()).x + more);
+        column = std::max(column, ImGui::CalcTextSize(tr(words).c_str()).x + more);
     };
     for (const StepRow& row : rows) {
         const float swatch =
@@ -69,7 +70,7 @@ ImU32 tintOf(Ink ink) {
 
 void inkText(const std::string& words, ImU32 tint) {
     ImGui::PushStyleColor(ImGuiCol_Text, tint);
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(tr(words).c_str());
     ImGui::PopStyleColor();
 }
 
@@ -77,7 +78,7 @@ void hangingText(const std::string& words, ImU32 tint) {
     const float em = ImGui::GetFontSize();
     const float right = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX();
     const float room = right - ImGui::GetCursorPosX();
-    const float width = ImGui::CalcTextSize(words.c_str()).x;
+    const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
     if (room < width && room < 14 * em) {
         ImGui::NewLine();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
@@ -117,7 +118,7 @@ void drawRows(const std::vector<StepRow>& rows) {
         if (cells == 0) {
             for (; first < last; ++first) {
                 ImGui::PushStyleColor(ImGuiCol_Text, tintOf(rows[first].ink));
-                ImGui::TextWrapped("%s", rows[first].label.c_str());
+                ImGui::TextWrapped("%s", tr(rows[first].label).c_str());
                 ImGui::PopStyleColor();
             }
             continue;

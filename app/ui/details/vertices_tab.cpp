@@ -1,5 +1,6 @@
 #include "app/ui/details/vertices_tab.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/widgets/button_width.h"
@@ -14,6 +15,7 @@
 
 #include <fmt/core.h>
 #include <glm/glm.hpp>
+#include <imgui_internal.h> // whether a number is being typed
 
 #include <algorithm>
 #include <array>
@@ -36,10 +38,10 @@ void recordStep(Session& session, std::string_view what, std::string_view path) 
 /// Buttons one beside the other, which go on in the next line rather than off the panel.
 class ButtonLine {
 public:
-    bool button(const char* label, std::string_view name, const char* help, bool enabled = true) {
-        place(buttonWidth(label));
+    bool button(const char* words, std::string_view name, const char* help, bool enabled = true) {
+        place(buttonWidth(words));
         ImGui::BeginDisabled(!enabled);
-        const bool pressed = ImGui::Button(label);
+        const bool pressed = ImGui::Button(label(words));
         noteItem(name);
         ImGui::EndDisabled();
         helpTip(help);
@@ -47,16 +49,18 @@ public:
     }
 
     /// One of which one is chosen.
-    bool choice(const char* label, std::string_view name, const char* help, bool chosen) {
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? color::chosen : color::text);
-        const bool pressed = button(label, name, help);
+    bool choice(const char* words, std::string_view name, const char* help, bool chosen) {
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              ImGui::GetColorU32(chosen ? ImGuiCol_HeaderActive : ImGuiCol_Button));
+        const bool pressed = button(words, name, help);
         ImGui::PopStyleColor();
         return pressed;
     }
 
-    void checkbox(const char* label, std::string_view name, const char* help, bool& value) {
-        place(ImGui::CalcTextSize(label).x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
-        ImGui::Checkbox(label, &value);
+    void checkbox(const char* words, std::string_view name, const char* help, bool& value) {
+        place(ImGui::CalcTextSize(tr(words)).x + ImGui::GetFrameHeight() +
+              ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::Checkbox(label(words), &value);
         noteItem(name);
         helpTip(help);
     }
@@ -86,8 +90,8 @@ void editAll(Session& session, const char* what, const std::function<void(TexCoo
 }
 
 void coordButtons(Session& session, ButtonLine& line) {
-    const auto button = [&](const char* label, const char* help) {
-        return line.button(label, std::string("coords:") + label, help);
+    const auto button = [&](const char* words, const char* help) {
+        return line.button(words, std::string("coords:") + words, help);
     };
     if (button("× 2", "All coordinates times 2: the image shows twice as often, half as big"))
         editAll(session, "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
@@ -129,7 +133,7 @@ void vertexButtons(Session& session, ButtonLine& line) {
         recordStep(session, what, meshPath(session, keyOf<&MeshData::positions>()));
     };
     const bool room = count < maxMeshVertices && model.mesh.indices.size() < maxMeshIndices;
-    if (line.button("Add", "add vertex",
+    if (line.button("Append", "add vertex",
                     "A vertex like the chosen one, or else the last one, drawn after all others", room) &&
         appendVertex(model, isChosen ? *chosen : count - 1))
         changed("Add vertex", count);
@@ -153,7 +157,7 @@ void clearButton(Session& session, ButtonLine& line, const VertexPartRow& part, 
                  const char* help) {
     if (line.button("Clear", std::string("clear ") + part.label, help, !list.empty())) {
         list.clear();
-        recordStep(session, std::string("Clear ") + part.label, part.path(session));
+        recordStep(session, fmt::format("Clear {}", part.label), part.path(session));
     }
 }
 
@@ -209,6 +213,20 @@ glm::vec4 valueOf(Session& session, const List& list, std::size_t vertex) {
                           : list.coords[vertex];
 }
 
+/// The letter of a component beside the colour at the left of its number, where there is room.
+void nameField(const char* letter, int component) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    // A wide field has an arrow there, and the number in its middle.
+    const float left = low.x + em * (high.x - low.x < em * 6 ? 0.4F : 1.1F);
+    if (ImGui::TempInputIsActive(ImGui::GetItemID()) || high.x - low.x < em * 4)
+        return;
+    ImGui::GetWindowDrawList()->AddText({left, low.y + ImGui::GetStyle().FramePadding.y},
+                                        componentColor(component), letter);
+    noteDrawn(fmt::format("field letter:{}", letter), {left, low.y}, {left + em, high.y});
+}
+
 void vertexRow(Session& session, const List& list, std::size_t vertex) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -228,6 +246,7 @@ void vertexRow(Session& session, const List& list, std::size_t vertex) {
         ImGui::PushID(i);
         ImGui::SetNextItemWidth(-1);
         changed |= dragNumber("##number", value[i], list.part.range, i);
+        nameField(list.part.names.at(static_cast<std::size_t>(i)), i);
         if (ImGui::IsItemActivated())
             session.window.selection.vertex = vertex;
         noteItem(fmt::format("{}[{}][{}]", list.path, name, i));
@@ -311,11 +330,12 @@ void vertexGroup(Session& session, const List& list, const std::string& name,
     }
     if (reveal && chosenRow)
         ImGui::SetNextItemOpen(true);
-    constexpr ImGuiTreeNodeFlags flags =
-        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+    const ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                     (opened ? ImGuiTreeNodeFlags_DefaultOpen : 0) |
+                                     (chosenRow ? ImGuiTreeNodeFlags_Selected : 0);
     if (chosenRow)
         ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
-    const bool open = ImGui::TreeNodeEx(name.c_str(), flags | (opened ? ImGuiTreeNodeFlags_DefaultOpen : 0));
+    const bool open = ImGui::TreeNodeEx(label(name).c_str(), flags);
     if (chosenRow)
         ImGui::PopStyleColor();
     noteItem("face:" + name);
@@ -327,7 +347,7 @@ void vertexGroup(Session& session, const List& list, const std::string& name,
 
 void drawVerticesTab(Session& session, VerticesTabState& state) {
     if (!selectedModel(session)) {
-        ImGui::TextWrapped("The scene has no model.");
+        ImGui::TextWrapped("%s", tr("The scene has no model."));
         return;
     }
     modelChoice(session, ImGui::GetFontSize() * 9);

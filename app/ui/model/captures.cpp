@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -27,8 +28,8 @@ fs::path freeName(const fs::path& folder, const std::string& name) {
     }
 }
 
-std::string captureProblem(const Error& error) {
-    return fmt::format("The picture can't be written: {}.", describe(error));
+Captures::News captureProblem(const Error& error) {
+    return {fmt::format("The picture can't be written: {}.", describe(error)), false};
 }
 
 } // namespace
@@ -76,7 +77,8 @@ Captures::Captures(fs::path folder, When when, std::function<void()> wake)
               if (!bytes)
                   return captureProblem(bytes.error());
               const Result<void> written = writeFileAtomically(file, *bytes);
-              return written ? fmt::format("Written: {}", file.string()) : captureProblem(written.error());
+              return written ? News{fmt::format("Written: {}", file.string()), true}
+                             : captureProblem(written.error());
           },
           [](const Job& /*job*/, const Error& error) { return captureProblem(error); }) {}
 
@@ -88,9 +90,13 @@ void Captures::write(std::string name, Image image) {
     writing_.ask({std::move(name), std::make_shared<const Image>(std::move(image))});
 }
 
-std::optional<std::string> Captures::takeNews() {
-    std::vector<std::string> news = writing_.take();
-    return news.empty() ? std::nullopt : std::optional(std::move(news.back()));
+std::optional<Captures::News> Captures::takeNews() {
+    std::vector<News> news = writing_.take();
+    if (news.empty())
+        return std::nullopt;
+    const auto failed =
+        std::find_if(news.rbegin(), news.rend(), [](const News& each) { return !each.isWritten; });
+    return std::move(failed == news.rend() ? news.back() : *failed);
 }
 
 } // namespace texplorer::ui

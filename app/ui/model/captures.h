@@ -33,15 +33,22 @@ public:
     /// first.
     void write(std::string name, Image image);
 
-    /// What there is to say of one that was written, or couldn't be: once.
-    [[nodiscard]] std::optional<std::string> takeNews();
+    /// A sentence for the user.
+    struct News {
+        std::string text;
+        bool isWritten = false; ///< else it says why not
+    };
+
+    /// What there is to say of those that were written, or couldn't be: once. Of several the last one, a
+    /// failure before everything else.
+    [[nodiscard]] std::optional<News> takeNews();
 
 private:
     struct Job {
         std::string name;
         std::shared_ptr<const Image> image;
     };
-    using Writing = Worker<Job, std::string>;
+    using Writing = Worker<Job, News>;
 
     std::filesystem::path folder_;
     Writing writing_;

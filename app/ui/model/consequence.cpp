@@ -1,9 +1,14 @@
 #include "app/ui/model/consequence.h"
 
+#include "core/reference/explain/explanation_steps.h"
+#include "core/reference/sampling/comparison.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace texplorer::ui {
 namespace {
@@ -22,6 +27,8 @@ int neighbours(Target target) {
 }
 
 std::string magnifiedText(const UnitExplanation& unit, const std::string& times) {
+    if (unit.sample.lod.probes > 1)
+        return fmt::format("Magnified {}×: {} samples along the footprint", times, unit.sample.lod.probes);
     return unit.sampler.magFilter == MagFilter::Nearest
                ? fmt::format("Magnified {}×: the nearest texel", times)
                : fmt::format("Magnified {}×: linear, of {} texels", times, neighbours(unit.target));
@@ -41,6 +48,61 @@ std::string levelText(MinFilter filter, const std::string& times, int level) {
         break;
     }
     return fmt::format("Minified {}×: linear in level {}", times, level);
+}
+
+struct Sign {
+    CompareFunc function;
+    const char* sign;
+};
+
+// GL_NEVER compares nothing, GL_ALWAYS drops nothing.
+constexpr std::array compareSigns{
+    Sign{CompareFunc::Less, "<"},    Sign{CompareFunc::LessEqual, "<="},    Sign{CompareFunc::Equal, "="},
+    Sign{CompareFunc::Greater, ">"}, Sign{CompareFunc::GreaterEqual, ">="}, Sign{CompareFunc::NotEqual, "!="},
+};
+
+/// "" of what compares nothing.
+std::string_view signOf(CompareFunc function) {
+    const auto* found = std::ranges::find(compareSigns, function, &Sign::function);
+    return found != compareSigns.end() ? found->sign : "";
+}
+
+std::string alphaFailedText(const reference::TestExplanation<float>& test) {
+    const std::string_view sign = signOf(test.function);
+    if (sign.empty())
+        return "The alpha test drops the fragment: nothing passes GL_NEVER";
+    // Compared are bytes: two alphas may be one there.
+    const bool needsBytes = reference::passes<float>(test.function, test.value, test.with);
+    const auto shown = [&](float alpha) {
+        return needsBytes ? fmt::format("{:.0f}/255", std::floor(std::clamp(alpha, 0.0F, 1.0F) * 255 + 0.5F))
+                          : reference::numberText(alpha);
+    };
+    return fmt::format("The alpha test drops the fragment: {} is not {} {}", shown(test.value), sign,
+                       shown(test.with));
+}
+
+std::string depthFailedText(const reference::TestExplanation<std::uint32_t>& test) {
+    const std::string_view sign = signOf(test.function);
+    if (sign.empty())
+        return "The depth test drops the fragment: nothing passes GL_NEVER";
+    const auto shown = [](std::uint32_t depth) {
+        return reference::numberText(static_cast<float>(depth) / 16777215.0F); // 24 bits
+    };
+    const bool differ = shown(test.value) != shown(test.with);
+    return fmt::format("The depth test drops the fragment: {} is not {} {}",
+                       differ ? shown(test.value) : std::to_string(test.value), sign,
+                       differ ? shown(test.with) : std::to_string(test.with));
+}
+
+/// Of a pixel that shows nothing but the background: why the nearest fragment isn't there.
+std::string nothingDrawnText(const reference::Explanation& explanation) {
+    const auto closest =
+        std::ranges::min_element(explanation.fragments, {}, &reference::FragmentExplanation::depth);
+    if (closest == explanation.fragments.end())
+        return "The background: nothing is drawn at this pixel";
+    return closest->outcome == reference::FragmentOutcome::FailedAlphaTest
+               ? alphaFailedText(closest->alphaTest)
+               : depthFailedText(closest->depthTest);
 }
 
 } // namespace
@@ -72,7 +134,7 @@ std::string consequenceOf(const Session& session) {
         return consequenceOf(*unit);
     const reference::FragmentExplanation* seen = explanation->seen();
     if (!seen)
-        return "The background: nothing is drawn at this pixel";
+        return nothingDrawnText(*explanation);
     if (seen->units.empty())
         return "No texture is applied at this pixel";
     return consequenceOf(seen->units.front());

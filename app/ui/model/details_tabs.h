@@ -35,16 +35,18 @@ struct TabRow {
     Dock home = Dock::Below;
 };
 
+// All lie below at first: the right column is texture space's alone, which would be low beside a list, and
+// the levels of a texture are wider than high.
 inline constexpr std::array tabRows{
-    TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices", Dock::Right},
-    TabRow{Tab::Levels, "levels", "Levels", "Levels", Dock::Right},
+    TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices"},
+    TabRow{Tab::Levels, "levels", "Levels", "Levels"},
     TabRow{Tab::Commands, "commands", "Commands", "Calls"},
     TabRow{Tab::Glsl, "glsl", "GLSL", "GLSL"},
     TabRow{Tab::Explain, "explain", "Explain", "Explain"},
     TabRow{Tab::File, "file", "File", "File"},
     TabRow{Tab::Memory, "memory", "Memory", "Memory"},
     TabRow{Tab::Kept, "a-b", "A and B", "A/B"},
-    TabRow{Tab::History, "history", "History", "History", Dock::Right},
+    TabRow{Tab::History, "history", "History", "History"},
 };
 
 [[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {

@@ -1,5 +1,6 @@
 #include "app/ui/model/document.h"
 
+#include "app/ui/language/translate.h"
 #include "core/base/printable.h"
 
 #include <utility>
@@ -25,7 +26,7 @@ bool isDirty(const Document& document) {
 }
 
 std::string windowTitle(const Document& document) {
-    const std::string name = document.file.empty() ? "Untitled" : document.file.filename().string();
+    const std::string name = document.file.empty() ? tr("Untitled") : document.file.filename().string();
     return printable(name) + (isDirty(document) ? " • Texplorer" : " - Texplorer");
 }
 

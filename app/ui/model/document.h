@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ struct Fit {
     float aspect = 0; ///< width by height; 0: there was none
 };
 
+/// A level that a click chose as the only one that is read, and what that replaced.
+struct ForcedLevel {
+    int texture = 0;
+    int level = 0;
+    int baseLevel = 0;
+    int maxLevel = 0;
+};
+
 /// What is shown and edited. Another scene is another Document; the window around it stays.
 struct Document {
     /// A scene whose images are loaded. A camera that nobody has chosen, that of the default scene, is fitted
@@ -39,13 +48,14 @@ struct Document {
     Scene saved; ///< as the file has it
     Kept kept;
     ImageSource images;
-    std::filesystem::path file;    ///< empty: never saved
-    bool needsFit = false;         ///< the camera has not yet been fitted to the view's shape
-    Fit fit;                       ///< the last one
-    std::string lastChanged;       ///< the path of the parameter that was edited last
-    std::set<std::string> used;    ///< files that the scene used when that was last looked at
-    std::vector<Load> loads;       ///< what is on its way, in the order in which it was asked for
-    std::set<std::string> damaged; ///< files of `images` that changed and can't be read any more
+    std::filesystem::path file;        ///< empty: never saved
+    bool needsFit = false;             ///< the camera has not yet been fitted to the view's shape
+    Fit fit;                           ///< the last one
+    std::string lastChanged;           ///< the path of the parameter that was edited last
+    std::optional<ForcedLevel> forced; ///< kept by the tab Levels
+    std::set<std::string> used;        ///< files that the scene used when that was last looked at
+    std::vector<Load> loads;           ///< what is on its way, in the order in which it was asked for
+    std::set<std::string> damaged;     ///< files of `images` that changed and can't be read any more
 
     std::vector<Finding> findings; ///< about the scene, kept by `diagnoseSession`
     Diagnosis diagnosis;

@@ -30,6 +30,28 @@ bool isSame(const Scene& a, const Scene& b) {
            a.textures == b.textures && a.passes == b.passes;
 }
 
+/// The lists whose items are selected.
+void selectAsInA(Selection& selection, const Selection& inA, std::string_view path) {
+    if (path.empty() || path == "models") {
+        selection.model = inA.model;
+        selection.vertex = inA.vertex;
+        selection.group = inA.group;
+    }
+    if (path.empty() || path == "passes") {
+        selection.pass = inA.pass;
+        selection.unit = inA.unit;
+    }
+}
+
+void recordTaken(Session& session, std::string_view what, std::string_view path) {
+    sealEdit(session);
+    recordEdit(session, what, path);
+    sealEdit(session);
+    selectAsInA(session.window.selection, session.document.kept.selection, path);
+    leaveHiddenModel(session);
+    bringSelectionBack(session);
+}
+
 Scene keptFrom(const Session& session) {
     Scene scene = *session.document.kept.scene;
     scene.view = lookedAtFrom(scene.view, session.document.scene.view);
@@ -47,7 +69,8 @@ bool isKeptBeside(const Session& session) {
 }
 
 void keepAsA(Session& session) {
-    session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt};
+    session.document.kept = {std::make_shared<const Scene>(session.document.scene), nullptr, std::nullopt,
+                             session.window.selection};
     followKept(session);
     tell(session, "Kept as A: change something, and compare it by the menu A/B.");
 }
@@ -103,9 +126,7 @@ Result<void> takeFromKept(Session& session, const SceneChange& change) {
     if (Result<void> taken = takeOver(edited, keptFrom(session), change.path); !taken)
         return taken;
     session.document.scene = std::move(edited);
-    sealEdit(session);
-    recordEdit(session, fmt::format("{} of A", change.label), change.path);
-    sealEdit(session);
+    recordTaken(session, fmt::format("{} of A", change.label), change.path);
     return {};
 }
 
@@ -113,9 +134,7 @@ void takeAllFromKept(Session& session) {
     if (!session.document.kept.scene)
         return;
     session.document.scene = keptFrom(session);
-    sealEdit(session);
-    recordEdit(session, "All of A");
-    sealEdit(session);
+    recordTaken(session, "All of A", {});
 }
 
 } // namespace texplorer::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/model/selection.h"
 #include "core/base/result.h"
 #include "core/scene/params/scene_diff.h"
 #include "core/scene/scene.h"
@@ -20,6 +21,7 @@ struct Kept {
     std::shared_ptr<const Scene> seen;
     /// The scene beside which the view shows A: any edit of it but of the camera leads back to what is now.
     std::optional<Scene> flippedAt;
+    Selection selection{}; ///< of the time when it was kept
 };
 
 /// The scene as it is now becomes A.
@@ -39,7 +41,8 @@ void followKept(Session& session);
 /// What differs from A but for the place of the camera, from A to now; empty where nothing is kept.
 [[nodiscard]] std::vector<SceneChange> changesSinceKept(const Session& session);
 
-/// A's value becomes that of the scene, a step of undo. The error says why it doesn't fit.
+/// A's value becomes that of the scene, a step of undo. Models or passes that come back are selected as they
+/// were in A. The error says why it doesn't fit.
 [[nodiscard]] Result<void> takeFromKept(Session& session, const SceneChange& change);
 /// The same of everything but the place of the camera.
 void takeAllFromKept(Session& session);

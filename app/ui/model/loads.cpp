@@ -83,7 +83,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
 void finishImport(Session& session, const Load& load) {
     bindFile(session.document.scene, load.pass, load.unit, load.file);
     sealEdit(session);
-    recordEdit(session, "Open " + load.path.filename().string());
+    recordEdit(session, fmt::format("Open {}", load.path.filename().string()));
     sealEdit(session);
 }
 
@@ -161,7 +161,8 @@ void giveUp(Session& session, const Load& load, const std::string& file, const E
         return say(session, error, path);
     if (session.document.damaged.insert(file).second)
         say(session,
-            {error.code, "has changed and can't be read now, its old picture stays: " + error.message,
+            {error.code,
+             fmt::format("has changed and can't be read now, its old picture stays: {}", error.message),
              path.string()},
             path);
 }

@@ -2,6 +2,7 @@
 
 #include "app/ui/model/captures.h"
 #include "app/ui/model/files.h"
+#include "app/ui/model/level_pictures.h"
 #include "app/ui/model/pattern_pictures.h"
 #include "app/ui/model/settings_file.h"
 #include "app/ui/model/unsaved_work.h"
@@ -23,6 +24,7 @@ struct Services {
     reference::ProbeWorker& probe;       ///< of the pixel that is explained
     reference::LevelMapWorker& levelMap; ///< of the levels that each pixel reads
     PatternPictures& patterns;           ///< of the choice among them
+    LevelPictures& levelPictures;        ///< of the level that texture space shows
     UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
     SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
     Captures* captures = nullptr;        ///< nullptr: no pictures are written
@@ -39,10 +41,11 @@ public:
         , kept_(reference::DrawWorker::When::WhenReady, wake, {cache})
         , probe_(reference::ProbeWorker::When::WhenReady, wake, {cache})
         , levelMap_(reference::LevelMapWorker::When::WhenReady, wake, {cache})
-        , patterns_(When::WhenReady, wake) {}
+        , patterns_(When::WhenReady, wake)
+        , levelPictures_(When::WhenReady, wake) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, unsaved};
+        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, levelPictures_, unsaved};
     }
 
 private:
@@ -53,6 +56,7 @@ private:
     reference::ProbeWorker probe_;
     reference::LevelMapWorker levelMap_;
     PatternPictures patterns_;
+    LevelPictures levelPictures_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -65,10 +69,11 @@ public:
         , kept_(reference::DrawWorker::When::AtOnce, {}, work)
         , probe_(reference::ProbeWorker::When::AtOnce, {}, work)
         , levelMap_(reference::LevelMapWorker::When::AtOnce, {}, work)
-        , patterns_(When::AtOnce) {}
+        , patterns_(When::AtOnce)
+        , levelPictures_(When::AtOnce) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, unsaved};
+        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, levelPictures_, unsaved};
     }
 
 private:
@@ -79,6 +84,7 @@ private:
     reference::ProbeWorker probe_;
     reference::LevelMapWorker levelMap_;
     PatternPictures patterns_;
+    LevelPictures levelPictures_;
 };
 
 } // namespace texplorer::ui

@@ -18,19 +18,6 @@ int lastIndex(std::size_t size) {
     return std::max(0, static_cast<int>(size) - 1);
 }
 
-/// What is selected is part of the scene.
-void bringSelectionBack(Session& session) {
-    Selection& selection = session.window.selection;
-    const Scene& scene = session.document.scene;
-    selection.model = std::clamp(selection.model, 0, lastIndex(scene.models.size()));
-    selection.pass = std::clamp(selection.pass, 0, lastIndex(scene.passes.size()));
-    selection.unit = std::clamp(selection.unit, 0, maxUnits - 1);
-    if (selection.vertex && *selection.vertex >= selectedMesh(session).vertices.size())
-        selection.vertex.reset();
-    std::erase_if(selection.group.vertices,
-                  [&session](std::size_t vertex) { return vertex >= selectedMesh(session).vertices.size(); });
-}
-
 /// A camera that was fitted, and that nobody has moved since, fills its picture whatever its shape becomes.
 /// That is no edit: steps of the history and the saved scene that have the same camera come along.
 void followShape(Document& document, double time, float aspect) {
@@ -45,6 +32,13 @@ void followShape(Document& document, double time, float aspect) {
     document.history.replaceView(before, document.scene.view);
     if (document.saved.view == before)
         document.saved.view = document.scene.view;
+}
+
+void showStep(Session& session, const Scene& scene) {
+    session.document.scene = scene;
+    leaveHiddenModel(session);
+    bringSelectionBack(session);
+    session.document.lastChanged.clear();
 }
 
 } // namespace
@@ -72,6 +66,18 @@ void replaceDocument(Session& session, Document document) {
     session.window.explaining.pinned.reset();
     leaveHiddenModel(session);
     bringSelectionBack(session);
+}
+
+void bringSelectionBack(Session& session) {
+    Selection& selection = session.window.selection;
+    const Scene& scene = session.document.scene;
+    selection.model = std::clamp(selection.model, 0, lastIndex(scene.models.size()));
+    selection.pass = std::clamp(selection.pass, 0, lastIndex(scene.passes.size()));
+    selection.unit = std::clamp(selection.unit, 0, maxUnits - 1);
+    if (selection.vertex && *selection.vertex >= selectedMesh(session).vertices.size())
+        selection.vertex.reset();
+    std::erase_if(selection.group.vertices,
+                  [&session](std::size_t vertex) { return vertex >= selectedMesh(session).vertices.size(); });
 }
 
 void settle(Session& session, const Layout& layout) {
@@ -110,11 +116,12 @@ void redo(Session& session) {
         goToStep(session, session.document.history.position() + 1);
 }
 
+void takeBackEdit(Session& session) {
+    showStep(session, session.document.history.takeBack());
+}
+
 void goToStep(Session& session, std::size_t step) {
-    session.document.scene = session.document.history.goTo(step);
-    leaveHiddenModel(session);
-    bringSelectionBack(session);
-    session.document.lastChanged.clear();
+    showStep(session, session.document.history.goTo(step));
 }
 
 void resetToSaved(Session& session) {

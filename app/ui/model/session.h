@@ -39,6 +39,12 @@ void advance(Session& session, double seconds);
 /// parameter that changed, where it is one.
 void recordEdit(Session& session, std::string_view what, std::string_view path = {});
 
+/// The edit in progress, which no `sealEdit` has ended yet, never was: neither undo nor redo knows of it.
+void takeBackEdit(Session& session);
+
+/// To be called where the scene became another one: what is selected gives way to what is there and is seen.
+void bringSelectionBack(Session& session);
+
 /// Ends a step of the history: the next edit is a new one even if it has the same name.
 void sealEdit(Session& session);
 

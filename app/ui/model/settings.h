@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/language/language.h"
 #include "app/ui/model/workspace.h"
 
 #include <array>
@@ -19,8 +20,8 @@ struct ThemeRow {
 };
 
 inline constexpr std::array themeRows{
-    ThemeRow{Theme::Dark, "dark", "Dark"},
-    ThemeRow{Theme::Light, "light", "Light"},
+    ThemeRow{Theme::Dark, "dark", "Dark colours"},
+    ThemeRow{Theme::Light, "light", "Light colours"},
     ThemeRow{Theme::HighContrast, "high-contrast", "High contrast"},
 };
 
@@ -29,6 +30,7 @@ inline constexpr int tourSteps = 5; ///< of the tour at the first start
 /// What outlives the window and belongs to the person, not to the scene.
 struct Settings {
     Theme theme = Theme::Dark;
+    Language language = Language::System;
     int textPercent = 100; ///< of the text's usual size
     bool glNames = false;  ///< parameters are called as OpenGL calls them
     std::vector<std::string>

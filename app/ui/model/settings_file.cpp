@@ -1,5 +1,6 @@
 #include "app/ui/model/settings_file.h"
 
+#include "app/ui/model/settings_merge.h"
 #include "core/base/file_io.h"
 #include "core/base/user_folder.h"
 
@@ -24,14 +25,6 @@ std::string settingsProblem(const Error& error) {
     return fmt::format("Settings can't be kept: {}.", describe(error));
 }
 
-/// Empty: it is written.
-std::string putSettings(const fs::path& file, const std::string& text) {
-    std::error_code ignored; // the writing says what is wrong
-    fs::create_directories(file.parent_path(), ignored);
-    const Result<void> written = writeFileAtomically(file, viewBytes(text));
-    return written ? std::string() : settingsProblem(written.error());
-}
-
 /// A file that is there and can't be understood gets another name, so that nothing writes over it.
 std::string setAside(const fs::path& file, const Error& error) {
     fs::path broken = file;
@@ -41,6 +34,63 @@ std::string setAside(const fs::path& file, const Error& error) {
     return failed ? fmt::format("{} can't be read ({}).", file.string(), describe(error))
                   : fmt::format("{} can't be read ({}). It was set aside as {}.", file.string(),
                                 describe(error), broken.filename().string());
+}
+
+/// Empty where there is none, or it can't be understood and was set aside: then `problem` says so.
+template<class Parse>
+std::string readWhole(const fs::path& file, const Parse& parse, std::string& problem) {
+    std::error_code ignored;
+    if (file.empty() || !fs::exists(file, ignored))
+        return {};
+    Result<std::string> text = readText(file, longestSettings);
+    if (text && text->empty())
+        return {};
+    const Result<void> parsed = text ? parse(*text) : Result<void>(fail(text.error()));
+    if (parsed)
+        return *std::move(text);
+    problem = setAside(file, parsed.error());
+    return {};
+}
+
+Result<void> putSettings(const fs::path& file, const std::string& text) {
+    std::error_code ignored; // the writing says what is wrong
+    fs::create_directories(file.parent_path(), ignored);
+    return writeFileAtomically(file, viewBytes(text));
+}
+
+/// One of the files, read and written anew, where that changes it. What went wrong, or nothing.
+template<class Parse, class Merge>
+std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& merge) {
+    std::string problem;
+    const std::string there = readWhole(file, parse, problem);
+    const std::string text = merge(there);
+    if (file.empty() || text == there)
+        return problem;
+    const Result<void> written = putSettings(file, text);
+    return written ? problem : settingsProblem(written.error());
+}
+
+std::string writeChanges(const SettingsPlaces& places, const Settings& before, const Settings& now) {
+    std::string problem;
+    if (writeSettings(before) != writeSettings(now))
+        problem = mergeInto(
+            places.settings,
+            [](const std::string& text) { return parseSettings(text).map([](const Settings&) {}); },
+            [&](const std::string& there) { return mergeSettings(there, before, now); });
+    if (before.recentFiles == now.recentFiles)
+        return problem;
+    std::vector<fs::path> files = before.recentFiles; // where there is no file
+    Settings merged;
+    std::string other = mergeInto(
+        places.recent,
+        [&](const std::string& text) {
+            return parseRecentFiles(text).map([&](std::vector<fs::path> found) { files = std::move(found); });
+        },
+        [&](const std::string&) {
+            merged.recentFiles = mergeRecentFiles(files, before.recentFiles, now.recentFiles);
+            return writeRecentFiles(merged);
+        });
+    return problem.empty() ? other : problem;
 }
 
 } // namespace
@@ -66,38 +116,39 @@ SettingsFile::SettingsFile(SettingsPlaces places, std::function<void()> wake, st
     , clock_(std::move(clock))
     , writing_(
           {When::WhenReady, JobOrder::Queue, settingsFailure, std::move(wake)},
-          [](const Writing::Task& task) { return putSettings(task.job().file, task.job().text); },
-          [](const Job& /*job*/, const Error& error) { return settingsProblem(error); }) {}
+          [](const Writing::Task& task) {
+              const Job& job = task.job();
+              return Answer{job.before, writeChanges(job.places, job.before, job.now)};
+          },
+          [](const Job& job, const Error& error) {
+              return Answer{job.before, settingsProblem(error)};
+          }) {}
 
 SettingsFile::~SettingsFile() {
-    if (due_)
-        write();
+    writing_.wait();
+    learn();
+    write(); // what isn't there yet, or couldn't be written before
     writing_.wait();
 }
 
 Settings SettingsFile::read() {
-    std::error_code ignored;
-    const auto textOf = [&](const fs::path& file) {
-        const bool isThere = !file.empty() && fs::exists(file, ignored);
-        return isThere ? readText(file, longestSettings) : Result<std::string>(std::string());
-    };
-    const auto understand = [&](const fs::path& file, std::string& text, const auto& parse) {
-        Result<std::string> found = textOf(file);
-        if (found && found->empty())
-            return;
-        Result<void> parsed = found ? parse(*found) : Result<void>(fail(found.error()));
-        if (parsed)
-            text = std::move(*found);
-        else
-            problem_ = setAside(file, parsed.error());
-    };
-    understand(places_.settings, text_, [&](const std::string& text) {
-        return parseSettings(text).map([&](Settings settings) { told_ = std::move(settings); });
-    });
-    understand(places_.recent, recent_, [&](const std::string& text) {
-        return parseRecentFiles(text).map(
-            [&](std::vector<fs::path> files) { told_.recentFiles = std::move(files); });
-    });
+    std::string problem;
+    (void)readWhole(
+        places_.settings,
+        [&](const std::string& text) {
+            return parseSettings(text).map([&](Settings settings) { told_ = std::move(settings); });
+        },
+        problem);
+    (void)readWhole(
+        places_.recent,
+        [&](const std::string& text) {
+            return parseRecentFiles(text).map(
+                [&](std::vector<fs::path> files) { told_.recentFiles = std::move(files); });
+        },
+        problem);
+    if (!problem.empty())
+        problem_ = std::move(problem);
+    written_ = told_;
     return told_;
 }
 
@@ -107,27 +158,33 @@ void SettingsFile::keep(const Settings& settings) {
         if (!due_)
             due_ = clock_() + delay_;
     }
-    if (due_ && clock_() >= *due_)
+    if (!due_ || clock_() < *due_)
+        return;
+    if (writing_.isWorking()) // what it answers says what is left to be written
+        due_ = clock_() + delay_;
+    else
         write();
+}
+
+void SettingsFile::learn() {
+    for (Answer& each : writing_.take()) {
+        if (each.problem.empty())
+            continue;
+        written_ = std::move(each.before); // so that the next time tries it again
+        problem_ = std::move(each.problem);
+    }
 }
 
 void SettingsFile::write() {
     due_.reset();
-    const auto update = [this](const fs::path& file, std::string& before, std::string text) {
-        if (file.empty() || text == before)
-            return;
-        before = std::move(text);
-        writing_.ask({file, before});
-    };
-    update(places_.settings, text_, writeSettings(told_, text_));
-    update(places_.recent, recent_, writeRecentFiles(told_));
+    learn();
+    if (written_ == told_)
+        return;
+    writing_.ask({places_, std::exchange(written_, told_), told_});
 }
 
 std::optional<std::string> SettingsFile::takeProblem() {
-    for (std::string& each : writing_.take()) {
-        if (!each.empty())
-            problem_ = std::move(each);
-    }
+    learn();
     return std::exchange(problem_, std::nullopt);
 }
 

@@ -39,8 +39,10 @@ struct SettingsPlaces {
     [[nodiscard]] static SettingsPlaces ofUser();
 };
 
-/// Keeps settings on the disk: a moment after they have changed, and at the end. Writes on a thread of its
-/// own where there is one to be had. The host makes one and lends it to the session.
+/// Keeps settings on the disk: a moment after they have changed, and at the end. Another window may have
+/// written since they were read: what this one changed goes into what lies there, see settings_merge.h.
+/// Writes on a thread of its own where there is one to be had. The host makes one and lends it to the
+/// session.
 class SettingsFile {
 public:
     static constexpr std::chrono::milliseconds usualDelay{1000};
@@ -66,19 +68,25 @@ public:
     [[nodiscard]] std::optional<std::string> takeProblem();
 
 private:
+    /// What was to be written since the last time.
     struct Job {
-        std::filesystem::path file;
-        std::string text;
+        SettingsPlaces places;
+        Settings before;
+        Settings now;
     };
-    using Writing = Worker<Job, std::string>;
-    void write();
+    struct Answer {
+        Settings before;
+        std::string problem; ///< empty: it is written
+    };
+    using Writing = Worker<Job, Answer>;
+    void learn();
+    void write(); ///< one job at a time: the next one begins with what that one left
 
     SettingsPlaces places_;
     double delay_;
     Clock clock_;
     Settings told_;
-    std::string text_;   ///< of the settings' file as it was read, with keys that nobody knows
-    std::string recent_; ///< what was read or written last
+    Settings written_; ///< what was read, or was to be written last
     std::optional<double> due_;
     std::optional<std::string> problem_;
     Writing writing_;

@@ -45,6 +45,16 @@ const char* readTheme(const SettingsJson& value, Settings& settings) {
     return nullptr;
 }
 
+const char* readLanguage(const SettingsJson& value, Settings& settings) {
+    const auto row = value.is_string()
+                         ? std::ranges::find(languageRows, value.get<std::string>(), &LanguageRow::name)
+                         : languageRows.end();
+    if (row == languageRows.end())
+        return "the name of a language";
+    settings.language = row->language;
+    return nullptr;
+}
+
 const char* readTextPercent(const SettingsJson& value, Settings& settings) {
     if (!value.is_number_integer() || value < Settings::smallestText || value > Settings::largestText)
         return "a whole number from 75 to 250";
@@ -70,6 +80,9 @@ const char* readWorkspace(const SettingsJson& value, Settings& settings) {
 
 constexpr std::array settingRows{
     SettingRow{"theme", writeTheme, readTheme},
+    SettingRow{"language",
+               [](const Settings& settings) { return SettingsJson(rowOf(settings.language).name); },
+               readLanguage},
     SettingRow{"textPercent", [](const Settings& settings) { return SettingsJson(settings.textPercent); },
                readTextPercent},
     switchRow<&Settings::glNames>("glNames"),

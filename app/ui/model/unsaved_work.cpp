@@ -11,8 +11,8 @@ namespace texplorer::ui {
 
 void followEdits(Session& session) {
     if (Captures* captures = session.services.captures) {
-        if (std::optional<std::string> news = captures->takeNews())
-            tell(session, std::move(*news));
+        if (std::optional<Captures::News> news = captures->takeNews())
+            session.window.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isWritten};
     }
     if (SettingsFile* settings = session.services.settings) {
         settings->keep(session.window.settings);

@@ -6,8 +6,10 @@
 #include "app/ui/model/layout.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/model/load.h"
+#include "app/ui/model/notes.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/sections.h"
+#include "app/ui/model/selection.h"
 #include "app/ui/model/settings.h"
 #include "app/ui/model/view_settings.h"
 #include "core/base/result.h"
@@ -28,21 +30,6 @@ struct Playback {
     bool playing = true; ///< time goes on while something in the scene depends on it
     double time = 0;     ///< seconds
     float speed = 1;     ///< scene seconds a second
-};
-
-/// Vertices of one model that are chosen together.
-struct VertexGroup {
-    int model = 0;
-    std::vector<std::size_t> vertices{}; ///< ascending
-};
-
-/// What the panels show. Indices beyond the scene are brought back by `settle`.
-struct Selection {
-    int model = 0;
-    std::optional<std::size_t> vertex;
-    VertexGroup group{}; ///< counts while `vertex` is one of it: see chosen_vertices.h
-    int pass = 0;
-    int unit = 0;
 };
 
 /// What is written as a picture.
@@ -70,7 +57,8 @@ struct Notice {
 /// How one looks at whatever document there is, and what panels say to each other, as plain values. What one
 /// panel alone remembers is beside that panel.
 struct WindowState {
-    Settings settings; ///< what outlives the window
+    Settings settings;                           ///< what outlives the window
+    Language systemLanguage = Language::English; ///< what "like the system" is
     ViewSettings view; ///< which renderers draw the scene, and how one looks at their frames
     Playback playback;
     bool showsFrameTime = true; ///< off where two pictures of the window should be the same
@@ -109,6 +97,8 @@ struct WindowState {
     LevelView levels;
     InspectedFile fileView;
     Notice notice;
+    ViewNotes notes;
+    bool spotlight = false; ///< all but a disc around the pointer is dim
 
     std::shared_ptr<const Mesh> mesh; ///< of the selected model, kept by `selectedMesh`
     ShapeOptions meshShape{};         ///< what it was made from

@@ -2,7 +2,9 @@
 
 #include "app/ui/parameters/combine_section.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/gl/combine_equation.h"
@@ -35,23 +37,34 @@ bool isPrevious(const EnumRow& choice) {
     return choice.value == static_cast<std::uint32_t>(CombineSource::Previous);
 }
 
-std::string labelOf(const Combine& combine, const std::string& key, bool isFirstUnit) {
+/// In the middle of a sentence, where English has no capital.
+std::string sourceInWords(const Combine& combine, const std::string& key, bool isFirstUnit) {
     const ParamRow& row = rowNamed(key);
     const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(row.read(&combine)).number);
-    if (choice && isFirstUnit && key.starts_with("source") && isPrevious(*choice))
-        return "primary colour (no unit before)"; // OpenGL 2.1, section 3.8.13
-    std::string label(choice ? choice->label : "?");
-    if (label.front() >= 'A' && label.front() <= 'Z')
-        label.front() = static_cast<char>(label.front() - 'A' + 'a');
-    return label;
+    std::string words(choice ? choice->label : "?");
+    if (choice && isFirstUnit && isPrevious(*choice))
+        words = "Primary colour (no unit before)"; // OpenGL 2.1, section 3.8.13
+    if (!catalogueInUse() && words.front() >= 'A' && words.front() <= 'Z')
+        words.front() = static_cast<char>(words.front() - 'A' + 'a');
+    return words;
 }
 
 /// "colour of this texture", "(1 - alpha of previous unit)"
 std::string argumentInWords(const Combine& combine, const Half& half, int number, bool isFirstUnit) {
     const std::string tail = fmt::format("{}{}", number, half.suffix);
-    const std::string words = fmt::format("{} of {}", labelOf(combine, "operand" + tail, isFirstUnit),
-                                          labelOf(combine, "source" + tail, isFirstUnit));
-    return words.starts_with("1 - ") ? fmt::format("({})", words) : words;
+    const std::string source = sourceInWords(combine, "source" + tail, isFirstUnit);
+    const auto operand = std::get<EnumValue>(rowNamed("operand" + tail).read(&combine)).number;
+    switch (static_cast<OperandRgb>(operand)) { // whose numbers are those of the operands of alpha
+    case OperandRgb::SrcColor:
+        return tr(fmt::format("colour of {}", source));
+    case OperandRgb::OneMinusSrcColor:
+        return tr(fmt::format("(1 - colour of {})", source));
+    case OperandRgb::SrcAlpha:
+        return tr(fmt::format("alpha of {}", source));
+    case OperandRgb::OneMinusSrcAlpha:
+        return tr(fmt::format("(1 - alpha of {})", source));
+    }
+    return "?";
 }
 
 /// The equation with what its arguments stand for.
@@ -70,8 +83,8 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
 void drawEquation(Session& session, const Combine& combine, const Half& half) {
     const bool isAlpha = half.suffix == "Alpha";
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
-        ImGui::TextWrapped("= the colour's dot product: %s overrules what is below but the scale.",
-                           std::string(rowOf(combine.rgb).name).c_str());
+        wrappedText(fmt::format("= the colour's dot product: {} overrules what is below but the scale.",
+                                rowOf(combine.rgb).name));
         return;
     }
     std::string symbols(isAlpha ? equationOf(combine.alpha) : equationOf(combine.rgb));
@@ -91,8 +104,7 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
 float widestChoice(const ParamRow& row) {
     float widest = 0;
     for (const EnumRow& choice : row.choices)
-        widest = std::max(
-            widest, ImGui::CalcTextSize(choice.label.data(), choice.label.data() + choice.label.size()).x);
+        widest = std::max(widest, ImGui::CalcTextSize(tr(choice.label).c_str()).x);
     return widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
@@ -100,13 +112,14 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
     const auto& combine = *static_cast<const Combine*>(owner.values);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float full = ImGui::GetContentRegionAvail().x;
-    const float name = ImGui::CalcTextSize("Colour").x + 2 * gap;
+    const float name =
+        std::max(ImGui::CalcTextSize(tr("Colour")).x, ImGui::CalcTextSize(tr("Alpha")).x) + 2 * gap;
     const float left = ImGui::GetCursorPosX();
     const float scale = ImGui::GetFontSize() * 3;
     const float times = ImGui::CalcTextSize("×").x;
 
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(half.title.data(), half.title.data() + half.title.size());
+    text(half.title);
     ImGui::SameLine(left + name);
     paramControl(session, owner, rowNamed(half.function), full - name - scale - times - 2 * gap);
     ImGui::SameLine(0, gap);
@@ -129,7 +142,7 @@ void drawHalf(Session& session, const Owner& owner, const Half& half) {
         const bool inert = idleReasonOf(session.document.findings, owner.pathOf(source)) != nullptr;
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
-        ImGui::Text("Arg%d", number);
+        ImGui::TextUnformatted(fmt::format("Arg{}", number).c_str());
         ImGui::PopStyleColor();
         ImGui::SameLine(left + argument);
         paramControl(session, owner, source, std::max(choices / 2, choices - operand));

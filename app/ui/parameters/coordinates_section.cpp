@@ -3,6 +3,7 @@
 
 #include "app/ui/parameters/coordinates_section.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -32,16 +33,16 @@ constexpr std::array<Coordinate, 4> coordinates{{{"s", keyOf<&Unit::texGenS>, &U
 void lightButtons(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    const auto button = [&](const char* label, const char* tip, auto&& edit) {
-        if (ImGui::Button(label, {width, 0})) {
+    const auto button = [&](const char* words, const char* tip, auto&& edit) {
+        if (ImGui::Button(label(words), {width, 0})) {
             sealEdit(session);
             if (edit())
-                recordEdit(session, label);
+                recordEdit(session, words);
             else
                 say(session, "There is no room for it: no more textures or matrix steps can be added.");
             sealEdit(session);
         }
-        noteItem(label);
+        noteItem(words);
         helpTip(tip);
     };
     button("Slide projector",

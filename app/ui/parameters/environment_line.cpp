@@ -179,7 +179,7 @@ void environmentLine(Session& session) {
            fmt::format("{}\n{}", source, numbersOf(sample.inputs.source)));
     ImGui::SameLine(0, gap);
     swatch("Cc", sample.inputs.constant, hasSymbol(sample.equations, "Cc", "Ac"),
-           fmt::format("Cc: the environment colour\n{}", numbersOf(sample.inputs.constant)));
+           fmt::format("{}\n{}", "Cc: the environment colour", numbersOf(sample.inputs.constant)));
     ImGui::SameLine(0, gap);
     dimText("→");
     ImGui::SameLine(0, gap);

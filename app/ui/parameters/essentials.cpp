@@ -1,16 +1,16 @@
 #include "app/ui/parameters/essentials.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/pinned.h"
-#include "app/ui/model/preview.h"
 #include "app/ui/model/tex_coord_edits.h"
+#include "app/ui/parameters/anisotropy_line.h"
 #include "app/ui/parameters/environment_line.h"
 #include "app/ui/parameters/image_choice.h"
 #include "app/ui/parameters/matrix_section.h"
-#include "app/ui/parameters/param_places.h"
+#include "app/ui/parameters/shown_structs.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
-#include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/count.h"
 #include "core/scene/drawn_models.h"
@@ -25,8 +25,6 @@
 
 namespace texplorer::ui {
 namespace {
-
-constexpr std::array anisotropySteps{1, 2, 4, 8, 16};
 
 const ParamRow& essentialRow(const StructTable& table, std::string_view key) {
     return *findParam(table, key); // keys are those of rows
@@ -80,7 +78,7 @@ void vertexLine(Session& session) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, vertex ? color::chosen : color::text);
-    ImGui::TextUnformatted("Vertex");
+    text("Vertex");
     ImGui::PopStyleColor();
     if (model && count > 0)
         helpTip(fmt::format("Of model {}, {}, which has the vertices 0 to {}", session.window.selection.model,
@@ -101,9 +99,11 @@ void vertexLine(Session& session) {
         stepVertex(session, true);
     ImGui::SameLine(0, gap);
     if (!vertex || count == 0) {
-        ImGui::PushTextWrapPos(0);
-        dimText("Click one in either view.");
-        ImGui::PopTextWrapPos();
+        constexpr const char* how = "Click one in either view.";
+        const float room = ImGui::GetContentRegionAvail().x;
+        if (ImGui::CalcTextSize(tr(how), nullptr, false, room).y > ImGui::GetFontSize() * 2.5F)
+            ImGui::NewLine(); // rather than a word or a letter in each line
+        dimWrappedText(how);
         noteItem("no vertex");
         return;
     }
@@ -127,9 +127,9 @@ void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axi
 void captionWithColor(Session& session, const char* words, const Owner& owner, const ParamRow& row) {
     const float swatch = ImGui::GetFontSize() * 4;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(words);
+    text(words);
     const std::string_view name = shownName(session.window.settings, row);
-    const float width = ImGui::CalcTextSize(name.data(), name.data() + name.size()).x;
+    const float width = ImGui::CalcTextSize(tr(name).c_str()).x;
     const float at = ImGui::GetContentRegionMax().x - swatch - width - ImGui::GetStyle().ItemInnerSpacing.x;
     if (at > ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize())
         ImGui::SameLine(at);
@@ -137,7 +137,8 @@ void captionWithColor(Session& session, const char* words, const Owner& owner, c
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
     text(name);
     ImGui::PopStyleColor();
-    helpTip(idle ? fmt::format("{}\nNo effect now: {}.", row.help, idle->sentence) : std::string(row.help));
+    helpTip(idle ? fmt::format("{}\n{}", row.help, fmt::format("No effect now: {}.", idle->sentence))
+                 : std::string(row.help));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     paramControl(session, owner, row, ImGui::GetContentRegionAvail().x);
 }
@@ -158,55 +159,6 @@ void wrapBlock(Session& session, const Owner& owner) {
     }
 }
 
-/// The usual degrees as buttons, and the number.
-void anisotropyLine(Session& session, const Owner& owner) {
-    const ParamRow& row = essentialRow(textureTable(), keyOf<&Texture::maxAnisotropy>());
-    const std::string path = owner.pathOf(row);
-    const float value = std::get<float>(row.read(owner.values));
-    const bool inert = idleReasonOf(session.document.findings, path) != nullptr;
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
-    ImGui::TextUnformatted("Anisotropy");
-    ImGui::PopStyleColor();
-    helpTip(row.help);
-    ImGui::SameLine();
-    std::vector<Segment> segments;
-    for (const int step : anisotropySteps)
-        segments.push_back({std::to_string(step)});
-    const float number = ImGui::GetFontSize() * 3.2F;
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const std::optional<SegmentPlan> plan =
-        planSegments(segments, ImGui::GetContentRegionAvail().x - number - gap, 1);
-    if (plan) {
-        const auto* found =
-            std::ranges::find(anisotropySteps, value, [](int step) { return static_cast<float>(step); });
-        const auto chosen = found == anisotropySteps.end()
-                                ? std::nullopt
-                                : std::optional(static_cast<std::size_t>(found - anisotropySteps.begin()));
-        ImGui::PushID("anisotropy");
-        ImGui::PushStyleColor(ImGuiCol_Text, inert ? color::dim : color::text);
-        const auto pressed = drawSegments(segments, *plan, chosen, [&](std::size_t i) {
-            noteItem(fmt::format("{}={}", path, anisotropySteps.at(i)));
-            helpTip(fmt::format("Up to {} samples along the longer side of a pixel's footprint",
-                                anisotropySteps.at(i)));
-            if (ImGui::IsItemHovered() && i != chosen)
-                preview(session, fmt::format("{}={}", path, anisotropySteps.at(i)),
-                        fmt::format("{}: {}", row.label, anisotropySteps.at(i)), [&](Scene& scene) {
-                            (void)setParam(scene, path, std::to_string(anisotropySteps.at(i)));
-                        });
-        });
-        ImGui::PopStyleColor();
-        ImGui::PopID();
-        if (pressed && pressed != chosen) {
-            sealEdit(session);
-            assignParam(session, owner, row, static_cast<float>(anisotropySteps.at(*pressed)));
-            sealEdit(session);
-        }
-        ImGui::SameLine(0, gap);
-    }
-    paramControl(session, owner, row, ImGui::GetContentRegionAvail().x);
-}
-
 /// A little room between what belongs together and the next.
 void blockEnds() {
     ImGui::Dummy({0, std::floor(ImGui::GetStyle().ItemSpacing.y * 0.5F)});
@@ -219,7 +171,7 @@ void textureBlock(Session& session, const Pictures& pictures) {
     blockEnds();
     paramWidget(session, owner, essentialRow(table, keyOf<&Texture::magFilter>()));
     paramWidget(session, owner, essentialRow(table, keyOf<&Texture::minFilter>()));
-    anisotropyLine(session, owner);
+    anisotropyLine(session, owner, essentialRow(table, keyOf<&Texture::maxAnisotropy>()));
     blockEnds();
     wrapBlock(session, owner);
 }
@@ -236,13 +188,12 @@ void environmentBlock(Session& session) {
 void matrixBlock(Session& session) {
     const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Texture matrix");
+    text("Texture matrix");
     ImGui::SameLine();
-    dimText(steps.empty() ? "identity" : countOf(steps.size(), "step"));
+    dimText(steps.empty() ? std::string(tr("identity")) : countOf(steps.size(), "step"));
     if (!steps.empty()) {
-        constexpr const char* label = "Edit";
         ImGui::SameLine();
-        if (ImGui::SmallButton(label))
+        if (ImGui::SmallButton(label("Edit")))
             session.window.wantedSection = Section::Matrix;
         noteItem("edit matrix");
         helpTip("Shows the steps of the texture matrix");
@@ -254,7 +205,7 @@ void pinnedRows(Session& session) {
     if (session.window.settings.pinned.empty())
         return;
     bool captioned = false;
-    for (const ShownStruct& place : paramPlaces(session)) {
+    for (const ShownStruct& place : shownStructs(session)) {
         for (const ParamRow& row : place.table->params) {
             const std::string path = place.owner.pathOf(row);
             if (isEssential(path) || !isPinned(session.window.settings, path))
@@ -276,7 +227,7 @@ void essentials(Session& session, const Pictures& pictures) {
     if (boundTexture(session))
         textureBlock(session, pictures);
     else
-        ImGui::TextWrapped("No texture is bound to this unit: switch the unit on, and it gets one.");
+        wrappedText("No texture is bound to this unit: switch the unit on, and it gets one.");
     blockEnds();
     environmentBlock(session);
     paramWidget(session, materialOwner(session), essentialRow(materialTable(), keyOf<&Material::color>()));

@@ -1,8 +1,9 @@
 #include "app/ui/parameters/image_choice.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/preview.h"
-#include "app/ui/parameters/param_places.h"
+#include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
@@ -87,16 +88,20 @@ void imageChoice(Session& session, const Pictures& pictures) {
     const Texture& texture = *boundTexture(session);
     const std::string path =
         elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture));
-    constexpr const char* open = "Open image…";
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Image");
+    text("Image");
     ImGui::SameLine();
     const float right = ImGui::GetContentRegionMax().x;
+    const bool isWide = ImGui::GetCursorPosX() + buttonWidth("Open image…") <= right;
+    const char* open = isWide ? "Open image…" : "Open…";
+    if (ImGui::GetCursorPosX() + buttonWidth(open) > right)
+        ImGui::NewLine();
     const float room = right - buttonWidth(open) - ImGui::GetStyle().ItemSpacing.x - ImGui::GetCursorPosX();
-    dimText(fitted(nameOfImage(texture), std::max(0.0F, room)));
-    helpTip(nameOfImage(texture));
+    const bool hasRoom = room > ImGui::GetFontSize() * 3; // for more than dots
+    dimText(hasRoom ? fitted(shownNameOfImage(texture), room) : "");
+    helpTip(shownNameOfImage(texture));
     ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
-    if (ImGui::Button(open))
+    if (ImGui::Button(label(open)))
         askOpenImage(session);
     noteItem("open image");
     helpTip("An image file for this texture; or drop one onto the window (Ctrl+I)");

@@ -1,7 +1,10 @@
 #include "app/ui/parameters/matrix_section.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/preset_edits.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/list_buttons.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "core/preset/preset.h"
@@ -50,7 +53,7 @@ void offerMotion(Session& session, const Motion& motion) {
     const Preset* preset = findPreset(motion.preset);
     if (!preset)
         return;
-    helpTip(fmt::format("{}: {}\n{}", preset->label, preset->help, preset->look));
+    helpTip(fmt::format("{}\n{}\n{}", preset->label, preset->help, preset->look));
     if (ImGui::IsItemHovered())
         previewPreset(session, *preset);
 }
@@ -64,14 +67,22 @@ void applyMotion(Session& session, const Motion& motion) {
 
 void addStepButtons(Session& session, int perLine) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - static_cast<float>(perLine - 1) * gap) /
-                        static_cast<float>(perLine);
+    const auto widthFor = [gap](int count) {
+        return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * gap) /
+               static_cast<float>(count);
+    };
+    float widest = 0;
+    for (const EnumRow& op : matrixOpRows)
+        widest = std::max(widest, buttonWidth(fmt::format("+ {}", tr(op.label)).c_str()));
+    while (perLine > 1 && widthFor(perLine) < widest)
+        --perLine;
+    const float width = widthFor(perLine);
     ImGui::BeginDisabled(selectedUnit(session).matrix.size() >= maxMatrixSteps);
     for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
         const EnumRow& op = matrixOpRows[i];
         if (static_cast<int>(i) % perLine > 0)
             ImGui::SameLine(0, gap);
-        if (ImGui::Button(fmt::format("+ {}", op.label).c_str(), {width, 0})) {
+        if (ImGui::Button(fmt::format("+ {}###{}", tr(op.label), op.name).c_str(), {width, 0})) {
             addStep(session, static_cast<MatrixOp>(op.value));
             ImGui::CloseCurrentPopup(); // where they are in one
         }
@@ -113,13 +124,13 @@ void matrixSection(Session& session) {
     std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     static const MatrixStep initial;
     if (steps.empty())
-        ImGui::TextWrapped(
+        wrappedText(
             "The identity: coordinates reach the image as they are. Each step moves, turns or scales them.");
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string path = fmt::format("{}.{}", selectedUnitPath(session), elementOf<&Unit::matrix>(i));
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
+        dimText(fmt::format("Step {}", i + 1));
         constexpr ListWords words{"matrix step", "", "Multiply this step earlier", "Multiply this step later",
                                   "Remove this step"};
         const std::optional<ListEdit> pressed = elementButtons(words, path, i, steps.size());

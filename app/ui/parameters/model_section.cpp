@@ -1,8 +1,10 @@
 #include "app/ui/parameters/model_section.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
@@ -70,24 +72,21 @@ void moveModel(Session& session, int by) {
     modelListChanged(session, chosen + by, "Reorder models");
 }
 
-/// "1 vertex", "4 vertices"
-std::string counted(std::size_t count, const char* one, const char* more) {
-    return fmt::format("{} {}", count, count == 1 ? one : more);
-}
-
 /// Vertices of its own are shown as what there is of them: the Vertices tab edits them.
 void meshRows(Session& session, const Owner& owner, const MeshData& mesh) {
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
-    std::string lists = counted(mesh.positions.size(), "vertex", "vertices");
-    const auto say = [&](bool there, const std::string& what) {
+    const std::size_t vertices = mesh.positions.size();
+    const std::size_t indices = mesh.indices.size();
+    std::string lists = vertices == 1 ? tr("1 vertex") : tr(fmt::format("{} vertices", vertices));
+    const auto add = [&](bool there, const std::string& what) {
         if (there)
             lists += ", " + what;
     };
-    say(!mesh.normals.empty(), "normals");
-    say(!mesh.colors.empty(), "colours");
-    say(!mesh.texCoords.empty(), "coordinates");
-    say(!mesh.indices.empty(), counted(mesh.indices.size(), "index", "indices"));
-    ImGui::TextDisabled("%s", lists.c_str());
+    add(!mesh.normals.empty(), tr("normals"));
+    add(!mesh.colors.empty(), tr("colours"));
+    add(!mesh.texCoords.empty(), tr("coordinates"));
+    add(indices > 0, indices == 1 ? tr("1 index") : tr(fmt::format("{} indices", indices)));
+    dimText(lists);
     helpTip("Vertices edits them one by one; Texture space moves their coordinates.");
 }
 
@@ -112,9 +111,9 @@ void modelSection(Session& session) {
     const std::size_t count = session.document.scene.models.size();
     ImGui::AlignTextToFramePadding();
     if (count == 0)
-        ImGui::TextDisabled("No model");
+        dimText("No model");
     else
-        ImGui::TextDisabled("Model %d", session.window.selection.model);
+        dimText(fmt::format("Model {}", session.window.selection.model));
     editModels(session, count);
     if (session.document.scene.models.empty())
         return;

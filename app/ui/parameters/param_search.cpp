@@ -1,6 +1,7 @@
 #include "app/ui/parameters/param_search.h"
 
-#include "app/ui/parameters/param_places.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/parameters/shown_structs.h"
 #include "app/ui/widgets/param_tips.h"
 #include "core/scene/params/param_text.h"
 
@@ -13,13 +14,40 @@
 namespace texplorer::ui {
 namespace {
 
-char lower(char letter) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+/// The small letters of Latin and of Russian, whose capitals are D0 90 to D0 AF and D0 81 in UTF-8.
+std::string lowered(std::string_view text) {
+    std::string lower(text);
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+        const auto letter = static_cast<unsigned char>(lower[i]);
+        if (letter < 0x80) {
+            lower[i] = static_cast<char>(std::tolower(letter));
+            continue;
+        }
+        if (letter != 0xD0 || i + 1 == lower.size())
+            continue;
+        const auto second = static_cast<unsigned char>(lower[i + 1]);
+        const bool isHigh = second >= 0xA0 && second <= 0xAF; // its small letter is D1 80 to D1 8F
+        if (second >= 0x90 && second < 0xA0)
+            lower[i + 1] = static_cast<char>(second + 0x20);
+        else if (isHigh)
+            lower[i + 1] = static_cast<char>(second - 0x20);
+        else if (second == 0x81)
+            lower[i + 1] = static_cast<char>(0x91);
+        if (isHigh || second == 0x81)
+            lower[i] = static_cast<char>(0xD1);
+        ++i;
+    }
+    return lower;
 }
 
-bool contains(std::string_view text, std::string_view part) {
-    const auto same = [](char a, char b) { return lower(a) == lower(b); };
-    return !std::ranges::search(text, part, same).empty();
+/// `word` is in small letters.
+bool contains(std::string_view text, std::string_view word) {
+    return lowered(text).find(word) != std::string::npos;
+}
+
+/// In English or in the window's language.
+bool isSaid(std::string_view english, std::string_view word) {
+    return contains(english, word) || (catalogueInUse() && contains(tr(english), word));
 }
 
 std::vector<std::string_view> wordsOf(std::string_view text) {
@@ -34,19 +62,20 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
 }
 
 int matchOfWord(const ParamRow& row, std::string_view word) {
-    if (contains(row.label, word) || contains(row.key, word) || contains(row.group, word) ||
+    if (isSaid(row.label, word) || contains(row.key, word) || isSaid(row.group, word) ||
         contains(glNameOf(row), word))
         return 2;
     const bool isChoice = std::ranges::any_of(row.choices, [&](const EnumRow& choice) {
-        return contains(choice.label, word) || contains(choice.name, word);
+        return isSaid(choice.label, word) || contains(choice.name, word);
     });
-    return isChoice || contains(row.glCall, word) || contains(row.help, word) ? 1 : 0;
+    return isChoice || contains(row.glCall, word) || isSaid(row.help, word) ? 1 : 0;
 }
 
 } // namespace
 
 int matchOf(const ParamRow& row, std::string_view words) {
-    const std::vector<std::string_view> all = wordsOf(words);
+    const std::string wanted = lowered(words);
+    const std::vector<std::string_view> all = wordsOf(wanted);
     int least = all.empty() || isList(row.kind) ? 0 : 2;
     for (const std::string_view word : all)
         least = std::min(least, matchOfWord(row, word));
@@ -56,7 +85,7 @@ int matchOf(const ParamRow& row, std::string_view words) {
 void searchResults(Session& session, std::string_view words) {
     std::size_t found = 0;
     for (const int wanted : {2, 1}) {
-        for (const ShownStruct& place : paramPlaces(session)) {
+        for (const ShownStruct& place : shownStructs(session)) {
             bool titled = false;
             for (const ParamRow& row : place.table->params) {
                 if (matchOf(row, words) != wanted)
@@ -75,9 +104,8 @@ void searchResults(Session& session, std::string_view words) {
         }
     }
     if (found == 0)
-        ImGui::TextWrapped(
-            "No parameter has such a name: neither its label, nor OpenGL's name for it, nor its "
-            "choices, nor its help.");
+        wrappedText("No parameter has such a name: neither its label, nor OpenGL's name for it, nor its "
+                    "choices, nor its help.");
     noteItem(fmt::format("found:{}", found));
 }
 

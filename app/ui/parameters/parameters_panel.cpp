@@ -1,16 +1,18 @@
 #include "app/ui/parameters/parameters_panel.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/parameters/combine_section.h"
 #include "app/ui/parameters/coordinates_section.h"
 #include "app/ui/parameters/essentials.h"
 #include "app/ui/parameters/matrix_section.h"
 #include "app/ui/parameters/model_section.h"
-#include "app/ui/parameters/param_places.h"
 #include "app/ui/parameters/param_search.h"
 #include "app/ui/parameters/pass_section.h"
+#include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_section.h"
 #include "app/ui/parameters/unit_bar.h"
 #include "app/ui/parameters/unit_section.h"
+#include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_tips.h"
@@ -62,8 +64,9 @@ void drawMarks(const std::vector<Mark>& marks) {
     const float y = ImGui::GetItemRectMin().y + ImGui::GetStyle().FramePadding.y;
     float x = ImGui::GetItemRectMax().x - gap;
     for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-        x -= ImGui::CalcTextSize(mark->text.c_str()).x + gap;
-        ImGui::GetWindowDrawList()->AddText({x, y}, mark->tint, mark->text.c_str());
+        const std::string words = tr(mark->text);
+        x -= ImGui::CalcTextSize(words.c_str()).x + gap;
+        ImGui::GetWindowDrawList()->AddText({x, y}, mark->tint, words.c_str());
     }
 }
 
@@ -76,7 +79,7 @@ bool section(Session& session, Section which, const std::vector<Mark>& marks = {
         ImGui::SetNextItemOpen(true);
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
     ImGui::PushID(idle ? "idle" : "in use"); // it opens when it comes to matter
-    const bool shown = ImGui::CollapsingHeader(row.title, idle ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
+    const bool shown = ImGui::CollapsingHeader(label(row.title), idle ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopID();
     ImGui::PopStyleColor();
     noteItem(std::string("section:") + row.title);
@@ -101,7 +104,7 @@ std::vector<Mark> generatedMarks(const Unit& unit) {
             marks.push_back({letters[i], componentColor(static_cast<int>(i))});
     }
     if (unit.emboss.enabled)
-        marks.push_back({"emboss", color::changed});
+        marks.push_back({"Emboss", color::changed});
     return marks;
 }
 
@@ -178,8 +181,12 @@ void searchLine(Session& session, ParametersState& state) {
     const float clear = state.search.empty() ? 0 : ImGui::GetFrameHeight() + gap;
     if (std::exchange(session.window.wantsSearch, false))
         ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - gap - clear);
-    textField("##search", state.search, 0, "Search parameters (Ctrl+F)");
+    const float width = ImGui::GetContentRegionAvail().x - button - gap - clear;
+    constexpr std::array hints{"Search parameters (Ctrl+F)", "Search (Ctrl+F)", "Search"};
+    const auto* hint =
+        std::ranges::find_if(hints, [&](const char* each) { return buttonWidth(each) <= width; });
+    ImGui::SetNextItemWidth(width);
+    textField("##search", state.search, 0, hint == hints.end() ? hints.back() : *hint);
     noteItem("search");
     if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(key::escape, false))
         state.search.clear();
@@ -203,21 +210,48 @@ void searchLine(Session& session, ParametersState& state) {
                     : "Calls parameters and choices as OpenGL does: GL_TEXTURE_WRAP_S, GL_REPEAT");
 }
 
-void tabBar(ParametersState& state) {
+void noteTab(std::size_t number) {
+    noteItem(fmt::format("parameters:{}", parameterTabRows.at(number).label));
+    helpTip(parameterTabRows.at(number).help);
+}
+
+/// The tabs where their buttons would leave no height for what they show.
+std::optional<std::size_t> tabList(const ParametersState& state) {
+    const char* shown = state.search.empty() ? rowOf(state.tab).label : "Search";
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const bool open = ImGui::BeginCombo("##tabs", tr(shown), ImGuiComboFlags_HeightLargest);
+    noteItem("parameters' tabs");
+    if (!open)
+        return std::nullopt;
+    std::optional<std::size_t> pressed;
+    for (std::size_t i = 0; i < parameterTabRows.size(); ++i) {
+        if (ImGui::Selectable(label(parameterTabRows.at(i).label),
+                              state.search.empty() && parameterTabRows.at(i).tab == state.tab))
+            pressed = i;
+        noteTab(i);
+    }
+    ImGui::EndCombo();
+    return pressed;
+}
+
+std::optional<std::size_t> tabButtons(const ParametersState& state) {
+    constexpr std::size_t mostLines = 3;
     std::vector<Segment> tabs;
     for (const ParameterTabRow& row : parameterTabRows)
         tabs.push_back({row.label});
-    const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, tabs.size());
+    const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, mostLines);
     if (!plan)
-        return;
+        return tabList(state);
     ImGui::PushID("tabs");
     const auto shown =
         state.search.empty() ? std::optional(static_cast<std::size_t>(state.tab)) : std::nullopt;
-    const auto pressed = drawSegments(tabs, *plan, shown, [](std::size_t number) {
-        noteItem(fmt::format("parameters:{}", parameterTabRows.at(number).label));
-        helpTip(parameterTabRows.at(number).help);
-    });
+    const auto pressed = drawSegments(tabs, *plan, shown, noteTab);
     ImGui::PopID();
+    return pressed;
+}
+
+void tabBar(ParametersState& state) {
+    const std::optional<std::size_t> pressed = tabButtons(state);
     if (!pressed)
         return;
     state.tab = parameterTabRows.at(*pressed).tab;

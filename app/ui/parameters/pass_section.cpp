@@ -1,8 +1,11 @@
 #include "app/ui/parameters/pass_section.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/widgets/list_buttons.h"
+#include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/number_choice.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/scene/drawn_models.h"
@@ -117,7 +120,7 @@ void modelsOfPass(Session& session) {
     }
     caption("Models");
     bool all = named.empty();
-    if (ImGui::Checkbox("All of them", &all)) {
+    if (ImGui::Checkbox(label("All of them"), &all)) {
         named = all ? std::vector<int>{} : order;
         modelsChanged(session);
     }
@@ -129,7 +132,7 @@ void modelsOfPass(Session& session) {
         const int index = order[place];
         ImGui::PushID(index);
         const bool changed =
-            modelOfPass(named, index, place, nameOf(models[static_cast<std::size_t>(index)]));
+            modelOfPass(named, index, place, shownNameOf(models[static_cast<std::size_t>(index)]));
         ImGui::PopID();
         if (changed)
             return modelsChanged(session); // the rest is drawn at the next frame
@@ -144,12 +147,13 @@ void passChoice(Session& session) {
         return;
     std::vector<NumberChoice> choices;
     choices.reserve(passes.size());
-    for (const Pass& pass : passes)
+    for (const Pass& pass : passes) {
+        const char* state = pass.enabled ? "This pass is drawn." : "This pass is not drawn.";
         choices.push_back(
-            {pass.enabled, fmt::format("{}{}", pass.name.empty() ? "" : pass.name + ": ",
-                                       pass.enabled ? "This pass is drawn." : "This pass is not drawn.")});
+            {pass.enabled, pass.name.empty() ? state : fmt::format("{}\n{}", pass.name, state)});
+    }
     numberChoice("Pass", "Pass", "pass", choices, session.window.selection.pass);
-    ImGui::Checkbox("Step: only up to this pass", &session.window.view.stepsThroughPasses);
+    ImGui::Checkbox(label("Step: only up to this pass"), &session.window.view.stepsThroughPasses);
     noteItem("step through passes");
     helpTip(
         "Leaves out the passes after the chosen one: choose 0, 1, 2 … to see each come over what is there");
@@ -158,7 +162,7 @@ void passChoice(Session& session) {
 void passSection(Session& session) {
     static const Pass initial;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Pass %d", session.window.selection.pass);
+    dimText(fmt::format("Pass {}", session.window.selection.pass));
     editPasses(session);
     const auto chosen = static_cast<std::size_t>(session.window.selection.pass);
     const Owner owner{&selectedPass(session), &initial, elementOf<&Scene::passes>(chosen)};

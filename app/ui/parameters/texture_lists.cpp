@@ -1,5 +1,6 @@
 #include "app/ui/parameters/texture_lists.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/scene_files.h"
@@ -125,7 +126,7 @@ std::string extentsText(const PlannedLevel& level, Target target) {
 void levelExtents(const LevelPlan& plan, int number, Target target) {
     const auto found = std::ranges::find(plan.levels, number, &PlannedLevel::number);
     if (found == plan.levels.end()) {
-        ImGui::TextDisabled("not loaded");
+        dimText("Not loaded");
         return;
     }
     const PlannedLevel fit = levelAbove(plan.levels.front(), number);
@@ -133,7 +134,7 @@ void levelExtents(const LevelPlan& plan, int number, Target target) {
     ImGui::PushStyleColor(ImGuiCol_Text, fits ? color::dim : color::problem);
     ImGui::TextUnformatted(
         (fits ? extentsText(*found, target)
-              : fmt::format("{}, not {}", extentsText(*found, target), extentsText(fit, target)))
+              : tr(fmt::format("{} instead of {}", extentsText(*found, target), extentsText(fit, target))))
             .c_str());
     ImGui::PopStyleColor();
     noteItem(fmt::format("level extents:{}", number));
@@ -175,9 +176,7 @@ void addLevels(Session& session, Texture& texture, std::size_t count) {
 /// A dim line above a list that has no effect, and why.
 void idleNote(const Session& session, const std::string& path) {
     if (const Finding* idle = idleReasonOf(session.document.findings, path)) {
-        ImGui::PushTextWrapPos(0);
-        dimText(sentenceOf(*idle));
-        ImGui::PopTextWrapPos();
+        dimWrappedText(sentenceOf(*idle));
     }
 }
 
@@ -194,14 +193,14 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
     };
     if (!steps.empty()) {
         const PictureLines lines(pictures, pictureAfter(0), "picture:" + owner + "source");
-        ImGui::TextDisabled("The image as it is");
+        dimText("The image as it is");
     }
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const std::string path = owner + elementOf<&Texture::preparation>(i);
         ImGui::PushID(path.c_str());
         const PictureLines lines(pictures, pictureAfter(i + 1), "picture:" + path);
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Step %d", static_cast<int>(i) + 1);
+        dimText(fmt::format("Step {}", i + 1));
         const bool changed = editElement(session, steps, i, path, stepTexts);
         if (!changed)
             elementRows(session, steps[i], path, imageStepTable());
@@ -211,9 +210,9 @@ void preparationList(Session& session, std::size_t texture, const LevelsSummary*
     }
     ImGui::BeginDisabled(steps.size() >= maxImageSteps);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (ImGui::BeginCombo("##add step", "+ Step", ImGuiComboFlags_NoArrowButton)) {
+    if (ImGui::BeginCombo("##add step", tr("+ Step"), ImGuiComboFlags_NoArrowButton)) {
         for (const EnumRow& op : imageOpRows) {
-            if (ImGui::Selectable(op.label.data())) {
+            if (ImGui::Selectable(label(op.label).c_str())) {
                 ImageStep step;
                 step.op = static_cast<ImageOp>(op.value);
                 steps.push_back(step);
@@ -245,7 +244,7 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
         ImGui::PushID(path.c_str());
         const PictureLines lines(pictures, pictureOf(summary, number), "picture:" + path);
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Level %d", number);
+        dimText(fmt::format("Level {}", number));
         ImGui::SameLine();
         if (const Finding* problem = problemOf(session.document.findings, path)) {
             problemSign(session, path, *problem);
@@ -264,14 +263,14 @@ void levelList(Session& session, std::size_t index, const LevelsSummary* summary
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     ImGui::BeginDisabled(texture.levels.size() >= maxGivenLevels);
-    if (ImGui::Button("+ Level", {width, 0}))
+    if (ImGui::Button(label("+ Level"), {width, 0}))
         addLevels(session, texture, texture.levels.size() + 1);
     noteItem("add level");
     ImGui::EndDisabled();
     helpTip("One more level below these, of a built-in pattern or a file");
     ImGui::SameLine(0, gap);
     ImGui::BeginDisabled(texture.levels.size() >= wanted);
-    if (ImGui::Button("+ Down to 1 × 1", {width, 0}))
+    if (ImGui::Button(label("+ Down to 1 × 1"), {width, 0}))
         addLevels(session, texture, wanted);
     noteItem("add all levels");
     ImGui::EndDisabled();

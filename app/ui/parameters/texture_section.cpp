@@ -2,9 +2,11 @@
 
 #include "app/ui/parameters/texture_section.h"
 
-#include "app/ui/parameters/param_places.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/parameters/shown_structs.h"
 #include "app/ui/parameters/texture_lists.h"
 #include "app/ui/parameters/texture_thumbnail.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/params/keys.h"
 
@@ -15,7 +17,7 @@ namespace {
 
 std::string textureName(const Session& session, int index) {
     return fmt::format("{}  {}", index,
-                       nameOfImage(session.document.scene.textures[static_cast<std::size_t>(index)]));
+                       shownNameOfImage(session.document.scene.textures[static_cast<std::size_t>(index)]));
 }
 
 void addTexture(Session& session) {
@@ -49,7 +51,7 @@ void textureChoice(Session& session) {
     Unit& unit = selectedUnit(session);
     const ParamRow* row = findParam(unitTable(), keyOf<&Unit::texture>());
     const bool bound = boundTexture(session) != nullptr;
-    const std::string current = bound ? textureName(session, unit.texture) : "none";
+    const std::string current = bound ? textureName(session, unit.texture) : tr("None");
     const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button);
     if (ImGui::BeginCombo("##bound", current.c_str())) {
@@ -94,7 +96,7 @@ void textureSection(Session& session, const Pictures& pictures) {
     textureChoice(session);
     const Texture* texture = boundTexture(session);
     if (!texture) {
-        ImGui::TextWrapped("No texture is bound to this unit. Add one with +.");
+        wrappedText("No texture is bound to this unit. Add one with +.");
         return;
     }
     const auto index = static_cast<std::size_t>(selectedUnit(session).texture);

@@ -1,5 +1,6 @@
 #include "app/ui/parameters/texture_thumbnail.h"
 
+#include "app/ui/language/translate.h"
 #include "core/base/printable.h"
 #include "core/texture/texture_levels.h"
 
@@ -23,6 +24,11 @@ std::string nameOfImage(const Texture& texture) {
     return texture.source == SourceKind::File
                ? printable(std::filesystem::path(texture.file).filename().string())
                : std::string(rowOf(texture.source).label); // of what the light sees
+}
+
+std::string shownNameOfImage(const Texture& texture) {
+    const std::string name = nameOfImage(texture);
+    return texture.source == SourceKind::File ? name : tr(name);
 }
 
 const Texture* textureOf(const Scene& scene, const Unit& unit) {

@@ -19,6 +19,9 @@ namespace texplorer::ui {
 /// "Brick wall", "earth.jpg": what a list calls it.
 [[nodiscard]] std::string nameOfImage(const Texture& texture);
 
+/// The same in the window's language; a file keeps its name.
+[[nodiscard]] std::string shownNameOfImage(const Texture& texture);
+
 /// The texture that a unit of a scene shows; nullptr: none.
 [[nodiscard]] const Texture* textureOf(const Scene& scene, const Unit& unit);
 

@@ -1,5 +1,6 @@
 #include "app/ui/parameters/unit_bar.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/button_width.h"
@@ -88,7 +89,9 @@ void drawUnit(Session& session, const Pictures& pictures, int number, float widt
     const float em = ImGui::GetFontSize();
     const float pad = std::floor(em * 0.2F);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float toggle = std::floor(em * 1.2F);
+    const std::string shown = std::to_string(number);
+    const float digit = ImGui::CalcTextSize(shown.c_str()).x;
+    const float toggle = std::floor(std::clamp(width - digit - 3 * pad, em * 0.6F, em * 1.2F));
     ImGui::PushID(number);
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
@@ -103,13 +106,12 @@ void drawUnit(Session& session, const Pictures& pictures, int number, float widt
         draw.AddRectFilled({low.x + pad, low.y + height - std::ceil(pad * 0.7F)},
                            {low.x + width - pad, low.y + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
     const float extent = height - 2 * pad;
-    const std::string label = std::to_string(number);
     const float textAt = low.x + 2 * pad + extent;
-    const bool hasRoom = textAt + ImGui::CalcTextSize(label.c_str()).x + toggle + 2 * pad <= low.x + width;
+    const bool hasRoom = textAt + digit + toggle + 2 * pad <= low.x + width;
     if (hasRoom)
         drawThumbnail(session, pictures, unit, number, {low.x + pad, low.y + pad}, extent);
     draw.AddText({hasRoom ? textAt : low.x + pad, low.y + (height - em) / 2},
-                 unit.enabled ? color::text : color::dim, label.c_str());
+                 unit.enabled ? color::text : color::dim, shown.c_str());
 
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {ImGui::GetStyle().FramePadding.x, std::floor((toggle - em) / 2)});
@@ -132,19 +134,18 @@ void reachLine(Session& session) {
     const Unit& unit = selectedUnit(session);
     if (sharers.empty() || unit == Unit{}) // one that was never on gets its own
         return;
-    ImGui::PushTextWrapPos(0);
-    dimText(unit.enabled ? fmt::format("Texture {}: this unit and {}", unit.texture, sharers)
-                         : fmt::format("Texture {}: {}, and this unit once it is on", unit.texture, sharers));
-    ImGui::PopTextWrapPos();
+    dimWrappedText(unit.enabled
+                       ? fmt::format("Texture {}: this unit and {}", unit.texture, sharers)
+                       : fmt::format("Texture {}: {}, and this unit once it is on", unit.texture, sharers));
     noteItem("shares texture");
     helpTip("What is set of the texture is set for all of them: image, filters, wrap modes and levels belong "
             "to the texture object. Environment, matrix and generated coordinates belong to each unit.");
-    const char* label = "Give it its own";
-    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(label) <
+    const char* give = "Give it its own";
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(give) <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();
     ImGui::BeginDisabled(session.document.scene.textures.size() >= maxTextures);
-    if (ImGui::SmallButton(label))
+    if (ImGui::SmallButton(label(give)))
         ownTexture(session);
     noteItem("own texture");
     ImGui::EndDisabled();
@@ -184,8 +185,8 @@ std::string sharersText(const Session& session, int unit) {
             const Unit& other = scene.passes[p].units[u];
             if (!other.enabled || other.texture != texture || (p == selected && u == asked))
                 continue;
-            names += fmt::format("{}{}{}", names.empty() ? "unit " : ", unit ", u,
-                                 p == selected ? "" : fmt::format(" of pass {}", p));
+            names += names.empty() ? "" : ", ";
+            names += tr(p == selected ? fmt::format("unit {}", u) : fmt::format("unit {} of pass {}", u, p));
         }
     }
     return textureOf(scene, scene.passes[selected].units[asked]) ? names : "";
@@ -196,13 +197,16 @@ void unitBar(Session& session, const Pictures& pictures) {
     const float gap = std::floor(em * 0.25F);
     const float height = std::floor(em * 2);
     const float room = ImGui::GetContentRegionAvail().x;
-    const float label = ImGui::CalcTextSize("Unit").x + 2 * gap;
-    const float width = std::floor((room - label - (maxUnits - 1) * gap) / maxUnits);
+    float words = ImGui::CalcTextSize(tr("Unit")).x + 2 * gap;
+    if (room - words < em * 8) // the numbers and switches need it
+        words = 0;
+    const float width = std::floor((room - words - (maxUnits - 1) * gap) / maxUnits);
     const ImVec2 low = ImGui::GetCursorPos();
     ImGui::SetCursorPosY(low.y + (height - em) / 2);
-    ImGui::TextUnformatted("Unit");
+    if (words > 0)
+        text("Unit");
     for (int i = 0; i < maxUnits; ++i) {
-        ImGui::SetCursorPos({low.x + label + static_cast<float>(i) * (width + gap), low.y});
+        ImGui::SetCursorPos({low.x + words + static_cast<float>(i) * (width + gap), low.y});
         drawUnit(session, pictures, i, std::max(1.0F, width), height);
     }
     ImGui::SetCursorPos({low.x, low.y + height + gap});

@@ -1,7 +1,7 @@
 #include "app/ui/parameters/unit_section.h"
 
 #include "app/ui/parameters/environment_line.h"
-#include "app/ui/parameters/param_places.h"
+#include "app/ui/parameters/shown_structs.h"
 #include "core/scene/params/keys.h"
 
 namespace texplorer::ui {

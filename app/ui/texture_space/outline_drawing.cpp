@@ -1,5 +1,6 @@
 #include "app/ui/texture_space/outline_drawing.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 
@@ -70,13 +71,26 @@ void drawDiagonal(ImDrawList& draw, const Canvas& canvas, const Face& face, std:
         drawEdgeBetween(draw, canvas, places[face.vertices[1]], places[face.vertices[3]], stroke);
 }
 
-void drawVertexDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, bool round) {
+/// A diamond is a chosen vertex, so that it isn't known by its colour alone. Squares cost least.
+enum class DotShape : std::uint8_t { Square, Round, Diamond };
+
+void drawDiamond(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint) {
+    draw.AddQuadFilled({at.x, at.y - radius}, {at.x + radius, at.y}, {at.x, at.y + radius},
+                       {at.x - radius, at.y}, tint);
+}
+
+void drawVertexDot(ImDrawList& draw, ImVec2 at, float radius, ImU32 tint, DotShape shape) {
     const float halo = strokeWidth(1);
-    if (round) {
+    switch (shape) {
+    case DotShape::Square:
+        return draw.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, tint);
+    case DotShape::Round:
         draw.AddCircleFilled(at, radius + halo, color::shade, 12);
-        draw.AddCircleFilled(at, radius, tint, 12);
-    } else {
-        draw.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, tint);
+        return draw.AddCircleFilled(at, radius, tint, 12);
+    case DotShape::Diamond:
+        constexpr float larger = 1.4F; // of a circle's area
+        drawDiamond(draw, at, radius * larger + 2 * halo, color::shade);
+        return drawDiamond(draw, at, radius * larger, tint);
     }
 }
 
@@ -254,20 +268,20 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
                         face.vertices.size() <= mostStrongEdges ? strong
                                                                 : Stroke{color::chosen, strong.width});
     }
-    const auto dotOf = [&](std::size_t vertex, float radius, ImU32 tint, bool asCircle) {
+    const auto dotOf = [&](std::size_t vertex, float radius, ImU32 tint, DotShape shape) {
         if (vertex < places.size() && isPlace(places[vertex]))
-            drawVertexDot(draw, canvas.toPixel(places[vertex].x, places[vertex].y), radius, tint, asCircle);
+            drawVertexDot(draw, canvas.toPixel(places[vertex].x, places[vertex].y), radius, tint, shape);
     };
     const float dot = em * (places.size() <= 100 ? 0.22F : 0.13F);
     if (edges <= mostEdges && spacing >= 5 * dot) {
         for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
-            dotOf(vertex, dot, color::text, round);
+            dotOf(vertex, dot, color::text, round ? DotShape::Round : DotShape::Square);
     }
     for (std::size_t i = 0; i < std::min(marks.chosen.size(), mostChosenDots); ++i)
         dotOf(marks.chosen[i], em * (marks.chosen.size() <= 100 ? 0.24F : 0.16F), color::chosen,
-              marks.chosen.size() <= mostRoundDots);
+              marks.chosen.size() <= mostRoundDots ? DotShape::Diamond : DotShape::Square);
     if (marks.vertex)
-        dotOf(*marks.vertex, em * 0.3F, color::chosen, true);
+        dotOf(*marks.vertex, em * 0.3F, color::chosen, DotShape::Diamond);
     if (marks.hovered && *marks.hovered < places.size() && isPlace(places[*marks.hovered])) {
         const glm::vec2 place = places[*marks.hovered];
         const ImVec2 at = canvas.toPixel(place.x, place.y);
@@ -303,7 +317,8 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
             at.x >= canvas.low.x && at.x <= canvas.high.x && at.y >= canvas.low.y && at.y <= canvas.high.y;
         if (!inSight)
             continue;
-        const std::string text = vertexText(coords, vertex);
+        const std::string english = vertexText(coords, vertex);
+        const std::string text = tr(english);
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         // Beside the vertex, inside of the panel: above it, or else below.
         const float x = std::clamp(at.x + em * 0.7F, canvas.low.x + em * 0.4F,
@@ -321,7 +336,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
             continue;
         taken.push_back(*found);
         labels.push_back({*found, text});
-        noteDrawn("coord label:" + text, found->low, found->high);
+        noteDrawn("coord label:" + english, found->low, found->high);
     }
     const std::vector<Spot> spots = numbers ? spotsInSight(canvas, places) : std::vector<Spot>{};
     const float size = em * 0.85F;

@@ -59,6 +59,16 @@ Bounds boundsOf(const PlaneCoords& coords) {
     return bounds;
 }
 
+/// How much of a tile is the border: half of what GL_CLAMP makes of the surroundings under a linear filter,
+/// and three quarters of it where both coordinates leave the image.
+float borderShare(const Texture& texture, int i, int j) {
+    if (texture.magFilter != MagFilter::Linear)
+        return 0;
+    const float s = texture.wrapS == Wrap::Clamp && i != 0 ? 0.5F : 1;
+    const float t = texture.wrapT == Wrap::Clamp && j != 0 ? 0.5F : 1;
+    return 1 - s * t;
+}
+
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& shown,
                const Bounds& used) {
     const glm::vec2 seenLow = canvas.toCoord({canvas.low.x, canvas.high.y});
@@ -75,6 +85,7 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const auto picture = textureId(shown.handle);
     const ImU32 border = ImGui::ColorConvertFloat4ToU32(
         {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
+    const ImU32 opaqueBorder = border | IM_COL32_A_MASK;
     if (shown.board)
         drawBoard(draw, canvas.low, canvas.high, ImGui::GetFontSize() * 0.8F);
     if (shown.setBlending)
@@ -85,10 +96,13 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
             const auto t = tileSpan(texture.wrapT, j, shown.height);
             const ImVec2 low = canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1));
             const ImVec2 high = canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j));
-            if (s && t)
-                draw.AddImage(picture, low, high, {s->from, t->to}, {s->to, t->from});
-            else
+            if (!s || !t) {
                 draw.AddRectFilled(low, high, border);
+                continue;
+            }
+            draw.AddImage(picture, low, high, {s->from, t->to}, {s->to, t->from});
+            if (const float share = borderShare(texture, i, j); share > 0)
+                draw.AddRectFilled(low, high, faded(opaqueBorder, share));
         }
     }
     if (shown.setBlending)

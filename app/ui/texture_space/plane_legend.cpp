@@ -1,6 +1,8 @@
 #include "app/ui/texture_space/plane_legend.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/image/cube_faces.h"
@@ -23,7 +25,7 @@ float legendPad() {
 }
 
 float lineWidth(const Line& line) {
-    return strokeRoom(line) + ImGui::CalcTextSize(line.text.c_str()).x;
+    return strokeRoom(line) + ImGui::CalcTextSize(line.shown.c_str()).x;
 }
 
 float lineGap() {
@@ -50,7 +52,7 @@ std::string extentsOf(const TextureImage& image, Target target) {
 
 /// What is shown of the texels, where that isn't all of the base level.
 std::string lookText(const PlaneLook& look) {
-    const std::string channel = channelRows[static_cast<std::size_t>(look.channel)].label;
+    const std::string channel = tr(channelRows[static_cast<std::size_t>(look.channel)].label);
     if (look.exposure != 0 || look.low != 0 || look.high != 1)
         return fmt::format("level {} · {} · × 2^{:.1f}, {:.2f} to {:.2f}", look.level, channel, look.exposure,
                            look.low, look.high);
@@ -68,6 +70,17 @@ constexpr std::array moveHints{
     MoveHintRow{MoveKind::Scale, "Scaling {} · S, T: one axis · Enter keeps, Escape takes back"},
 };
 
+void nameWhatIsShown(const Session& session, const TextureSpaceState& state, std::vector<Line>& lines,
+                     const std::string& extents) {
+    lines.push_back({fmt::format("unit {} · {}", session.window.selection.unit, extents)});
+    if (!state.look.isPlain() || state.look.level != 0)
+        lines.push_back({lookText(state.look)});
+    if (state.coords.differ()) {
+        lines.push_back({"as given", Line::Stroke::Faint});
+        lines.push_back({"as looked up", Line::Stroke::Strong});
+    }
+}
+
 } // namespace
 
 PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, float room) {
@@ -78,17 +91,12 @@ PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, flo
     const auto image = texture ? session.document.images.find(*texture) : nullptr;
     PlaneLegend legend;
     legend.extents = image ? extentsOf(*image, unit.target) : std::string("no texture");
-    if (!state.legend)
-        return legend;
-    legend.lines.push_back({fmt::format("unit {} · {}", selection.unit, legend.extents)});
-    if (!state.look.isPlain() || state.look.level != 0)
-        legend.lines.push_back({lookText(state.look)});
-    if (state.coords.differ()) {
-        legend.lines.push_back({"as given", Line::Stroke::Faint});
-        legend.lines.push_back({"as looked up", Line::Stroke::Strong});
-    }
+    if (state.legend)
+        nameWhatIsShown(session, state, legend.lines, legend.extents);
+    if (state.level.isComputing())
+        legend.lines.push_back({"Computing…"});
     for (Line& line : legend.lines)
-        line.text = fitted(line.text, room - strokeRoom(line) - 2 * legendPad());
+        line.shown = fitted(line.text, room - strokeRoom(line) - 2 * legendPad());
     legend.inOneRow = rowWidth(legend) + 2 * legendPad() <= room;
     return legend;
 }
@@ -122,7 +130,7 @@ void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend, const Box& box
             else
                 draw.AddCircle({at.x + em * 0.7F, middle}, em * 0.2F, color::outline, 12);
         }
-        draw.AddText({at.x + strokeRoom(line), at.y}, color::text, line.text.c_str());
+        draw.AddText({at.x + strokeRoom(line), at.y}, color::text, line.shown.c_str());
         noteDrawn("legend:" + line.text, at, {at.x + lineWidth(line), at.y + ImGui::GetTextLineHeight()});
         if (legend.inOneRow)
             at.x += lineWidth(line) + lineGap();
@@ -136,22 +144,22 @@ void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move
     if (!move.refusal.empty()) {
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(em * 20);
-        ImGui::TextUnformatted(fmt::format("It can't be moved here: {}.", move.refusal).c_str());
+        text(fmt::format("It can't be moved here: {}.", move.refusal));
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
         noteDrawn("refusal:" + move.refusal, canvas.low, canvas.high);
     }
     if (!move.byKey)
         return;
-    const std::string text = fitted(
-        fmt::format(fmt::runtime(moveHints[static_cast<std::size_t>(move.kind)].text), move.vertices.size()),
-        canvas.high.x - canvas.low.x - em * 1.5F);
+    const std::string words =
+        fmt::format(fmt::runtime(moveHints[static_cast<std::size_t>(move.kind)].text), move.vertices.size());
+    const std::string shown = fitted(words, canvas.high.x - canvas.low.x - em * 1.5F);
     const ImVec2 at(canvas.low.x + em * 0.7F, canvas.high.y - em * 1.7F);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
     draw.AddRectFilled({at.x - em * 0.3F, at.y - em * 0.1F},
                        {at.x + size.x + em * 0.3F, at.y + size.y + em * 0.1F}, color::shade, em * 0.25F);
-    draw.AddText(at, color::chosen, text.c_str());
-    noteDrawn("move hint:" + text, at, {at.x + size.x, at.y + size.y});
+    draw.AddText(at, color::chosen, shown.c_str());
+    noteDrawn("move hint:" + words, at, {at.x + size.x, at.y + size.y});
 }
 
 } // namespace texplorer::ui

@@ -14,6 +14,7 @@ struct PlaneLegend {
     struct Line {
         std::string text;
         enum class Stroke : std::uint8_t { None, Faint, Strong } stroke = Stroke::None;
+        std::string shown{}; ///< what of the text has room, in the window's language
     };
     std::vector<Line> lines;
     bool inOneRow = false; ///< beside each other, not one above the other

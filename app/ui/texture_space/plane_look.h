@@ -1,19 +1,16 @@
 #pragma once
 
+#include "app/ui/model/level_pictures.h"
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
-#include "core/reference/sampling/level_picture.h"
-#include "core/texture/levels_source.h"
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
-
-/// What of the texels is shown.
-enum class Channel : std::uint8_t { All, Red, Green, Blue, Alpha, Luminance };
 
 struct ChannelRow {
     Channel channel;
@@ -33,51 +30,39 @@ inline constexpr std::array channelRows{
 };
 
 /// How the panel shows the texture's picture. Changes nothing of the scene.
-struct PlaneLook {
-    Channel channel = Channel::All;
-    float exposure = 0; ///< values times 2 to this
-    float low = 0;      ///< the value that is shown as 0
-    float high = 1;     ///< and as 1, above `low`
-    int level = 0;      ///< of the mip levels
-    bool board = true;  ///< what is transparent shows a checkerboard; else its colour
+struct PlaneLook : TexelLook {
+    int level = 0;     ///< of the mip levels
+    bool board = true; ///< what is transparent shows a checkerboard; else its colour
 
     static constexpr float mostExposure = 8;
 
     /// Whether texels are shown as they are.
-    [[nodiscard]] bool isPlain() const {
-        return channel == Channel::All && exposure == 0 && low == 0 && high == 1;
-    }
+    [[nodiscard]] bool isPlain() const { return static_cast<const TexelLook&>(*this) == TexelLook{}; }
 };
 
-/// An Rgba8 image as the look shows it.
-[[nodiscard]] Image lookedAt(const Image& texels, const PlaneLook& look);
-
 /// The picture of a level of the bound texture, with its numbers, for a look that needs more than the host's
-/// picture of the base level. Keeps what it made.
+/// picture of the base level.
 class LevelPicture {
 public:
-    /// To be called in every frame; makes nothing unless it is `needed`.
+    /// To be called in every frame; has nothing made unless it is `needed`.
     void follow(Session& session, const PlaneLook& look, bool needed);
 
-    /// As the look shows it; nullptr: not needed, or not there yet.
-    [[nodiscard]] const std::shared_ptr<const Image>& picture() const { return picture_; }
-    /// The texels themselves.
-    [[nodiscard]] const std::shared_ptr<const Image>& texels() const { return texels_; }
+    /// As the look shows it, or as the one before did while the new picture is being made; nullptr: not
+    /// needed, or not there yet.
+    [[nodiscard]] std::shared_ptr<const Image> picture() const {
+        return answer_ ? answer_->picture : nullptr;
+    }
     [[nodiscard]] const reference::TexelStatistics* statistics() const {
-        return statistics_ ? &*statistics_ : nullptr;
+        return answer_ && answer_->statistics ? &*answer_->statistics : nullptr;
     }
     /// Why there is no picture, as a sentence without its full stop; empty: there is, or will be.
-    [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] const std::string& problem() const;
+    /// Whether what is shown isn't yet what was asked for.
+    [[nodiscard]] bool isComputing() const { return computing_; }
 
 private:
-    std::optional<LevelsRequest> request_;
-    int level_ = 0;
-    std::shared_ptr<const Image> texels_;
-    std::optional<reference::TexelStatistics> statistics_;
-    std::string problem_;
-    std::shared_ptr<const Image> picture_;
-    std::shared_ptr<const Image> lookedAt_; ///< what picture_ was made of
-    PlaneLook look_;
+    std::shared_ptr<const LevelPictures::Answer> answer_;
+    bool computing_ = false;
 };
 
 /// The numbers of the levels that the bound texture has; empty where that isn't known yet.

@@ -1,9 +1,12 @@
 #include "app/ui/texture_space/plane_tools.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/coord_text.h"
 #include "app/ui/model/scene_files.h"
+#include "app/ui/texture_space/plane_histogram.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/panel_menus.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/projections.h"
@@ -23,10 +26,10 @@ constexpr const char* selectHelp =
     "A drag beside the vertices chooses those in its box, instead of moving the plane (also with Shift)";
 
 /// A button that is lit while it is on.
-bool toolButton(const char* label, std::string_view name, const char* help, bool on) {
+bool toolButton(const char* words, std::string_view name, const char* help, bool on) {
     ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_HeaderActive)
                                               : ImGui::GetColorU32(ImGuiCol_Button));
-    const bool pressed = ImGui::Button(label);
+    const bool pressed = ImGui::Button(label(words));
     ImGui::PopStyleColor();
     noteItem(name);
     helpTip(help);
@@ -93,92 +96,35 @@ void drawTool(Session& session, TextureSpaceState& state, const Tool& tool) {
     ImGui::EndDisabled();
 }
 
-ImU32 componentTint(std::size_t component) {
-    return component < 3 ? componentColor(static_cast<int>(component)) : color::text;
-}
-
-/// How often each value occurs, of the components that are shown.
-void histogram(const TextureSpaceState& state, float width) {
-    const reference::TexelStatistics* statistics = state.level.statistics();
-    const float em = ImGui::GetFontSize();
-    const float height = em * 4;
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({width, height});
-    noteItem("histogram");
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(low, {low.x + width, low.y + height}, color::ground, em * 0.2F);
-    if (!statistics) {
-        const char* text = state.level.problem().empty() ? "Counting…" : "There is no such level";
-        draw.AddText({low.x + em * 0.5F, low.y + em * 0.5F}, color::dim, text);
-        return;
-    }
-    const Channel channel = state.look.channel;
-    const auto isShown = [channel](std::size_t component) {
-        return channel == Channel::All ? component < 3 : component + 1 == static_cast<std::size_t>(channel);
-    };
-    std::uint32_t most = 1;
-    for (std::size_t i = 0; i < statistics->components.size(); ++i) {
-        if (isShown(i))
-            most = std::max(most, std::ranges::max(statistics->components[i].counts));
-    }
-    for (std::size_t i = 0; i < statistics->components.size(); ++i) {
-        if (!isShown(i))
-            continue;
-        ImVec4 tint = ImGui::ColorConvertU32ToFloat4(componentTint(i));
-        tint.w = channel == Channel::All ? 0.55F : 0.9F;
-        const ImU32 ink = ImGui::ColorConvertFloat4ToU32(tint);
-        for (int value = 0; value < 256; ++value) {
-            const std::uint32_t count = statistics->components[i].counts[static_cast<std::size_t>(value)];
-            if (count == 0)
-                continue;
-            // What is rare is seen, too.
-            const float share = std::sqrt(static_cast<float>(count) / static_cast<float>(most));
-            const float x = low.x + width * static_cast<float>(value) / 256;
-            draw.AddRectFilled({x, low.y + height * (1 - share)},
-                               {x + std::max(1.0F, width / 256), low.y + height}, ink);
-        }
-    }
-}
-
-/// min, max and mean of each component, in 255ths.
-void statisticsTable(const TextureSpaceState& state) {
-    const reference::TexelStatistics* statistics = state.level.statistics();
-    const ImVec2 size(ImGui::GetFontSize() * 16, 0);
-    if (!statistics || !ImGui::BeginTable("statistics", 4, ImGuiTableFlags_SizingStretchSame, size))
-        return;
-    for (const char* name : {"", "min", "max", "mean"}) {
-        ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", name);
-    }
-    for (std::size_t i = 0; i < statistics->components.size(); ++i) {
-        const reference::ComponentStatistics& each = statistics->components[i];
-        const char* brief = channelRows[i + 1].brief;
-        const std::string least = std::to_string(each.least);
-        const std::string most = std::to_string(each.most);
-        const std::string mean = fmt::format("{:.2f}", each.mean);
-        ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, componentTint(i));
-        ImGui::TextUnformatted(brief);
-        ImGui::PopStyleColor();
-        for (const std::string& number : {least, most, mean}) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(number.c_str());
-        }
-        noteItem(fmt::format("statistics:{} {} {} {}", brief, least, most, mean));
-    }
-    ImGui::EndTable();
-}
-
 void levelSlider(Session& session, TextureSpaceState& state, float width) {
     const std::vector<int> levels = levelsOfBound(session);
     ImGui::BeginDisabled(levels.size() < 2);
     ImGui::SetNextItemWidth(width);
-    ImGui::SliderInt("Level", &state.look.level, levels.empty() ? 0 : levels.front(),
+    ImGui::SliderInt(label("Level"), &state.look.level, levels.empty() ? 0 : levels.front(),
                      levels.empty() ? 0 : levels.back(), "%d", ImGuiSliderFlags_AlwaysClamp);
     noteItem("shown level");
     ImGui::EndDisabled();
     helpTip(levels.size() < 2 ? "The texture has one level: its mipmaps are off"
                               : "The mip level that is shown; it changes nothing of the scene");
+}
+
+void exposureSlider(PlaneLook& look, float width) {
+    // The number is drawn over the grab: only so strong that it can be read there, too.
+    ImVec4 grab = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+    grab.w *= 0.4F;
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, grab);
+    ImGui::SetNextItemWidth(width);
+    ImGui::SliderFloat(label("Exposure"), &look.exposure, -PlaneLook::mostExposure, PlaneLook::mostExposure,
+                       "× 2^%.1f", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::PopStyleColor(2);
+    noteItem("exposure");
+}
+
+PlaneLook plainLook(bool board) {
+    PlaneLook look;
+    look.board = board;
+    return look;
 }
 
 void pictureTools(Session& session, TextureSpaceState& state) {
@@ -193,14 +139,11 @@ void pictureTools(Session& session, TextureSpaceState& state) {
             look.channel = row.channel;
     }
     levelSlider(session, state, width);
-    ImGui::SetNextItemWidth(width);
-    ImGui::SliderFloat("Exposure", &look.exposure, -PlaneLook::mostExposure, PlaneLook::mostExposure,
-                       "× 2^%.1f", ImGuiSliderFlags_AlwaysClamp);
-    noteItem("exposure");
+    exposureSlider(look, width);
     helpTip("Values are shown times 2 to this: dark ones become visible");
     ImGui::SetNextItemWidth(width);
     constexpr float smallestRange = 0.01F;
-    if (ImGui::DragFloatRange2("Range", &look.low, &look.high, 0.005F, 0, 1, "%.2f", nullptr,
+    if (ImGui::DragFloatRange2(label("Range"), &look.low, &look.high, 0.005F, 0, 1, "%.2f", nullptr,
                                ImGuiSliderFlags_AlwaysClamp) &&
         look.high - look.low < smallestRange) {
         look.low = std::min(look.low, 1 - smallestRange);
@@ -210,21 +153,21 @@ void pictureTools(Session& session, TextureSpaceState& state) {
     helpTip("The values that are shown as 0 and as 1");
     const bool isInitial = look.isPlain() && look.level == 0;
     ImGui::BeginDisabled(isInitial);
-    if (ImGui::Button("As it is"))
-        look = {.board = look.board};
+    if (ImGui::Button(label("As it is")))
+        look = plainLook(look.board);
     noteItem("plain look");
     ImGui::EndDisabled();
     helpTip("All channels of level 0, exposure and range as at the start");
     ImGui::SameLine();
-    ImGui::Checkbox("Checker behind alpha", &look.board);
+    ImGui::Checkbox(label("Checker behind alpha"), &look.board);
     noteItem("board");
     helpTip("What is transparent shows a checkerboard; else the colour that it has");
-    histogram(state, width + em * 5);
-    statisticsTable(state);
+    drawHistogram(state.level, look.channel, width + em * 5);
+    drawStatistics(state.level);
 }
 
 void snapChoice(TextureSpaceState& state) {
-    ImGui::Checkbox("Snap to", &state.snapping.on);
+    ImGui::Checkbox(label("Snap to"), &state.snapping.on);
     noteItem("snap on");
     helpTip(snapHelp);
     for (const SnapRow& row : snapRows) {
@@ -248,29 +191,29 @@ void vertexMenu(Session& session, TextureSpaceState& state) {
     const std::size_t count = editedVertices(session).size();
     caption("Vertices");
     if (!hasVertices(state)) {
-        ImGui::TextDisabled("Directions have no place in this plane");
+        dimText("Directions have no place in this plane");
         return;
     }
     snapChoice(state);
-    ImGui::Checkbox("Drag selects", &state.selects);
+    ImGui::Checkbox(label("Drag selects"), &state.selects);
     noteItem("drag selects");
     helpTip(selectHelp);
     ImGui::SameLine();
-    ImGui::Checkbox("Numbers", &state.numbers);
+    ImGui::Checkbox(label("Numbers"), &state.numbers);
     noteItem("vertex numbers");
     helpTip("The numbers of the vertices, where they have room");
     ImGui::SameLine();
-    ImGui::Checkbox("Legend", &state.legend);
+    ImGui::Checkbox(label("Legend"), &state.legend);
     noteItem("legend on");
     helpTip("Names what is shown, at the upper edge");
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", fmt::format("Of {} vertices:", count).c_str());
+    dimText(fmt::format("Of {} vertices:", count));
     helpTip("The chosen ones where there are two or more, else all");
-    for (const auto& [label, name, help, axis] :
+    for (const auto& [words, name, help, axis] :
          {std::tuple{"Mirror s", "menu mirror s", vertexTools[2].help, 0},
           std::tuple{"Mirror t", "menu mirror t", vertexTools[3].help, 1}}) {
         ImGui::SameLine();
-        if (toolButton(label, name, help, false))
+        if (toolButton(words, name, help, false))
             mirrorVertices(session, state.coords, axis);
     }
     for (const EnumRow& row : EnumTable<CoordProjection>::rows) {
@@ -288,9 +231,7 @@ void vertexMenu(Session& session, TextureSpaceState& state) {
                    "A line \"s t\" or \"s t r q\" for each vertex becomes its coordinates (Ctrl + V)", false))
         pasteCoords(session, state.coords);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 18);
-    ImGui::TextDisabled(
-        "Over the plane: G, R, S move, rotate, scale with the mouse, then S or T for one axis, "
-        "Enter or Escape. Arrows: by a texel, with Shift by 1/4. A: all or none.");
+    dimText("Keys over the plane do all of this, and move by texels: F1 lists them.");
     ImGui::PopTextWrapPos();
 }
 
@@ -339,9 +280,9 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
     constexpr const char* more = "…";
     constexpr const char* fit = "Fit";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
-    textureSpaceTitle(session);
-    ImGui::SameLine();
     const float end = ImGui::GetContentRegionMax().x - buttonWidth(fit) - buttonWidth(more) - gap;
+    textureSpaceTitle(session, end - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::SameLine();
     const float begin = ImGui::GetCursorPosX();
     // What has room: first the channels, all of them or none, then the others one by one.
     const auto widthOf = [gap](const Tool& tool) { return buttonWidth(tool.label) + gap; };
@@ -371,7 +312,7 @@ void drawPlaneTools(Session& session, TextureSpaceState& state) {
                    !state.look.isPlain() || state.look.level != 0))
         ImGui::OpenPopup("plane tools");
     ImGui::SameLine(0, gap);
-    if (ImGui::Button(fit))
+    if (ImGui::Button(label(fit)))
         fitPlane(session.window.plane, state.coords);
     noteItem("fit plane");
     helpTip(fitHelp);

@@ -1,5 +1,6 @@
 #include "app/ui/texture_space/texel_marks.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/theme.h"
@@ -29,7 +30,8 @@ struct Inset {
     ImVec2 low; ///< upper left, of the texels
     float cell; ///< the extent of a texel
     std::string title;
-    float width; ///< of the frame, which the title may make wider than the texels
+    std::string shown; ///< what of it has room, in the window's language
+    float width;       ///< of the frame, which the title may make wider than the texels
 
     [[nodiscard]] ImVec2 size() const {
         return {cell * static_cast<float>(patch->size.x), cell * static_cast<float>(patch->size.y)};
@@ -150,20 +152,22 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
     return kept;
 }
 
-/// The longest of several titles that has room; each says less than the one before.
-std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
+/// What a title says, beginning with what matters most.
+std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, bool whole) {
     const float share = shareOf(unit, patch.level);
-    const std::string face =
-        unit.sample.cube ? std::string(rowOf(cubeFaceAt(patch.layer)).label) + " · " : std::string();
-    const std::string level = std::to_string(patch.level);
-    const std::string part = share < 1 ? fmt::format("{} %", std::lround(share * 100))
-                                       : fmt::format("{} × {}", patch.extent.x, patch.extent.y);
-    for (const std::string& title :
-         {fmt::format("{}level {} · {}", face, level, part), fmt::format("{}level {}", face, level)}) {
-        if (ImGui::CalcTextSize(title.c_str()).x <= room)
-            return title;
-    }
-    return fitted(face + level, room);
+    std::string title = fmt::format("level {}", patch.level);
+    if (unit.sample.cube)
+        title = fmt::format("{} · {}", rowOf(cubeFaceAt(patch.layer)).label, title);
+    if (!whole)
+        return title;
+    return share < 1 ? fmt::format("{} · {} %", title, std::lround(share * 100))
+                     : fmt::format("{} · {} × {}", title, patch.extent.x, patch.extent.y);
+}
+
+/// The title as long as there is room for it.
+std::string titleThatFits(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
+    std::string title = titleOf(unit, patch, true);
+    return ImGui::CalcTextSize(tr(title).c_str()).x <= room ? title : titleOf(unit, patch, false);
 }
 
 /// With the texels of each as large as `side` has room for.
@@ -176,19 +180,26 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     for (const LevelPatch& each : unit->patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
-        const std::string title = titleOf(*unit, each, (width - em * 2) / 2);
+        const float most = (width - em * 2) / 2;
+        const std::string title = titleThatFits(*unit, each, most);
+        const std::string shown = fitted(title, most);
         insets.push_back({&each,
                           {},
                           side / static_cast<float>(each.size.x),
                           title,
-                          std::max(side, ImGui::CalcTextSize(title.c_str()).x)});
+                          shown,
+                          std::max(side, ImGui::CalcTextSize(shown.c_str()).x)});
         sizes.push_back(
             {insets.back().width + 2 * frame.x, insets.back().size().y + titleHeight() + frame.y});
     }
     if (insets.empty())
         return insets;
-    const Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
-                   {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
+    Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
+             {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
+    // The legend is drawn over everything: beside it there is hardly room for two titles.
+    if (const float below = canvas.legend.high.y + em * 0.3F;
+        (room.high.y - below) * 4 > (room.high.y - room.low.y) * 3)
+        room.low.y = std::max(room.low.y, below);
     const std::vector<ImVec2> places = placeInsets(sizes, room, em * 0.2F, keptInSight(*unit, canvas));
     for (std::size_t i = 0; i < insets.size(); ++i)
         insets[i].low = {places[i].x + frame.x, places[i].y + titleHeight()};
@@ -246,9 +257,9 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
     draw.AddRectFilled({inset.low.x - pad, inset.low.y - titleHeight()},
                        {inset.low.x + inset.width + pad, end.y + pad}, faded(color::ground, 0.96F),
                        em * 0.2F);
-    draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.title.c_str());
+    draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.shown.c_str());
     noteDrawn("patch title:" + inset.title, {inset.low.x, inset.low.y - titleHeight()},
-              {inset.low.x + ImGui::CalcTextSize(inset.title.c_str()).x, inset.low.y});
+              {inset.low.x + ImGui::CalcTextSize(inset.shown.c_str()).x, inset.low.y});
     draw.PushClipRect(inset.low, end, true);
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x) {
@@ -301,6 +312,17 @@ void drawTexel(ImDrawList& draw, const Canvas& canvas, glm::ivec2 at, glm::ivec2
     const float em = ImGui::GetFontSize();
     draw.AddRect(box.low, box.high, color::shade, 0, 0, em * 0.2F);
     draw.AddRect(box.low, box.high, tint, 0, 0, em * 0.1F);
+}
+
+/// The corner of a texel that is asked for, so that it isn't known by its colour alone.
+void drawFlag(ImDrawList& draw, const Box& box) {
+    const float em = ImGui::GetFontSize();
+    const float side = std::min(box.high.x - box.low.x, em * 0.7F);
+    if (side < em * 0.2F)
+        return;
+    draw.AddTriangleFilled(box.low, {box.low.x + side, box.low.y}, {box.low.x, box.low.y + side},
+                           color::chosen);
+    noteDrawn("texel flag", box.low, {box.low.x + side, box.low.y + side});
 }
 
 /// What wrapping makes of a texel that is counted on beyond its level. A line has one row alone.
@@ -378,8 +400,11 @@ void markCells(Session& session, ImDrawList& draw, const Texture& texture, const
     for (int y = 0; y < patch.size.y; ++y) {
         for (int x = 0; x < patch.size.x; ++x) {
             const glm::ivec2 at = patch.low + glm::ivec2(x, y);
-            if (texel(at) == asked)
-                frame(at, color::chosen);
+            if (texel(at) != asked)
+                continue;
+            frame(at, color::chosen);
+            drawFlag(draw, {inset.toWindow(glm::vec2(at) + glm::vec2(0, 1)),
+                            inset.toWindow(glm::vec2(at) + glm::vec2(1, 0))});
         }
     }
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -431,8 +456,10 @@ void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bo
         noteDrawn("texel marks", {marks.low.x, marks.low.y}, {marks.high.x, marks.high.y});
     }
     if (const auto asked = askedTexel(session); asked && !isCube) {
-        if (const auto extent = extentOf(session, asked->level))
+        if (const auto extent = extentOf(session, asked->level)) {
             drawTexel(draw, canvas, glm::ivec2(asked->index), *extent, color::chosen);
+            drawFlag(draw, texelBox(canvas, glm::ivec2(asked->index), *extent));
+        }
     }
     if (!unit)
         return;

@@ -207,7 +207,7 @@ void followMouse(Session& session, const PlaneCoords& coords, VertexMove& move, 
 
 void endMove(Session& session, const VertexMove& move, bool keep) {
     if (!keep && move.recorded)
-        undo(session);
+        takeBackEdit(session);
     sealEdit(session);
 }
 

@@ -1,3 +1,4 @@
+#include "app/ui/language/translate.h"
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -66,10 +67,11 @@ public:
     }
     /// A label, as high as a widget.
     void text(const std::string& words, ImU32 tint, float gap) {
-        place(ImGui::CalcTextSize(words.c_str()).x, gap);
+        const std::string shown = tr(words);
+        place(ImGui::CalcTextSize(shown.c_str()).x, gap);
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, tint);
-        ImGui::TextUnformatted(words.c_str());
+        ImGui::TextUnformatted(shown.c_str());
         ImGui::PopStyleColor();
     }
 
@@ -94,13 +96,13 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
     const bool hasShare = difference && difference->max > 0;
-    const std::string label =
-        hasShare ? rounded(100 * difference->shareOver(), 2) + " % over" : std::string("Tolerance");
-    flow.place(ImGui::CalcTextSize(label.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow,
+    const std::string words =
+        tr(hasShare ? fmt::format("{} % over", rounded(100 * difference->shareOver(), 2)) : "Tolerance");
+    flow.place(ImGui::CalcTextSize(words.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow,
                gap);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, hasShare ? color::text : color::dim);
-    ImGui::TextUnformatted(label.c_str());
+    ImGui::TextUnformatted(words.c_str());
     ImGui::PopStyleColor();
     if (hasShare) {
         noteItem("share over");
@@ -120,22 +122,24 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
 void worstButton(Session& session, Flow& flow, const Difference& difference, view::Size picture, float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
-    const std::string label = fmt::format("max {}{}", difference.max, perByte);
+    const std::string words = fmt::format("max {}/255", difference.max);
     const float sign = ringed ? em * 1.2F : 0;
-    const float width = buttonWidth(label.c_str()) + sign;
+    const float width = buttonWidth(words.c_str()) + sign;
     flow.place(width, gap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##worst", {width, 0}))
         showPixel(session.window.view, difference.worst, picture);
     noteItem("worst");
-    helpTip(fmt::format(
-        "The largest difference, at the pixel {},{} (from the upper left){}. Click: enlarge it; Ctrl + wheel "
-        "leads back.",
-        difference.worst.x, picture.height - 1 - difference.worst.y,
-        ringed ? ", which is ringed" : ", within the tolerance"));
+    const int fromTop = picture.height - 1 - difference.worst.y;
+    helpTip(ringed ? fmt::format("The largest difference, at the pixel {},{} (from the upper left), which is "
+                                 "ringed. Click: enlarge it; Ctrl + wheel leads back.",
+                                 difference.worst.x, fromTop)
+                   : fmt::format("The largest difference, at the pixel {},{} (from the upper left), within "
+                                 "the tolerance. Click: enlarge it; Ctrl + wheel leads back.",
+                                 difference.worst.x, fromTop));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    draw.AddText({low.x + padding.x + sign, low.y + padding.y}, color::text, label.c_str());
+    draw.AddText({low.x + padding.x + sign, low.y + padding.y}, color::text, tr(words).c_str());
     if (!ringed)
         return;
     draw.AddCircle({low.x + padding.x + em * 0.4F, low.y + ImGui::GetFrameHeight() / 2}, em * 0.36F,
@@ -149,7 +153,7 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
         noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
-    flow.text(fmt::format("mean {}{}", rounded(difference.mean, 3), perByte), color::text, gap);
+    flow.text(fmt::format("mean {}/255", rounded(difference.mean, 3)), color::text, gap);
     noteItem("mean difference");
     helpTip("Of all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
@@ -177,7 +181,7 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
         flow.place(buttonWidth(row.label), narrow);
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-        if (ImGui::Button(row.label))
+        if (ImGui::Button(label(row.label)))
             settings.arrangement = settings.comparing = row.arrangement;
         ImGui::PopStyleColor();
         noteItem(std::string("arrangement:") + row.label);
@@ -187,7 +191,7 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
     if (pictures.difference)
         numbers(session, flow, pictures.difference->numbers, pictures.frames.front().frame.size, gap);
     else
-        flow.text(isDrawing(pictures, comparedOf(settings)) ? "drawing…" : "no numbers: a picture is missing",
+        flow.text(isDrawing(pictures, comparedOf(settings)) ? "Drawing…" : "no numbers: a picture is missing",
                   color::dim, gap);
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/view/false_color_view.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -19,7 +20,7 @@ using reference::Shown;
 
 /// "λ ▾"
 std::string shownLabel(const ViewSettings& settings) {
-    return fmt::format("{} ▾", texplorer::rowOf(settings.shown).label);
+    return fmt::format("{} ▾", tr(texplorer::rowOf(settings.shown).label));
 }
 
 /// A number on a scale, and where it is: 0 at its left end, 1 at its right one.
@@ -31,6 +32,7 @@ struct ScaleMark {
 /// What the colours of a legend mean.
 struct FalseColorScale {
     std::string title;
+    std::string shortTitle; ///< where that has no room
     std::array<std::uint8_t, 4> (*colorAt)(float place, int steps);
     int steps = 1; ///< levels above the base; of λ alone
     std::vector<ScaleMark> marks;
@@ -41,6 +43,7 @@ FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
     FalseColorScale scale;
     if (shown == Shown::Lambda) {
         scale.title = fmt::format("λ of unit {}, black where magnified", unit);
+        scale.shortTitle = fmt::format("λ of unit {}", unit);
         scale.colorAt = [](float place, int steps) {
             return reference::lambdaColor(std::max(place, 1e-6F) * static_cast<float>(steps), steps);
         };
@@ -51,7 +54,8 @@ FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
         scale.hasMagnified = true;
         return scale;
     }
-    scale.title = fmt::format("footprint of unit {}: longer side by shorter", unit);
+    scale.title = fmt::format("Footprint of unit {}: longer side by shorter", unit);
+    scale.shortTitle = fmt::format("Footprint of unit {}", unit);
     scale.colorAt = [](float place, int) {
         return reference::ratioColor(std::pow(reference::largestShownRatio, place));
     };
@@ -88,7 +92,7 @@ float shownChoiceWidth(const ViewSettings& settings) {
 void shownItems(ViewSettings& settings) {
     for (const EnumRow& row : EnumTable<Shown>::rows) {
         const auto shown = static_cast<Shown>(row.value);
-        if (ImGui::MenuItem(row.label.data(), nullptr, settings.shown == shown))
+        if (ImGui::MenuItem(label(row.label).c_str(), nullptr, settings.shown == shown))
             settings.shown = shown;
         noteItem(fmt::format("shown:{}", row.name));
         helpTip(row.help);
@@ -98,12 +102,14 @@ void shownItems(ViewSettings& settings) {
     ImGui::BeginDisabled(isIdle);
     float percent = std::round(settings.opacity * 100);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
-    if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %% opaque", ImGuiSliderFlags_AlwaysClamp))
+    if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp))
         settings.opacity = percent / 100;
     ImGui::EndDisabled();
     noteItem("false color opacity");
     helpTip(isIdle ? "How much of the picture the false colours leave to be seen: there are none at present"
                    : "How much of the picture the false colours leave to be seen");
+    ImGui::SameLine();
+    ImGui::TextUnformatted(tr("Opacity"));
 }
 
 void drawShownChoice(ViewSettings& settings) {
@@ -173,7 +179,9 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
     const float bar = em * 0.6F;
     const ImVec2 corner(low.x + width + pad, low.y + line + bar + pad + line);
     draw.AddRectFilled({low.x - pad, low.y - pad / 2}, corner, color::shade, pad);
-    draw.AddText({low.x, low.y}, color::text, fitted(scale.title, width).c_str());
+    const bool hasRoom = ImGui::CalcTextSize(tr(scale.title).c_str()).x <= width;
+    const std::string title = fitted(hasRoom ? scale.title : scale.shortTitle, width);
+    draw.AddText({low.x, low.y}, color::text, title.c_str());
     const float y = low.y + line + pad * 0.4F;
     float left = low.x;
     if (scale.hasMagnified) {
@@ -204,8 +212,9 @@ void drawFalseColorTip(const Session& session, const Layout& layout) {
     const reference::PixelLevels* levels = map->at(pixel->x, pixel->y);
     if (!levels)
         return;
-    const std::string text = session.window.view.shown == Shown::Lambda ? reference::levelsText(*map, *levels)
-                                                                        : reference::footprintText(*levels);
+    const std::string text =
+        tr(session.window.view.shown == Shown::Lambda ? reference::levelsText(*map, *levels)
+                                                      : reference::footprintText(*levels));
     const float em = ImGui::GetFontSize();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());

@@ -2,6 +2,8 @@
 
 #include "app/ui/model/camera.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace texplorer::ui {
@@ -23,7 +25,7 @@ void show(Session& session, const ShowRow& row, const Layout& layout) {
     showOnly(session.document.scene, row.show, session.window.playback.time, aspectOf(layout));
     session.document.fit = {session.document.scene.view, aspectOf(layout)};
     sealEdit(session);
-    recordEdit(session, std::string("Show ") + row.label);
+    recordEdit(session, fmt::format("Show {}", row.label));
     sealEdit(session);
     const auto shown = std::ranges::find(session.document.scene.models, true, &Model::visible);
     session.window.selection.model = static_cast<int>(shown - session.document.scene.models.begin());

@@ -1,5 +1,6 @@
 #include "app/ui/view/magnifier.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
@@ -130,10 +131,10 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
     const float cell = std::max(2.0F, std::round(em * 0.7F));
     float widest = std::max(cell * across, ImGui::CalcTextSize("255 255 255 · 255").x + em * 1.1F);
     for (const Lens& lens : lenses)
-        widest = std::max(widest, ImGui::CalcTextSize(lens.name.c_str()).x);
+        widest = std::max(widest, ImGui::CalcTextSize(tr(lens.name).c_str()).x);
     const ImVec2 size(widest, cell * across + 2.6F * em);
-    const std::string where = fmt::format("Pixel {},{} from the upper left", pixel->x,
-                                          picture.height - 1 - pixel->y); // as texshot probe --at counts
+    const std::string where = tr(fmt::format("Pixel {},{} from the upper left", pixel->x,
+                                             picture.height - 1 - pixel->y)); // as texshot probe --at counts
     const Rect& window = layout.window;
     const int most = std::max(1, static_cast<int>((static_cast<float>(window.width) - pad) / (size.x + pad)));
     const int columns = std::min(most, static_cast<int>(lenses.size()));
@@ -167,7 +168,7 @@ void drawMagnifier(Session& session, const Panes& panes, const Pictures& picture
                         low.y + pad + em * 1.2F + row * (size.y + pad));
         drawPixels(draw, at, cell, lens.picture, *pixel, picture, pictures.setBlending);
         const float text = at.y + cell * across + em * 0.3F;
-        draw.AddText({at.x, text}, color::dim, lens.name.c_str());
+        draw.AddText({at.x, text}, color::dim, tr(lens.name).c_str());
         float x = at.x;
         if (lens.swatch != 0) {
             draw.AddRectFilled({x, text + em * 1.3F}, {x + em * 0.8F, text + em * 2.1F}, lens.swatch, 2);

@@ -1,5 +1,6 @@
 #include "app/ui/view/pane_drawing.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -24,13 +25,13 @@ ImVec2 highOf(const Rect& rect) {
 }
 
 std::string labelOf(RendererKind renderer) {
-    return std::string(rowOf(renderer).label);
+    return tr(rowOf(renderer).label);
 }
 
 /// The label, or where that has no room its first word.
 std::string labelWithin(RendererKind renderer, float width) {
-    const std::string label = labelOf(renderer);
-    return ImGui::CalcTextSize(label.c_str()).x <= width ? label : label.substr(0, label.find(' '));
+    const std::string words = labelOf(renderer);
+    return ImGui::CalcTextSize(words.c_str()).x <= width ? words : words.substr(0, words.find(' '));
 }
 
 /// Text on a dark ground, so that it can be read on any picture.
@@ -66,7 +67,7 @@ void rendererCombo(Session& session, std::size_t which, ImVec2 at, float width) 
         const ViewSettings& settings = session.window.view;
         const auto flags =
             settings.offered.has(renderer) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-        if (ImGui::Selectable(labelOf(renderer).c_str(), renderer == compared, flags))
+        if (ImGui::Selectable(label(row.label).c_str(), renderer == compared, flags))
             compared = renderer;
         noteItem(fmt::format("{}={}", name, row.name));
         helpTip(helpOf(settings, row));
@@ -80,18 +81,18 @@ void sideLabels(const Session& session, const Panes& panes) {
     const float gap = ImGui::GetFontSize() * 0.8F;
     const Rect& frame = panes.all().front().frame;
     const float y = static_cast<float>(frame.y) + gap;
-    const auto chip = [&](float x, const char* name, const std::string& text) {
+    const auto chip = [&](float x, const char* name, const char* text) {
         drawChip(draw, {x, y}, text, color::text);
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        const ImVec2 size = ImGui::CalcTextSize(text);
         noteDrawn(name, {x, y}, {x + size.x, y + size.y});
     };
     if (isKeptShown(session))
-        chip(static_cast<float>(frame.x) + gap, "side:A", "A, as it was kept");
+        chip(static_cast<float>(frame.x) + gap, "side:A", tr("A, as it was kept"));
     if (!isKeptBeside(session))
         return;
-    const std::string now = "Now";
+    const char* now = tr("Now");
     chip(static_cast<float>(frame.x) + gap, "side:A", "A");
-    chip(static_cast<float>(frame.right()) - gap - ImGui::CalcTextSize(now.c_str()).x, "side:Now", now);
+    chip(static_cast<float>(frame.right()) - gap - ImGui::CalcTextSize(now).x, "side:Now", now);
 }
 
 } // namespace
@@ -128,7 +129,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     } else if (pictures.setBlending) {
         const bool comes = pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1})
                                          : isDrawing(pictures, settings.compared);
-        const char* text = comes ? "Drawing…" : "No picture: the status bar says why";
+        const char* text = tr(comes ? "Drawing…" : "No picture: the status bar says why");
         const ImVec2 size = ImGui::CalcTextSize(text);
         draw.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, color::dim, text);
     }
@@ -204,7 +205,7 @@ void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {
     const float width = std::min(static_cast<float>(pane.frame.width) - 2 * em, em * 22);
     if (width < em * 3)
         return;
-    const char* words = "difference, of 255";
+    const char* words = tr("Difference, of 255");
     const bool hasWords = ImGui::CalcTextSize(words).x <= width;
     const ImVec2 low(static_cast<float>(pane.frame.x) + em,
                      static_cast<float>(pane.frame.bottom()) - em * 2.3F);

@@ -1,5 +1,6 @@
 #include "app/ui/view/renderer_choice.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 
@@ -12,16 +13,20 @@ namespace {
 constexpr const char* compareHelp = "Two renderers across one picture, or all of them with the difference.";
 constexpr const char* nothingToCompare = "There is one renderer here, and nothing to compare it with.";
 
-bool choice(const std::string& label, bool chosen, bool offered, std::string_view help) {
+bool choice(const std::string& name, bool chosen, bool offered, std::string_view help) {
     ImGui::BeginDisabled(!offered);
     ImGui::PushStyleColor(ImGuiCol_Button,
                           chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-    const bool pressed = ImGui::Button(label.c_str());
+    const bool pressed = ImGui::Button(label(name).c_str());
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
-    noteItem("renderer:" + label);
+    noteItem("renderer:" + name);
     helpTip(help);
     return pressed;
+}
+
+std::string keyHelp(int key) {
+    return fmt::format("Key {}", key);
 }
 
 } // namespace
@@ -29,7 +34,7 @@ bool choice(const std::string& label, bool chosen, bool offered, std::string_vie
 std::string helpOf(const ViewSettings& settings, const EnumRow& renderer) {
     const std::string& reason = settings.offered.whyNot(static_cast<RendererKind>(renderer.value));
     return reason.empty() ? std::string(renderer.help)
-                          : fmt::format("{}\nNot available: {}.", renderer.help, reason);
+                          : fmt::format("{}\n{}", renderer.help, fmt::format("Not available: {}.", reason));
 }
 
 void drawRendererChoice(ViewSettings& settings, float available) {
@@ -48,13 +53,13 @@ void drawRendererChoice(ViewSettings& settings, float available) {
     for (const EnumRow& row : rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
-        const std::string help = fmt::format("{}\nKey {}", helpOf(settings, row), ++key);
+        const std::string help = fmt::format("{}\n{}", helpOf(settings, row), keyHelp(++key));
         if (choice(std::string(row.label), chosen, settings.offered.has(renderer), help))
             showOne(settings, renderer);
         ImGui::SameLine(0, gap);
     }
     if (choice(compare, comparesRenderers(settings), canCompare(settings),
-               fmt::format("{}\nKey {}", canCompare(settings) ? compareHelp : nothingToCompare, ++key)))
+               fmt::format("{}\n{}", canCompare(settings) ? compareHelp : nothingToCompare, keyHelp(++key))))
         showComparison(settings);
     ImGui::SameLine(0, gap);
 }

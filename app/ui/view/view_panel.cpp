@@ -1,5 +1,6 @@
 #include "app/ui/view/view_panel.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/camera.h"
 #include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/shown_passes.h"
@@ -41,12 +42,12 @@ void moreMenu(Session& session, const Layout& layout, std::size_t first) {
     for (std::size_t i = first; i < showRows.size(); ++i) {
         const ShowRow& row = showRows[i];
         const bool chosen = shown == row.show;
-        if (ImGui::MenuItem(row.label, nullptr, chosen) && !chosen)
+        if (ImGui::MenuItem(label(row.label), nullptr, chosen) && !chosen)
             show(session, row, layout);
         noteItem(std::string("show:") + row.label);
     }
     ImGui::Separator();
-    if (ImGui::MenuItem(frameLabel, "F"))
+    if (ImGui::MenuItem(label(frameLabel), "F"))
         frameAll(session, layout);
     noteItem("frame");
     helpTip(frameHelp);
@@ -80,7 +81,7 @@ void toolRow(Session& session, const Layout& layout) {
         const bool chosen = shown == row.show;
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-        if (ImGui::Button(row.label) && !chosen)
+        if (ImGui::Button(label(row.label)) && !chosen)
             show(session, row, layout);
         ImGui::PopStyleColor();
         noteItem(std::string("show:") + row.label);
@@ -90,7 +91,7 @@ void toolRow(Session& session, const Layout& layout) {
     ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last) - choice));
     drawShownChoice(session.window.view);
     ImGui::SameLine(0, gap);
-    const bool pressed = ImGui::Button(last);
+    const bool pressed = ImGui::Button(label(last));
     noteItem(fits ? "frame" : "more choices");
     helpTip(fits ? frameHelp : "What has no room here");
     if (pressed && fits)
@@ -161,13 +162,13 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coords[vertex].x, coords[vertex].y);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // Beside the vertex, inside of the picture.
-    ImVec2 label(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
-    label.x = std::min(label.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
-    label.y = std::max(label.y, static_cast<float>(pane.visible.y) + em * 0.4F);
+    ImVec2 chip(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
+    chip.x = std::min(chip.x, static_cast<float>(pane.visible.right()) - size.x - em * 0.5F);
+    chip.y = std::max(chip.y, static_cast<float>(pane.visible.y) + em * 0.4F);
     const float pad = em * 0.3F;
-    draw.AddRectFilled({label.x - pad, label.y - pad / 2},
-                       {label.x + size.x + pad, label.y + size.y + pad / 2}, color::shade, pad);
-    draw.AddText(label, color::chosen, text.c_str());
+    draw.AddRectFilled({chip.x - pad, chip.y - pad / 2}, {chip.x + size.x + pad, chip.y + size.y + pad / 2},
+                       color::shade, pad);
+    draw.AddText(chip, color::chosen, text.c_str());
 }
 
 /// The vertices that are chosen with the one that has the marker.
@@ -252,7 +253,7 @@ std::string hintsFor(float available) {
     std::string line;
     for (const char* hint : hints) {
         const std::string longer = line.empty() ? hint : fmt::format("{}  ·  {}", line, hint);
-        if (ImGui::CalcTextSize(longer.c_str()).x > available)
+        if (ImGui::CalcTextSize(tr(longer).c_str()).x > available)
             break;
         line = longer;
     }
@@ -265,7 +266,7 @@ void hintLine(const Session& session, const Layout& layout) {
     const float available = static_cast<float>(layout.view.width) - em;
     const std::optional<Preview>& shown = session.window.preview;
     const std::string line =
-        shown ? fitted(fmt::format("Preview: {}", shown->text), available) : hintsFor(available);
+        shown ? fitted(fmt::format("Preview: {}", shown->text), available) : tr(hintsFor(available));
     const int top = std::max(layout.canvas.bottom(), layout.strip.bottom());
     const auto height = static_cast<float>(layout.view.bottom() - top);
     ImGui::SetCursorPos({(static_cast<float>(layout.view.width) - ImGui::CalcTextSize(line.c_str()).x) / 2,
@@ -283,8 +284,8 @@ void stepLine(const Session& session, const Layout& layout) {
     const std::size_t shown = shownPasses(session);
     if (shown == count)
         return;
-    const std::string line = shown == 1 ? fmt::format("Pass 0 of {}", count)
-                                        : fmt::format("Passes 0 to {} of {}", shown - 1, count);
+    const std::string line = tr(shown == 1 ? fmt::format("Pass 0 of {}", count)
+                                           : fmt::format("Passes 0 to {} of {}", shown - 1, count));
     const float em = ImGui::GetFontSize();
     const ImVec2 size = ImGui::CalcTextSize(line.c_str());
     const ImVec2 low(static_cast<float>(layout.picture.x) + em * 0.6F,

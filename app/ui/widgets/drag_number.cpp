@@ -1,25 +1,43 @@
 #include "app/ui/widgets/drag_number.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <fmt/core.h>
-#include <imgui.h>
+#include <imgui_internal.h> // whether one types a number just now
 
 #include <string>
 
 namespace texplorer::ui {
 namespace {
 
+int decimalsOf(const Range& range) {
+    return range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
+}
+
 std::string numberFormat(const Range& range) {
-    const int decimals = range.step >= 0.5F ? 1 : range.step >= 0.01F ? 2 : 3;
-    std::string format = fmt::format("%.{}f", decimals);
+    std::string format = fmt::format("%.{}f", decimalsOf(range));
     if (range.unit == "deg")
         return format + "°";
     if (range.unit == "deg/s")
         return format + "°/s";
     if (range.unit.empty())
         return format;
-    return format + (range.unit.starts_with('/') ? "" : " ") + std::string(range.unit);
+    return format + (range.unit.starts_with('/') ? "" : " ") + tr(range.unit);
+}
+
+/// At the left end of the last widget, where `number`, in its middle, leaves it room.
+void drawLetter(const char* letter, ImU32 tint, const std::string& number) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const float x = low.x + em * 0.32F;
+    const float middle = (low.x + ImGui::GetItemRectMax().x - ImGui::CalcTextSize(number.c_str()).x) / 2;
+    if (x + ImGui::CalcTextSize(letter).x > middle)
+        return;
+    const ImVec2 at(x, low.y + ImGui::GetStyle().FramePadding.y);
+    ImGui::GetWindowDrawList()->AddText(at, tint, letter);
+    noteDrawn(fmt::format("letter:{}", letter), at, at);
 }
 
 } // namespace
@@ -43,18 +61,35 @@ void markDraggable() {
     draw.AddTriangleFilled({right + size, y}, {right, y + size}, {right, y - size}, tint);
 }
 
-bool dragNumber(const char* id, float& value, const Range& range, int component, const char* instead) {
+bool dragNumber(const char* id, float& value, const Range& range, int component, const char* instead,
+                const char* letter) {
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id)); // at the left end, where the letter is
     const std::string format =
         component >= 0 ? numberFormat({range.min, range.max, range.step, {}}) : numberFormat(range);
-    const bool changed = ImGui::DragFloat(id, &value, range.step, range.min, range.max,
-                                          instead ? instead : format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    const bool changed =
+        ImGui::DragFloat(id, &value, range.step, range.min, range.max, instead ? tr(instead) : format.c_str(),
+                         ImGuiSliderFlags_AlwaysClamp);
     markDraggable();
     if (component >= 0) {
         const ImVec2 low = ImGui::GetItemRectMin();
         ImGui::GetWindowDrawList()->AddRectFilled(
             low, {low.x + ImGui::GetFontSize() * 0.2F, ImGui::GetItemRectMax().y}, componentColor(component),
             ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
+        if (letter && !typing)
+            drawLetter(letter, componentColor(component), fmt::format("{:.{}f}", value, decimalsOf(range)));
     }
+    return changed;
+}
+
+bool slideNumber(const char* id, float& value, const Range& range, float end) {
+    // The number is drawn over the grab: only so strong that it can be read there, too.
+    ImVec4 grab = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+    grab.w *= 0.4F;
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, grab);
+    const bool changed = ImGui::SliderFloat(id, &value, range.min, end, "%.1f",
+                                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    ImGui::PopStyleColor(2);
     return changed;
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/widgets/enum_control.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_names.h"
@@ -38,14 +39,17 @@ bool listOfChoices(Session& session, const Owner& owner, const ParamRow& row, En
     const EnumRow* current = findRow(row.choices, value.number);
     const float room =
         ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
-    const std::string shown = fitted(current ? nameOfChoice(session, owner, row, *current) : "?", room);
+    const std::string full = current ? nameOfChoice(session, owner, row, *current) : "?";
+    const bool hasRoom = owner.labelOf || !current || ImGui::CalcTextSize(tr(full).c_str()).x <= room;
+    const std::string shown =
+        fitted(hasRoom ? full : std::string(shownBrief(session.window.settings, *current)), room);
     bool changed = false;
     if (!ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLargest))
         return false;
     ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
     float names = 0;
     for (const EnumRow& choice : row.choices)
-        names = std::max(names, ImGui::CalcTextSize(nameOfChoice(session, owner, row, choice).c_str()).x);
+        names = std::max(names, ImGui::CalcTextSize(tr(nameOfChoice(session, owner, row, choice)).c_str()).x);
     std::string_view group;
     for (const EnumRow& choice : row.choices) {
         if (choice.group != group)
@@ -53,7 +57,7 @@ bool listOfChoices(Session& session, const Owner& owner, const ParamRow& row, En
         group = choice.group;
         const std::string name = nameOfChoice(session, owner, row, choice);
         const bool isCurrent = choice.value == value.number;
-        if (ImGui::Selectable(fmt::format("{}##{}", name, choice.name).c_str(), isCurrent)) {
+        if (ImGui::Selectable(label(fmt::format("{}##{}", name, choice.name)).c_str(), isCurrent)) {
             changed = !isCurrent;
             value.number = choice.value;
         }

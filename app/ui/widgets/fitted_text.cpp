@@ -1,5 +1,6 @@
 #include "app/ui/widgets/fitted_text.h"
 
+#include "app/ui/language/translate.h"
 #include "core/base/printable.h"
 
 #include <algorithm>
@@ -37,7 +38,9 @@ std::size_t sensibleEnd(std::string_view text, std::size_t fits) {
     return space != std::string_view::npos && 2 * space >= fits ? space : fits;
 }
 
-std::string fitted(std::string_view text, float room) {
+namespace {
+
+std::string cutToFit(std::string_view text, float room) {
     if (widthOf(text) <= room)
         return std::string(text);
     // The longest beginning that leaves room for the dots: searched by halves, a character costs nothing.
@@ -53,9 +56,15 @@ std::string fitted(std::string_view text, float room) {
     return std::string(text.substr(0, sensibleEnd(text, fits))) + "…";
 }
 
-bool fittedText(std::string_view text, ImU32 ink) {
-    const std::string whole = printable(text);
-    const std::string shown = fitted(whole, ImGui::GetContentRegionAvail().x);
+} // namespace
+
+std::string fitted(std::string_view words, float room) {
+    return cutToFit(tr(words), room);
+}
+
+bool fittedText(std::string_view words, ImU32 ink) {
+    const std::string whole = printable(tr(words));
+    const std::string shown = cutToFit(whole, ImGui::GetContentRegionAvail().x);
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();

@@ -1,5 +1,9 @@
 #include "app/ui/widgets/hints.h"
 
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/widget_places.h"
+
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <utility>
@@ -25,10 +29,11 @@ Hint endHints() {
 
 bool fitsBelow(std::string_view words) {
     return roomForHints > 0 && words.find('\n') == std::string_view::npos &&
-           ImGui::CalcTextSize(words.data(), words.data() + words.size()).x <= roomForHints;
+           ImGui::CalcTextSize(tr(words).c_str()).x <= roomForHints;
 }
 
 void hint(std::string words, bool isProblem) {
+    noteItem(fmt::format("hint:{}", words));
     hintSaid = {std::move(words), isProblem};
 }
 

@@ -5,7 +5,7 @@
 
 namespace texplorer::ui {
 
-/// What the pointer rests on, in one line for the status bar.
+/// What the pointer rests on, in one line for the status bar, in English: the bar translates it.
 struct Hint {
     std::string words; ///< empty: on nothing that has something to say
     bool isProblem = false;

@@ -1,5 +1,6 @@
 #include "app/ui/widgets/model_choice.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "core/scene/drawn_models.h"
 
@@ -7,10 +8,14 @@
 
 namespace texplorer::ui {
 
+std::string shownNameOf(const Model& model) {
+    return model.name.empty() ? tr(nameOf(model)) : model.name;
+}
+
 void modelChoice(Session& session, float width) {
     const std::vector<Model>& models = session.document.scene.models;
     const auto name = [&](int index) {
-        return fmt::format("{}  {}", index, nameOf(models[static_cast<std::size_t>(index)]));
+        return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
     };
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", name(session.window.selection.model).c_str())) {

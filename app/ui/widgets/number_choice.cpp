@@ -1,5 +1,6 @@
 #include "app/ui/widgets/number_choice.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
@@ -22,21 +23,22 @@ void drawDot() {
 
 } // namespace
 
-void numberChoice(const char* label, const char* shortLabel, const char* name,
+void numberChoice(const char* words, const char* shortWords, const char* name,
                   std::span<const NumberChoice> choices, int& chosen) {
+    const char* shown = tr(words);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
     const auto count = static_cast<float>(choices.size());
     const float wanted = ImGui::GetFrameHeight() * 1.3F;
-    if (room < ImGui::CalcTextSize(label).x + count * (wanted + gap) + gap)
-        label = shortLabel;
-    float left = room - ImGui::CalcTextSize(label).x - gap * (count + 1);
+    if (room < ImGui::CalcTextSize(shown).x + count * (wanted + gap) + gap)
+        shown = tr(shortWords);
+    float left = room - ImGui::CalcTextSize(shown).x - gap * (count + 1);
     const bool ownLine = left < count * ImGui::GetFontSize() * 1.2F;
     if (ownLine)
         left = room - gap * (count - 1);
     const float width = std::clamp(std::floor(left / count), 1.0F, wanted);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
+    ImGui::TextUnformatted(shown);
     for (int i = 0; i < static_cast<int>(choices.size()); ++i) {
         const NumberChoice& choice = choices[static_cast<std::size_t>(i)];
         if (i > 0 || !ownLine)

@@ -11,10 +11,10 @@ struct NumberChoice {
     std::string tip; ///< its tooltip
 };
 
-/// A label and a button for each of `choices`, 0 and up: `shortLabel` where the room is too narrow for
-/// `label`, and the buttons below it where they wouldn't fit beside it. `name` is what tests call a button:
+/// A label and a button for each of `choices`, 0 and up: `shortWords` where the room is too narrow for
+/// `words`, and the buttons below it where they wouldn't fit beside it. `name` is what tests call a button:
 /// "unit:2".
-void numberChoice(const char* label, const char* shortLabel, const char* name,
+void numberChoice(const char* words, const char* shortWords, const char* name,
                   std::span<const NumberChoice> choices, int& chosen);
 
 } // namespace texplorer::ui

@@ -1,19 +1,22 @@
 #include "app/ui/widgets/panel_menus.h"
 
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 
 namespace texplorer::ui {
 namespace {
 
-bool panelItem(const char* label, const char* keys, bool marked, bool enabled = true) {
-    const bool pressed = ImGui::MenuItem(label, keys, marked, enabled);
-    noteItem(std::string("menu:") + label);
+bool panelItem(const char* words, const char* keys, bool marked, bool enabled = true) {
+    const bool pressed = ImGui::MenuItem(label(words), keys ? tr(keys) : nullptr, marked, enabled);
+    noteItem(fmt::format("menu:{}", words));
     return pressed;
 }
 
-bool panelSubmenu(const char* label) {
-    const bool open = ImGui::BeginMenu(label);
-    noteItem(std::string("menu:") + label);
+bool panelSubmenu(const char* words) {
+    const bool open = ImGui::BeginMenu(label(words));
+    noteItem(fmt::format("menu:{}", words));
     return open;
 }
 
@@ -21,7 +24,7 @@ void textureSpaceItems(Workspace& workspace) {
     if (panelItem("Shown", nullptr, workspace.textureSpace))
         workspace.textureSpace = !workspace.textureSpace;
     const bool fills = maximisedOf(workspace) == Maximised::TextureSpace;
-    if (panelItem("Maximised", "double click", fills)) {
+    if (panelItem("Maximised", "Double click", fills)) {
         workspace.textureSpace = true;
         toggleMaximised(workspace, Maximised::TextureSpace);
     }
@@ -29,10 +32,10 @@ void textureSpaceItems(Workspace& workspace) {
 
 } // namespace
 
-void textureSpaceTitle(Session& session) {
+void textureSpaceTitle(Session& session, float room) {
     Workspace& workspace = session.window.settings.workspace;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Texture space");
+    ImGui::TextUnformatted(fitted("Texture space", room).c_str());
     noteItem("title:Texture space");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         toggleMaximised(workspace, Maximised::TextureSpace);
@@ -54,7 +57,7 @@ void tabMenuItems(Workspace& workspace, Tab tab) {
     ImGui::Separator();
     const Maximised what = maximised(dockOf(workspace, tab));
     const bool fills = isShown(workspace, tab) && maximisedOf(workspace) == what;
-    if (panelItem("Maximised", "double click", fills)) {
+    if (panelItem("Maximised", "Double click", fills)) {
         if (!fills)
             showTab(workspace, tab);
         toggleMaximised(workspace, what);

@@ -10,8 +10,8 @@ namespace texplorer::ui {
 void tabMenuItems(Workspace& workspace, Tab tab);
 
 /// The name of the texture space at the head of its panel, with its menu: a right click opens it, a double
-/// click maximises.
-void textureSpaceTitle(Session& session);
+/// click maximises. `room`: in pixels; it is cut short where it takes more.
+void textureSpaceTitle(Session& session, float room);
 
 /// View › Panels: each panel, and a menu for each tab.
 void panelsMenu(Session& session);

@@ -1,5 +1,6 @@
 #include "app/ui/widgets/param_tips.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -8,27 +9,84 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace texplorer::ui {
 namespace {
 
-constexpr float tipWidth = 26; ///< of a tooltip, in letters' heights
+constexpr float tipWidth = 26;            ///< of a tooltip, in letters' heights
+constexpr std::size_t longestText = 8000; ///< in bytes: a list of Dear ImGui's has room for 16,000 letters
+
+/// Who clicks looks at what came of it: what covers a part of that waits until the pointer moves on.
+bool hasJustClicked() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 way(io.MousePos.x - io.MouseClickedPos[0].x, io.MousePos.y - io.MouseClickedPos[0].y);
+    const float near = ImGui::GetFontSize() * 0.4F;
+    return io.MouseClickedTime[0] > 0 && way.x * way.x + way.y * way.y < near * near;
+}
+
+/// In the usual ink, whatever that of what it is about.
+void beginTip() {
+    ImGui::BeginTooltip();
+    ImGui::PushStyleColor(ImGuiCol_Text, color::text);
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+}
+
+void endTip() {
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::EndTooltip();
+}
+
+/// In which frame a choice has said what it is, which needn't be said again of the row that it belongs to.
+struct ToldChoice {
+    int frame = -1;
+    bool below = false; ///< in the status bar, not beside the pointer
+};
+ToldChoice toldChoice;
 
 /// "since OpenGL 1.4", or the extension that has it.
 std::string originOf(const EnumRow& choice) {
     const bool extension = choice.since.starts_with("GL_");
-    return (extension ? "from " : "since OpenGL ") + std::string(choice.since);
+    return extension ? fmt::format("from {}", choice.since) : fmt::format("since OpenGL {}", choice.since);
+}
+
+/// "GL_REPEAT · since OpenGL 1.0"; empty for our own words.
+std::string nameAndOrigin(const EnumRow& choice) {
+    return choice.since.empty() ? std::string() : fmt::format("{} · {}", choice.name, originOf(choice));
+}
+
+/// Words that are translated already, or never are.
+void plainText(std::string_view words) {
+    ImGui::TextUnformatted(words.data(), words.data() + std::min(words.size(), longestText));
+}
+
+void dimPlainText(std::string_view words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    plainText(words);
+    ImGui::PopStyleColor();
 }
 
 } // namespace
 
 void text(std::string_view words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    plainText(tr(words));
 }
 
 void dimText(std::string_view words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    dimPlainText(tr(words));
+}
+
+void wrappedText(std::string_view words) {
+    ImGui::PushTextWrapPos(0);
     text(words);
-    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+void dimWrappedText(std::string_view words) {
+    ImGui::PushTextWrapPos(0);
+    dimText(words);
+    ImGui::PopTextWrapPos();
 }
 
 void helpTip(std::string_view words) {
@@ -38,11 +96,11 @@ void helpTip(std::string_view words) {
         return;
     if (fitsBelow(words))
         return hint(std::string(words));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
-    text(printable(words, LineBreaks::Keep));
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    if (ImGui::IsItemHovered() && hasJustClicked())
+        return;
+    beginTip();
+    plainText(printable(tr(words), LineBreaks::Keep));
+    endTip();
 }
 
 void warningSign() {
@@ -77,9 +135,15 @@ void noteSign() {
 
 namespace {
 
+std::string howToReset(const ParamRow& row, const Value& initial, bool hasSign) {
+    const std::string words = formatValue(row, initial);
+    return hasSign ? fmt::format("Initially {}; ↺ resets it.", words)
+                   : fmt::format("Initially {}; a right click leads back.", words);
+}
+
 /// In one line below, what matters most first: true where that has room for what has to be said.
 bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Target target,
-               const Finding* idle, const Finding* problem) {
+               const Finding* idle, const Finding* problem, bool hasSign) {
     const bool isWrong = problem && problem->severity <= Severity::Warning;
     std::string words = idle      ? fmt::format("No effect now: {}.", idle->sentence)
                         : problem ? sentenceOf(*problem)
@@ -94,7 +158,7 @@ bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Ta
         add(std::string(row.help));
     add(formatCall(row, value, target));
     if (value != initial)
-        add(fmt::format("Initially {}; ↺ resets it.", formatValue(row, initial)));
+        add(howToReset(row, initial, hasSign));
     hint(std::move(words), idle || isWrong);
     return true;
 }
@@ -102,28 +166,32 @@ bool hintParam(const ParamRow& row, const Value& value, const Value& initial, Ta
 } // namespace
 
 void paramTip(const ParamRow& row, const Value& value, const Value& initial, Target target,
-              const Finding* idle, const Finding* problem) {
+              const Finding* idle, const Finding* problem, bool hasSign) {
     // What is disabled most of all has to say why.
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
         ImGui::IsMouseDown(ImGuiMouseButton_Left))
         return;
-    if (hintParam(row, value, initial, target, idle, problem))
+    const bool told = toldChoice.frame == ImGui::GetFrameCount() && !idle && !problem;
+    if (told && toldChoice.below)
         return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    if (hintParam(row, value, initial, target, idle, problem, hasSign) || told)
+        return;
+    if (ImGui::IsItemHovered() && hasJustClicked())
+        return;
+    beginTip();
     if (const std::string call = formatCall(row, value, target); !call.empty()) {
         ImGui::PushFont(codeFont());
-        text(call);
+        plainText(call);
         ImGui::PopFont();
     }
     text(row.help);
     if (row.kind == Kind::Text && !std::get<std::string>(value).empty())
-        dimText(std::get<std::string>(value)); // the field shows the beginning
+        dimPlainText(printable(std::get<std::string>(value))); // the field shows the beginning
     if (row.kind == Kind::Enum) {
         if (const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(value).number)) {
-            dimText(fmt::format("{}: {}", choice->label, choice->help));
+            dimPlainText(fmt::format("{}: {}", tr(choice->label), tr(choice->help)));
             if (!choice->since.empty())
-                dimText(fmt::format("{}, {}", choice->name, originOf(*choice)));
+                dimText(nameAndOrigin(*choice));
         }
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
@@ -140,29 +208,46 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
     ImGui::PopStyleColor();
     if (value != initial) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::changed);
-        text(fmt::format("Initially {}; ↺ resets it.", formatValue(row, initial)));
+        text(howToReset(row, initial, hasSign));
         ImGui::PopStyleColor();
     }
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    endTip();
 }
+
+namespace {
+
+/// In one line below, with its names where they have room: true where that has room for the help.
+bool hintChoice(const EnumRow& choice) {
+    const std::string names = choice.since.empty() ? std::string(choice.label)
+                                                   : fmt::format("{}  ·  {}", choice.label, choice.name);
+    for (const std::string& words :
+         {fmt::format("{}  ·  {}", names, choice.help), std::string(choice.help)}) {
+        if (!fitsBelow(words))
+            continue;
+        hint(words);
+        return true;
+    }
+    return false;
+}
+
+} // namespace
 
 void choiceTip(const EnumRow& choice) {
     if (!ImGui::IsItemHovered())
         return;
-    if (fitsBelow(choice.help))
-        return hint(std::string(choice.help));
+    toldChoice = {ImGui::GetFrameCount(), hintChoice(choice)};
+    if (toldChoice.below || hasJustClicked())
+        return;
     // Beside the list, so that it doesn't hide the next choices.
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
     if (right + ImGui::GetFontSize() * (tipWidth + 2) < ImGui::GetIO().DisplaySize.x)
         ImGui::SetNextWindowPos({right + ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y});
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
+    beginTip();
+    text(choice.label);
     text(choice.help);
     if (!choice.since.empty())
-        dimText(originOf(choice));
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+        dimText(nameAndOrigin(choice));
+    endTip();
 }
 
 } // namespace texplorer::ui

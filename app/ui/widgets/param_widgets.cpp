@@ -1,5 +1,6 @@
 #include "app/ui/widgets/param_widgets.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/pinned.h"
 #include "app/ui/widgets/enum_control.h"
@@ -9,6 +10,7 @@
 #include "app/ui/widgets/problem_sign.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/vector_controls.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -31,75 +33,7 @@ bool isWide(Kind kind) {
 }
 
 float textWidth(std::string_view words) {
-    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
-}
-
-bool colorWidget(glm::vec4& value) {
-    constexpr ImGuiColorEditFlags look =
-        ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_Float;
-    const ImVec4 shown(value.x, value.y, value.z, value.w);
-    const ImVec2 size(ImGui::CalcItemWidth(), ImGui::GetFrameHeight());
-    if (ImGui::ColorButton("##value", shown, look | ImGuiColorEditFlags_NoTooltip, size))
-        ImGui::OpenPopup("picker");
-    return false;
-}
-
-/// The popup of colorWidget; apart from it, so that the swatch stays the "last item" of the line.
-bool colorPopup(Session& session, glm::vec4& value, const std::string& path) {
-    bool changed = false;
-    if (ImGui::BeginPopup("picker")) {
-        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 15);
-        changed = ImGui::ColorPicker4("##picker", &value.x,
-                                      ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf |
-                                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSidePreview |
-                                          ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
-        noteItem(path + "#picker");
-        sealAfterItem(session);
-        ImGui::EndPopup();
-    }
-    return changed;
-}
-
-template<class Vector>
-bool vectorWidget(Session& session, const ParamRow& row, Vector& value, const std::string& path) {
-    constexpr int count = Vector::length();
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = std::floor((ImGui::CalcItemWidth() - gap * (count - 1)) / count);
-    bool changed = false;
-    ImGui::BeginGroup();
-    for (int i = 0; i < count; ++i) {
-        if (i > 0)
-            ImGui::SameLine(0, gap);
-        ImGui::PushID(i);
-        ImGui::SetNextItemWidth(width);
-        changed |= dragNumber("##component", value[i], row.range, i);
-        noteItem(fmt::format("{}[{}]", path, i));
-        sealAfterItem(session);
-        ImGui::PopID();
-    }
-    ImGui::EndGroup();
-    return changed;
-}
-
-/// Row by row as one writes a matrix down, though OpenGL keeps it column by column.
-bool matrixWidget(Session& session, const ParamRow& row, glm::mat4& value, const std::string& path) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = std::floor((ImGui::CalcItemWidth() - gap * 3) / 4);
-    bool changed = false;
-    ImGui::BeginGroup();
-    for (int i = 0; i < 16; ++i) {
-        if (i % 4 > 0)
-            ImGui::SameLine(0, gap);
-        const int element = i % 4 * 4 + i / 4;
-        ImGui::PushID(element);
-        ImGui::SetNextItemWidth(width);
-        changed |= dragNumber("##element", value[i % 4][i / 4], row.range, i / 4);
-        noteItem(fmt::format("{}[{}]", path, element));
-        sealAfterItem(session);
-        ImGui::PopID();
-    }
-    ImGui::EndGroup();
-    return changed;
+    return ImGui::CalcTextSize(tr(words).c_str()).x;
 }
 
 /// A row's value while its control is drawn.
@@ -112,7 +46,9 @@ struct Line {
     const Finding* problem; ///< what is wrong with it
     bool edited = false;
     bool reset = false;
+    bool hasSign = true;               ///< ↺, once it isn't the initial value
     std::optional<SegmentPlan> plan{}; ///< of a choice whose names are all in sight
+    std::optional<float> slidesTo{};   ///< of a number with a slider: where that ends
 };
 
 /// What the initial value stands for, where its number says nothing.
@@ -122,9 +58,9 @@ const char* insteadOfNumber(const ParamRow& row, const Line& line) {
 
 bool intWidget(const ParamRow& row, int& value, const char* instead) {
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value")); // reads what the format says
-    const bool changed = ImGui::DragInt("##value", &value, row.range.step, static_cast<int>(row.range.min),
-                                        static_cast<int>(row.range.max), instead && !typing ? instead : "%d",
-                                        ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = ImGui::DragInt(
+        "##value", &value, row.range.step, static_cast<int>(row.range.min), static_cast<int>(row.range.max),
+        instead && !typing ? tr(instead) : "%d", ImGuiSliderFlags_AlwaysClamp);
     markDraggable();
     return changed;
 }
@@ -138,19 +74,21 @@ bool control(Session& session, const Owner& owner, const ParamRow& row, Line& li
     case Kind::Int:
         return intWidget(row, std::get<int>(value), insteadOfNumber(row, line));
     case Kind::Float:
-        return dragNumber("##value", std::get<float>(value), row.range, -1, insteadOfNumber(row, line));
+        return line.slidesTo
+                   ? slideNumber("##value", std::get<float>(value), row.range, *line.slidesTo)
+                   : dragNumber("##value", std::get<float>(value), row.range, -1, insteadOfNumber(row, line));
     case Kind::Vec3:
-        return vectorWidget(session, row, std::get<glm::vec3>(value), line.path);
+        return vectorControl(session, row, std::get<glm::vec3>(value), line.path);
     case Kind::Vec4:
-        return vectorWidget(session, row, std::get<glm::vec4>(value), line.path);
+        return vectorControl(session, row, std::get<glm::vec4>(value), line.path);
     case Kind::Color:
-        return colorWidget(std::get<glm::vec4>(value));
+        return colorControl(std::get<glm::vec4>(value));
     case Kind::Enum:
         return enumControl(session, owner, row, std::get<EnumValue>(value), line.path, line.plan);
     case Kind::Text:
         return textField("##value", std::get<std::string>(value), ImGuiInputTextFlags_EnterReturnsTrue);
     case Kind::Matrix:
-        return matrixWidget(session, row, std::get<glm::mat4>(value), line.path);
+        return matrixControl(session, row, std::get<glm::mat4>(value), line.path);
     case Kind::PointList:
     case Kind::ColorList:
     case Kind::TexCoordList:
@@ -167,6 +105,17 @@ bool isContinuous(Kind kind) {
 
 } // namespace
 
+namespace {
+
+/// What the history calls it: of choices several in a row would all be "Mode".
+std::string wordsOfEdit(const ParamRow& row, const Value& value) {
+    const EnumRow* choice =
+        row.kind == Kind::Enum ? findRow(row.choices, std::get<EnumValue>(value).number) : nullptr;
+    return choice ? fmt::format("{}: {}", row.label, choice->label) : std::string(row.label);
+}
+
+} // namespace
+
 bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value) {
     if (value == row.read(owner.values))
         return false;
@@ -177,7 +126,7 @@ bool assignParam(Session& session, const Owner& owner, const ParamRow& row, cons
     if (owner.accepts && !owner.accepts(row, value))
         return false;
     row.write(owner.values, value);
-    recordEdit(session, row.label, owner.pathOf(row));
+    recordEdit(session, wordsOfEdit(row, value), owner.pathOf(row));
     if (!isContinuous(row.kind))
         sealEdit(session);
     return true;
@@ -188,9 +137,9 @@ void sealAfterItem(Session& session) {
         sealEdit(session);
 }
 
-bool squareButton(const char* label, std::string_view name, std::string_view help, bool enabled) {
+bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled) {
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label, {ImGui::GetFrameHeight(), 0});
+    const bool pressed = ImGui::Button(sign, {ImGui::GetFrameHeight(), 0});
     noteItem(name);
     ImGui::EndDisabled();
     helpTip(help);
@@ -237,20 +186,25 @@ void opensMenu() {
         ImGui::OpenPopup("row");
 }
 
+std::string backTo(const ParamRow& row, const Line& line) {
+    const std::string initial = formatValue(row, line.initial);
+    return initial.empty() ? "Back to nothing" : fmt::format("Back to {}", initial);
+}
+
 /// What one can do with a row.
 void rowMenu(Session& session, const ParamRow& row, Line& line) {
     if (!ImGui::BeginPopup("row"))
         return;
     Settings& settings = session.window.settings;
-    dimText(glNameOf(row).empty() ? std::string(row.label) : fmt::format("{}  {}", row.label, glNameOf(row)));
+    dimText(glNameOf(row).empty() ? std::string(row.label)
+                                  : fmt::format("{} · {}", row.label, glNameOf(row)));
     ImGui::Separator();
-    const std::string initial = formatValue(row, line.initial);
-    line.reset |= ImGui::MenuItem(fmt::format("Back to {}", initial.empty() ? "nothing" : initial).c_str(),
-                                  nullptr, false, line.changed);
+    line.reset |= ImGui::MenuItem(label(backTo(row, line)).c_str(), nullptr, false, line.changed);
     noteItem(line.path + "#menu:reset");
     const bool isThere = isEssential(line.path);
     const bool pinned = isPinned(settings, line.path);
-    if (ImGui::MenuItem(pinned ? "Take out of Essentials" : "Pin to Essentials", nullptr, false, !isThere))
+    if (ImGui::MenuItem(label(pinned ? "Take out of Essentials" : "Pin to Essentials"), nullptr, false,
+                        !isThere))
         togglePin(settings, line.path);
     noteItem(line.path + "#menu:pin");
     helpTip(isThere  ? "Essentials has it already"
@@ -274,7 +228,8 @@ void drawControl(Session& session, const Owner& owner, const ParamRow& row, Line
     }
     if (line.idle)
         noteItem(line.path + "#inert");
-    paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem);
+    paramTip(row, line.value, line.initial, selectedUnit(session).target, line.idle, line.problem,
+             line.hasSign);
     linkHover(session, line.path);
     opensMenu();
     showWanted(session, line);
@@ -294,10 +249,11 @@ bool finish(Session& session, const Owner& owner, const ParamRow& row, const Lin
 
 } // namespace
 
-bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
-    Line line = lineOf(session, owner, row);
-    line.plan = planChoices(session, owner, row, width, lines);
+namespace {
+
+bool controlAlone(Session& session, const Owner& owner, const ParamRow& row, Line line, float width) {
     ImGui::PushID(line.path.c_str());
+    line.hasSign = false;
     drawControl(session, owner, row, line, width,
                 line.problem && line.problem->severity <= Severity::Warning ? color::problem
                 : line.changed                                              ? color::changed
@@ -307,6 +263,20 @@ bool paramControl(Session& session, const Owner& owner, const ParamRow& row, flo
     rowMenu(session, row, line);
     ImGui::PopID();
     return finish(session, owner, row, line);
+}
+
+} // namespace
+
+bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width, std::size_t lines) {
+    Line line = lineOf(session, owner, row);
+    line.plan = planChoices(session, owner, row, width, lines);
+    return controlAlone(session, owner, row, std::move(line), width);
+}
+
+bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end) {
+    Line line = lineOf(session, owner, row);
+    line.slidesTo = end;
+    return controlAlone(session, owner, row, std::move(line), width);
 }
 
 namespace {
@@ -324,7 +294,7 @@ void resetSign(const ParamRow& row, Line& line, float full) {
     noteItem(line.path + "#reset");
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar();
-    helpTip("Back to " + formatValue(row, line.initial));
+    helpTip(backTo(row, line));
 }
 
 } // namespace
@@ -420,7 +390,7 @@ void drawFolded(Session& session, const Owner& owner, const std::vector<const Pa
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
     const bool open =
         ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
-                          "No effect here (%d)", static_cast<int>(rows.size()));
+                          "%s", tr(fmt::format("No effect here ({})", rows.size())).c_str());
     ImGui::PopStyleColor();
     noteItem(owner.path + "#no effect");
     helpTip("Settings of other choices than those that are made at present");

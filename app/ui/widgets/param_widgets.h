@@ -38,6 +38,9 @@ bool paramWidget(Session& session, const Owner& owner, const ParamRow& row);
 bool paramControl(Session& session, const Owner& owner, const ParamRow& row, float width,
                   std::size_t lines = 1);
 
+/// The control alone, of a Float whose places are powers: a slider from the least value to `end`.
+bool paramSlider(Session& session, const Owner& owner, const ParamRow& row, float width, float end);
+
 /// Writes a value as its control does: checked, asked for, recorded. True where it changed.
 bool assignParam(Session& session, const Owner& owner, const ParamRow& row, const Value& value);
 
@@ -61,7 +64,7 @@ void paramRows(Session& session, const Owner& owner, const StructTable& table,
 [[nodiscard]] bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row);
 
 /// A button as wide as it is high; `name` is what tests call it.
-bool squareButton(const char* label, std::string_view name, std::string_view help, bool enabled);
+bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled);
 
 /// Ends a step of undo when the last widget is let go.
 void sealAfterItem(Session& session);

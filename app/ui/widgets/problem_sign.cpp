@@ -1,5 +1,6 @@
 #include "app/ui/widgets/problem_sign.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -21,7 +22,8 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
     if (ImGui::InvisibleButton("sign", size))
         ImGui::OpenPopup("problem");
     noteItem(path + "#problem");
-    helpTip(sentenceOf(problem) + (problem.fixes.empty() ? "" : "\nClick: what mends it"));
+    helpTip(problem.fixes.empty() ? sentenceOf(problem)
+                                  : fmt::format("{}\n{}", sentenceOf(problem), "Click: what mends it"));
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
     if (!ImGui::BeginPopup("problem"))
@@ -30,7 +32,7 @@ void problemSign(Session& session, const std::string& path, const Finding& probl
     text(sentenceOf(problem));
     ImGui::PopTextWrapPos();
     for (const Fix& fix : problem.fixes) {
-        if (ImGui::Button(fix.label.c_str())) {
+        if (ImGui::Button(label(fix.label).c_str())) {
             session.window.wantedFix = fix;
             ImGui::CloseCurrentPopup();
         }

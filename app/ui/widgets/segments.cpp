@@ -1,5 +1,6 @@
 #include "app/ui/widgets/segments.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_tips.h"
 
 #include <imgui.h>
@@ -20,7 +21,7 @@ float segmentPadding() {
 }
 
 float segmentText(std::string_view words) {
-    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+    return ImGui::CalcTextSize(tr(words).c_str()).x;
 }
 
 float leastWidth(const Segment& segment) {
@@ -126,7 +127,7 @@ std::optional<std::size_t> drawSegments(std::span<const Segment> segments, const
             ImGui::PushID(static_cast<int>(number));
             ImGui::PushStyleColor(ImGuiCol_Button,
                                   ImGui::GetColorU32(isChosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-            if (ImGui::Button(segments[number].text.c_str(), {line.widths[i], 0}))
+            if (ImGui::Button(label(segments[number].text).c_str(), {line.widths[i], 0}))
                 pressed = number;
             ImGui::PopStyleColor();
             ImGui::PopID();

@@ -12,7 +12,7 @@ namespace texplorer::ui {
 
 /// A button of a choice, all of which are in sight at once.
 struct Segment {
-    std::string text;
+    std::string text;            ///< in English
     std::string_view group = {}; ///< those of a group have a line of their own, which begins with its name
 };
 

@@ -1,5 +1,7 @@
 #include "app/ui/widgets/text_field.h"
 
+#include "app/ui/language/translate.h"
+
 namespace texplorer::ui {
 
 bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags, const char* hint) {
@@ -11,7 +13,7 @@ bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags, 
         }
         return 0;
     };
-    return ImGui::InputTextWithHint(label, hint, text.data(), text.capacity() + 1,
+    return ImGui::InputTextWithHint(label, tr(hint), text.data(), text.capacity() + 1,
                                     flags | ImGuiInputTextFlags_CallbackResize, resize, &text);
 }
 

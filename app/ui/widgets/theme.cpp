@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -20,13 +21,63 @@ constexpr std::array fontFolders{"/usr/share/fonts/truetype/dejavu/", "/usr/shar
 constexpr std::array<ImWchar, 19> glyphs{0x0020, 0x024F, // Latin
                                          0x0370, 0x03FF, // Greek
                                          0x0400, 0x04FF, // Cyrillic
-                                         0x2010, 0x2026, // dashes, quotation marks, …
+                                         0x2010, 0x203A, // dashes, quotation marks, … ›
                                          0x2190, 0x2199, // arrows
                                          0x21BA, 0x21BB, // ↺ ↻
                                          0x25A0, 0x25CF, // ▶ ▾ ●
                                          0x2715, 0x275A, // ✕ ❚
                                          0x2212, 0x2212, // −
                                          0};
+
+/// A font with Chinese letters. They are to be as large as DejaVu's, which leaves less of a line's height
+/// free.
+struct ChineseFont {
+    const char* file;
+    float lineHeight; ///< in its em; DejaVu's is 1.164
+};
+
+// Debian's fonts-droid-fallback, fonts-wqy-microhei and fonts-noto-cjk, Fedora's and Arch's Noto.
+constexpr std::array chineseFonts{
+    ChineseFont{"/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf", 1.309F},
+    ChineseFont{"/usr/share/fonts/truetype/wqy/wqy-microhei.ttc", 1.17F},
+    ChineseFont{"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", 1.448F},
+    ChineseFont{"/usr/share/fonts/google-noto-cjk/NotoSansCJK-Regular.ttc", 1.448F},
+    ChineseFont{"/usr/share/fonts/noto-cjk/NotoSansCJK-Regular.ttc", 1.448F}};
+constexpr float usualLineHeight = 1.164F;
+
+const ChineseFont* chineseFont() {
+    const auto isThere = [](const ChineseFont& font) {
+        std::error_code ignored;
+        return std::filesystem::is_regular_file(font.file, ignored);
+    };
+    const auto found = std::ranges::find_if(chineseFonts, isThere);
+    return found == chineseFonts.end() ? nullptr : &*found;
+}
+
+/// The letters of the language's texts, where the usual fonts lack them: empty where they don't. All that the
+/// font has would take an atlas of 16 MB at large sizes.
+std::vector<ImWchar> furtherLetters(const Catalogue* catalogue) {
+    if (!catalogue || catalogue->language() != Language::Chinese || !chineseFont())
+        return {};
+    ImFontGlyphRangesBuilder letters;
+    letters.AddText(catalogue->letters().data(), catalogue->letters().data() + catalogue->letters().size());
+    ImVector<ImWchar> ranges;
+    letters.BuildRanges(&ranges);
+    return {ranges.begin(), ranges.end()};
+}
+
+/// Adds them to the font before this, which keeps a pointer to them.
+void addLetters(const std::vector<ImWchar>& ranges, float size) {
+    if (ranges.empty())
+        return;
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.PixelSnapH = true;
+    config.OversampleH = 1;
+    const ChineseFont& font = *chineseFont();
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(font.file, std::round(size * font.lineHeight / usualLineHeight),
+                                             &config, ranges.data());
+}
 
 ImFont* addFont(const char* file, float size) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -117,7 +168,11 @@ float textScale(float contentScale, int textPercent) {
     return std::clamp(contentScale * static_cast<float>(percent) / 100, 0.5F, 8.0F);
 }
 
-void applyTheme(float contentScale, Theme theme, int textPercent) {
+bool hasLettersOf(Language language) {
+    return language != Language::Chinese || chineseFont();
+}
+
+void applyTheme(float contentScale, Theme theme, int textPercent, const Catalogue* catalogue) {
     const float scale = textScale(contentScale, textPercent);
     usePalette(theme);
     ImGuiIO& io = ImGui::GetIO();
@@ -125,8 +180,12 @@ void applyTheme(float contentScale, Theme theme, int textPercent) {
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.Fonts->Clear();
+    static std::vector<ImWchar> letters; // of the atlas, which is built with the next frame
+    letters = furtherLetters(catalogue);
     addFont("DejaVuSans.ttf", std::round(textSize * scale));
+    addLetters(letters, std::round(textSize * scale));
     addFont("DejaVuSansMono.ttf", std::round(codeSize * scale));
+    addLetters(letters, std::round(codeSize * scale));
 
     ImGuiStyle style;
     setColors(style);

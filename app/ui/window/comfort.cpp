@@ -1,9 +1,12 @@
 #include "app/ui/window/comfort.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/texshot_command.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/window/shortcuts.h"
 #include "core/base/printable.h"
 #include "core/link/scene_link.h"
@@ -20,17 +23,27 @@ namespace {
 constexpr std::array textSizes{75, 90, 100, 110, 125, 150, 175, 200, 225, 250};
 static_assert(textSizes.front() == Settings::smallestText && textSizes.back() == Settings::largestText);
 
-bool comfortItem(const std::string& label, const std::string& keys = {}, bool marked = false,
+bool comfortItem(const std::string& name, const std::string& keys = {}, bool marked = false,
                  bool enabled = true) {
-    const bool pressed = ImGui::MenuItem(label.c_str(), keys.c_str(), marked, enabled);
-    noteItem("menu:" + label);
+    const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
+    noteItem("menu:" + name);
     return pressed;
 }
 
-bool comfortMenu(const char* label) {
-    const bool open = ImGui::BeginMenu(label);
-    noteItem(std::string("menu:") + label);
+bool comfortMenu(const char* name) {
+    const bool open = ImGui::BeginMenu(label(name));
+    noteItem(std::string("menu:") + name);
     return open;
+}
+
+/// A file's name is nobody's to translate, and "##" in it no sign.
+bool fileItem(const std::filesystem::path& file) {
+    const std::string name = printable(file.filename().string());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::Selectable("##file", false, 0, {ImGui::CalcTextSize(name.c_str()).x, 0});
+    noteItem("menu:" + name);
+    ImGui::GetWindowDrawList()->AddText(at, color::text, name.c_str());
+    return pressed;
 }
 
 } // namespace
@@ -45,12 +58,36 @@ void changeTextSize(Session& session, int steps) {
         std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(textSizes.size()) - 1))];
 }
 
+void resizeTextByWheel(Session& session, float& turned, const Layout& layout) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Workspace& workspace = session.window.settings.workspace;
+    const auto isOver = [&](const Rect& rect) { return rect.contains(io.MousePos.x, io.MousePos.y); };
+    const bool zooms = isOver(layout.canvas) || isOver(layout.texture) ||
+                       (isShown(workspace, Tab::Levels) && isOver(layout.of(dockOf(workspace, Tab::Levels))));
+    if (!io.KeyCtrl || session.window.dialog != Dialog::None || zooms) {
+        turned = 0;
+        return;
+    }
+    turned += io.MouseWheel; // a touchpad's notches are small
+    const int steps = static_cast<int>(turned);
+    turned -= static_cast<float>(steps);
+    if (steps != 0)
+        changeTextSize(session, steps);
+}
+
 void comfortItems(Session& session) {
     Settings& settings = session.window.settings;
     if (comfortMenu("Theme")) {
         for (const ThemeRow& row : themeRows) {
             if (comfortItem(row.label, {}, settings.theme == row.theme))
                 settings.theme = row.theme;
+        }
+        ImGui::EndMenu();
+    }
+    if (comfortMenu("Language")) {
+        for (const LanguageRow& row : languageRows) {
+            if (comfortItem(row.label, {}, settings.language == row.language))
+                settings.language = row.language;
         }
         ImGui::EndMenu();
     }
@@ -109,13 +146,13 @@ void pasteScene(Session& session) {
 void recentItems(Session& session) {
     Settings& settings = session.window.settings;
     if (settings.recentFiles.empty()) {
-        ImGui::TextDisabled("Nothing was opened yet");
+        dimText("Nothing was opened yet");
         return;
     }
     std::optional<std::filesystem::path> chosen;
     for (const std::filesystem::path& file : settings.recentFiles) {
         ImGui::PushID(static_cast<int>(&file - settings.recentFiles.data()));
-        if (comfortItem(printable(file.filename().string())))
+        if (fileItem(file))
             chosen = file;
         helpTip(file.string());
         ImGui::PopID();

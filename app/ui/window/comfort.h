@@ -7,6 +7,10 @@ namespace texplorer::ui {
 /// One step up or down among the sizes that one can choose.
 void changeTextSize(Session& session, int steps);
 
+/// Ctrl and the wheel do the same, where they don't enlarge what the pointer is on. `turned`: what is left of
+/// a step, from frame to frame.
+void resizeTextByWheel(Session& session, float& turned, const Layout& layout);
+
 /// Themes, sizes of text, where help stands, full screen and the pictures that one can write: items of a
 /// menu.
 void comfortItems(Session& session);

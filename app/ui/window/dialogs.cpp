@@ -4,10 +4,12 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/help_dialog.h"
 #include "app/ui/window/recovery_dialog.h"
-#include "app/ui/window/shortcuts.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 
@@ -19,33 +21,6 @@
 
 namespace texplorer::ui {
 namespace {
-
-struct Line {
-    const char* keys;
-    const char* effect;
-};
-
-constexpr std::array mouseLines{
-    Line{"Drag", "orbit the camera"},
-    Line{"Shift + drag, right drag", "move it sideways"},
-    Line{"Wheel", "go nearer or farther"},
-    Line{"Click with Explain open", "explain the pixel under the mouse"},
-    Line{"Ctrl + wheel, Ctrl + drag", "enlarge the pixels of the picture, move it"},
-    Line{"Click, Shift + click", "pick the nearest vertex, choose several"},
-    Line{"Double click", "frame all models"},
-    Line{"Right click on a setting", "back to GL's initial value, or pin it to Essentials"},
-    Line{"Double click on a number", "type it"},
-};
-
-/// What is no shortcut: it needs the pointer, or goes on while it is held.
-constexpr std::array otherKeys{
-    Line{"Arrow keys, with Shift", "move the explained pixel by one, by ten"},
-    Line{"F6, Shift+F6",
-         "to the next panel: arrows walk among its controls, Space works them; Escape ends it"},
-    Line{"hold E", "explain the pixel under the mouse"},
-    Line{"G, R, S over texture space", "move, rotate, scale the chosen vertices; A chooses all, F shows all"},
-    Line{"Arrow keys there, with Shift", "move them by a texel, by 1/4"},
-};
 
 /// The dialogs in which one chooses a file.
 struct BrowserRow {
@@ -82,18 +57,18 @@ void beginBrowsing(DialogsState& state, const Session& session) {
 void drawDiscard(Session& session) {
     if (!beginModal("Unsaved changes"))
         return;
-    const std::string name =
-        session.document.file.empty() ? "This scene" : session.document.file.filename().string();
-    ImGui::TextUnformatted((printable(name) + " has changes that are not saved.").c_str());
+    const std::filesystem::path& file = session.document.file;
+    text(file.empty()
+             ? std::string("This scene has changes that are not saved.")
+             : fmt::format("{} has changes that are not saved.", printable(file.filename().string())));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    const ImVec2 size(ImGui::GetFontSize() * 7.5F, 0);
-    const bool keep = ImGui::Button("Save", size) || ImGui::IsKeyPressed(key::enter, false);
+    const bool keep = dialogButton("Save") || ImGui::IsKeyPressed(key::enter, false);
     noteItem("discard:save");
     ImGui::SameLine();
-    const bool drop = ImGui::Button("Don't save", size);
+    const bool drop = dialogButton("Don't save");
     noteItem("discard:drop");
     ImGui::SameLine();
-    const bool stay = ImGui::Button("Cancel", size) || ImGui::IsKeyPressed(key::escape, false);
+    const bool stay = dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false);
     noteItem("discard:cancel");
     if (keep || drop || stay) {
         ImGui::CloseCurrentPopup();
@@ -115,8 +90,8 @@ void drawRefused(Session& session) {
         return;
     const float em = ImGui::GetFontSize();
     const std::size_t count = session.window.refused.size();
-    ImGui::TextUnformatted(count == 1 ? "One file could not be opened, the others were."
-                                      : fmt::format("{} files could not be opened.", count).c_str());
+    text(count == 1 ? std::string("One file could not be opened, the others were.")
+                    : fmt::format("{} files could not be opened.", count));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(em * 46, display.x * 0.9F);
     const float height = std::min(display.y * 0.6F, em * 2.9F * static_cast<float>(count) + em);
@@ -124,13 +99,13 @@ void drawRefused(Session& session) {
     ImGui::BeginChild("refused", {width, height}, true);
     for (const Error& each : session.window.refused) {
         ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(printable(describe(each)).c_str());
+        text(printable(describe(each)));
         ImGui::PopTextWrapPos();
         noteItem("refused:" + each.where);
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
-    const bool read = ImGui::Button("Close", {em * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
+    const bool read = dialogButton("Close") || ImGui::IsKeyPressed(key::escape, false) ||
                       ImGui::IsKeyPressed(key::enter, false);
     noteItem("refused:close");
     if (read) {
@@ -150,110 +125,6 @@ void openWaitingDialog(Session& session) {
     else if (const UnsavedWork* unsaved = session.services.unsaved;
              unsaved && !unsaved->recovery.offers().empty() && session.document.loads.empty())
         session.window.dialog = Dialog::Restore;
-}
-
-/// What one does, and what comes of it: a table of two columns, to be closed with ImGui::EndTable() where
-/// true.
-bool beginHelpLines(const char* id) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_NoSavedSettings))
-        return false;
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed);
-    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch);
-    return true;
-}
-
-void helpLine(const char* keys, const char* effect) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(keys);
-    ImGui::TableNextColumn();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", effect);
-    ImGui::PopTextWrapPos();
-}
-
-void drawMouse() {
-    if (!beginHelpLines("mouse"))
-        return;
-    for (const Line& line : mouseLines)
-        helpLine(line.keys, line.effect);
-    ImGui::EndTable();
-}
-
-/// A row for each thing that keys do, with all keys that do it.
-void drawKeys() {
-    if (!beginHelpLines("keys"))
-        return;
-    const std::span<const Shortcut> rows = shortcuts();
-    for (auto row = rows.begin(); row != rows.end();) {
-        std::string keys = labelOf(*row);
-        const char* effect = row->effect;
-        for (++row; row != rows.end() && row->name.empty(); ++row) {
-            if (const std::string other = labelOf(*row); keys.find(other) == std::string::npos)
-                keys += ", " + other;
-        }
-        helpLine(keys.c_str(), effect);
-    }
-    for (const Line& line : otherKeys)
-        helpLine(line.keys, line.effect);
-    ImGui::EndTable();
-}
-
-struct Legend {
-    const char* text;
-    ThemeColor ink;
-};
-
-constexpr std::array legends{
-    Legend{"s, x", color::s},
-    Legend{"t, y", color::t},
-    Legend{"r, z", color::r},
-    Legend{"q, w", color::q},
-    Legend{"chosen vertex", color::chosen},
-    Legend{"explained pixel and its texels", color::probed},
-    Legend{"changed from the initial value", color::changed},
-    Legend{"something is wrong", color::problem},
-};
-
-void drawColors() {
-    for (const Legend& legend : legends) {
-        ImGui::PushStyleColor(ImGuiCol_Text, legend.ink);
-        ImGui::Text("● %s", legend.text);
-        ImGui::PopStyleColor();
-    }
-}
-
-void drawHelp(Session& session) {
-    if (!beginModal("Texplorer"))
-        return;
-    const float em = ImGui::GetFontSize();
-    ImGui::PushTextWrapPos(std::min(em * 60, ImGui::GetIO().DisplaySize.x * 0.9F));
-    ImGui::TextUnformatted(
-        "See what each texture parameter of OpenGL does: change it on the left, look at the middle, "
-        "find the texture coordinates on the right. Rest the pointer on anything: the lower edge of the "
-        "window says what it is, and its OpenGL call.");
-    ImGui::PopTextWrapPos();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float room = std::max(em * 6, display.y * 0.92F - em * 9); // below the words, above the button
-    const ImVec2 half(std::min(em * 31, display.x * 0.45F), std::min(em * 50, room));
-    ImGui::BeginChild("left", half);
-    caption("Keys");
-    drawKeys();
-    ImGui::EndChild();
-    ImGui::SameLine();
-    ImGui::BeginChild("right", half);
-    caption("Mouse");
-    drawMouse();
-    caption("Colours");
-    drawColors();
-    ImGui::EndChild();
-    if (ImGui::Button("Close", {em * 7, 0}) || ImGui::IsKeyPressed(key::escape, false) ||
-        ImGui::IsKeyPressed(key::enter, false)) {
-        session.window.dialog = Dialog::None;
-        ImGui::CloseCurrentPopup();
-    }
-    noteItem("help:close");
-    ImGui::EndPopup();
 }
 
 Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path& chosen) {

@@ -1,13 +1,18 @@
 
 #include "app/ui/window/file_browser.h"
 
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/dialog_button.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -73,7 +78,8 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
         }
         if (fs::exists(path, failed) && !browser.mayOverwrite) {
             browser.mayOverwrite = true;
-            browser.error = path.filename().string() + " exists. Press Replace to overwrite it.";
+            browser.error =
+                fmt::format("{} exists. Press Overwrite to replace it.", path.filename().string());
             return Browsing::Open;
         }
     } else if (!fs::exists(status)) {
@@ -208,7 +214,7 @@ bool entryList(FileBrowser& browser, Files& files, const Pictures& pictures, flo
         }
     }
     if (!any)
-        ImGui::TextDisabled("Nothing to open here.");
+        dimText("Nothing to open here.");
     ImGui::EndChild();
     ImGui::PopStyleColor();
     return chosen;
@@ -276,7 +282,7 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSize({std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F)});
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    const std::string id = browser.title + "###browser";
+    const std::string id = tr(browser.title) + "###browser";
     if (!ImGui::IsPopupOpen(id.c_str()))
         ImGui::OpenPopup(id.c_str());
     if (!ImGui::BeginPopupModal(id.c_str(), nullptr,
@@ -292,12 +298,11 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
         result = choose(browser, chosen);
 
     if (browser.error.empty())
-        ImGui::TextDisabled("%s", browser.saving ? "Type a name, or choose a file to replace."
-                                                 : "Choose a file, or type its path. ↑ ↓ Enter work too.");
+        fittedText(browser.saving ? "Type a name, or choose a file to replace."
+                                  : "Choose a file, or type its path. ↑ ↓ Enter work too.",
+                   color::dim);
     else {
-        ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextUnformatted(printable(browser.error).c_str());
-        ImGui::PopStyleColor();
+        fittedText(browser.error, color::problem);
         noteItem("browser:error");
         helpTip(browser.error);
     }
@@ -322,21 +327,20 @@ Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pic
     }
 
     if (!browser.extensions.empty()) {
-        std::string all = "Lists every file, not just";
-        for (const std::string& extension : browser.extensions)
-            all += " " + extension;
-        ImGui::Checkbox("All files", &browser.showAll);
+        const std::string all =
+            fmt::format("Lists every file, not just {}", fmt::join(browser.extensions, " "));
+        ImGui::Checkbox(label("All files"), &browser.showAll);
         noteItem("browser:all");
         helpTip(all);
     }
-    const float button = em * 6;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::Button("Cancel", {button, 0}) || ImGui::IsKeyPressed(key::escape, false))
+    const char* verb = !browser.saving ? "Open" : browser.mayOverwrite ? "Overwrite" : "Save";
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -
+                    ImGui::GetStyle().ItemSpacing.x);
+    if (dialogButton("Cancel") || ImGui::IsKeyPressed(key::escape, false))
         result = Browsing::Cancelled;
     noteItem("browser:cancel");
     ImGui::SameLine();
-    const char* verb = !browser.saving ? "Open" : browser.mayOverwrite ? "Replace" : "Save";
-    if (ImGui::Button(verb, {button, 0}))
+    if (dialogButton(verb))
         result = choose(browser, chosen);
     noteItem("browser:ok");
 

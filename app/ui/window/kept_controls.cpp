@@ -1,5 +1,6 @@
 #include "app/ui/window/kept_controls.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/shortcuts.h"
@@ -61,8 +62,9 @@ bool isInRow(const Session& session, const KeptRow& row) {
 }
 
 std::string helpOf(const KeptRow& row) {
-    return row.shortcut.empty() ? std::string(row.help)
-                                : fmt::format("{}\nKey {}", row.help, keysOf(row.shortcut));
+    return row.shortcut.empty()
+               ? std::string(row.help)
+               : fmt::format("{}\n{}", row.help, fmt::format("Key {}", keysOf(row.shortcut)));
 }
 
 } // namespace
@@ -70,7 +72,7 @@ std::string helpOf(const KeptRow& row) {
 void drawKeptMenu(Session& session) {
     for (const KeptRow& row : keptRows) {
         const std::string keys = row.shortcut.empty() ? std::string() : keysOf(row.shortcut);
-        if (ImGui::MenuItem(row.label, keys.c_str(), row.isOn(session),
+        if (ImGui::MenuItem(label(row.label), keys.c_str(), row.isOn(session),
                             !row.needsKept || session.document.kept.scene))
             row.act(session);
         noteItem(fmt::format("a-b:{}", row.name));
@@ -97,7 +99,7 @@ void drawKeptControls(Session& session, float available) {
             continue;
         ImGui::PushStyleColor(ImGuiCol_Button,
                               row.isOn(session) ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : ImU32{0});
-        if (ImGui::Button(row.brief))
+        if (ImGui::Button(label(row.brief)))
             row.act(session);
         ImGui::PopStyleColor();
         noteItem(fmt::format("a-b row:{}", row.name));

@@ -20,8 +20,8 @@ constexpr std::array walkingKeys{key::space, key::enter, key::tab,      key::lef
 
 /// Those that one sees, as one reads them.
 std::vector<ImGuiWindow*> panelsInOrder() {
-    constexpr ImGuiWindowFlags none =
-        ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
+    constexpr ImGuiWindowFlags none = ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup |
+                                      ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoNavFocus;
     std::vector<ImGuiWindow*> panels;
     for (ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
         const bool isPanel = each->WasActive && !each->Hidden && (each->Flags & none) == 0;

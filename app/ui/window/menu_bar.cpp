@@ -1,5 +1,6 @@
 #include "app/ui/window/menu_bar.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/examples.h"
 #include "app/ui/view/false_color_view.h"
@@ -7,9 +8,11 @@
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/comfort.h"
 #include "app/ui/window/kept_controls.h"
+#include "app/ui/window/notes.h"
 #include "app/ui/window/playback_controls.h"
 #include "app/ui/window/presets_menu.h"
 #include "app/ui/window/shortcuts.h"
@@ -21,22 +24,17 @@ namespace texplorer::ui {
 namespace {
 
 /// `shortcut` is the name of its row; empty: it has none.
-bool item(const std::string& label, std::string_view shortcut = {}, bool enabled = true,
-          bool marked = false) {
+bool item(const std::string& name, std::string_view shortcut = {}, bool enabled = true, bool marked = false) {
     const std::string keys = shortcut.empty() ? std::string() : keysOf(shortcut);
-    const bool pressed = ImGui::MenuItem(label.c_str(), keys.c_str(), marked, enabled);
-    noteItem("menu:" + label);
+    const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
+    noteItem("menu:" + name);
     return pressed;
 }
 
-bool menu(const char* label) {
-    const bool open = ImGui::BeginMenu(label);
-    noteItem(std::string("menu:") + label);
+bool menu(const char* name) {
+    const bool open = ImGui::BeginMenu(label(name));
+    noteItem(std::string("menu:") + name);
     return open;
-}
-
-std::string withName(const char* verb, std::string_view name) {
-    return name.empty() ? verb : fmt::format("{} {}", verb, name);
 }
 
 template<class Struct>
@@ -77,9 +75,7 @@ void resetEverything(Session& session) {
 }
 
 void examplesMenu(Session& session) {
-    const bool open = ImGui::BeginMenu("Examples");
-    noteItem("menu:Examples");
-    if (!open)
+    if (!menu("Examples"))
         return;
     for (const Example& example : examples()) {
         if (item(example.title))
@@ -138,9 +134,13 @@ void resetItem(Session& session) {
 
 void editMenu(Session& session, const Layout& layout) {
     const History& history = session.document.history;
-    if (item(withName("Undo", history.undoName()), "undo", history.canUndo()))
+    const std::string_view undone = history.undoName();
+    const std::string_view redone = history.redoName();
+    if (item(undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone), "undo",
+             history.canUndo()))
         undo(session);
-    if (item(withName("Redo", history.redoName()), "redo", history.canRedo()))
+    if (item(redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone), "redo",
+             history.canRedo()))
         redo(session);
     ImGui::Separator();
     if (item("Copy as texshot command"))
@@ -148,7 +148,7 @@ void editMenu(Session& session, const Layout& layout) {
     helpTip("A command line that draws this view without a window, for scripts.");
     ImGui::Separator();
     resetItem(session);
-    ImGui::TextDisabled("Reset to GL's initial values");
+    dimText("Reset to GL's initial values");
     Texture* texture = boundTexture(session);
     if (item("Texture parameters", {}, texture != nullptr))
         resetTo(session, *texture, "Reset texture", withInitialParameters(*texture));
@@ -166,10 +166,24 @@ std::string_view shortcutOf(RendererKind renderer) {
     return names[static_cast<std::size_t>(renderer)];
 }
 
+/// For those who show the window to others.
+void presentingItems(Session& session) {
+    ViewNotes& notes = session.window.notes;
+    if (item("Note", "note"))
+        addNoteInTheMiddle(session);
+    helpTip("Words over the view: drag them, double-click to edit, Delete removes. The key puts them at the "
+            "pointer.");
+    if (item("Clear notes", {}, !notes.list.empty()))
+        clearNotes(session);
+    if (item("Spotlight", "spotlight", true, session.window.spotlight))
+        session.window.spotlight = !session.window.spotlight;
+    helpTip("All but what is near the pointer is dim, so that everybody looks there.");
+}
+
 void viewMenu(Session& session, const Layout& layout) {
     const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
-        if (item(std::string("Show ") + row.label, {}, true, shown == row.show))
+        if (item(fmt::format("Show {}", row.label), {}, true, shown == row.show))
             show(session, row, layout);
     }
     ImGui::Separator();
@@ -177,7 +191,7 @@ void viewMenu(Session& session, const Layout& layout) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen =
             !comparesRenderers(session.window.view) && session.window.view.renderer == renderer;
-        if (item("Drawn by: " + std::string(row.label), shortcutOf(renderer),
+        if (item(fmt::format("Drawn by: {}", row.label), shortcutOf(renderer),
                  session.window.view.offered.has(renderer), chosen))
             showOne(session.window.view, renderer);
         helpTip(helpOf(session.window.view, row));
@@ -187,7 +201,7 @@ void viewMenu(Session& session, const Layout& layout) {
     using reference::AnisotropyMethod;
     for (const EnumRow& row : EnumTable<AnisotropyMethod>::rows) {
         const auto method = static_cast<AnisotropyMethod>(row.value);
-        if (item("Anisotropy of the reference: " + std::string(row.label), {}, true,
+        if (item(fmt::format("Anisotropy of the reference: {}", row.label), {}, true,
                  session.window.view.anisotropy == method))
             session.window.view.anisotropy = method;
         helpTip(row.help);
@@ -201,6 +215,8 @@ void viewMenu(Session& session, const Layout& layout) {
         session.window.view.magnifies = !session.window.view.magnifies;
     if (item("Picture pixel for pixel", "pixel for pixel", session.window.view.zoom.factor > 1))
         session.window.view.zoom = {};
+    ImGui::Separator();
+    presentingItems(session);
     ImGui::Separator();
     if (bool& glNames = session.window.settings.glNames; item("OpenGL's names", {}, true, glNames))
         glNames = !glNames;

@@ -1,6 +1,8 @@
 #include "app/ui/window/presets_menu.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/preset_edits.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>
@@ -14,9 +16,9 @@ void drawPresetsMenu(Session& session) {
             if (!group.empty())
                 ImGui::Separator();
             group = preset.group;
-            ImGui::TextDisabled("%s", std::string(group).c_str());
+            dimText(group);
         }
-        if (ImGui::MenuItem(std::string(preset.label).c_str()))
+        if (ImGui::MenuItem(label(preset.label).c_str()))
             choosePreset(session, preset);
         noteItem(fmt::format("preset:{}", preset.name));
         if (ImGui::IsItemHovered())

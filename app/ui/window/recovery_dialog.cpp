@@ -2,11 +2,14 @@
 
 #include "app/ui/window/recovery_dialog.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/window/dialog_button.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
@@ -17,7 +20,7 @@
 namespace texplorer::ui {
 namespace {
 
-/// "02 November 2026, 14:05", where the user is.
+/// "2026-11-02 14:05", where the user is: numbers need no translation.
 std::string timeText(std::filesystem::file_time_type written) {
     const auto system = std::chrono::file_clock::to_sys(written);
     const std::time_t seconds =
@@ -25,7 +28,7 @@ std::string timeText(std::filesystem::file_time_type written) {
     std::tm local{};
     std::array<char, 64> text{};
     if (!::localtime_r(&seconds, &local) ||
-        std::strftime(text.data(), text.size(), "%d %B %Y, %H:%M", &local) == 0)
+        std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local) == 0)
         return {};
     return text.data();
 }
@@ -57,40 +60,39 @@ void drawRestore(Session& session, const Pictures& pictures) {
     const bool readable = offer.draft.has_value();
     ImGui::PushTextWrapPos(em * 22);
     if (readable) {
-        const std::string name =
-            offer.draft->file.empty() ? "A scene" : printable(offer.draft->file.filename().string());
-        ImGui::TextUnformatted((name + " had changes that were not saved when its window ended.").c_str());
+        const std::filesystem::path& file = offer.draft->file;
+        text(file.empty() ? std::string("A scene had changes that were not saved when its window ended.")
+                          : fmt::format("{} had changes that were not saved when its window ended.",
+                                        printable(file.filename().string())));
         noteItem("restore:name");
-        if (!offer.draft->file.empty())
-            ImGui::TextDisabled("%s", printable(offer.draft->file.string()).c_str());
+        if (!file.empty())
+            ImGui::TextDisabled("%s", printable(file.string()).c_str());
     } else {
-        ImGui::TextUnformatted(
-            "A window ended with unsaved changes, and what was kept of them can't be read.");
+        text("A window ended with unsaved changes, and what was kept of them can't be read.");
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextUnformatted(printable(describe(offer.draft.error())).c_str());
+        text(printable(describe(offer.draft.error())));
         ImGui::PopStyleColor();
         noteItem("restore:error");
     }
     ImGui::PopTextWrapPos();
     const std::size_t more = recovery.offers().size() - 1;
-    ImGui::TextDisabled("%s%s", timeText(offer.written).c_str(),
-                        more == 0 ? "" : fmt::format(" · {} more after this", more).c_str());
+    const std::string written = timeText(offer.written);
+    dimText(more == 0 ? written : fmt::format("{} · {} more after this", written, more));
     if (readable)
         drawPicture(session, pictures);
     ImGui::Dummy({0, em * 0.3F});
-    const ImVec2 size(em * 6.5F, 0);
     const bool enter = ImGui::IsKeyPressed(key::enter, false);
     bool restore = false;
     if (readable) {
-        restore = ImGui::Button("Restore", size) || enter;
+        restore = dialogButton("Restore") || enter;
         noteItem("restore:restore");
         ImGui::SameLine();
     }
-    const bool discard = ImGui::Button("Discard", size);
+    const bool discard = dialogButton("Discard");
     noteItem("restore:discard");
     helpTip("It is lost for good.");
     ImGui::SameLine();
-    const bool later = ImGui::Button("Later", size) || ImGui::IsKeyPressed(key::escape, false);
+    const bool later = dialogButton("Later") || ImGui::IsKeyPressed(key::escape, false);
     noteItem("restore:later");
     helpTip("It is offered again at the next start.");
     if (restore || discard || later) {

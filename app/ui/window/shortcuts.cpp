@@ -1,11 +1,15 @@
 #include "app/ui/window/shortcuts.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/window/comfort.h"
+#include "app/ui/window/notes.h"
+
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +27,9 @@ void drawBy(Session& session, const Layout& /*layout*/) {
 
 /// One after the other.
 void letGo(Session& session, const Layout& /*layout*/) {
-    if (maximisedOf(session.window.settings.workspace) != Maximised::None)
+    if (session.window.spotlight)
+        session.window.spotlight = false;
+    else if (maximisedOf(session.window.settings.workspace) != Maximised::None)
         session.window.settings.workspace.maximised = Maximised::None;
     else if (session.window.explaining.texel)
         clearTexel(session);
@@ -34,21 +40,23 @@ void letGo(Session& session, const Layout& /*layout*/) {
 }
 
 constexpr std::array shortcutRows{
-    Shortcut{"undo", 'Z', true, false, "undo", [](Session& s, const Layout&) { undo(s); }, true},
-    Shortcut{"redo", 'Z', true, true, "redo", [](Session& s, const Layout&) { redo(s); }, true},
-    Shortcut{"", 'Y', true, false, "redo", [](Session& s, const Layout&) { redo(s); }, true},
+    Shortcut{"undo", 'Z', true, false, "undo the last edit", [](Session& s, const Layout&) { undo(s); },
+             true},
+    Shortcut{"redo", 'Z', true, true, "redo what was undone", [](Session& s, const Layout&) { redo(s); },
+             true},
+    Shortcut{"", 'Y', true, false, "redo what was undone", [](Session& s, const Layout&) { redo(s); }, true},
     Shortcut{"open scene", 'O', true, false, "open a scene",
              [](Session& s, const Layout&) { askOpenScene(s); }},
     Shortcut{"open image", 'I', true, false, "open an image",
              [](Session& s, const Layout&) { askOpenImage(s); }},
-    Shortcut{"save", 'S', true, false, "save", [](Session& s, const Layout&) { save(s); }},
+    Shortcut{"save", 'S', true, false, "save the scene", [](Session& s, const Layout&) { save(s); }},
     Shortcut{"save as", 'S', true, true, "save under another name",
              [](Session& s, const Layout&) { askSaveAs(s); }},
     Shortcut{"paste", 'V', true, false, "open a scene from a link in the clipboard",
              [](Session& s, const Layout&) { pasteScene(s); }},
     Shortcut{"search", 'F', true, false, "search among the parameters",
              [](Session& s, const Layout&) { s.window.wantsSearch = true; }},
-    Shortcut{"quit", 'Q', true, false, "quit", [](Session& s, const Layout&) { requestQuit(s); }},
+    Shortcut{"quit", 'Q', true, false, "quit Texplorer", [](Session& s, const Layout&) { requestQuit(s); }},
     Shortcut{"play", key::space, false, false, "play or pause",
              [](Session& s, const Layout&) { s.window.playback.playing = !s.window.playback.playing; }},
     Shortcut{"fixed", '1', false, false, "draw by OpenGL's fixed function", drawBy<RendererKind::Fixed>},
@@ -65,10 +73,15 @@ constexpr std::array shortcutRows{
              [](Session& s, const Layout&) { s.window.view.magnifies = !s.window.view.magnifies; }},
     Shortcut{"pixel for pixel", '0', false, false, "no longer enlarge the pixels",
              [](Session& s, const Layout&) { s.window.view.zoom = {}; }},
+    Shortcut{"note", 'N', false, false, "put a note over the view, at the pointer", addNoteAtPointer},
+    Shortcut{"spotlight", 'L', false, false, "spotlight: all but what is near the pointer is dim",
+             [](Session& s, const Layout&) { s.window.spotlight = !s.window.spotlight; }},
     Shortcut{"frame", 'F', false, false, "frame all models", frameAll},
     Shortcut{"reset camera", key::home, false, false, "reset the camera", resetCamera},
-    Shortcut{"let go", key::escape, false, false,
-             "let go of what is maximised, the picked texel, the pinned pixel, the explained one", letGo},
+    Shortcut{
+        "let go", key::escape, false, false,
+        "let go of the spotlight, what is maximised, the picked texel, the pinned pixel, the explained one",
+        letGo},
     Shortcut{"larger text", '=', true, false, "larger text",
              [](Session& s, const Layout&) { changeTextSize(s, 1); }, true},
     Shortcut{"", '=', true, true, "larger text", [](Session& s, const Layout&) { changeTextSize(s, 1); },
@@ -126,7 +139,7 @@ std::string labelOf(const Shortcut& shortcut) {
     if (shortcut.shift)
         label += "Shift+";
     const auto* named = std::ranges::find(keyNames, shortcut.key, &KeyName::key);
-    return named != keyNames.end() ? label + named->name : label + static_cast<char>(shortcut.key);
+    return named != keyNames.end() ? label + tr(named->name) : label + static_cast<char>(shortcut.key);
 }
 
 std::string keysOf(std::string_view name) {

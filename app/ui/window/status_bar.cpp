@@ -1,13 +1,16 @@
 #include "app/ui/window/status_bar.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/model/consequence.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/base/count.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
@@ -21,29 +24,31 @@ namespace {
 /// "Reading brick.bmp · 34 %", and a way out.
 void drawProgress(Session& session, const ImageLoader::Progress& progress) {
     using Step = ImageLoader::Step;
-    if (ImGui::SmallButton("Cancel"))
+    if (ImGui::SmallButton(label("Cancel")))
         cancelLoad(session, progress.ticket);
     noteItem("cancel load");
     ImGui::SameLine();
-    std::string text = progress.step == Step::Decoding ? "Decoding " : "Reading ";
-    text += printable(progress.path.filename().string());
-    if (progress.step == Step::Reading && progress.fileBytes > 0)
-        text += fmt::format(" · {} %", progress.bytesRead * 100 / progress.fileBytes);
-    ImGui::TextUnformatted(text.c_str());
+    const std::string name = printable(progress.path.filename().string());
+    if (progress.step == Step::Decoding)
+        text(fmt::format("Decoding {}", name));
+    else if (progress.fileBytes == 0)
+        text(fmt::format("Reading {}", name));
+    else
+        text(fmt::format("Reading {} · {} %", name, progress.bytesRead * 100 / progress.fileBytes));
     noteItem("loading");
     helpTip(progress.path.string());
 }
 
 /// The same for levels that are made of an image that is there already.
 void drawProgress(Session& session, const LevelsWorker::Progress& progress) {
-    if (ImGui::SmallButton("Cancel"))
+    if (ImGui::SmallButton(label("Cancel")))
         session.services.levels.cancel(progress.ticket);
     noteItem("cancel levels");
     ImGui::SameLine();
-    std::string text = "Making the levels of " + printable(progress.what);
-    if (progress.done > 0)
-        text += fmt::format(" · {} %", static_cast<int>(100 * progress.done));
-    ImGui::TextUnformatted(text.c_str());
+    const std::string what = printable(progress.what);
+    text(progress.done > 0
+             ? fmt::format("Making the levels of {} · {} %", what, static_cast<int>(100 * progress.done))
+             : fmt::format("Making the levels of {}", what));
     noteItem("making levels");
     helpTip("What was drawn before stays until they are there.");
 }
@@ -55,7 +60,7 @@ void drawNotice(Session& session) {
     noteItem("dismiss notice");
     ImGui::SameLine();
     if (!session.window.notice.file.empty()) {
-        if (ImGui::SmallButton("Look inside"))
+        if (ImGui::SmallButton(label("Look inside")))
             lookInto(session, session.window.notice.file);
         noteItem("look inside");
         helpTip("Shows the bytes of the file and what they mean, up to where it is damaged");
@@ -77,19 +82,18 @@ void drawFinding(Session& session, const Finding& finding, std::size_t count) {
         const float width = buttonWidth(fix.label.c_str()) + forSentence;
         if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
             break;
-        if (ImGui::SmallButton(fix.label.c_str()))
+        if (ImGui::SmallButton(label(fix.label).c_str()))
             session.window.wantedFix = fix;
         noteItem("fix:" + fix.label);
         helpTip(assignmentsOf(fix));
         ImGui::SameLine();
     }
-    const std::string more = count > 1 ? fmt::format("1 of {}: ", count) : std::string();
     const std::string sentence = sentenceOf(finding);
-    fittedText(more + sentence, color::problem);
+    fittedText(count > 1 ? fmt::format("1 of {}: {}", count, sentence) : sentence, color::problem);
     noteItem("finding");
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(fmt::format("{}\n{}\nClick: show the setting", finding.path, sentence));
+    helpTip(fmt::format("{}\n{}\n{}", finding.path, sentence, "Click: show the setting"));
     if (ImGui::IsItemClicked())
         reveal(session, finding.path);
 }
@@ -103,12 +107,12 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
     std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
                                       : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
     if (!onlyReference && !capabilities.pretending.empty())
-        facts += " · pretending: " + capabilities.pretending;
+        facts += " · " + fmt::format("pretending: {}", capabilities.pretending);
     facts += fmt::format(" · {} × {}", first.frame.size.width, first.frame.size.height);
     if (!showsTime)
         return facts;
     for (const ViewFrame& view : frames)
-        facts += view.whole ? fmt::format(" · {:.1f} ms", view.frame.milliseconds) : " · drawing";
+        facts += " · " + (view.whole ? fmt::format("{:.1f} ms", view.frame.milliseconds) : "still drawing");
     return facts;
 }
 
@@ -116,18 +120,18 @@ std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities&
 std::string hostText(const view::Capabilities& capabilities, const view::OfferedRenderers& offered) {
     std::string text = "No OpenGL";
     if (!capabilities.version.empty()) {
-        text = fmt::format("{}\n{}\nOpenGL {}\nTextures up to {} texels wide", capabilities.vendor,
-                           capabilities.renderer, capabilities.version, capabilities.maxTextureSize);
+        text = fmt::format("{}\n{}\n", capabilities.vendor, capabilities.renderer);
+        text += fmt::format("OpenGL {}", capabilities.version) + "\n";
+        text += fmt::format("Textures up to {} texels wide", capabilities.maxTextureSize);
         if (offered.has(RendererKind::Fixed))
-            text += fmt::format(", {} unit{}", capabilities.textureUnits,
-                                capabilities.textureUnits == 1 ? "" : "s");
+            text += "\n" + countOf(capabilities.textureUnits, "texture unit");
     }
     if (!capabilities.pretending.empty())
-        text += "\nPretending: " + capabilities.pretending;
+        text += "\n" + fmt::format("Pretending: {}", capabilities.pretending);
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const std::string& reason = offered.whyNot(static_cast<RendererKind>(row.value));
         if (!reason.empty())
-            text += fmt::format("\nNo {}: {}", row.label, reason);
+            text += "\n" + fmt::format("No {}: {}", row.label, reason);
     }
     return text;
 }

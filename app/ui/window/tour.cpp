@@ -1,10 +1,12 @@
 #include "app/ui/window/tour.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/ui/window/dialog_button.h"
 
 #include <fmt/core.h>
 
@@ -62,6 +64,12 @@ ImVec2 cardPlace(const Rect& about, const Rect& window, ImVec2 size, float gap) 
             std::clamp(place.y, gap, std::max(gap, height - size.y - gap))};
 }
 
+/// In the corner of the dock below, where there is one with room: the card hides nothing that it speaks of,
+/// and its buttons stay below the pointer.
+bool hasCorner(const Rect& dock, ImVec2 size) {
+    return static_cast<float>(dock.width) >= size.x * 1.5F && static_cast<float>(dock.height) >= size.y;
+}
+
 enum class TourAnswer { None, Back, Next, Skip };
 
 TourAnswer drawCard(int step, const TourRow& row) {
@@ -69,21 +77,21 @@ TourAnswer drawCard(int step, const TourRow& row) {
     TourAnswer answer = TourAnswer::None;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + em * tourWidth);
     dimText(fmt::format("{} of {}", step + 1, tourSteps));
-    ImGui::TextUnformatted(row.title);
+    text(row.title);
     ImGui::Dummy({em * tourWidth, em * 0.2F});
-    ImGui::TextUnformatted(row.text);
+    text(row.text);
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, em * 0.3F});
-    const auto button = [&](const char* label, TourAnswer meant, bool enabled) {
+    const auto button = [&](const char* name, TourAnswer meant, bool enabled) {
         ImGui::BeginDisabled(!enabled);
-        if (ImGui::Button(label, {em * 5, 0}))
+        if (dialogButton(name))
             answer = meant;
         ImGui::EndDisabled();
-        noteItem(fmt::format("tour:{}", label));
+        noteItem(fmt::format("tour:{}", name));
         ImGui::SameLine();
     };
     const bool last = step + 1 == tourSteps;
-    button("Back", TourAnswer::Back, step > 0);
+    button("Previous", TourAnswer::Back, step > 0);
     button(last ? "Done" : "Next", TourAnswer::Next, true);
     if (!last)
         button("Skip", TourAnswer::Skip, true);
@@ -109,7 +117,12 @@ void drawTour(Session& session, const Layout& layout, bool takesEscape) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size comes out between two frames
-    ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
+    if (const Rect& dock = layout.belowDock; hasCorner(dock, guess))
+        ImGui::SetNextWindowPos(
+            {static_cast<float>(dock.right()) - em, static_cast<float>(dock.bottom()) - em}, ImGuiCond_Always,
+            {1, 1});
+    else
+        ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
     TourAnswer answer = TourAnswer::None;
     if (ImGui::Begin("Tour", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

@@ -9,9 +9,12 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/ui/window/comfort.h"
 #include "app/ui/window/menu_bar.h"
+#include "app/ui/window/notes.h"
 #include "app/ui/window/pixel_keys.h"
 #include "app/ui/window/shortcuts.h"
+#include "app/ui/window/spotlight.h"
 #include "app/ui/window/status_bar.h"
 #include "app/ui/window/tour.h"
 #include "app/view/driver_facts.h"
@@ -106,7 +109,8 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
                        const view::Capabilities& capabilities, const Layout& layout) {
     forgetPlaces();
     session.window.keyTaken = false;
-    const bool popup = isPopupOpen(); // a key that ends it is not a shortcut as well
+    // A key that ends it is not a shortcut as well; Dear ImGui may have ended it before this frame began.
+    const bool popup = isPopupOpen() || (states.hadPopup && !states.keyboard.walks);
     if (!popup)
         moveKeyboardFocus(session, states.keyboard);
     turnHover(session.window);
@@ -133,6 +137,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     settle(session, layout);
     if (!layout.view.isEmpty())
         drawViewPanel(session, pictures, layout);
+    drawNotes(session, layout);
     if (!layout.texture.isEmpty())
         drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
     for (const DockRow& row : dockRows)
@@ -146,7 +151,10 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     drawTour(session, layout, !popup);
     if (!popup)
         handleShortcuts(session, layout); // after the panels: a key may come with the mouse's release
+    if (!popup)
+        resizeTextByWheel(session, states.textWheel, layout);
     drawDialogs(session, states.dialogs, pictures);
+    drawSpotlight(session, layout);
     if (const std::optional<Fix> fix = std::exchange(session.window.wantedFix, std::nullopt))
         applyFix(session, *fix);
     followEdits(session);
@@ -158,7 +166,9 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     // Arrows, Enter and Escape work in an open menu or list, and where F6 has led. Elsewhere Space plays, and
     // dialogs have their own keys.
     ImGuiIO& io = ImGui::GetIO();
-    const bool navigates = session.window.dialog == Dialog::None && (isPopupOpen() || states.keyboard.walks);
+    states.hadPopup = isPopupOpen();
+    const bool navigates =
+        session.window.dialog == Dialog::None && (states.hadPopup || states.keyboard.walks);
     io.ConfigFlags = navigates ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
     // Elsewhere Tab shows the view alone.

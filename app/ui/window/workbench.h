@@ -19,6 +19,8 @@ struct PanelStates {
     DetailsState details;
     DialogsState dialogs;
     KeyboardFocus keyboard;
+    float textWheel = 0;   ///< see resizeTextByWheel
+    bool hadPopup = false; ///< a menu or list was open at the end of the last frame
 };
 
 /// What the window asks of its host.

@@ -1,4 +1,6 @@
+#include "app/ui/model/chosen_vertices.h"
 #include "app/ui/model/session.h"
+#include "app/ui/widgets/keys.h"
 #include "core/emit/emit.h"
 #include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
@@ -70,6 +72,37 @@ TEST_F(CommandsTab, ANumberIsTypedAfterADoubleClick) {
     key(257); // Enter
     frames(2);
     EXPECT_EQ(scene().material.shininess, 7.25F);
+}
+
+// What was moved elsewhere is brought into sight, and nothing else glows.
+TEST_F(CommandsTab, TheCoordinatesThatMovedGlow) {
+    Scene square = defaultScene();
+    square.models.resize(1);
+    square.models[0].shape = Shape::Quad;
+    start(std::move(square));
+    session->window.settings.workspace.seams.split = 0.5F; // room for the list
+    putListRight();
+    show();
+    const auto glowing = [&] {
+        return std::ranges::count_if(
+            places.items, [](const auto& item) { return item.first.starts_with("changed line:"); });
+    };
+    ASSERT_EQ(glowing(), 0);
+    drag(place("models[0].texCoords0[2][0]"), {40, 0}); // in the tab Vertices
+    frames(2);
+    EXPECT_EQ(glowing(), 1);
+    ASSERT_TRUE(has("command:models[0].texCoords0[2][0]"));
+    EXPECT_TRUE(isWhole("command:models[0].texCoords0[2][0]"));
+    // Two of them, by an arrow key over the texture space.
+    chooseVertices(session->window.selection, {0, 1});
+    moveTo(place("texture space"));
+    key(ui::key::up);
+    frames(2);
+    EXPECT_EQ(session->document.lastChanged, "models[0].texCoords0");
+    EXPECT_EQ(glowing(), 2);
+    key('Z', {ctrl});
+    frames(2);
+    EXPECT_EQ(glowing(), 0) << "undo takes back what glowed";
 }
 
 TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {

@@ -45,6 +45,7 @@ TEST_F(Docks, TheMenuOfATabMovesIt) {
 }
 
 TEST_F(Docks, ATabThatIsDraggedToTheOtherDockFallsThere) {
+    putListRight();
     const ImVec2 from = place("tab:Memory");
     const ImVec2 to(static_cast<float>(layout.rightDock.x + layout.rightDock.width / 2),
                     static_cast<float>(layout.rightDock.y + layout.rightDock.height / 2));
@@ -83,6 +84,7 @@ TEST_F(Docks, ADoubleClickOnATabMaximisesAndTheNextRestores) {
 }
 
 TEST_F(Docks, ButtonsMaximiseCloseAndOpen) {
+    putListRight();
     click("maximise:right");
     EXPECT_EQ(maximisedOf(workspace()), Maximised::Right);
     click("maximise:right");
@@ -134,6 +136,7 @@ TEST_F(Docks, LayoutsAreChosenInTheMenu) {
 }
 
 TEST_F(Docks, TheTextureSpaceIsMaximisedAndClosed) {
+    putListRight();
     click("menu:View");
     click("menu:Panels");
     click("menu:Texture space");

@@ -130,7 +130,7 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
     });
     const Services& atOnce = session->services;
     lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, worker, atOnce.levelMap,
-          atOnce.patterns});
+          atOnce.patterns, atOnce.levelPictures});
     open();
     clickAt(onTheCube());
     worker.wait();
@@ -446,6 +446,47 @@ TEST_F(ExplainTab, TheCardsOfOneUnitFit) {
         }
         (void)picture();
     }
+}
+
+// Separate specular is a ninth card.
+TEST_F(ExplainTab, NineCardsShareTheRoom) {
+    for (const auto& [width, height, scale] : {std::tuple(1280, 800, 1.0F), std::tuple(1920, 1200, 1.5F)}) {
+        SCOPED_TRACE(width);
+        Scene shiny = defaultScene();
+        shiny.light.colorControl = ColorControl::SeparateSpecular;
+        shiny.passes[0].lighting = true;
+        start(std::move(shiny), width, height, scale);
+        clickAt(onTheCube());
+        ASSERT_TRUE(has("card:Colour sum"));
+        EXPECT_TRUE(places.items.at("card:Vertices").visible);
+        EXPECT_TRUE(places.items.at("card:Pixel").visible);
+        EXPECT_LE(places.items.at("card:Pixel").right, static_cast<float>(layout.belowDock.right()));
+        EXPECT_FALSE(has("cards:more right"));
+        expectSoundFrame();
+    }
+}
+
+TEST_F(ExplainTab, EightCardsFitIntoASmallWindow) {
+    start(defaultScene(), 1024, 700);
+    clickAt(onTheCube());
+    ASSERT_TRUE(has("card:Pixel"));
+    EXPECT_LE(places.items.at("card:Pixel").right, static_cast<float>(layout.belowDock.right()));
+    EXPECT_FALSE(has("cards:more right"));
+}
+
+TEST_F(ExplainTab, MoreCardsThanHaveRoomAreHintedAt) {
+    for (int i = 1; i < 3; ++i) {
+        scene().passes[0].units[static_cast<std::size_t>(i)] = scene().passes[0].units[0];
+        scene().passes[0].units[static_cast<std::size_t>(i)].enabled = true;
+    }
+    frames(2);
+    clickAt(onTheCube());
+    ASSERT_TRUE(has("card:Vertices"));
+    EXPECT_TRUE(has("cards:more right"));
+    EXPECT_FALSE(has("cards:more left"));
+    wheel(place("card:Vertices"), -3);
+    frames(2);
+    EXPECT_TRUE(has("cards:more left")) << "the wheel goes there";
 }
 
 TEST_F(ExplainTab, CardsOpenToAllTheirNumbersSeveralAtOnce) {

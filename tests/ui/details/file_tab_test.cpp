@@ -52,6 +52,22 @@ TEST_F(FileTab, ABuiltInPatternHasNoFile) {
     EXPECT_TRUE(has("file:none"));
 }
 
+// A scene may name such a file. Shown, each of its bytes has six letters; Dear ImGui's lists end at 16,000.
+TEST_F(FileTab, ANameOfControlCharactersIsBearable) {
+    texture().source = SourceKind::File;
+    texture().file = std::string(4096, '\x01');
+    click("tab:File");
+    frames(3);
+    EXPECT_TRUE(session->window.fileView.content == nullptr);
+    expectSoundFrame();
+    showTab(session->window.settings.workspace, Tab::Memory);
+    open("Texture");
+    scrollTo("textures[0].file");
+    moveTo(place("textures[0].file"));
+    frames(2);
+    expectSoundFrame();
+}
+
 TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     texplorer::test::writeRaw(folder / "red.bmp", texplorer::test::onePixelBmp({0, 0, 50}));
     click("tab:File");

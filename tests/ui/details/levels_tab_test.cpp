@@ -2,6 +2,7 @@
 #include "core/image/mip_colors.h"
 #include "tests/ui/workbench.h"
 
+#include <array>
 #include <cmath>
 
 namespace texplorer::ui::levels_tab_test {
@@ -250,6 +251,72 @@ TEST_F(LevelsTab, ShowsTheTexelsOfEachLevel) {
         for (std::size_t i = 0; i < 3; ++i)
             EXPECT_NEAR(std::to_integer<int>(window.at(x, y)[i]), color[i], 1) << level;
     }
+}
+
+// Another scene's texture may read one level alone, too: what was before belongs to the one that is gone.
+TEST_F(LevelsTab, AnotherSceneKnowsNothingOfTheLevelsFromBefore) {
+    open();
+    texture().maxLevel = 5;
+    frames(2);
+    click("levels:level 3");
+    Scene other = scene();
+    replaceDocument(*session, Document{other, ImageSource{}});
+    session->window.wantedTab = Tab::Levels;
+    frames(3);
+    ASSERT_EQ(texture().baseLevel, 3);
+    click("levels:level 3");
+    EXPECT_EQ(texture().baseLevel, 0);
+    EXPECT_EQ(texture().maxLevel, 1000) << "OpenGL's, not 5";
+}
+
+TEST_F(LevelsTab, AnotherTextureKnowsNothingOfTheLevelsFromBefore) {
+    open();
+    texture().maxLevel = 5;
+    scene().textures.push_back(texture());
+    frames(2);
+    click("levels:level 3");
+    ASSERT_TRUE(session->document.forced);
+    unit().texture = 1;
+    frames(1);
+    EXPECT_FALSE(session->document.forced);
+    unit().texture = 0;
+    texture().baseLevel = 2;
+    texture().maxLevel = 3;
+    frames(1);
+    texture().baseLevel = 3; // by other hands
+    frames(2);
+    click("levels:level 3");
+    EXPECT_EQ(texture().maxLevel, 1000);
+}
+
+// +x of this pattern is red, +y green and +z blue.
+TEST_F(LevelsTab, OfACubeMapEachFaceCanBeShown) {
+    open();
+    EXPECT_FALSE(has("levels:face +x")) << "a square has none";
+    texture().pattern = Pattern::CubeFaces;
+    unit().target = Target::CubeMap;
+    frames(3);
+    const auto meanOf = [&] {
+        const Image window = picture();
+        const WidgetPlaces::Item& item = places.items.at("levels:picture 0");
+        std::array<long, 3> sum{};
+        for (int y = static_cast<int>(item.top); y < static_cast<int>(item.bottom); ++y)
+            for (int x = static_cast<int>(item.left); x < static_cast<int>(item.right); ++x)
+                for (std::size_t i = 0; i < sum.size(); ++i)
+                    sum.at(i) += std::to_integer<int>(window.at(x, window.height - 1 - y)[i]);
+        return sum;
+    };
+    const std::array<long, 3> plusX = meanOf();
+    EXPECT_GT(plusX[0], plusX[1]);
+    click("levels:face +y");
+    EXPECT_EQ(states.details.levels.face, 2);
+    const std::array<long, 3> plusY = meanOf();
+    EXPECT_GT(plusY[1], plusY[0]);
+    unit().target = Target::Texture2D;
+    frames(2);
+    unit().target = Target::CubeMap;
+    frames(2);
+    EXPECT_EQ(states.details.levels.face, 2) << "remembered";
 }
 
 TEST_F(LevelsTab, IsSoundInEverySize) {

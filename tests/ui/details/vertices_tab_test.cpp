@@ -10,6 +10,8 @@ using namespace test;
 
 class VerticesTab : public Workbench {
 protected:
+    void SetUp() override { putListRight(); }
+
     MeshData& mesh() { return scene().models[0].mesh; }
 
     /// A mesh with so many vertices in a row, as points.
@@ -21,7 +23,7 @@ protected:
             points.models[0].mesh.positions.emplace_back(static_cast<float>(i) / static_cast<float>(count), 0,
                                                          0);
         start(points);
-        frames(2);
+        putListRight();
     }
 };
 
@@ -140,6 +142,17 @@ TEST_F(VerticesTab, OfALongListOnlyWhatOneSeesIsDrawn) {
     ASSERT_TRUE(has("vertex:40000"));
     EXPECT_TRUE(places.items.at("vertex:40000").visible);
     EXPECT_LT(rows(), 100);
+}
+
+// A colour alone says nothing to who doesn't see it.
+TEST_F(VerticesTab, TheLetterOfACoordinateStandsBesideItsColour) {
+    frames(2);
+    EXPECT_TRUE(has("field letter:s"));
+    EXPECT_TRUE(has("field letter:t"));
+    EXPECT_FALSE(has("field letter:q"));
+    click("show r, q");
+    frames(2);
+    EXPECT_TRUE(has("field letter:q"));
 }
 
 } // namespace

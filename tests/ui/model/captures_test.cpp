@@ -25,9 +25,10 @@ TEST(Captures, HaveANameThatIsFree) {
     EXPECT_FALSE(captures.takeNews());
     for (const char* name : {"view.png", "view-2.png"}) {
         captures.write("view", twoPixels());
-        const std::optional<std::string> news = captures.takeNews();
+        const std::optional<Captures::News> news = captures.takeNews();
         ASSERT_TRUE(news);
-        EXPECT_THAT(*news, HasSubstr((folder.path() / name).string()));
+        EXPECT_TRUE(news->isWritten);
+        EXPECT_THAT(news->text, HasSubstr((folder.path() / name).string()));
         EXPECT_FALSE(captures.takeNews());
         const Bytes file = readFile(folder.path() / name).value();
         const Image written = decodeImage(file).value();
@@ -42,7 +43,22 @@ TEST(Captures, SayWhyTheyCannotBeWritten) {
     const test::TempDir folder;
     Captures captures(folder.path() / "missing");
     captures.write("view", twoPixels());
-    EXPECT_THAT(captures.takeNews().value_or(""), HasSubstr("can't be written"));
+    const std::optional<Captures::News> news = captures.takeNews();
+    ASSERT_TRUE(news);
+    EXPECT_FALSE(news->isWritten);
+    EXPECT_THAT(news->text, HasSubstr("can't be written"));
+}
+
+/// "missing" is made between the two pictures: the first one fails, and that is what one has to know.
+TEST(Captures, AFailureIsNotHiddenByWhatCameAfterIt) {
+    const test::TempDir folder;
+    Captures captures(folder.path() / "missing");
+    captures.write("view", twoPixels());
+    std::filesystem::create_directory(folder.path() / "missing");
+    captures.write("view", twoPixels());
+    const std::optional<Captures::News> news = captures.takeNews();
+    ASSERT_TRUE(news);
+    EXPECT_FALSE(news->isWritten);
 }
 
 struct UserDirs {

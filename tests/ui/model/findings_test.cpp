@@ -127,6 +127,7 @@ TEST_F(Findings, LightAndMaterialAreDimUnderATextureThatReplacesThem) {
 }
 
 TEST_F(Findings, CoordinatesThatNoUnitReadsAreDim) {
+    putListRight();
     EXPECT_FALSE(has("coordinates#inert"));
     click("unit:2");
     EXPECT_TRUE(has("coordinates#inert"));

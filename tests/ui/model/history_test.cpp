@@ -18,9 +18,9 @@ protected:
 
 TEST_F(EditMenu, NamesWhatItUndoesAndRedoes) {
     choose("textures[0].wrapS", "GL_CLAMP");
-    item("Edit", "Undo Wrap s");
+    item("Edit", "Undo Wrap s: Clamp (legacy)");
     EXPECT_EQ(texture().wrapS, Wrap::Repeat);
-    item("Edit", "Redo Wrap s");
+    item("Edit", "Redo Wrap s: Clamp (legacy)");
     EXPECT_EQ(texture().wrapS, Wrap::Clamp);
 }
 

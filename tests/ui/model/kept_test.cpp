@@ -172,6 +172,37 @@ TEST_F(Kept, TheListSaysWhatDiffersAndTakesItOver) {
     EXPECT_EQ(session->document.history.undoName(), "All of A");
 }
 
+TEST_F(Kept, WhatComesBackIsSelectedAsItWas) {
+    scene().models.resize(3, scene().models[0]);
+    scene().passes.resize(2, scene().passes[0]);
+    recordEdit(*session, "More");
+    session->window.selection = {.model = 2, .vertex = 5, .group = {}, .pass = 1, .unit = 3};
+    keepAsA(*session);
+    scene().models.resize(1);
+    scene().passes.resize(1);
+    recordEdit(*session, "Less");
+    frames(1);
+    EXPECT_EQ(session->window.selection.model, 0);
+    ASSERT_TRUE(takeFromKept(*session, {"models", "Models", "", "", true}));
+    EXPECT_EQ(session->window.selection.model, 2);
+    EXPECT_EQ(session->window.selection.vertex, 5U);
+    EXPECT_EQ(session->window.selection.pass, 0);
+    takeAllFromKept(*session);
+    EXPECT_EQ(session->window.selection.pass, 1);
+    EXPECT_EQ(session->window.selection.unit, 3);
+}
+
+TEST_F(Kept, TakingOverBringsTheSelectionIntoTheScene) {
+    keepAsA(*session);
+    const auto models = static_cast<int>(scene().models.size());
+    scene().models.resize(9, scene().models[0]);
+    recordEdit(*session, "More");
+    session->window.selection.model = 8;
+    session->document.kept.selection.model = 8;
+    ASSERT_TRUE(takeFromKept(*session, {"models", "Models", "", "", true}));
+    EXPECT_LT(session->window.selection.model, models);
+}
+
 TEST_F(Kept, WhatDoesNotFitIsRefusedWithASentence) {
     key('K');
     scene().textures.resize(2);

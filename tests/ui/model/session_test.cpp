@@ -42,6 +42,8 @@ TEST_F(OpeningAScene, KeepsTheClockAndItsSpeed) {
 }
 
 TEST_F(OpeningAScene, KeepsTheColumnsOfTheVertexList) {
+    showTab(session->window.settings.workspace, Tab::Vertices);
+    frames(2);
     click("show r, q");
     ASSERT_TRUE(has("models[0].texCoords0[0][3]"));
     open(R"({"version": 1, "models": [{"shape": "cube"}]})");

@@ -150,6 +150,85 @@ TEST_F(KeptSettings, UnknownKeysSurviveAWindow) {
     EXPECT_EQ(open().read(), unusual());
 }
 
+/// Two windows are open; each changes something, and neither takes back what the other one did.
+TEST_F(KeptSettings, TwoWindowsShareTheFiles) {
+    Settings first;
+    Settings second;
+    first.pinned = {"a", "b"};
+    first.recentFiles = {"/old"};
+    {
+        SettingsFile file = open();
+        std::ignore = file.read();
+        file.keep(first);
+    }
+    {
+        SettingsFile one = open();
+        SettingsFile other = open();
+        first = one.read();
+        second = other.read();
+        ASSERT_THAT(second.pinned, ElementsAre("a", "b"));
+        first.theme = Theme::Light;
+        first.pinned = {"b", "c"};
+        rememberFile(first, "/one");
+        second.textPercent = 150;
+        second.pinned.emplace_back("d");
+        rememberFile(second, "/other");
+        one.keep(first);
+        other.keep(second);
+    } // the other one ends first
+    const Settings last = open().read();
+    EXPECT_EQ(last.theme, Theme::Light);
+    EXPECT_EQ(last.textPercent, 150);
+    EXPECT_THAT(last.pinned, ElementsAre("b", "d", "c"));
+    EXPECT_THAT(last.recentFiles, ElementsAre("/one", "/other", "/old"));
+}
+
+TEST_F(KeptSettings, WhatWasWrittenOnceIsNotWrittenAgain) {
+    {
+        SettingsFile one = open();
+        Settings first = one.read();
+        first.theme = Theme::Light;
+        one.keep(first);
+        now = 11;
+        one.keep(first); // is written
+        while (!std::filesystem::exists(places().settings))
+            EXPECT_FALSE(one.takeProblem());
+        {
+            SettingsFile other = open();
+            Settings second = other.read();
+            EXPECT_EQ(second.theme, Theme::Light);
+            second.theme = Theme::HighContrast;
+            other.keep(second);
+        }
+        first.textPercent = 200;
+        one.keep(first);
+    }
+    EXPECT_EQ(open().read().theme, Theme::HighContrast);
+    EXPECT_EQ(open().read().textPercent, 200);
+}
+
+TEST_F(KeptSettings, ForgottenFilesStayForgotten) {
+    Settings settings;
+    settings.recentFiles = {"/a", "/b"};
+    {
+        SettingsFile file = open();
+        std::ignore = file.read();
+        file.keep(settings);
+    }
+    {
+        SettingsFile one = open();
+        SettingsFile other = open();
+        Settings first = one.read();
+        Settings second = other.read();
+        first.recentFiles.clear();
+        rememberFile(second, "/c");
+        rememberFile(second, "/b");
+        one.keep(first);
+        other.keep(second);
+    }
+    EXPECT_THAT(open().read().recentFiles, ElementsAre("/c"));
+}
+
 TEST_F(KeptSettings, AFolderThatCannotBeWrittenIsSaid) {
     ASSERT_TRUE(writeFileAtomically(folder.path() / "config", viewBytes("a file")));
     SettingsFile file({folder.path() / "config" / "settings.json", {}}, {}, std::chrono::milliseconds(0),
@@ -160,6 +239,28 @@ TEST_F(KeptSettings, AFolderThatCannotBeWrittenIsSaid) {
     while (!problem) // a thread writes
         problem = file.takeProblem();
     EXPECT_THAT(*problem, HasSubstr("Settings can't be kept"));
+}
+
+TEST_F(KeptSettings, WhatCouldNotBeWrittenIsTriedAgainAtTheEnd) {
+    const std::filesystem::path config = folder.path() / "config";
+    ASSERT_TRUE(writeFileAtomically(config, viewBytes("a file")));
+    const SettingsPlaces inside{config / "settings.json", {}};
+    {
+        SettingsFile file(inside, {}, std::chrono::milliseconds(0), [this] { return now; });
+        Settings settings = file.read();
+        for (const int percent : {150, 175, 200}) { // none of them can be written
+            settings.textPercent = percent;
+            settings.glNames = percent == 150 || settings.glNames;
+            file.keep(settings);
+            while (!file.takeProblem())
+                file.keep(settings);
+        }
+        std::filesystem::remove(config);
+    }
+    SettingsFile file(inside);
+    const Settings last = file.read();
+    EXPECT_EQ(last.textPercent, 200);
+    EXPECT_TRUE(last.glNames) << "what the first write should have kept";
 }
 
 } // namespace

@@ -11,7 +11,9 @@ TEST(Workspace, BeginsAsForAStudent) {
     EXPECT_EQ(layoutOf(workspace)->name, "student");
     EXPECT_TRUE(isShown(workspace, Tab::Explain));
     EXPECT_EQ(dockOf(workspace, Tab::Explain), Dock::Below);
-    EXPECT_EQ(dockOf(workspace, Tab::Vertices), Dock::Right);
+    for (const TabRow& row : tabRows)
+        EXPECT_EQ(dockOf(workspace, row.tab), Dock::Below) << row.label;
+    EXPECT_FALSE(frontOf(workspace, Dock::Right)) << "the right column is texture space's";
 }
 
 TEST(Workspace, ATabIsShownWhereItLies) {
@@ -19,6 +21,7 @@ TEST(Workspace, ATabIsShownWhereItLies) {
     showTab(workspace, Tab::Memory);
     EXPECT_TRUE(isShown(workspace, Tab::Memory));
     EXPECT_FALSE(isShown(workspace, Tab::Explain));
+    moveTab(workspace, Tab::Vertices, Dock::Right);
     moveTab(workspace, Tab::Memory, Dock::Right);
     EXPECT_EQ(frontOf(workspace, Dock::Right), Tab::Memory);
     EXPECT_NE(frontOf(workspace, Dock::Below), Tab::Memory);
@@ -42,6 +45,8 @@ TEST(Workspace, WhatIsMaximisedHidesTheOthersUntilOneIsAskedFor) {
     toggleMaximised(workspace, Maximised::Below);
     EXPECT_EQ(maximisedOf(workspace), Maximised::Below);
     EXPECT_TRUE(isShown(workspace, Tab::Explain));
+    moveTab(workspace, Tab::Vertices, Dock::Right);
+    toggleMaximised(workspace, Maximised::Below);
     EXPECT_FALSE(isShown(workspace, Tab::Vertices));
     showTab(workspace, Tab::Memory);
     EXPECT_EQ(maximisedOf(workspace), Maximised::Below) << "it is in the same dock";

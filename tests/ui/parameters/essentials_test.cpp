@@ -1,10 +1,12 @@
 #include "app/ui/model/preview.h"
 #include "app/ui/model/session.h"
+#include "app/ui/parameters/anisotropy_line.h"
 #include "app/ui/widgets/keys.h"
 #include "core/scene/tex_coords.h"
 #include "tests/ui/window_sizes.h"
 #include "tests/ui/workbench.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 namespace texplorer::ui::essentials_test {
@@ -127,6 +129,38 @@ TEST_F(Essentials, AnisotropyIsSetByAButtonOrByANumber) {
     key('Z', {ctrl});
     key('Z', {ctrl});
     EXPECT_EQ(texture().maxAnisotropy, 8);
+}
+
+TEST_F(Essentials, TheSliderOfAnisotropyDoublesInEqualSteps) {
+    const ImVec2 middle = place("textures[0].maxAnisotropy");
+    clickAt(middle);
+    EXPECT_NEAR(texture().maxAnisotropy, 4, 0.3F) << "half of the way from 1 to 16";
+    EXPECT_TRUE(has("textures[0].maxAnisotropy=16"));
+    drag(middle, {2000, 0});
+    EXPECT_EQ(texture().maxAnisotropy, 16);
+    key('Z', {ctrl});
+    EXPECT_NEAR(texture().maxAnisotropy, 4, 0.3F) << "the way is one step of undo";
+}
+
+TEST_F(Essentials, AnisotropyHasItsButtonsInASmallWindowToo) {
+    start(defaultScene(), 1024, 700);
+    click("textures[0].maxAnisotropy=2");
+    EXPECT_EQ(texture().maxAnisotropy, 2);
+}
+
+TEST(Anisotropy, EndsWhereTheDriversDoes) {
+    const ParamRow& row = *findParam(textureTable(), "maxAnisotropy");
+    EXPECT_EQ(mostAnisotropy(8, row), 8);
+    EXPECT_EQ(mostAnisotropy(64, row), 16) << "scenes go as far as this";
+    EXPECT_EQ(mostAnisotropy(1, row), 16) << "the driver has none, but the reference renderer has";
+}
+
+TEST_F(Essentials, AButtonSaysItsLabelItsGlNameAndItsHelp) {
+    start(defaultScene(), 2560, 1440); // the status bar has room for a line
+    moveTo(place("textures[0].wrapS=GL_MIRRORED_REPEAT"));
+    frames();
+    const EnumRow& mirror = rowOf(Wrap::MirroredRepeat);
+    EXPECT_TRUE(has(fmt::format("hint:{}  ·  GL_MIRRORED_REPEAT  ·  {}", mirror.label, mirror.help)));
 }
 
 TEST_F(Essentials, APatternIsChosenByItsPicture) {

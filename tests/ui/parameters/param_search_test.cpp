@@ -27,6 +27,21 @@ TEST(ParamSearch, FindsByLabelNameCallChoiceAndHelp) {
     EXPECT_EQ(matchOf(rowOf(modelTable(), "texCoords0"), "coord"), 0) << "it has no row";
 }
 
+TEST(ParamSearch, FindsInTheWindowsLanguageToo) {
+    const std::vector<CatalogueFile> files{
+        {"ru/test.po", "msgid \"\"\nmsgstr \"\"\n\nmsgid \"Minification\"\nmsgstr \"Сжатие РЁВ\"\n"}};
+    const Result<Catalogue> catalogue = Catalogue::parse(Language::Russian, files);
+    ASSERT_TRUE(catalogue);
+    useCatalogue(&*catalogue);
+    const ParamRow& filter = rowOf(textureTable(), "minFilter");
+    EXPECT_EQ(matchOf(filter, "сжатие"), 2);
+    EXPECT_EQ(matchOf(filter, "СЖАТ рёв"), 2) << "in whatever case";
+    EXPECT_EQ(matchOf(filter, "minif"), 2) << "English words are still good";
+    EXPECT_EQ(matchOf(filter, "рост"), 0);
+    useCatalogue(nullptr);
+    EXPECT_EQ(matchOf(filter, "сжатие"), 0);
+}
+
 class SearchField : public Workbench {
 protected:
     void look(std::string_view words) {

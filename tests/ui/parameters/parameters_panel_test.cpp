@@ -42,6 +42,7 @@ TEST_F(ParametersPanel, AComboChoosesAnEnumerator) {
 }
 
 TEST_F(ParametersPanel, ADragIsOneStepOfUndo) {
+    click("parameters:Texture");
     scrollTo("textures[0].maxAnisotropy");
     drag(place("textures[0].maxAnisotropy"), {100, 0}); // 0.05 a pixel
     EXPECT_NEAR(texture().maxAnisotropy, 1 + 100 * 0.05F, 0.06F);
@@ -527,6 +528,25 @@ TEST_F(ParametersPanel, FitsItsColumnAtEverySize) {
                 EXPECT_LE(item.right, static_cast<float>(layout.parameters.right())) << name;
             }
         }
+    }
+}
+
+TEST_F(ParametersPanel, LargeTextHasItsTabsInAList) {
+    start(defaultScene(), 1280, 800, 2.5F);
+    EXPECT_FALSE(has("parameters:Texture")) << "seven lines of buttons would leave nothing of Essentials";
+    click("parameters' tabs");
+    click("parameters:Light");
+    EXPECT_TRUE(has("section:Light"));
+    EXPECT_FALSE(has("parameters:Texture"));
+}
+
+TEST_F(ParametersPanel, LargeTextLeavesUnitsTheirNumbers) {
+    start(defaultScene(), 1280, 800, 2.5F);
+    for (const char* unit : {"unit:0", "unit:1", "unit:2", "unit:3"}) {
+        const auto whole = places.items.at(unit);
+        const auto toggle = places.items.at(std::string(unit) + " on");
+        EXPECT_GE(toggle.left - whole.left, ImGui::CalcTextSize("0").x) << unit;
+        EXPECT_LE(toggle.right, whole.right) << unit;
     }
 }
 

@@ -93,6 +93,9 @@ TEST_F(PlaneInput, EscapeTakesADragBack) {
     ImGui::GetIO().MouseDown[0] = false;
     frames(3);
     EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(session->document.history.canRedo());
+    key('Y', {ctrl});
+    EXPECT_EQ(scene(), before);
 }
 
 TEST_F(PlaneInput, AClickThatTremblesMovesNothing) {

@@ -1,9 +1,13 @@
 // The line over the texture space, and what is behind "…".
 
 #include "app/ui/model/chosen_vertices.h"
+#include "app/ui/texture_space/plane_keys.h"
+#include "app/ui/widgets/keys.h"
 #include "tests/ui/texture_space/plane_bench.h"
 
 #include <glm/glm.hpp>
+
+#include <mutex>
 
 namespace texplorer::ui::plane_tools_test {
 namespace {
@@ -106,6 +110,10 @@ TEST_F(PlaneTools, TheHistogramHasItsNumbers) {
     for (const char* name : {"statistics:R 0 255 127.50", "statistics:B 0 255 127.50",
                              "statistics:A 255 255 255.00", "statistics:L 0 255 127.50"})
         EXPECT_TRUE(has(name)) << name << ", not " << noted("statistics:");
+    // Each component has a line of its own, one below the other.
+    EXPECT_LE(places.items.at("histogram:R").bottom, places.items.at("histogram:G").top + 1);
+    EXPECT_LE(places.items.at("histogram:G").bottom, places.items.at("histogram:B").top + 1);
+    EXPECT_FALSE(has("histogram:A"));
 }
 
 TEST_F(PlaneTools, SlidersWork) {
@@ -201,6 +209,106 @@ TEST_F(PlaneTools, OfACubeMapHaveNoVertices) {
     openTools();
     EXPECT_FALSE(has("copy coordinates"));
     EXPECT_TRUE(has("histogram"));
+}
+
+TEST_F(PlaneTools, TheKeysOverThePlaneAreListed) {
+    key(ui::key::f1);
+    frames(2);
+    for (const PlaneKeyRow& row : planeKeys())
+        EXPECT_TRUE(has(std::string("plane key:") + row.keys)) << row.keys;
+    EXPECT_GE(planeKeys().size(), 8U);
+}
+
+/// With threads, a large image's levels come later: what was there before stays until then.
+class PlaneToolsLater : public PlaneTools {
+protected:
+    PlaneToolsLater() { lend(services.lend()); }
+
+    void show(std::byte value) {
+        Image image = Image::uninitialised(PixelFormat::Rgba8, 1024, 512);
+        std::ranges::fill(image.pixels, value);
+        session->document.images.put("made.dds", textureOf(std::move(image), "DDS"));
+        texture().source = SourceKind::File;
+        texture().file = "made.dds";
+        texture().mipmaps = MipPolicy::Generated;
+        frames(2);
+    }
+    void waitForAll() {
+        for (int i = 0; i < 3; ++i) {
+            services.lend().levels.wait();
+            frames(2);
+            services.lend().levelPictures.wait();
+            frames(2);
+        }
+    }
+
+    std::mutex held;
+    ServicesBeside services{[this] { const std::scoped_lock lock(held); }};
+};
+
+TEST_F(PlaneToolsLater, WhatWasCancelledComesWhenItIsWantedAgain) {
+    LevelsWorker& worker = session->services.levels;
+    {
+        const std::unique_lock hold(held);
+        show(std::byte{100});
+        state().look.channel = Channel::Red;
+        frames(3);
+        ASSERT_TRUE(worker.progress());
+        worker.cancel(worker.progress()->ticket);
+    }
+    waitForAll();
+    EXPECT_EQ(state().level.picture(), nullptr);
+    EXPECT_NE(state().level.problem(), "");
+    worker.retry({session->document.images.picturesOf(texture()), imageSettings(texture()), unit().target});
+    frames(1);
+    EXPECT_EQ(state().level.problem(), "") << "it is on its way";
+    waitForAll();
+    ASSERT_NE(state().level.picture(), nullptr);
+    EXPECT_EQ(state().level.picture()->width, 1024);
+    EXPECT_EQ(state().level.problem(), "");
+}
+
+TEST_F(PlaneToolsLater, TheFormerPictureStaysUntilThereIsANewOne) {
+    show(std::byte{100});
+    {
+        const std::unique_lock hold(held);
+        state().look.channel = Channel::Red;
+        frames(3);
+        EXPECT_EQ(state().level.picture(), nullptr);
+        EXPECT_TRUE(state().level.isComputing());
+        EXPECT_NE(noted("legend:Computing…"), "");
+    }
+    waitForAll();
+    ASSERT_NE(state().level.picture(), nullptr);
+    EXPECT_EQ(state().level.picture()->width, 1024);
+    EXPECT_EQ(state().level.statistics()->components[0].mean, 100);
+    EXPECT_EQ(noted("legend:Computing…"), "");
+    {
+        const std::unique_lock hold(held);
+        state().look.level = 1;
+        frames(3);
+        ASSERT_NE(state().level.picture(), nullptr);
+        EXPECT_EQ(state().level.picture()->width, 1024) << "the former one";
+        EXPECT_NE(noted("legend:Computing…"), "");
+    }
+    waitForAll();
+    EXPECT_EQ(state().level.picture()->width, 512);
+    EXPECT_EQ(state().level.picture()->height, 256);
+    state().look.exposure = 1;
+    waitForAll();
+    EXPECT_EQ(std::to_integer<int>(state().level.picture()->at(3, 3)[0]), 200) << "100 times 2";
+    EXPECT_FALSE(state().level.isComputing());
+}
+
+TEST_F(PlaneToolsLater, AnImageThatIsGoneIsNotShown) {
+    show(std::byte{100});
+    state().look.channel = Channel::Red;
+    waitForAll();
+    ASSERT_NE(state().level.picture(), nullptr);
+    const std::unique_lock hold(held);
+    show(std::byte{50});
+    EXPECT_EQ(state().level.picture(), nullptr);
+    EXPECT_TRUE(state().level.isComputing());
 }
 
 } // namespace

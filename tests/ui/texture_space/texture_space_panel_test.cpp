@@ -235,6 +235,7 @@ TEST_F(TextureSpace, SaysTheSizeOfACubeMapsFaces) {
 }
 
 TEST_F(TextureSpace, TheListDragsSingleNumbers) {
+    putListRight();
     drag(place("models[0].texCoords0[1][0]"), {40, 0});
     EXPECT_NEAR(coord(1).x, 1 + 40 * 0.005F, 0.006F);
     EXPECT_EQ(coord(1).y, 0);
@@ -244,6 +245,7 @@ TEST_F(TextureSpace, TheListDragsSingleNumbers) {
 }
 
 TEST_F(TextureSpace, ButtonsEditEveryVertex) {
+    putListRight();
     click("coords:× 2");
     EXPECT_EQ(coord(2), glm::vec4(2, 2, 0, 1));
     EXPECT_EQ(coord(22).x + coord(22).y, 2 * (effectiveTexCoords(Model{}, selectedMesh(*session), 0)[22].x +
@@ -258,6 +260,7 @@ TEST_F(TextureSpace, ButtonsEditEveryVertex) {
 }
 
 TEST_F(TextureSpace, ThirdAndFourthCoordinatesCanBeShown) {
+    putListRight();
     EXPECT_FALSE(has("models[0].texCoords0[0][3]"));
     click("show r, q");
     const auto width = [&](const char* number) {
@@ -270,6 +273,7 @@ TEST_F(TextureSpace, ThirdAndFourthCoordinatesCanBeShown) {
 }
 
 TEST_F(TextureSpace, ListsTheVerticesOfTheChosenModel) {
+    putListRight();
     click("model choice");
     click("model:1");
     EXPECT_EQ(session->window.selection.model, 1);

@@ -49,6 +49,21 @@ TEST_F(Segments, AreNoneWhereATextWouldBeCut) {
     EXPECT_FALSE(planSegments(named({"a"}), 0, 3));
 }
 
+TEST_F(Segments, HaveRoomForTheirTextsInTheWindowsLanguage) {
+    const std::vector<CatalogueFile> files{
+        {"ru/test.po", "msgid \"\"\nmsgstr \"\"\n\nmsgid \"Edge\"\nmsgstr \"Краевые тексели\"\n"}};
+    const Result<Catalogue> catalogue = Catalogue::parse(Language::Russian, files);
+    ASSERT_TRUE(catalogue);
+    const std::vector<Segment> wraps = named({"Edge", "Clamp"});
+    EXPECT_TRUE(planSegments(wraps, 120, 1));
+    useCatalogue(&*catalogue);
+    EXPECT_FALSE(planSegments(wraps, 120, 1)) << "the translation is longer";
+    const std::optional<SegmentPlan> plan = planSegments(wraps, 240, 1);
+    ASSERT_TRUE(plan);
+    EXPECT_GE(plan->lines[0].widths[0], ImGui::CalcTextSize("Краевые тексели").x);
+    useCatalogue(nullptr);
+}
+
 TEST_F(Segments, OfAGroupHaveALineEach) {
     std::vector<Segment> filters = named({"Nearest", "Linear", "Nearest", "Trilinear"});
     filters[0].group = filters[1].group = "No mipmaps";

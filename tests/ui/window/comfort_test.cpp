@@ -56,6 +56,31 @@ TEST_F(Comfort, TextHasALargestAndASmallestSize) {
     expectSoundFrame();
 }
 
+TEST_F(Comfort, CtrlAndTheWheelResizeWhereNothingElseDoes) {
+    const auto turn = [&](ImVec2 where, float notches) {
+        ImGui::GetIO().KeysDown[ctrl] = true;
+        ImGui::GetIO().KeyCtrl = true;
+        wheel(where, notches);
+        ImGui::GetIO().KeysDown[ctrl] = false;
+        ImGui::GetIO().KeyCtrl = false;
+        frames(1);
+    };
+    turn(place("parameters"), 1);
+    EXPECT_EQ(percent(), 110);
+    turn(place("parameters"), -2);
+    EXPECT_EQ(percent(), 90);
+    turn(place("view"), 1);
+    EXPECT_EQ(percent(), 90) << "there it enlarges pixels";
+    EXPECT_EQ(session->window.view.zoom.factor, 2);
+    turn({static_cast<float>(layout.texture.x + 60), static_cast<float>(layout.texture.bottom() - 60)}, 1);
+    EXPECT_EQ(percent(), 90);
+    wheel(place("parameters"), -1);
+    EXPECT_EQ(percent(), 90) << "without Ctrl it scrolls";
+    for (int i = 0; i < 3; ++i) // a touchpad
+        turn(place("status"), 0.4F);
+    EXPECT_EQ(percent(), 90) << "Ctrl was let go in between";
+}
+
 TEST_F(Comfort, EverySizeOfTextFillsTheWindow) {
     for (const int size : {Settings::smallestText, Settings::largestText}) {
         percent() = size;
@@ -67,7 +92,7 @@ TEST_F(Comfort, EverySizeOfTextFillsTheWindow) {
 TEST_F(Comfort, AThemeIsChosenInTheMenu) {
     click("menu:View");
     click("menu:Theme");
-    click("menu:Light");
+    click("menu:Light colours");
     EXPECT_EQ(session->window.settings.theme, Theme::Light);
     frames(1);
     EXPECT_EQ(static_cast<ImU32>(color::text), paletteOf(Theme::Light).text);

@@ -25,9 +25,11 @@ Workspace dragged(const Seams& seams) {
     return workspace;
 }
 
-/// The named layout of this number, with something maximised.
+/// The named layout of this number, with something maximised; the dock on the right then has a tab.
 Workspace named(std::size_t layout, Maximised what = Maximised::None) {
     Workspace workspace = workspaceOf(layoutRows.at(layout));
+    if (what == Maximised::Right)
+        moveTab(workspace, Tab::Vertices, Dock::Right);
     workspace.maximised = what;
     return workspace;
 }
@@ -127,7 +129,9 @@ TEST(Layout, OfEveryWorkspaceFillsWindowsOfEverySize) {
                     workspace.parameters = (bits & 1) != 0;
                     workspace.textureSpace = (bits & 2) != 0;
                     for (TabPlace& place : workspace.tabs)
-                        place.open = (bits & (place.dock == Dock::Right ? 4 : 8)) != 0;
+                        place.open = (bits & 8) != 0;
+                    if ((bits & 4) != 0)
+                        moveTab(workspace, Tab::Vertices, Dock::Right);
                     workspace.maximised = what;
                     const Layout layout = layoutFor(size.width, size.height, scale, workspace);
                     ASSERT_TRUE(isFilled(layout))
@@ -145,7 +149,9 @@ TEST(Layout, TheDockBelowIsAsWideAsViewAndRightColumn) {
     EXPECT_EQ(layout.belowDock.x, layout.view.x);
     EXPECT_EQ(layout.belowDock.right(), layout.texture.right());
     EXPECT_EQ(layout.belowSeam.y, layout.view.bottom());
-    EXPECT_EQ(layout.rightDock.bottom(), layout.view.bottom());
+    EXPECT_EQ(layout.texture.bottom(), layout.view.bottom()) << "it has its column alone";
+    EXPECT_TRUE(layout.rightDock.isEmpty());
+    EXPECT_EQ(layout.texture.height, 464);
 }
 
 TEST(Layout, WhatIsClosedLeavesItsRoomToTheOthers) {

@@ -49,6 +49,20 @@ TEST_F(Workbench, TabShowsTheViewAlone) {
     EXPECT_EQ(layout.view.width, before);
 }
 
+// Dear ImGui closes a menu before the panels are drawn: the key that closed it is no shortcut as well.
+TEST_F(Workbench, EscapeThatClosesAMenuLetsGoOfNothingElse) {
+    session->window.explaining.pixel = {3, 3};
+    frames(2);
+    click("menu:Help");
+    frames(2);
+    ASSERT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+    key(ui::key::escape);
+    EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+    EXPECT_TRUE(session->window.explaining.pixel);
+    key(ui::key::escape);
+    EXPECT_FALSE(session->window.explaining.pixel);
+}
+
 TEST_F(Workbench, TabIsATextFieldsWhileItHasTheKeyboard) {
     key('F', {ctrl}); // the search among the parameters
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);

@@ -22,7 +22,7 @@ TEST_F(Tour, LeadsThroughItsSteps) {
         click("tour:Next");
         EXPECT_EQ(session->window.tour, step);
     }
-    click("tour:Back");
+    click("tour:Previous");
     EXPECT_EQ(session->window.tour, tourSteps - 2);
     click("tour:Next");
     EXPECT_FALSE(session->window.settings.hasSeenTour);
@@ -42,6 +42,21 @@ TEST_F(Tour, EndsWithSkipAndWithEscape) {
     key(ui::key::escape);
     EXPECT_FALSE(session->window.tour);
     EXPECT_TRUE(session->window.explaining.pixel) << "one Escape does one thing";
+}
+
+// Who clicks on must not find Previous below the pointer.
+TEST_F(Tour, KeepsNextWhereItIs) {
+    start(defaultScene(), 1280, 800);
+    session->window.tour = 0;
+    frames(4);
+    const WidgetPlaces::Item first = places.items.find("tour:Next")->second;
+    for (int step = 1; step < tourSteps - 1; ++step) {
+        click("tour:Next");
+        frames(4);
+        const WidgetPlaces::Item& next = places.items.find("tour:Next")->second;
+        EXPECT_FLOAT_EQ(next.left, first.left) << step;
+        EXPECT_FLOAT_EQ(next.bottom, first.bottom) << step;
+    }
 }
 
 TEST_F(Tour, FitsIntoEveryWindow) {

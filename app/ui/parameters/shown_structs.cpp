@@ -1,4 +1,4 @@
-#include "app/ui/parameters/param_places.h"
+#include "app/ui/parameters/shown_structs.h"
 
 #include "app/ui/parameters/texture_lists.h"
 #include "app/ui/parameters/unit_bar.h"
@@ -92,7 +92,7 @@ Owner materialOwner(Session& session) {
     return {&session.document.scene.material, &initial, keyOf<&Scene::material>()};
 }
 
-std::vector<ShownStruct> paramPlaces(Session& session) {
+std::vector<ShownStruct> shownStructs(Session& session) {
     static const Scene initial;
     static const Pass initialPass;
     static const View start = defaultScene().view;

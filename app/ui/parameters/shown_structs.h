@@ -17,7 +17,7 @@ struct ShownStruct {
 };
 
 /// All of what is selected, in the order of the tabs. They hold until the next edit of a list of the scene.
-[[nodiscard]] std::vector<ShownStruct> paramPlaces(Session& session);
+[[nodiscard]] std::vector<ShownStruct> shownStructs(Session& session);
 
 /// Whether an edit of the row may add elements to the scene's lists, so that the owners are no longer there.
 [[nodiscard]] bool mayMoveLists(const ParamRow& row);

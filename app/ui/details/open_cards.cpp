@@ -1,0 +1,293 @@
+#include "app/ui/details/open_cards.h"
+
+#include "app/ui/details/step_rows.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float narrowestOpen = 17; // in heights of the text
+
+/// How tight the numbers of open cards stand.
+struct OpenLook {
+    float scale;
+    bool airy; ///< with the usual room between lines
+};
+
+// The first one in which all has room is taken.
+constexpr std::array openLooks{OpenLook{1, true}, OpenLook{1, false}, OpenLook{0.9F, false},
+                               OpenLook{0.8F, false}};
+
+/// Rows of a step in one column; those that had no room go on in the next.
+struct StepPiece {
+    const reference::Step* step;
+    bool first;
+    std::vector<reference::StepRow> rows{};
+};
+
+using StepColumn = std::vector<StepPiece>;
+
+float cellHeight(const OpenLook& look) {
+    return look.airy ? ImGui::GetStyle().CellPadding.y : 0;
+}
+
+float titleHeight(const reference::Step& step, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float square = step.swatch ? ImGui::GetTextLineHeight() + style.ItemInnerSpacing.x : 0;
+    const float left = width - ImGui::CalcTextSize(tr(step.title).c_str()).x - style.ItemSpacing.x - square;
+    const std::string words = tr(step.summary);
+    if (ImGui::CalcTextSize(words.c_str()).x <= left)
+        return ImGui::GetTextLineHeight() + style.ItemSpacing.y;
+    const bool below = left < 14 * ImGui::GetFontSize(); // as hangingText does
+    const float room = std::max(1.0F, below ? width - ImGui::GetTreeNodeToLabelSpacing() : left);
+    return ImGui::CalcTextSize(words.c_str(), nullptr, false, room).y + style.ItemSpacing.y +
+           (below ? ImGui::GetTextLineHeightWithSpacing() : 0);
+}
+
+float heightOf(const StepPiece& piece, float width, const OpenLook& look) {
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    float height = piece.first ? titleHeight(*piece.step, width) : 0;
+    for (std::size_t i = 0; i < piece.rows.size(); ++i) {
+        const reference::StepRow& row = piece.rows[i];
+        if (row.cells.empty()) {
+            height += ImGui::CalcTextSize(tr(row.label).c_str(), nullptr, false, width).y + gap;
+            continue;
+        }
+        const bool sameTable = i > 0 && piece.rows[i - 1].cells.size() == row.cells.size();
+        height += ImGui::GetTextLineHeight() + 2 * cellHeight(look) + (sameTable ? 0 : gap);
+    }
+    return height;
+}
+
+float heightOf(const StepColumn& column, float width, const OpenLook& look) {
+    float height = 0;
+    for (const StepPiece& piece : column)
+        height += heightOf(piece, width, look);
+    return height;
+}
+
+/// Where the rows end that aren't parted: a heading and the row below it, a row and those that are indented
+/// below it.
+std::size_t unitEnd(const std::vector<reference::StepRow>& rows, std::size_t first) {
+    std::size_t last = first;
+    while (last + 1 < rows.size() && rows[last].heading)
+        ++last;
+    do
+        ++last;
+    while (last < rows.size() && rows[last].label.starts_with(' '));
+    return last;
+}
+
+/// The steps of a card below each other, and beside that where they would be higher than `most`.
+std::vector<StepColumn> columnsOf(const Lane& lane, const Card& card, float width, float most,
+                                  const OpenLook& look) {
+    std::vector<StepColumn> columns(1);
+    for (const std::size_t index : card.steps) {
+        const reference::Step& step = lane.steps.steps[index];
+        StepPiece piece{&step, true};
+        const reference::StepRow* heading = nullptr;
+        std::size_t first = 0;
+        do { // a step without rows has its title
+            const std::size_t last = first < step.rows.size() ? unitEnd(step.rows, first) : first;
+            StepPiece longer = piece;
+            longer.rows.insert(longer.rows.end(), step.rows.begin() + static_cast<std::ptrdiff_t>(first),
+                               step.rows.begin() + static_cast<std::ptrdiff_t>(last));
+            const bool begins = columns.back().empty() && piece.rows.empty();
+            if (!begins && heightOf(columns.back(), width, look) + heightOf(longer, width, look) > most) {
+                if (!piece.rows.empty())
+                    columns.back().push_back(std::exchange(piece, {&step, false}));
+                columns.emplace_back();
+                if (heading && !step.rows[first].heading &&
+                    heading->cells.size() == step.rows[first].cells.size())
+                    piece.rows.push_back(*heading);
+                piece.rows.insert(piece.rows.end(), step.rows.begin() + static_cast<std::ptrdiff_t>(first),
+                                  step.rows.begin() + static_cast<std::ptrdiff_t>(last));
+            } else
+                piece = std::move(longer);
+            for (; first < last; ++first) {
+                if (step.rows[first].heading)
+                    heading = &step.rows[first];
+            }
+        } while (first < step.rows.size());
+        columns.back().push_back(std::move(piece));
+    }
+    return columns;
+}
+
+void drawPiece(const StepPiece& piece) {
+    const reference::Step& step = *piece.step;
+    if (piece.first) {
+        inkText(step.title, color::text);
+        noteItem("explain:" + step.title);
+        ImGui::SameLine();
+        if (step.swatch) {
+            swatch(*step.swatch);
+            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        }
+        hangingText(step.summary, step.kind == reference::StepKind::IdleUnit ? color::problem : color::dim);
+    }
+    drawRows(piece.rows);
+    if (piece.first)
+        noteItem("explain:rows of " + step.title);
+    else
+        noteItem("explain:more rows of " + step.title);
+}
+
+/// All that a card's steps say. Each column is a window: sentences are wrapped at its edge.
+void drawColumns(const std::vector<StepColumn>& columns, float width, const OpenLook& look) {
+    float height = 0;
+    ImGui::SetWindowFontScale(look.scale);
+    for (const StepColumn& column : columns)
+        height = std::max(height, heightOf(column, width, look));
+    ImGui::SetWindowFontScale(1);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine();
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::BeginChild("column", {width, height}, false,
+                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+        ImGui::SetWindowFontScale(look.scale);
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, cellHeight(look)});
+        for (std::size_t k = 0; k < columns[i].size(); ++k) {
+            ImGui::PushID(static_cast<int>(k));
+            drawPiece(columns[i][k]);
+            ImGui::PopID();
+        }
+        ImGui::PopStyleVar();
+        ImGui::EndChild();
+        ImGui::PopID();
+    }
+}
+
+float stepsWidth(const Lane& lane, const Card& card) {
+    float width = narrowestOpen * ImGui::GetFontSize();
+    for (const std::size_t index : card.steps)
+        width = std::max(width, rowsWidth(lane.steps.steps[index].rows));
+    return std::ceil(width);
+}
+
+/// An open card, and the same one of the pinned pixel if that has it.
+struct OpenCard {
+    const Card* card;
+    const Card* pinned;
+    float columnWidth = 0; ///< in pixels
+    float width = 0;
+    OpenLook look = openLooks.front();
+    std::vector<StepColumn> columns{};
+    std::vector<StepColumn> pinnedColumns{};
+
+    [[nodiscard]] std::size_t columnCount() const { return std::max(columns.size(), pinnedColumns.size()); }
+};
+
+ImVec2 openPadding() {
+    const ImVec2 usual = ImGui::GetStyle().WindowPadding;
+    return {usual.x, std::floor(usual.y / 2)};
+}
+
+/// Whether no column is higher than `most`.
+bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, float most) {
+    ImGui::SetWindowFontScale(look.scale);
+    open.look = look;
+    open.columnWidth = std::max(stepsWidth(lanes.back(), *open.card),
+                                open.pinned ? stepsWidth(lanes.front(), *open.pinned) : 0);
+    open.columns = columnsOf(lanes.back(), *open.card, open.columnWidth, most, look);
+    if (open.pinned)
+        open.pinnedColumns = columnsOf(lanes.front(), *open.pinned, open.columnWidth, most, look);
+    const auto isHigher = [&](const StepColumn& column) {
+        return heightOf(column, open.columnWidth, look) > most;
+    };
+    const bool fits =
+        std::ranges::none_of(open.columns, isHigher) && std::ranges::none_of(open.pinnedColumns, isHigher);
+    ImGui::SetWindowFontScale(1);
+    const auto count = static_cast<float>(open.columnCount());
+    open.width =
+        count * open.columnWidth + (count - 1) * ImGui::GetStyle().ItemSpacing.x + 2 * openPadding().x;
+    return fits;
+}
+
+/// In as many columns as have room, so that nothing need be scrolled; where that can't be, in as few lines as
+/// can be.
+void arrange(OpenCard& open, std::span<const Lane> lanes, ImVec2 room) {
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    float most = room.y - 2 * openPadding().y - line;
+    if (open.pinned)
+        most = (most - 2 * line) / 2;
+    for (const OpenLook& look : openLooks) {
+        if (arrange(open, lanes, look, most) && open.width <= room.x)
+            return;
+    }
+    const float bar = ImGui::GetStyle().ScrollbarSize;
+    most = std::max(most, line);
+    do {
+        arrange(open, lanes, openLooks.front(), most);
+        most *= 1.1F;
+    } while (open.width + bar > room.x && open.columnCount() > 1);
+    open.width += bar;
+}
+
+std::vector<OpenCard> arrangedCards(const PipelineState& state, std::span<const Lane> lanes, float height) {
+    std::vector<OpenCard> cards;
+    for (const Card& card : lanes.back().cards) {
+        if (state.open.contains(std::pair(card.stage, card.unit)))
+            cards.push_back({&card, lanes.size() > 1 ? sameCard(lanes.front().cards, card) : nullptr});
+    }
+    const float gap = ImGui::GetFontSize() * 0.5F;
+    float left = ImGui::GetContentRegionAvail().x + gap;
+    for (OpenCard& open : cards) {
+        arrange(open, lanes, openLooks.front(), std::numeric_limits<float>::max());
+        left -= open.width + gap;
+    }
+    for (OpenCard& open : cards) { // what the others leave goes to the first that needs it
+        const float before = open.width;
+        arrange(open, lanes, {before + std::max(left, 0.0F), height});
+        left -= open.width - before;
+    }
+    return cards;
+}
+
+/// Whether it is to be closed.
+bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float height) {
+    const Card& card = *open.card;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, openPadding());
+    ImGui::BeginChild("steps", {open.width, height}, true);
+    ImGui::PopStyleVar();
+    inkText(card.name, color::chosen);
+    const float button = ImGui::GetFrameHeight();
+    ImGui::SameLine(std::max(0.0F, ImGui::GetWindowContentRegionMax().x - button));
+    const bool closes = ImGui::SmallButton("✕");
+    noteItem("close card:" + card.name);
+    drawColumns(open.columns, open.columnWidth, open.look);
+    if (open.pinned) {
+        ImGui::Separator();
+        inkText(lanes.front().title, color::dim);
+        ImGui::PushID("pinned");
+        drawColumns(open.pinnedColumns, open.columnWidth, open.look);
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+    return closes;
+}
+
+} // namespace
+
+void drawOpenCards(PipelineState& state, std::span<const Lane> lanes, float height) {
+    const std::vector<OpenCard> cards = arrangedCards(state, lanes, height);
+    for (const OpenCard& open : cards) {
+        if (&open != &cards.front())
+            ImGui::SameLine(0, ImGui::GetFontSize() * 0.5F);
+        ImGui::PushID(static_cast<int>(open.card->stage) * 16 + open.card->unit);
+        if (drawOpenCard(open, lanes, height))
+            state.open.erase(std::pair(open.card->stage, open.card->unit));
+        ImGui::PopID();
+    }
+}
+
+} // namespace texplorer::ui

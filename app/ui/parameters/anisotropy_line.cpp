@@ -1,0 +1,85 @@
+#include "app/ui/parameters/anisotropy_line.h"
+
+#include "app/ui/model/findings.h"
+#include "app/ui/model/preview.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::array anisotropySteps{1, 2, 4, 8, 16};
+constexpr float narrowestSlider = 2.8F; ///< beside the buttons, in letters' heights
+
+/// What a degree does, and what it would make of the picture.
+void offerAnisotropy(Session& session, const ParamRow& row, const std::string& path, int step,
+                     bool isChosen) {
+    const std::string assignment = fmt::format("{}={}", path, step);
+    noteItem(assignment);
+    helpTip(step == 1 ? std::string("One sample a pixel: no anisotropic filter")
+                      : fmt::format("Up to {} samples along the longer side of a pixel's footprint", step));
+    if (ImGui::IsItemHovered() && !isChosen)
+        preview(session, assignment, fmt::format("{}: {}", row.label, step),
+                [&](Scene& scene) { (void)setParam(scene, path, std::to_string(step)); });
+}
+
+void anisotropyButtons(Session& session, const Owner& owner, const ParamRow& row,
+                       std::span<const Segment> segments, const SegmentPlan& plan, bool isIdle) {
+    const auto value = std::get<float>(row.read(owner.values));
+    const auto* found =
+        std::ranges::find(anisotropySteps, value, [](int step) { return static_cast<float>(step); });
+    const auto chosen = found == anisotropySteps.end()
+                            ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(found - anisotropySteps.begin()));
+    ImGui::PushID("anisotropy");
+    ImGui::PushStyleColor(ImGuiCol_Text, isIdle ? color::dim : color::text);
+    const auto pressed = drawSegments(segments, plan, chosen, [&](std::size_t i) {
+        offerAnisotropy(session, row, owner.pathOf(row), anisotropySteps.at(i), i == chosen);
+    });
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+    if (!pressed || pressed == chosen)
+        return;
+    sealEdit(session);
+    assignParam(session, owner, row, static_cast<float>(anisotropySteps.at(*pressed)));
+    sealEdit(session);
+}
+
+} // namespace
+
+float mostAnisotropy(float driver, const ParamRow& row) {
+    return driver > row.range.min ? std::min(driver, row.range.max) : row.range.max;
+}
+
+void anisotropyLine(Session& session, const Owner& texture, const ParamRow& row) {
+    const bool isIdle = idleReasonOf(session.document.findings, texture.pathOf(row)) != nullptr;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, isIdle ? color::dim : color::text);
+    text("Anisotropy");
+    ImGui::PopStyleColor();
+    helpTip(row.help);
+    ImGui::SameLine();
+    std::vector<Segment> segments;
+    for (const int step : anisotropySteps)
+        segments.push_back({std::to_string(step)});
+    // The slider has half of the room, because one aims at places of it, or else what the buttons leave.
+    const float room = ImGui::GetContentRegionAvail().x;
+    std::optional<SegmentPlan> plan = planSegments(segments, room / 2 - gap, 1);
+    if (!plan)
+        plan = planSegments(segments, room - ImGui::GetFontSize() * narrowestSlider - gap, 1);
+    if (plan) {
+        anisotropyButtons(session, texture, row, segments, *plan, isIdle);
+        ImGui::SameLine(0, gap);
+    }
+    paramSlider(session, texture, row, ImGui::GetContentRegionAvail().x,
+                mostAnisotropy(session.document.diagnosis.driver.maxAnisotropy, row));
+}
+
+} // namespace texplorer::ui

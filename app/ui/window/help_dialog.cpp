@@ -1,0 +1,305 @@
+#include "app/ui/window/help_dialog.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/texture_space/plane_keys.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/modal.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/window/dialog_button.h"
+#include "app/ui/window/shortcuts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+struct Line {
+    const char* keys;
+    const char* effect;
+};
+
+constexpr std::array mouseLines{
+    Line{"Drag", "orbit the camera"},
+    Line{"Shift + drag, right drag", "move it sideways"},
+    Line{"Wheel", "go nearer or farther"},
+    Line{"Click with Explain open", "explain the pixel under the mouse"},
+    Line{"Ctrl + wheel, Ctrl + drag", "enlarge the pixels of the picture, move it"},
+    Line{"Ctrl + wheel over other panels", "larger or smaller text"},
+    Line{"Click, Shift + click", "pick the nearest vertex, choose several"},
+    Line{"Double click", "frame all models"},
+    Line{"Right click on a setting", "back to GL's initial value, or pin it to Essentials"},
+    Line{"Double click on a number", "type it"},
+};
+
+/// What is no shortcut: it needs the pointer, or goes on while it is held.
+constexpr std::array otherKeys{
+    Line{"Arrow keys, with Shift", "move the explained pixel by one, by ten"},
+    Line{"F6, Shift+F6",
+         "to the next panel: arrows walk among its controls, Space works them; Escape ends it"},
+    Line{"hold E", "explain the pixel under the mouse"},
+};
+
+struct Legend {
+    const char* text;
+    ThemeColor ink;
+};
+
+constexpr std::array legends{
+    Legend{"s, x", color::s},
+    Legend{"t, y", color::t},
+    Legend{"r, z", color::r},
+    Legend{"q, w", color::q},
+    Legend{"chosen vertex", color::chosen},
+    Legend{"explained pixel and its texels", color::probed},
+    Legend{"changed from the initial value", color::changed},
+    Legend{"something is wrong", color::problem},
+};
+
+/// What one does, and what comes of it. Without an effect: a heading.
+struct HelpRow {
+    std::string keys;
+    std::string effect{};
+    ThemeColor keysInk = color::text;
+    ThemeColor effectInk = color::dim;
+    bool ofPlane = false;
+    float keysWidth = 0; ///< in pixels, of all rows below a heading
+
+    [[nodiscard]] bool isHeading() const { return effect.empty(); }
+};
+
+using HelpRows = std::vector<HelpRow>;
+
+/// A row for each thing that keys do, with all keys that do it.
+void addKeys(HelpRows& help) {
+    const std::span<const Shortcut> rows = shortcuts();
+    for (auto row = rows.begin(); row != rows.end();) {
+        std::string keys = labelOf(*row);
+        const char* effect = row->effect;
+        for (++row; row != rows.end() && row->name.empty(); ++row) {
+            if (const std::string other = labelOf(*row); keys.find(other) == std::string::npos)
+                keys += ", " + other;
+        }
+        help.push_back({keys, effect});
+    }
+    for (const Line& line : otherKeys)
+        help.push_back({line.keys, line.effect});
+}
+
+HelpRows helpRows() {
+    HelpRows help{{"Keys", "", color::dim}};
+    addKeys(help);
+    help.push_back({"Mouse", "", color::dim});
+    for (const Line& line : mouseLines)
+        help.push_back({line.keys, line.effect});
+    help.push_back({"Over the texture space", "", color::dim});
+    for (const PlaneKeyRow& row : planeKeys())
+        help.push_back({row.keys, row.effect, color::text, color::dim, true});
+    help.push_back({"Colours", "", color::dim});
+    for (const Legend& legend : legends)
+        help.push_back({"●", legend.text, legend.ink, legend.ink});
+    return help;
+}
+
+float helpGap() {
+    return ImGui::GetFontSize() * 0.6F;
+}
+
+float wrappedHeight(const std::string& words, float width) {
+    return ImGui::CalcTextSize(tr(words).c_str(), nullptr, false, std::max(width, 1.0F)).y;
+}
+
+float heightOf(const HelpRow& row, float width) {
+    const float gap = 2 * ImGui::GetStyle().CellPadding.y;
+    if (row.isHeading())
+        return wrappedHeight(row.keys, width) + gap + ImGui::GetFontSize() * 0.3F;
+    return std::max(wrappedHeight(row.keys, row.keysWidth),
+                    wrappedHeight(row.effect, width - row.keysWidth - helpGap())) +
+           gap;
+}
+
+float heightOf(std::span<const HelpRow> rows, float width) {
+    float height = 0;
+    for (const HelpRow& row : rows)
+        height += heightOf(row, width);
+    return height;
+}
+
+float widestWord(const std::string& words) {
+    float width = 0;
+    for (std::size_t first = 0; first <= words.size();) {
+        const std::size_t last = std::min(words.find(' ', first), words.size());
+        width = std::max(width, ImGui::CalcTextSize(words.data() + first, words.data() + last).x);
+        first = last + 1;
+    }
+    return width;
+}
+
+/// The keys of the rows below a heading get the share of the column with which all is lowest; no key is
+/// broken.
+void shareWidth(std::span<HelpRow> rows, float width) {
+    float least = 0;
+    float natural = 0;
+    for (const HelpRow& row : rows) {
+        const std::string keys = tr(row.keys);
+        least = std::max(least, std::ceil(widestWord(keys)) + 1);
+        natural = std::max(natural, std::ceil(ImGui::CalcTextSize(keys.c_str()).x) + 1);
+    }
+    const auto use = [&](float keysWidth) {
+        for (HelpRow& row : rows)
+            row.keysWidth = keysWidth;
+        return heightOf(rows, width);
+    };
+    constexpr int tried = 12;
+    float best = least;
+    float lowest = std::numeric_limits<float>::max();
+    for (int i = 0; i <= tried; ++i) {
+        const float keysWidth =
+            std::floor(least + (natural - least) * static_cast<float>(i) / static_cast<float>(tried));
+        if (const float height = use(keysWidth); height <= lowest) {
+            lowest = height;
+            best = keysWidth;
+        }
+    }
+    use(best);
+}
+
+void shareWidths(HelpRows& help, float width) {
+    for (auto first = help.begin(); first != help.end();) {
+        const auto last =
+            std::find_if(first + 1, help.end(), [](const HelpRow& row) { return row.isHeading(); });
+        shareWidth({first + 1, last}, width);
+        first = last;
+    }
+}
+
+/// The rows of each column, none of which is higher than `most` where that can be.
+std::vector<std::span<const HelpRow>> helpColumns(std::span<const HelpRow> help, float width, float most) {
+    std::vector<std::span<const HelpRow>> columns;
+    std::size_t begin = 0;
+    float height = 0;
+    for (std::size_t i = 0; i < help.size(); ++i) {
+        float needed = heightOf(help[i], width);
+        if (help[i].isHeading() && i + 1 < help.size()) // it stands above a row
+            needed += heightOf(help[i + 1], width);
+        if (i > begin && height + needed > most) {
+            columns.push_back(help.subspan(begin, i - begin));
+            begin = i;
+            height = 0;
+        }
+        height += heightOf(help[i], width);
+    }
+    columns.push_back(help.subspan(begin));
+    return columns;
+}
+
+/// How the list is laid out, in pixels.
+struct HelpPlan {
+    HelpRows rows;
+    float width;  ///< of a column
+    float height; ///< of the highest one
+    std::vector<std::span<const HelpRow>> columns{};
+};
+
+HelpPlan planHelp(std::size_t count, float available) {
+    const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x * 2;
+    const float bar = ImGui::GetStyle().ScrollbarSize;
+    const float each = std::floor((available - gaps) / static_cast<float>(count)) - bar;
+    HelpPlan plan{helpRows(), std::clamp(each, 1.0F, ImGui::GetFontSize() * 31), 0};
+    shareWidths(plan.rows, plan.width);
+    plan.height = std::ceil(heightOf(plan.rows, plan.width) / static_cast<float>(count));
+    plan.columns = helpColumns(plan.rows, plan.width, plan.height);
+    while (plan.columns.size() > count) { // as even as rows allow
+        plan.height += std::ceil(ImGui::GetFontSize() / 4);
+        plan.columns = helpColumns(plan.rows, plan.width, plan.height);
+    }
+    return plan;
+}
+
+/// In two columns where these have room; in three where that is lower.
+HelpPlan planHelp(ImVec2 available) {
+    HelpPlan two = planHelp(2, available.x);
+    if (two.height <= available.y)
+        return two;
+    HelpPlan three = planHelp(3, available.x);
+    return three.height < two.height ? std::move(three) : std::move(two);
+}
+
+void helpText(const std::string& words, ThemeColor ink, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::max(width, 1.0F));
+    text(words);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void drawHelpRow(const HelpRow& row, float width) {
+    const ImVec2 at = ImGui::GetCursorPos();
+    if (row.isHeading()) {
+        ImGui::SetCursorPosY(at.y + ImGui::GetFontSize() * 0.3F);
+        helpText(row.keys, row.keysInk, width);
+    } else {
+        helpText(row.keys, row.keysInk, row.keysWidth);
+        ImGui::SetCursorPos({at.x + row.keysWidth + helpGap(), at.y});
+        helpText(row.effect, row.effectInk, width - row.keysWidth - helpGap());
+        if (row.ofPlane)
+            noteItem("plane key:" + row.keys);
+        else
+            noteItem("help:" + row.effect);
+    }
+    ImGui::SetCursorPos({at.x, at.y + heightOf(row, width)});
+}
+
+void drawHelpColumns(const HelpPlan& plan, float room) {
+    const bool scrolls = plan.height > room;
+    const ImVec2 size(plan.width + (scrolls ? ImGui::GetStyle().ScrollbarSize : 0),
+                      std::min(plan.height, room));
+    for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::BeginChild("column", size, false, scrolls ? 0 : ImGuiWindowFlags_NoScrollbar);
+        for (const HelpRow& row : plan.columns[i])
+            drawHelpRow(row, plan.width);
+        ImGui::EndChild();
+        ImGui::PopID();
+    }
+}
+
+} // namespace
+
+void drawHelp(Session& session) {
+    if (!beginModal("Texplorer"))
+        return;
+    const std::string intro =
+        "See what each texture parameter of OpenGL does: change it on the left, look at the middle, "
+        "find the texture coordinates on the right. Rest the pointer on anything: the lower edge of the "
+        "window says what it is, and its OpenGL call.";
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = display.x * 0.95F - 2 * style.WindowPadding.x;
+    const float others = 2 * ImGui::GetFrameHeight() + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y +
+                         wrappedHeight(intro, width - 3 * style.ScrollbarSize);
+    const float room = std::max(ImGui::GetFontSize() * 6, std::floor(display.y * 0.94F - others));
+    const HelpPlan plan = planHelp({width, room});
+    const auto count = static_cast<float>(plan.columns.size());
+    helpText(intro, color::text, count * plan.width + (count - 1) * 2 * style.ItemSpacing.x);
+    drawHelpColumns(plan, room);
+    if (dialogButton("Close") || ImGui::IsKeyPressed(key::escape, false) ||
+        ImGui::IsKeyPressed(key::enter, false)) {
+        session.window.dialog = Dialog::None;
+        ImGui::CloseCurrentPopup();
+    }
+    noteItem("help:close");
+    ImGui::EndPopup();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,169 @@
+#include "app/ui/window/notes.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/text_field.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_places.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float noteScale = 1.25F; ///< of the text around it: an audience reads it from afar
+constexpr float widestNote = 22;   ///< in letters' heights, then it goes on in another line
+constexpr float narrowestField = 12;
+
+/// Eight shifted copies under the letters: whatever lies below them ends a little before they begin.
+void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words, float wrap) {
+    const std::array ways{ImVec2{1, 0},     ImVec2{-1, 0},     ImVec2{0, 1},      ImVec2{0, -1},
+                          ImVec2{.7F, .7F}, ImVec2{-.7F, .7F}, ImVec2{.7F, -.7F}, ImVec2{-.7F, -.7F}};
+    ImFont* font = ImGui::GetFont();
+    const float size = ImGui::GetFontSize();
+    const float halo = std::max(2.0F, size * 0.15F);
+    const char* begin = words.c_str();
+    const char* end = begin + words.size();
+    for (const ImVec2& way : ways)
+        draw.AddText(font, size, {at.x + way.x * halo, at.y + way.y * halo}, color::panel, begin, end, wrap);
+    draw.AddText(font, size, at, color::text, begin, end, wrap);
+}
+
+/// Whole inside of the pictures' room, where it has room.
+ImVec2 notePlace(const ViewNote& note, const Rect& canvas, ImVec2 size) {
+    const auto within = [](float at, int low, int extent, float own) {
+        const auto from = static_cast<float>(low);
+        const auto whole = static_cast<float>(extent);
+        return std::clamp(from + at * whole, from, std::max(from, from + whole - own));
+    };
+    return {within(note.at.x, canvas.x, canvas.width, size.x),
+            within(note.at.y, canvas.y, canvas.height, size.y)};
+}
+
+glm::vec2 shareOfCanvas(ImVec2 at, const Rect& canvas) {
+    return {(at.x - static_cast<float>(canvas.x)) / static_cast<float>(std::max(1, canvas.width)),
+            (at.y - static_cast<float>(canvas.y)) / static_cast<float>(std::max(1, canvas.height))};
+}
+
+/// In pixels: as wide as its words, where the pictures have so much room.
+float fieldWidth(const ViewNote& note, const Rect& canvas, float em) {
+    const float words = ImGui::CalcTextSize(note.text.c_str()).x * em / ImGui::GetFontSize() + 2 * em;
+    return std::min(std::max(words, narrowestField * em), static_cast<float>(canvas.width));
+}
+
+/// The chosen note as a text field. Enter and a click elsewhere end it, Escape takes the words back; one that
+/// has none then goes.
+void noteField(ViewNotes& notes, ViewNote& note, float width) {
+    ImGui::SetNextItemWidth(width);
+    if (std::exchange(notes.wantsKeyboard, false)) {
+        ImGui::SetWindowFocus();
+        ImGui::SetKeyboardFocusHere();
+    }
+    textField("##words", note.text, ImGuiInputTextFlags_AutoSelectAll, "Words over the view");
+    shortenNote(note.text);
+    noteItem("note:field");
+    if (ImGui::IsItemDeactivated())
+        notes.isEdited = false;
+}
+
+/// True where the pointer is on it.
+bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, ImVec2 size) {
+    ViewNote& note = notes.list[index];
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    ImGui::InvisibleButton("note", size);
+    noteItem(fmt::format("note:{}", index));
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered || ImGui::IsItemActive())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemActivated())
+        notes.chosen = index;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+        const ImVec2 way = ImGui::GetIO().MouseDelta;
+        note.at = glm::clamp(shareOfCanvas({low.x + way.x, low.y + way.y}, canvas), 0.0F, 1.0F);
+    }
+    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        editNote(notes, index);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (hovered || notes.chosen == index)
+        draw.AddRect(low, high, notes.chosen == index ? color::accent : color::dim);
+    const float pad = ImGui::GetFontSize() * 0.25F;
+    haloedText(draw, {low.x + pad, low.y + pad / 2}, note.text, size.x);
+    return hovered;
+}
+
+/// A window for each, so that it lies over the view and has the pointer first. True where that is on it.
+bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus;
+    ViewNote& note = notes.list[index];
+    const bool isEdited = notes.isEdited && notes.chosen == index;
+    const float em = ImGui::GetFontSize() * noteScale;
+    ImVec2 size(fieldWidth(note, canvas, em), em * 1.5F);
+    if (!isEdited) {
+        size = ImGui::CalcTextSize(note.text.c_str(), nullptr, false, widestNote * em / noteScale);
+        size = {size.x * noteScale + em, size.y * noteScale + em * 0.25F};
+    }
+    ImGui::SetNextWindowPos(notePlace(note, canvas, size));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::Begin(fmt::format("###note{}", index).c_str(), nullptr, flags);
+    ImGui::SetWindowFontScale(noteScale);
+    bool hovered = false;
+    if (isEdited)
+        noteField(notes, note, size.x);
+    else
+        hovered = noteButton(notes, index, canvas, size);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    return hovered || isEdited;
+}
+
+} // namespace
+
+void addNoteAtPointer(Session& session, const Layout& layout) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (layout.canvas.contains(mouse.x, mouse.y))
+        addNote(session.window.notes, shareOfCanvas(mouse, layout.canvas));
+}
+
+void addNoteInTheMiddle(Session& session) {
+    const auto before = static_cast<float>(session.window.notes.list.size() % 10);
+    addNote(session.window.notes, {0.4F, 0.3F + 0.06F * before});
+}
+
+void clearNotes(Session& session) {
+    session.window.notes = {};
+}
+
+void drawNotes(Session& session, const Layout& layout) {
+    ViewNotes& notes = session.window.notes;
+    if (notes.list.empty() || layout.canvas.isEmpty())
+        return;
+    bool any = false;
+    for (std::size_t i = 0; i < notes.list.size(); ++i)
+        any |= drawNote(notes, i, layout.canvas);
+    if (!any && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        notes.chosen.reset();
+    const bool isFree = !notes.isEdited && session.window.dialog == Dialog::None &&
+                        !session.window.keyTaken && !ImGui::GetIO().WantTextInput &&
+                        !ImGui::IsAnyItemActive();
+    if (notes.chosen && isFree && ImGui::IsKeyPressed(key::del, false)) {
+        session.window.keyTaken = true;
+        removeNote(notes, *notes.chosen);
+    }
+    if (notes.isEdited)
+        return;
+    const bool chosenIsEmpty = notes.chosen && notes.list[*notes.chosen].text.empty();
+    if (chosenIsEmpty)
+        removeNote(notes, *notes.chosen);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,35 @@
+#include "tests/ui/workbench.h"
+
+namespace texplorer::ui::vector_controls_test {
+namespace {
+
+using namespace test;
+
+class VectorControls : public Workbench {};
+
+TEST_F(VectorControls, HaveLettersBesideTheirColours) {
+    click("parameters:Light");
+    for (const char* letter : {"letter:x", "letter:y", "letter:z"})
+        EXPECT_TRUE(has(letter)) << letter;
+    EXPECT_FALSE(has("letter:s"));
+}
+
+TEST_F(VectorControls, LeaveALetterOutWhereTheNumberNeedsItsRoom) {
+    start(defaultScene(), 1024, 700);
+    scene().light.position = {-999.99F, -999.99F, -999.99F, 1};
+    scene().light.projector.target = {-999.99F, -999.99F, -999.99F};
+    click("parameters:Light");
+    EXPECT_FALSE(has("letter:y"));
+}
+
+TEST_F(VectorControls, NameTheCoordinateThatARowOfAMatrixMakes) {
+    MatrixStep step;
+    step.op = MatrixOp::Multiply;
+    unit().matrix = {step};
+    open("Texture matrix");
+    for (const char* letter : {"letter:s", "letter:t", "letter:r", "letter:q"})
+        EXPECT_TRUE(has(letter)) << letter;
+}
+
+} // namespace
+} // namespace texplorer::ui::vector_controls_test
