@@ -1,0 +1,60 @@
+#include "core/example/example.h"
+
+#include "core/scene/params/json.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texplorer {
+namespace {
+
+constexpr std::array exampleRows{
+    Example{"cube.json", "Textured cube", "One picture on six faces: coordinates, filters, mipmaps."},
+    Example{"checker.json", "Checkerboard, near and slanted",
+            "The same 64 × 64 texels on a square that faces you and on one that leans away."},
+    Example{"texbind.json", "Two textures",
+            "Two texture objects: each pass binds one and draws one of the two squares."},
+    Example{"quadrics.json", "Quadrics",
+            "Sphere, cylinder, disk and partial disk, with the coordinates that GLU gives them."},
+    Example{"earth.json", "Planet", "A picture around a sphere that spins about a tilted axis."},
+    Example{"line.json", "Line texture", "A one-dimensional texture along a line: each pixel takes a texel."},
+    Example{"spiral.json", "Spiral line", "The same along a line strip: s grows with its length."},
+    Example{"marble.json", "Marble block", "A three-dimensional texture: the block is cut out of it."},
+    Example{"contours.json", "Contour lines",
+            "Generated coordinates: s is the height of a vertex, so that equal heights have one colour."},
+    Example{"teapot.json", "Teapot", "M. Newell's: the image goes once around each of its four parts."},
+    Example{
+        "internal-formats.json", "Few bits, and sRGB",
+        "One smooth picture with 8 bits a component and with 4; below taken for sRGB, and with 3, 3 and 2."},
+    Example{"levels.json", "A picture for each level",
+            "Mip levels that are given one by one: one sees which of them is sampled where."},
+    Example{"environment.json", "Environment map", "GL_SPHERE_MAP: the surface mirrors a picture."},
+    Example{"seamless.json", "Seamless cube map",
+            "A cube map of 4 × 4 texels a face: filtered face by face, and across the edges."},
+    Example{"fog.json", "Fog",
+            "Far things fade to the background's colour, and with them what aliasing is left."},
+    Example{"slide-projector.json", "Slide projector",
+            "A picture projected over all that is there: coordinates in eye space, and a projector."},
+    Example{"shadow-map.json", "Shadow map",
+            "A depth texture of what the light sees, compared with how far away each point is."},
+    Example{"nehe-bumps-1-unit.json", "Embossed bumps, one unit",
+            "A height map minus itself, moved towards the light, in three passes. Step through them."},
+    Example{"nehe-bumps-2-units.json", "Embossed bumps, two units",
+            "The same with two texture units: one pass less."},
+    Example{"nehe-no-bumps.json", "Embossed bumps, off", "What is left without them: the picture, lit."},
+};
+
+} // namespace
+
+std::span<const Example> examples() {
+    return exampleRows;
+}
+
+Result<Scene> exampleScene(std::string_view file) {
+    const auto found = std::ranges::find(exampleFiles(), file, &ExampleFile::name);
+    if (found == exampleFiles().end())
+        return fail(ErrorCode::NotFound, "there is no such example", std::string(file));
+    return parseScene(found->text);
+}
+
+} // namespace texplorer

@@ -1,0 +1,32 @@
+#pragma once
+
+// The scenes of assets/scenes, which are part of the program.
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace texplorer {
+
+struct ExampleFile {
+    std::string_view name; ///< "checker.json"
+    std::string_view text;
+};
+[[nodiscard]] const std::vector<ExampleFile>& exampleFiles();
+
+struct Example {
+    std::string_view file;
+    const char* title;
+    const char* help; ///< what there is to see
+};
+
+/// In the order of the menu.
+[[nodiscard]] std::span<const Example> examples();
+
+/// The scene of one of the files. Errors: NotFound, and those of parseScene.
+[[nodiscard]] Result<Scene> exampleScene(std::string_view file);
+
+} // namespace texplorer

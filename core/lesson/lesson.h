@@ -1,0 +1,109 @@
+#pragma once
+
+// Lessons as values: what a step says, the scene that it begins with, what it asks. A lesson is a folder that
+// a teacher can write with a text editor: lesson.json, scenes and images beside it, and a catalogue of texts
+// for each language, zh_CN.po.
+
+#include "core/base/result.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace texplorer::lesson {
+
+inline constexpr int lessonFormatVersion = 1;
+inline constexpr std::size_t maxLessonBytes = std::size_t{1} << 20; ///< of lesson.json
+inline constexpr std::size_t maxSteps = 100;
+inline constexpr std::size_t maxEdits = 200; ///< of a list
+inline constexpr std::size_t fewestAnswers = 2;
+inline constexpr std::size_t mostAnswers = 4;
+
+/// What changes a scene: "textures[0].wrapS=GL_CLAMP", or a preset, "preset:alpha-test".
+struct Edit {
+    std::string path; ///< empty: a preset
+    std::string value;
+
+    bool operator==(const Edit&) const = default;
+};
+
+/// What Look::tab may say: the window's tabs, but that of the lesson.
+inline constexpr std::array<std::string_view, 9> lookTabs{
+    "vertices", "levels", "commands", "glsl", "explain", "file", "memory", "a-b", "history"};
+
+/// What the window shows of the step, each as texshot has it; what is empty stays as it is.
+struct Look {
+    std::string param;    ///< a path: its control is lit
+    std::string tab;      ///< comes to the front
+    std::string shown;    ///< what the view shows: picture, levels, anisotropy
+    std::string renderer; ///< fixed, shader, reference; or two of them, joined by a comma, which are compared
+    int probeX = -1; ///< the pixel that Explain is about, in thousandths of the picture from its left edge
+    int probeY = -1; ///< and from its top; -1: none
+
+    bool operator==(const Look&) const = default;
+};
+
+/// Something to do, at which nobody is graded.
+struct Try {
+    std::string task;
+
+    bool operator==(const Try&) const = default;
+};
+
+/// What the scene would be. Where an answer has edits, its picture stands beside it.
+struct Answer {
+    std::string text;
+    std::vector<Edit> edits;
+
+    bool operator==(const Answer&) const = default;
+};
+
+struct Predict {
+    std::string question;
+    std::vector<Answer> answers; ///< fewestAnswers to mostAnswers
+    std::size_t right = 0;       ///< which of them is
+    std::string reason; ///< why; "{color}" and the other words of reason.h stand for numbers of the probe
+
+    bool operator==(const Predict&) const = default;
+};
+
+/// A picture to reach: that of the step's scene with these edits.
+struct Match {
+    std::string task;
+    std::vector<Edit> edits;
+
+    bool operator==(const Match&) const = default;
+};
+
+struct Step {
+    std::string title;
+    std::string text;        ///< two or three sentences
+    std::string scene;       ///< a file of the lesson, or an example's name; empty: that of the step before
+    std::vector<Edit> edits; ///< made to it
+    Look look;
+    std::variant<std::monostate, Try, Predict, Match> task;
+
+    bool operator==(const Step&) const = default;
+};
+
+struct Lesson {
+    std::string title;
+    std::string source;      ///< what it is about: a book's chapter
+    std::string about;       ///< a sentence or two
+    std::vector<Step> steps; ///< at least one
+
+    bool operator==(const Lesson&) const = default;
+};
+
+/// Reads a lesson.json. Malformed, Unsupported, OutOfRange or TooLarge, with the JSON pointer in
+/// Error::where: no JSON, unknown keys, missing or empty texts, a question without two to four answers, more
+/// than one task, edits that are neither PATH=VALUE nor preset:NAME. Whether they can be made, checkLesson
+/// says.
+[[nodiscard]] Result<Lesson> parseLesson(std::string_view json);
+
+/// Every text that a reader sees, in order, for a catalogue.
+[[nodiscard]] std::vector<std::string> textsOf(const Lesson& lesson);
+
+} // namespace texplorer::lesson

@@ -1,0 +1,277 @@
+#include "core/lesson/lesson.h"
+#include "core/scene/params/json_problem.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+namespace texplorer::lesson {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int deepest = 16;
+
+/// The members of an object are taken one by one; what nobody took is unknown. The first problem stays.
+class Members {
+public:
+    Members(const Json& json, std::string where, std::optional<Error>& problem)
+        : json_(json)
+        , where_(std::move(where))
+        , problem_(problem) {
+        if (!json.is_object())
+            refuse("", "an object");
+    }
+
+    ~Members() {
+        if (!json_.is_object())
+            return;
+        for (const auto& [key, value] : json_.items()) {
+            if (std::ranges::find(taken_, key) == taken_.end())
+                say(ErrorCode::Malformed, key, fmt::format("expected one of {}", listOf(taken_)));
+        }
+    }
+
+    Members(const Members&) = delete;
+    Members& operator=(const Members&) = delete;
+
+    /// nullptr: it isn't there.
+    const Json* find(const char* key) {
+        taken_.emplace_back(key);
+        const auto found = json_.is_object() ? json_.find(key) : json_.end();
+        return found == json_.end() ? nullptr : &*found;
+    }
+
+    void text(const char* key, std::string& target, bool isNeeded) {
+        const Json* value = find(key);
+        if (value && value->is_string())
+            target = value->get<std::string>();
+        else if (value)
+            refuse(key, "a text");
+        if (isNeeded && target.empty())
+            refuse(key, "a text that isn't empty");
+    }
+
+    template<class Take>
+    void list(const char* key, std::size_t fewest, std::size_t most, const Take& take) {
+        const Json* value = find(key);
+        const std::size_t count = value && value->is_array() ? value->size() : 0;
+        if ((value && !value->is_array()) || count < fewest || count > most) {
+            if (value || fewest > 0)
+                refuse(key, fmt::format("a list of {} to {}", fewest, most));
+            return;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            take((*value)[i], fmt::format("{}/{}/{}", where_, key, i));
+    }
+
+    void refuse(const std::string& key, const std::string& expected) {
+        say(ErrorCode::Malformed, key, fmt::format("expected {}", expected));
+    }
+
+    void say(ErrorCode code, const std::string& key, std::string message) {
+        if (!problem_)
+            problem_ =
+                Error{code, std::move(message), key.empty() ? where_ : fmt::format("{}/{}", where_, key)};
+    }
+
+    [[nodiscard]] const std::string& where() const { return where_; }
+    [[nodiscard]] std::optional<Error>& problem() { return problem_; }
+
+private:
+    static std::string listOf(const std::vector<std::string>& keys) {
+        std::string names;
+        for (const std::string& key : keys)
+            names += (names.empty() ? "" : ", ") + key;
+        return names;
+    }
+
+    const Json& json_;
+    std::string where_;
+    std::optional<Error>& problem_;
+    std::vector<std::string> taken_;
+};
+
+void readEdits(Members& members, std::vector<Edit>& edits, std::size_t fewest) {
+    members.list("edits", fewest, maxEdits, [&](const Json& json, const std::string& where) {
+        constexpr std::string_view preset = "preset:";
+        const std::string text = json.is_string() ? json.get<std::string>() : std::string();
+        const std::size_t equals = text.find('=');
+        if (text.starts_with(preset) && text.size() > preset.size())
+            edits.push_back({{}, text.substr(preset.size())});
+        else if (equals != std::string::npos && equals > 0)
+            edits.push_back({text.substr(0, equals), text.substr(equals + 1)});
+        else if (!members.problem())
+            members.problem() = Error{ErrorCode::Malformed, "expected PATH=VALUE or preset:NAME", where};
+    });
+}
+
+void readLook(const Json& json, const std::string& where, std::optional<Error>& problem, Look& look) {
+    Members members(json, where, problem);
+    members.text("param", look.param, false);
+    members.text("tab", look.tab, false);
+    members.text("shown", look.shown, false);
+    members.text("renderer", look.renderer, false);
+    const Json* probe = members.find("probe");
+    const auto isThousandth = [](const Json& each) {
+        return each.is_number_integer() && each >= 0 && each < 1000;
+    };
+    if (!probe)
+        return;
+    if (!probe->is_array() || probe->size() != 2 || !std::ranges::all_of(*probe, isThousandth))
+        return members.refuse("probe", "two whole numbers from 0 to 999, in thousandths from the top left");
+    look.probeX = (*probe)[0].get<int>();
+    look.probeY = (*probe)[1].get<int>();
+}
+
+void readPredict(const Json& json, const std::string& where, std::optional<Error>& problem,
+                 Predict& predict) {
+    Members members(json, where, problem);
+    members.text("question", predict.question, true);
+    members.list("answers", fewestAnswers, mostAnswers, [&](const Json& each, const std::string& place) {
+        Members answer(each, place, problem);
+        answer.text("text", predict.answers.emplace_back().text, true);
+        readEdits(answer, predict.answers.back().edits, 0);
+    });
+    const Json* right = members.find("right");
+    if (!right || !right->is_number_integer() || *right < 0 || *right >= predict.answers.size())
+        members.refuse("right", fmt::format("the number of the right answer, from 0 to {}",
+                                            std::max<std::size_t>(predict.answers.size(), 1) - 1));
+    else
+        predict.right = right->get<std::size_t>();
+    members.text("reason", predict.reason, true);
+}
+
+void readMatch(const Json& json, const std::string& where, std::optional<Error>& problem, Match& match) {
+    Members members(json, where, problem);
+    members.text("task", match.task, true);
+    readEdits(members, match.edits, 1);
+}
+
+void readTask(Members& members, Step& step) {
+    int tasks = 0;
+    if (const Json* json = members.find("try")) {
+        ++tasks;
+        Try& task = step.task.emplace<Try>();
+        if (json->is_string() && !json->get_ref<const std::string&>().empty())
+            task.task = json->get<std::string>();
+        else
+            members.refuse("try", "a text that isn't empty");
+    }
+    if (const Json* json = members.find("predict")) {
+        ++tasks;
+        readPredict(*json, members.where() + "/predict", members.problem(), step.task.emplace<Predict>());
+    }
+    if (const Json* json = members.find("match")) {
+        ++tasks;
+        readMatch(*json, members.where() + "/match", members.problem(), step.task.emplace<Match>());
+    }
+    if (tasks > 1)
+        members.say(ErrorCode::Malformed, "", "expected one of try, predict and match, found more");
+}
+
+void readStep(const Json& json, const std::string& where, std::optional<Error>& problem, Step& step) {
+    Members members(json, where, problem);
+    members.text("title", step.title, true);
+    members.text("text", step.text, true);
+    members.text("scene", step.scene, false);
+    readEdits(members, step.edits, 0);
+    if (const Json* look = members.find("look"))
+        readLook(*look, where + "/look", problem, step.look);
+    readTask(members, step);
+}
+
+/// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'",
+/// which may be long, and not even UTF-8.
+std::string mistakeOf(const Json::exception& error) {
+    constexpr int numberOverflow = 406;
+    if (error.id == numberOverflow)
+        return "expected a number that isn't as large";
+    std::string_view said = error.what();
+    said = said.substr(0, said.find("; last read"));
+    const std::size_t syntax = said.find("syntax error");
+    return readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax));
+}
+
+tl::unexpected<Error> tooDeep() {
+    return fail(ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", deepest));
+}
+
+Result<Json> parseJson(std::string_view text) {
+    if (text.size() > maxLessonBytes)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} bytes, found {}", maxLessonBytes, text.size()));
+    bool isTooDeep = false;
+    const auto shallow = [&isTooDeep](int depth, Json::parse_event_t, const Json&) {
+        isTooDeep = isTooDeep || depth > deepest;
+        return !isTooDeep;
+    };
+    try {
+        Json json = Json::parse(text, shallow);
+        if (isTooDeep)
+            return tooDeep();
+        return json;
+    } catch (const Json::parse_error& error) {
+        if (isTooDeep)
+            return tooDeep();
+        const std::string_view read = text.substr(0, std::min(text.size(), error.byte));
+        const auto line = 1 + std::ranges::count(read, '\n');
+        return fail(ErrorCode::Malformed, mistakeOf(error), fmt::format("line {}", line));
+    } catch (const Json::exception& error) {
+        return fail(ErrorCode::Malformed, mistakeOf(error));
+    }
+}
+
+} // namespace
+
+Result<Lesson> parseLesson(std::string_view text) {
+    const Result<Json> json = parseJson(text);
+    if (!json)
+        return fail(json.error());
+    Lesson lesson;
+    std::optional<Error> problem;
+    {
+        Members members(*json, "", problem);
+        const Json* version = members.find("lesson");
+        if (!version || !version->is_number_integer() || *version < 1)
+            members.refuse("lesson", fmt::format("the version of the format, {}", lessonFormatVersion));
+        else if (*version > lessonFormatVersion)
+            members.say(ErrorCode::Unsupported, "lesson",
+                        fmt::format("expected version {}, found {}", lessonFormatVersion, version->dump()));
+        members.text("title", lesson.title, true);
+        members.text("source", lesson.source, false);
+        members.text("about", lesson.about, true);
+        members.list("steps", 1, maxSteps, [&](const Json& each, const std::string& where) {
+            readStep(each, where, problem, lesson.steps.emplace_back());
+        });
+        if (!lesson.steps.empty() && lesson.steps.front().scene.empty())
+            members.say(ErrorCode::Malformed, "steps/0/scene",
+                        "expected the scene that the lesson begins with");
+    }
+    if (problem)
+        return fail(*problem);
+    return lesson;
+}
+
+std::vector<std::string> textsOf(const Lesson& lesson) {
+    std::vector<std::string> texts{lesson.title, lesson.about};
+    for (const Step& step : lesson.steps) {
+        texts.insert(texts.end(), {step.title, step.text});
+        if (const auto* task = std::get_if<Try>(&step.task))
+            texts.push_back(task->task);
+        if (const auto* match = std::get_if<Match>(&step.task))
+            texts.push_back(match->task);
+        if (const auto* predict = std::get_if<Predict>(&step.task)) {
+            texts.push_back(predict->question);
+            for (const Answer& answer : predict->answers)
+                texts.push_back(answer.text);
+            texts.push_back(predict->reason);
+        }
+    }
+    return texts;
+}
+
+} // namespace texplorer::lesson

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/lesson/lesson.h"
+#include "core/lesson/lesson_files.h"
+#include "core/texture/image_source.h"
+
+namespace texplorer::lesson {
+
+/// A scene with its images, as a document begins.
+struct LessonScene {
+    Scene scene;
+    ImageSource images;
+};
+
+/// What a step begins with: the scene that it names, or the step before it begins with, with its edits.
+/// Errors are about lesson.json, by its JSON pointer, or the files that it names.
+[[nodiscard]] Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step);
+
+/// Makes all edits, or none. The error's `where` is "edits/3", after it that of setParam.
+[[nodiscard]] Result<void> makeEdits(Scene& scene, const std::vector<Edit>& edits);
+
+/// What an answer, or the picture to reach, is of: the step's scene with these edits.
+[[nodiscard]] Result<LessonScene> withEdits(const LessonScene& start, const std::vector<Edit>& edits);
+
+/// Everything in a lesson that can be wrong, by place: scenes and images that aren't there, edits that can't
+/// be made, parameters that there aren't, answers whose pictures can't be told apart, a picture that is
+/// reached before anything was done. Empty: nothing.
+[[nodiscard]] std::vector<Error> checkLesson(const LessonFolder& folder, const Lesson& lesson);
+
+} // namespace texplorer::lesson

@@ -1,0 +1,69 @@
+#include "core/lesson/match.h"
+
+#include "core/image/compare.h"
+#include "core/reference/draw.h"
+
+#include <algorithm>
+
+namespace texplorer::lesson {
+namespace {
+
+constexpr int bound = 2;           // of a component, in 255ths
+constexpr double mostOver = 0.001; // of the pixels
+constexpr std::size_t mostHints = 64;
+
+/// Of two pictures of the same size.
+double distance(const Image& a, const Image& b) {
+    const Result<Difference> difference = compare(a, b, bound, Compared::Rgb);
+    return difference ? difference->shareOver() + difference->mean / 1e6 : 1;
+}
+
+} // namespace
+
+Result<Image> drawSmall(const LessonScene& scene, std::stop_token stop) {
+    reference::DrawOptions options;
+    options.stop = std::move(stop);
+    return reference::drawReference({scene.scene, scene.images, 0, smallWidth, smallHeight}, options)
+        .map([](Frame frame) { return std::move(frame.image); });
+}
+
+bool areAlike(const Image& a, const Image& b) {
+    const Result<Difference> difference = compare(a, b, bound, Compared::Rgb);
+    return difference && difference->shareOver() <= mostOver;
+}
+
+Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSource& images,
+                         std::stop_token stop) {
+    const Result<Image> wanted = drawSmall({target, images}, stop);
+    if (!wanted)
+        return fail(wanted.error());
+    const Result<Image> given = drawSmall({scene, images}, stop);
+    if (!given)
+        return fail(given.error());
+    Grade grade;
+    grade.passed = areAlike(*given, *wanted);
+    const double now = distance(*given, *wanted);
+    grade.share = grade.passed ? 0 : now;
+    if (grade.passed)
+        return grade;
+    const std::vector<SceneChange> changes = changesBetween(scene, target);
+    double best = now;
+    for (std::size_t i = 0; i < std::min(changes.size(), mostHints); ++i) {
+        Scene nearer = scene;
+        if (!takeOver(nearer, target, changes[i].path))
+            continue;
+        const Result<Image> picture = drawSmall({nearer, images}, stop);
+        if (!picture)
+            return fail(picture.error());
+        if (const double left = distance(*picture, *wanted); left < best) {
+            best = left;
+            grade.hint = changes[i];
+        }
+    }
+    // Where it takes two at once, any of them is a beginning.
+    if (!grade.hint && !changes.empty())
+        grade.hint = changes.front();
+    return grade;
+}
+
+} // namespace texplorer::lesson

@@ -1,0 +1,142 @@
+#include "core/lesson/lesson.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+namespace texplorer::lesson::lesson_json_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string lessonOf(const std::string& steps) {
+    return fmt::format(R"({{"lesson": 1, "title": "L", "about": "A", "steps": [{}]}})", steps);
+}
+
+/// The first step with these members more.
+std::string stepWith(const std::string& members) {
+    return lessonOf(R"({"title": "S", "text": "T", "scene": "cube")" + members + "}");
+}
+
+std::string predictWith(const std::string& answers, const std::string& right = "0") {
+    return stepWith(fmt::format(
+        R"(, "predict": {{"question": "Q", "answers": [{}], "right": {}, "reason": "R"}})", answers, right));
+}
+
+const std::string twoAnswers = R"({"text": "one"}, {"text": "two", "edits": ["material.color=1,0,0,1"]})";
+
+TEST(LessonJson, IsReadAsItIsWritten) {
+    const Result<Lesson> read = parseLesson(R"({
+        "lesson": 1, "title": "L", "source": "Chapter 2", "about": "A",
+        "steps": [
+            {"title": "S1", "text": "T1", "scene": "cube", "edits": ["a.b=c=d", "preset:seam"],
+             "look": {"param": "a.b", "tab": "explain", "shown": "lambda", "renderer": "fixed,reference",
+                      "probe": [0, 999]},
+             "try": "Turn it."},
+            {"title": "S2", "text": "T2",
+             "predict": {"question": "Q", "right": 1, "reason": "R",
+                         "answers": [{"text": "one"}, {"text": "two", "edits": ["x="]}]}},
+            {"title": "S3", "text": "T3", "scene": "other.json",
+             "match": {"task": "M", "edits": ["x=1"]}},
+            {"title": "S4", "text": "T4"}]})");
+    ASSERT_TRUE(read) << describe(read.error());
+    Lesson lesson{"L", "Chapter 2", "A", {}};
+    lesson.steps.push_back({"S1",
+                            "T1",
+                            "cube",
+                            {{"a.b", "c=d"}, {"", "seam"}},
+                            {"a.b", "explain", "lambda", "fixed,reference", 0, 999},
+                            Try{"Turn it."}});
+    lesson.steps.push_back(
+        {"S2", "T2", "", {}, {}, Predict{"Q", {{"one", {}}, {"two", {{"x", ""}}}}, 1, "R"}});
+    lesson.steps.push_back({"S3", "T3", "other.json", {}, {}, Match{"M", {{"x", "1"}}}});
+    lesson.steps.push_back({"S4", "T4", "", {}, {}, {}});
+    EXPECT_EQ(*read, lesson);
+    EXPECT_THAT(textsOf(lesson), ElementsAre("L", "A", "S1", "T1", "Turn it.", "S2", "T2", "Q", "one", "two",
+                                             "R", "S3", "T3", "M", "S4", "T4"));
+}
+
+struct Refused {
+    std::string text;
+    ErrorCode code;
+    const char* where;
+    const char* says;
+};
+
+TEST(LessonJson, IsRefusedByPlace) {
+    constexpr ErrorCode malformed = ErrorCode::Malformed;
+    const std::string step = R"({"title": "S", "text": "T", "scene": "cube"})";
+    std::string many = step;
+    for (std::size_t i = 0; i < maxSteps; ++i)
+        many += "," + step;
+    const std::vector<Refused> rows{
+        {"", malformed, "line 1", "the file ends"},
+        {"{\n\"lesson\": 1,\n\"title\" 3}", malformed, "line 3", "expected ':' after the key"},
+        {"[1]", malformed, "", "expected an object"},
+        {"\xff", malformed, "line 1", ""},
+        {R"({"lesson": 1e400})", malformed, "", "a number that isn't as large"},
+        {std::string(100'000, '['), ErrorCode::TooLarge, "", "levels of brackets"},
+        {std::string(maxLessonBytes + 1, ' '), ErrorCode::TooLarge, "", "bytes"},
+        {R"({"title": "L", "about": "A"})", malformed, "/lesson", "version"},
+        {R"({"lesson": "1", "title": "L"})", malformed, "/lesson", "version"},
+        {R"({"lesson": 0, "title": "L"})", malformed, "/lesson", "version"},
+        {R"({"lesson": 2, "title": "L"})", ErrorCode::Unsupported, "/lesson", "found 2"},
+        {R"({"lesson": 1, "title": "", "about": "A"})", malformed, "/title", "a text that isn't empty"},
+        {R"({"lesson": 1, "title": 3, "about": "A"})", malformed, "/title", "a text"},
+        {R"({"lesson": 1, "title": "L"})", malformed, "/about", "a text"},
+        {R"({"lesson": 1, "title": "L", "about": "A"})", malformed, "/steps", "a list of 1 to 100"},
+        {lessonOf(""), malformed, "/steps", "a list of 1 to 100"},
+        {lessonOf(many), malformed, "/steps", "a list of 1 to 100"},
+        {lessonOf("3"), malformed, "/steps/0", "an object"},
+        {lessonOf(step + R"(, {"title": "S"})"), malformed, "/steps/1/text", "a text"},
+        {lessonOf(R"({"title": "S", "text": "T"})"), malformed, "/steps/0/scene", "begins with"},
+        {stepWith(R"(, "titel": "S")"), malformed, "/steps/0/titel", "expected one of title, text"},
+        {stepWith(R"(, "edits": "a=b")"), malformed, "/steps/0/edits", "a list of 0 to 200"},
+        {stepWith(R"(, "edits": ["a=b", "ab"])"), malformed, "/steps/0/edits/1", "PATH=VALUE"},
+        {stepWith(R"(, "edits": ["=b"])"), malformed, "/steps/0/edits/0", "PATH=VALUE"},
+        {stepWith(R"(, "edits": ["preset:"])"), malformed, "/steps/0/edits/0", "preset:NAME"},
+        {stepWith(R"(, "edits": [3])"), malformed, "/steps/0/edits/0", "PATH=VALUE"},
+        {stepWith(R"(, "look": 3)"), malformed, "/steps/0/look", "an object"},
+        {stepWith(R"(, "look": {"tabs": "x"})"), malformed, "/steps/0/look/tabs", "expected one of"},
+        {stepWith(R"(, "look": {"probe": [1]})"), malformed, "/steps/0/look/probe", "two whole numbers"},
+        {stepWith(R"(, "look": {"probe": [1, 1000]})"), malformed, "/steps/0/look/probe", "0 to 999"},
+        {stepWith(R"(, "look": {"probe": [-1, 1]})"), malformed, "/steps/0/look/probe", "0 to 999"},
+        {stepWith(R"(, "look": {"probe": [0.5, 1]})"), malformed, "/steps/0/look/probe", "0 to 999"},
+        {stepWith(R"(, "try": "")"), malformed, "/steps/0/try", "a text"},
+        {stepWith(R"(, "try": "x", "match": {"task": "M", "edits": ["a=b"]})"), malformed, "/steps/0",
+         "expected one of try, predict and match"},
+        {stepWith(R"(, "match": {"task": "M"})"), malformed, "/steps/0/match/edits", "a list of 1 to 200"},
+        {stepWith(R"(, "match": {"edits": ["a=b"]})"), malformed, "/steps/0/match/task", "a text"},
+        {stepWith(R"(, "predict": {"question": "Q", "right": 0, "reason": "R"})"), malformed,
+         "/steps/0/predict/answers", "a list of 2 to 4"},
+        {predictWith(""), malformed, "/steps/0/predict/answers", "a list of 2 to 4"},
+        {predictWith(R"({"text": "one"})"), malformed, "/steps/0/predict/answers", "a list of 2 to 4"},
+        {predictWith(twoAnswers + "," + twoAnswers + "," + twoAnswers), malformed, "/steps/0/predict/answers",
+         "a list of 2 to 4"},
+        {predictWith(R"({"text": "one"}, {"text": ""})"), malformed, "/steps/0/predict/answers/1/text",
+         "a text that isn't empty"},
+        {predictWith(R"({"text": "one"}, "two")"), malformed, "/steps/0/predict/answers/1", "an object"},
+        {predictWith(twoAnswers, "2"), malformed, "/steps/0/predict/right", "from 0 to 1"},
+        {predictWith(twoAnswers, "-1"), malformed, "/steps/0/predict/right", "from 0 to 1"},
+        {predictWith(twoAnswers, "\"one\""), malformed, "/steps/0/predict/right", "from 0 to 1"},
+        {predictWith(twoAnswers, "18446744073709551615"), malformed, "/steps/0/predict/right", "from 0 to 1"},
+    };
+    for (const Refused& row : rows) {
+        SCOPED_TRACE(row.text.substr(0, 300));
+        const Result<Lesson> read = parseLesson(row.text);
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().code, row.code);
+        EXPECT_EQ(read.error().where, row.where);
+        EXPECT_THAT(read.error().message, HasSubstr(row.says));
+    }
+    EXPECT_TRUE(parseLesson(predictWith(twoAnswers, "1")));
+}
+
+TEST(LessonJson, SaysTheFirstOfSeveralProblems) {
+    const Result<Lesson> read = parseLesson(lessonOf(R"({"title": "", "text": "", "scene": 3, "more": 1})"));
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().where, "/steps/0/title");
+}
+
+} // namespace
+} // namespace texplorer::lesson::lesson_json_test

@@ -1,0 +1,164 @@
+#include "core/base/file_io.h"
+#include "core/example/example.h"
+#include "core/lesson/lesson_scene.h"
+#include "core/scene/params/json.h"
+#include "tests/support/small_bmp.h"
+#include "tests/support/temp_dir.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+namespace texplorer::lesson::lesson_scene_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Step stepOf(std::string scene, std::vector<Edit> edits = {}) {
+    return {"S", "T", std::move(scene), std::move(edits), {}, {}};
+}
+
+class LessonScenes : public testing::Test {
+protected:
+    LessonScenes() { fs::create_directory(path); }
+
+    void write(const std::string& name, std::string_view text) const {
+        ASSERT_TRUE(writeFileAtomically(path / name, viewBytes(text)));
+    }
+    /// A scene with an image of a file.
+    void writePictured(const std::string& name, const std::string& image) const {
+        Scene scene = defaultScene();
+        scene.textures[0].source = SourceKind::File;
+        scene.textures[0].file = image;
+        write(name, writeScene(scene));
+    }
+    [[nodiscard]] Result<LessonScene> start(std::size_t step = 0) const {
+        return startOf(folder, lesson, step);
+    }
+    [[nodiscard]] std::vector<Error> problems() const { return checkLesson(folder, lesson); }
+
+    texplorer::test::TempDir parent;
+    fs::path path = parent / "mine";
+    LessonFolder folder = LessonFolder::onDisk(path);
+    Lesson lesson{"L", "", "A", {stepOf("cube")}};
+};
+
+TEST_F(LessonScenes, AreExamplesByTheirName) {
+    EXPECT_EQ(start()->scene, exampleScene("cube.json").value());
+}
+
+TEST_F(LessonScenes, AreFilesOfTheFolderBeforeExamples) {
+    Scene mine = defaultScene();
+    mine.material.shininess = 77;
+    write("cube", writeScene(mine));
+    EXPECT_EQ(start()->scene, mine);
+}
+
+TEST_F(LessonScenes, GoOnWithTheStepBefore) {
+    lesson.steps = {stepOf("cube", {{"material.shininess", "5"}}),
+                    stepOf("", {{"material.color", "1,0,0,1"}}), stepOf(""), stepOf("checker"),
+                    stepOf("", {{"", "seam"}})};
+    EXPECT_EQ(start(2)->scene.material.shininess, 5);
+    EXPECT_EQ(start(2)->scene.material.color, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(start(3)->scene, exampleScene("checker.json").value());
+    EXPECT_NE(start(4)->scene, start(3)->scene);
+}
+
+TEST_F(LessonScenes, AreEditedAltogetherOrNotAtAll) {
+    Scene scene = defaultScene();
+    const Result<void> made = makeEdits(scene, {{"material.shininess", "5"}, {"material.nothing", "1"}});
+    ASSERT_FALSE(made);
+    EXPECT_THAT(made.error().where, HasSubstr("edits/1"));
+    EXPECT_EQ(scene, defaultScene());
+    const Result<void> preset = makeEdits(scene, {{"", "none"}});
+    ASSERT_FALSE(preset);
+    EXPECT_EQ(preset.error().code, ErrorCode::NotFound);
+}
+
+TEST_F(LessonScenes, ThatAreNotThereAreRefusedByPlace) {
+    lesson.steps.push_back(stepOf("nothing"));
+    EXPECT_EQ(start(1).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(start(1).error().where, "/steps/1/scene");
+    for (const char* name : {"../cube", "../mine/cube", "/etc/passwd", "..", "."}) {
+        lesson.steps[1].scene = name;
+        ASSERT_FALSE(start(1)) << name;
+        EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1/scene")) << name;
+    }
+    write("broken.json", "{");
+    lesson.steps[1].scene = "broken.json";
+    EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1/scene"));
+    lesson.steps[1] = stepOf("cube", {{"material.color", "red"}});
+    EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1: edits/0"));
+}
+
+TEST_F(LessonScenes, HaveTheImagesOfTheFolder) {
+    write("red.bmp", texplorer::test::onePixelBmp({'\0', '\0', '\xff'}));
+    writePictured("s.json", "red.bmp");
+    lesson.steps = {stepOf("s.json")};
+    ASSERT_TRUE(start()) << describe(start().error());
+    EXPECT_TRUE(start()->images.holds("red.bmp"));
+    EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_F(LessonScenes, WithoutTheirImageAreRefusedByPlace) {
+    writePictured("s.json", "missing.png");
+    lesson.steps = {stepOf("s.json")};
+    EXPECT_THAT(problems(), ElementsAre(AllOf(Field(&Error::code, ErrorCode::NotFound),
+                                              Field(&Error::where, HasSubstr("/steps/0/scene")))));
+    EXPECT_THAT(describe(problems()[0]), HasSubstr("missing.png"));
+    write("missing.png", "no image");
+    EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/steps/0/scene"))));
+}
+
+TEST_F(LessonScenes, HaveNoImagesOfOtherFolders) {
+    ASSERT_TRUE(writeFileAtomically(parent / "red.bmp",
+                                    viewBytes(texplorer::test::onePixelBmp({'\0', '\0', '\xff'}))));
+    fs::create_symlink("../red.bmp", path / "link.bmp");
+    lesson.steps = {stepOf("s.json")};
+    const std::string absolute = (parent / "red.bmp").string();
+    for (const std::string& file : {std::string("../red.bmp"), std::string("link.bmp"), absolute}) {
+        SCOPED_TRACE(file);
+        writePictured("s.json", file);
+        ASSERT_FALSE(start());
+        EXPECT_EQ(start().error().code, ErrorCode::OutOfRange);
+        EXPECT_THAT(start().error().where, HasSubstr("/steps/0/scene: " + file));
+        // The picture of a level is an image as well.
+        Scene scene = defaultScene();
+        scene.textures[0].mipmaps = MipPolicy::Given;
+        scene.textures[0].minFilter = MinFilter::LinearMipmapLinear;
+        scene.textures[0].levels = {{SourceKind::File, Pattern::Checker, file}};
+        write("s.json", writeScene(scene));
+        ASSERT_FALSE(start());
+        EXPECT_EQ(start().error().code, ErrorCode::OutOfRange);
+    }
+}
+
+TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {
+    lesson.steps = {stepOf("cube"), stepOf(""), stepOf(""), stepOf(""), stepOf(""), stepOf("")};
+    lesson.steps[0].look = {"textures[9].wrapS", "explian", "levels", "fixed,software", -1, -1};
+    lesson.steps[1].task =
+        Predict{"Q",
+                {{"a", {{"view.background", "1,0,0,1"}}}, {"b", {{"view.background", "1,0,0,1"}}}},
+                0,
+                "{colour}"};
+    lesson.steps[2].task = Predict{"Q", {{"a", {{"no", "1"}}}, {"b", {}}}, 0, "R"};
+    lesson.steps[3].task = Match{"M", {{"material.name", "x"}}};
+    lesson.steps[4].task = Match{"M", {{"textures[0].priority", "0.5"}}};
+    lesson.steps[5].task = Match{"M", {{"textures[0].source", "file"}, {"textures[0].file", "none.png"}}};
+    std::vector<std::string> places;
+    for (const Error& problem : problems())
+        places.push_back(problem.where);
+    EXPECT_THAT(places, ElementsAre(HasSubstr("/steps/0/look/param"), "/steps/0/look/tab",
+                                    "/steps/0/look/shown", "/steps/0/look/renderer",
+                                    "/steps/1/predict/answers/1", HasSubstr("/steps/1/predict/reason"),
+                                    HasSubstr("/steps/2/predict/answers/0: edits/0"),
+                                    HasSubstr("/steps/3/match: edits/0"), "/steps/4/match",
+                                    "/steps/5/match: none.png"));
+}
+
+} // namespace
+} // namespace texplorer::lesson::lesson_scene_test
