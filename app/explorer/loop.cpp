@@ -2,6 +2,7 @@
 
 #include "app/opengl/window_graphics.h"
 #include "app/stage/loop.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 
@@ -65,7 +66,8 @@ void rest(Window& window, std::optional<double> wake, double last) {
 } // namespace
 
 Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::filesystem::path>& files,
-                     const std::filesystem::path& shaders, const view::Pretence& pretence) {
+                     const std::string& lesson, const std::filesystem::path& shaders,
+                     const view::Pretence& pretence) {
     const auto graphics = opengl::createWindowGraphics({shaders, Window::wake}, pretence);
     if (!graphics)
         return fail(graphics.error());
@@ -87,6 +89,8 @@ Result<void> runLoop(Window& window, Signals& signals, const std::vector<std::fi
     const KeptAtExit atExit(unsaved.autosave);
     const KeptOnSignal onSignal(signals, unsaved.autosave);
     ui::report(session, ui::openArguments(session, files));
+    if (!lesson.empty())
+        ui::report(session, ui::openLessonNamed(session, lesson));
 
     for (;;) {
         if (signals.received() != 0) {

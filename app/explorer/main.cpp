@@ -31,18 +31,19 @@ int complain(const std::string& sentence) {
 }
 
 int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& paths,
-         const std::string& shaders, const view::Pretence& pretence) {
+         const std::string& lesson, const std::string& shaders, const view::Pretence& pretence) {
     const std::string title = ui::windowTitle({defaultScene(), ImageSource{}});
     Result<explorer::Window> window = explorer::Window::open(startSize, title);
     if (!window)
         return complain(describe(window.error()) + "; " + withoutWindow);
-    const Result<void> ended = explorer::runLoop(*window, signals, paths, shaders, pretence);
+    const Result<void> ended = explorer::runLoop(*window, signals, paths, lesson, shaders, pretence);
     if (!ended)
         return complain(describe(ended.error()) + "; " + withoutWindow);
     return 0;
 }
 
-int run(const std::vector<std::string>& files, const std::string& shaders, const view::Pretence& pretence) {
+int run(const std::vector<std::string>& files, const std::string& lesson, const std::string& shaders,
+        const view::Pretence& pretence) {
     const std::vector<std::filesystem::path> paths(files.begin(), files.end());
     const std::vector<Error> refused = ui::checkArguments(paths);
     for (const Error& each : refused)
@@ -50,7 +51,7 @@ int run(const std::vector<std::string>& files, const std::string& shaders, const
     if (!paths.empty() && refused.size() == paths.size())
         return failure;
     explorer::Signals signals; // before any other thread
-    const int status = show(signals, paths, shaders, pretence);
+    const int status = show(signals, paths, lesson, shaders, pretence);
     if (signals.received() != 0)
         explorer::endBy(signals.received());
     return status;
@@ -83,6 +84,10 @@ int main(int argc, char** argv) {
         "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
         "at once. Without it: those that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    std::string lesson;
+    line.option("--lesson", lesson,
+                "Opens a lesson, by its name, which \"texshot lessons\" lists, or its folder.",
+                {.value = "NAME"});
     std::vector<std::string> pretended;
     line.option("--pretend", pretended, view::pretenceHelp(), {.value = "WORDS", .oneEach = true});
     try {
@@ -94,7 +99,7 @@ int main(int argc, char** argv) {
         if (!*answer) {
             const Result<view::Pretence> pretence = view::Pretence::parse(pretended);
             if (pretence)
-                return run(files, shaders, *pretence);
+                return run(files, lesson, shaders, *pretence);
             complain(describe(pretence.error()));
             return wrongCall;
         }

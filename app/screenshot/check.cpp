@@ -145,7 +145,7 @@ ExitCode check(const Options& options) {
 void addCheck(CommandLine& line) {
     Command& command = line.command("check", "What is wrong in a scene, undefined, or without effect.");
     auto options = std::make_shared<Options>();
-    addSceneArgument(command, options->scene);
+    addSceneOrLessonArgument(command, options->scene);
     command.flag("--json", options->json, "As JSON, for programs.");
     command.footer(
         "A line for each finding on standard output, errors first, and below it each way to mend it; then "

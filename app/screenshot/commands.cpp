@@ -24,7 +24,7 @@ ExitCode commands(const CallsOptions& options) {
 void addCommands(CommandLine& line) {
     Command& command = line.command("commands", "The OpenGL calls that draw a scene, in C.");
     auto options = std::make_shared<CallsOptions>();
-    addSceneArgument(command, options->scene);
+    addSceneOrLessonArgument(command, options->scene);
     command.flag("--all", options->all,
                  "All calls; without it only those that change what OpenGL starts with.");
     command.footer(

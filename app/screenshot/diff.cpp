@@ -41,7 +41,7 @@ std::string changesJson(const std::vector<SceneChange>& changes) {
 int diff(const DiffOptions& options) {
     std::array<Scene, 2> scenes;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const auto opened = openScene({i == 0 ? options.from : options.to, {}, {}});
+        const auto opened = openScene({.file = i == 0 ? options.from : options.to});
         if (!opened)
             return complain(opened.error().error, scenesUnknown);
         scenes[i] = opened->scene;

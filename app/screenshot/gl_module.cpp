@@ -9,6 +9,7 @@
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
 #include "app/stage/loop.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/session.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/window/layout.h"
@@ -98,6 +99,11 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     session.window.settings.theme = request.theme;
     session.window.settings.language = request.language;
     session.window.systemLanguage = ui::languageOfSystem();
+    if (!request.lesson.empty()) {
+        if (const Result<void> opened = ui::openLessonNamed(session, request.lesson, request.lessonStep);
+            !opened)
+            return fail(opened.error());
+    }
     if (request.tour > 0)
         session.window.tour = request.tour - 1;
     if (request.probed) {

@@ -51,6 +51,8 @@ struct ShotRequest {
     ui::LayoutRow layout = ui::layoutRows.front(); ///< which panels of the window are open
     ui::Theme theme{};                             ///< of the window
     ui::Language language = ui::Language::English; ///< of the window
+    std::string lesson{};                          ///< which is open in the window; empty: none
+    std::size_t lessonStep = 0;                    ///< from 0
     int tour = 0;                                  ///< the step of the tour over the window, from 1; 0: none
     float scale = 1;                               ///< of the window's text and lengths
 

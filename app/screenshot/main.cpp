@@ -36,8 +36,9 @@ int main(int argc, char** argv) {
         "A file appears as a whole or not at all.\n"
         "\"texshot COMMAND --help\" explains each command.",
         sceneImageBytesText()));
-    for (const auto add : {addShot, addProbe, addCheck, addCommands, addConform, addParams, addPresets,
-                           addDiff, addDecode, addInfo, addConvert, addFlip, addCompress, addTexture})
+    for (const auto add :
+         {addShot, addProbe, addCheck, addCommands, addConform, addParams, addPresets, addLessons, addDiff,
+          addDecode, addInfo, addConvert, addFlip, addCompress, addTexture})
         add(line);
 
     try {

@@ -152,7 +152,7 @@ ExitCode probe(const ProbeOptions& options) {
 void addProbe(CommandLine& line) {
     Command& command = line.command("probe", "Explain why a pixel has its colour, number by number.");
     auto options = std::make_shared<ProbeOptions>();
-    addSceneArgument(command, options->scene);
+    addSceneOrLessonArgument(command, options->scene);
     addPictureArgument(command, options->picture);
     command.option("--at", options->at,
                    "The pixel, counted from 0,0 at the top left, as in the PNG that \"texshot shot\" writes. "

@@ -2,6 +2,7 @@
 
 #include "app/screenshot/choice_argument.h"
 #include "core/base/file_io.h"
+#include "core/lesson/lesson_scene.h"
 #include "core/preset/preset.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
@@ -34,11 +35,59 @@ Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
     return refuseChoice(names, name, "--preset");
 }
 
+Result<lesson::LessonScene> sceneOfTask(const SceneArgument& argument, const lesson::Step& step,
+                                        const lesson::LessonScene& start) {
+    const auto* predict = std::get_if<lesson::Predict>(&step.task);
+    const auto* match = std::get_if<lesson::Match>(&step.task);
+    if (argument.reached && match)
+        return lesson::withEdits(start, match->edits);
+    if (argument.reached)
+        return fail(ErrorCode::OutOfRange, "this step has no picture to reach", "--reached");
+    const std::size_t answers = predict ? predict->answers.size() : 0;
+    if (argument.answer > answers)
+        return fail(ErrorCode::OutOfRange, fmt::format("this step has {} answers", answers), "--answer");
+    return argument.answer > 0 ? lesson::withEdits(start, predict->answers[argument.answer - 1].edits)
+                               : Result<lesson::LessonScene>(start);
+}
+
+tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) {
+    const auto problem = [](const Error& error, ExitCode code) {
+        return tl::unexpected(SceneProblem{error, code});
+    };
+    const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson);
+    if (!folder)
+        return problem({folder.error().code, folder.error().message, "--lesson"}, wrongCall);
+    const Result<lesson::Lesson> lesson = readLesson(*folder);
+    if (!lesson)
+        return problem(lesson.error(), failure);
+    if (argument.step > lesson->steps.size())
+        return problem(
+            {ErrorCode::OutOfRange,
+             fmt::format("the lesson has the steps 1 to {}, and no {}", lesson->steps.size(), argument.step),
+             "--step"},
+            wrongCall);
+    const Result<lesson::LessonScene> start = startOf(*folder, *lesson, argument.step - 1);
+    if (!start)
+        return problem(start.error(), failure);
+    Result<lesson::LessonScene> scene = sceneOfTask(argument, lesson->steps[argument.step - 1], *start);
+    if (!scene)
+        return problem(scene.error(), wrongCall);
+    return OpenedScene{std::move(scene->scene), std::move(scene->images)};
+}
+
 } // namespace
 
-void addSceneArgument(Command& command, SceneArgument& argument) {
-    command.option("SCENE", argument.file,
-                   "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
+Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(name, ignored))
+        return lesson::LessonFolder::onDisk(name);
+    return lesson::LessonFolder::builtIn(name);
+}
+
+const Option& addSceneArgument(Command& command, SceneArgument& argument) {
+    const Option& file = command.option(
+        "SCENE", argument.file,
+        "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
     command.option("--set", argument.assignments,
                    "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
                    "\"texshot params\" lists every path.",
@@ -47,10 +96,33 @@ void addSceneArgument(Command& command, SceneArgument& argument) {
                    "What a textbook shows of a setting, as in alpha-test, after every --set. May be given "
                    "again; \"texshot presets\" lists them.",
                    {.value = "PRESET", .oneEach = true});
+    return file;
+}
+
+void addSceneOrLessonArgument(Command& command, SceneArgument& argument) {
+    const Option& file = addSceneArgument(command, argument);
+    const Option& lesson =
+        command.option("--lesson", argument.lesson,
+                       "In the place of a scene: a step of a lesson, by its name, which \"texshot lessons\" "
+                       "lists, or its folder.",
+                       {.value = "NAME", .excludes = &file});
+    command.number("--step", argument.step, 1, lesson::maxSteps, "Which step of the lesson.",
+                   {.needs = &lesson});
+    const Option& answer =
+        command.number("--answer", argument.answer, 1, lesson::mostAnswers,
+                       "What that answer of the step's question would look like.", {.needs = &lesson});
+    command.flag("--reached", argument.reached, "The picture that is to be reached in the step.",
+                 {.needs = &lesson, .excludes = &answer});
 }
 
 tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument) {
     OpenedScene opened{defaultScene(), ImageSource{}};
+    if (!argument.lesson.empty()) {
+        auto step = openStep(argument);
+        if (!step)
+            return step;
+        opened = *std::move(step);
+    }
     if (!argument.file.empty()) {
         const Result<std::string> text = readText(argument.file, maxSceneBytes);
         if (!text)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/screenshot/command.h"
+#include "core/lesson/lesson_files.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 
@@ -9,12 +10,22 @@ namespace texplorer::screenshot {
 /// The scene that a command line names, with its changes.
 struct SceneArgument {
     std::string file; ///< empty: the default scene
-    std::vector<std::string> assignments;
-    std::vector<std::string> presets; ///< applied after them, to unit 0 of pass 0
+    std::vector<std::string> assignments{};
+    std::vector<std::string> presets{}; ///< applied after them, to unit 0 of pass 0
+    std::string lesson{};               ///< whose step's scene it is, in the place of a file; empty: none
+    std::size_t step = 1;               ///< from 1
+    std::size_t answer = 0;             ///< from 1, of the step's question; 0: what the step begins with
+    bool reached = false;               ///< the scene of the picture that the step wants
 };
 
-/// Declares SCENE, --set and --preset.
-void addSceneArgument(Command& command, SceneArgument& argument);
+/// A lesson by its own name, or by a folder's.
+[[nodiscard]] Result<lesson::LessonFolder> lessonFolder(const std::string& name);
+
+/// Declares SCENE, --set and --preset; SCENE is what it returns.
+const Option& addSceneArgument(Command& command, SceneArgument& argument);
+
+/// The same with --lesson and its step, in the place of SCENE.
+void addSceneOrLessonArgument(Command& command, SceneArgument& argument);
 
 struct OpenedScene {
     Scene scene;

@@ -263,6 +263,8 @@ ExitCode shoot(const ShotOptions& options) {
     request.shownUnit = options.shownUnit;
     request.layout = *layout;
     request.theme = *theme;
+    request.lesson = options.scene.lesson;
+    request.lessonStep = options.scene.step - 1;
     request.language = *language;
     request.tour = options.tour;
     request.scale = *scale;
@@ -301,7 +303,7 @@ ExitCode shoot(const ShotOptions& options) {
 void addShot(CommandLine& line) {
     Command& command = line.command("shot", "Draw a scene into a picture.");
     auto options = std::make_shared<ShotOptions>();
-    addSceneArgument(command, options->scene);
+    addSceneOrLessonArgument(command, options->scene);
     addPictureArgument(command, options->picture);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     command.option(

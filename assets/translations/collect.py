@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Collects the English texts that Texplorer's window shows, and brings the catalogues up to date.
 
+The texts of a lesson are those of its lesson.json; its catalogues, zh_CN.po and ru.po, stand beside it.
+
     collect.py            writes every LANGUAGE/NAME.po anew: what is translated stays, what is new is empty,
                           what the sources no longer have goes
     collect.py --check    says what is missing, superfluous or not translated, and fails where there is something
@@ -9,6 +11,7 @@ A text is a string literal of the sources that a reader sees: what has a space o
 fmt puts into it is "{}" here, whatever its format. Words without either are found where they stand in words(…),
 tr(…), label(…) or countOf(…).
 """
+import json
 import pathlib
 import re
 import sys
@@ -23,12 +26,13 @@ LANGUAGES = {"zh_CN": ("Chinese (simplified)", 1, "nplurals=1; plural=0;"),
 CATALOGUES = {
     "vocabulary": ["core/gl/", "core/preset/", "core/mesh/", "core/image/patterns/", "app/view/",
                    "core/scene/renderer.h", "core/scene/scene.h", "core/scene/sampler_state.h",
-                   "app/ui/model/examples.cpp"],
+                   "core/example/"],
     "parameters": ["core/scene/params/params"],
     "diagnosis": ["core/diagnosis/"],
     "explanation": ["core/reference/"],
     "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/model/", "app/ui/view/", "app/ui/language/", "app/stage/"],
-    "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/"],
+    "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
+               "app/screenshot/lesson_page"],
     "messages": ["core/base/", "core/autosave/", "core/codec/", "core/image/", "core/link/", "core/s3tc/",
                  "core/texture/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
 }
@@ -86,7 +90,7 @@ def is_text(text):
         return False
     if re.match(r'^[\w./*\[\]{}-]*(\.\w+|\[\]\.\w+)$', text):  # a path of a parameter, a file's name
         return False
-    if re.match(r'^https?:|^/usr|^\{\}$|^##', text):
+    if re.match(r'^https?:|^/usr|^\{\}$|^##|^</?!?[a-z]', text):  # and HTML
         return False
     return " " in text.strip() or bool(re.match(r'^s?[A-ZÀ-Þ][a-z]', text)) or text[-1:] in ".…"
 
@@ -127,6 +131,38 @@ def collect():
     return found
 
 
+def texts_of_lesson(lesson):
+    """What a reader sees of a lesson.json, in order."""
+    yield from (lesson["title"], lesson["about"])
+    for step in lesson["steps"]:
+        yield from (step["title"], step["text"])
+        if "try" in step:
+            yield step["try"]
+        if "match" in step:
+            yield step["match"]["task"]
+        if "predict" in step:
+            yield step["predict"]["question"]
+            yield from (answer["text"] for answer in step["predict"]["answers"])
+            yield step["predict"]["reason"]
+
+
+def lessons():
+    """As collect(): "lessons/NAME" → its texts."""
+    found = {}
+    for path in sorted(ROOT.glob("assets/lessons/*/lesson.json")):
+        where = str(path.relative_to(ROOT))
+        texts = texts_of_lesson(json.loads(path.read_text()))
+        found["lessons/" + path.parent.name] = {key_of(text): (None, [where]) for text in texts}
+    return found
+
+
+def path_of(language, name):
+    """Of a catalogue."""
+    if name.startswith("lessons/"):
+        return ROOT / "assets" / name / (language + ".po")
+    return FOLDER / language / (name + ".po")
+
+
 def unquote(line):
     text = line[line.index('"') + 1:line.rindex('"')]
     return re.sub(r'\\(.)', lambda m: ESCAPES.get(m.group(1), m.group(1)), text)
@@ -163,7 +199,7 @@ def quote(text):
 
 def write(path, language, entries, known):
     title, forms, plural = LANGUAGES[language]
-    lines = ["# %s of Texplorer's window: %s." % (title, path.stem), 'msgid ""', 'msgstr ""',
+    lines = ["# %s of Texplorer: %s." % (title, path.parent.name if path.stem == language else path.stem), 'msgid ""', 'msgstr ""',
              quote("Content-Type: text/plain; charset=UTF-8\n"), quote("Content-Transfer-Encoding: 8bit\n"),
              quote("Language: %s\n" % language), quote("Plural-Forms: %s\n" % plural), ""]
     for key, (plural_key, sources) in entries.items():
@@ -182,33 +218,34 @@ def write(path, language, entries, known):
 def complaints(found):
     for language, (_, forms, _) in LANGUAGES.items():
         for name, entries in found.items():
-            path = FOLDER / language / (name + ".po")
+            path = path_of(language, name)
             known = read(path)
             for key, (plural, _) in entries.items():
                 texts = known.get(key)
                 if not texts or not all(texts) or len(texts) != (forms if plural else 1):
-                    yield "%s/%s.po: not translated: %s" % (language, name, quote(key))
+                    yield "%s: not translated: %s" % (path.relative_to(ROOT), quote(key))
             for key in known:
                 if key not in entries:
-                    yield "%s/%s.po: the sources no longer have %s" % (language, name, quote(key))
+                    yield "%s: the sources no longer have %s" % (path.relative_to(ROOT), quote(key))
     for name, source, key in PIECES:
         if name != "messages":
             yield "%s: half a sentence can't be translated: %s" % (source, quote(key))
 
 
 def main():
-    found = collect()
+    found = {**collect(), **lessons()}
     if "--check" in sys.argv[1:]:
         said = list(complaints(found))
         print("\n".join(said[:60]))
         print("%d texts in %d languages, %d complaints" % (sum(map(len, found.values())), len(LANGUAGES), len(said)))
         return 1 if said else 0
     for language in LANGUAGES:
-        everything = {}
+        everything = {}  # a text that moved to another catalogue stays translated
         for name in found:
-            everything.update(read(FOLDER / language / (name + ".po")))
+            everything.update(read(path_of(language, name)))
         for name, entries in found.items():
-            write(FOLDER / language / (name + ".po"), language, entries, everything)
+            own = {**everything, **read(path_of(language, name))}
+            write(path_of(language, name), language, entries, own)
     return 0
 
 

@@ -1,5 +1,6 @@
 #include "app/ui/details/details_panel.h"
 
+#include "app/ui/details/lesson_tab.h"
 #include "app/ui/details/level_edits.h"
 #include "app/ui/details/memory_tab.h"
 #include "app/ui/language/translate.h"
@@ -19,6 +20,8 @@ namespace {
 
 void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Tab tab) {
     switch (tab) {
+    case Tab::Lesson:
+        return drawLessonTab(session, pictures);
     case Tab::Vertices:
         return drawVerticesTab(session, state.vertices);
     case Tab::Levels:

@@ -1,5 +1,6 @@
 #include "app/ui/model/asking.h"
 
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 
 #include <algorithm>
@@ -16,6 +17,12 @@ void askAboutChanges(Session& session, Pending next) {
         finishPending(session);
 }
 
+bool isLesson(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(folder, ignored) &&
+           lesson::LessonFolder::onDisk(folder).has(lesson::lessonFileName);
+}
+
 } // namespace
 
 void finishPending(Session& session) {
@@ -29,6 +36,9 @@ void finishPending(Session& session) {
         break;
     case Pending::Example:
         report(session, openExample(session, session.window.pendingExample));
+        break;
+    case Pending::Lesson:
+        report(session, openLessonNamed(session, session.window.pendingLesson));
         break;
     case Pending::OpenScene:
         session.window.dialog = Dialog::OpenScene;
@@ -51,6 +61,11 @@ void finishPending(Session& session) {
     }
 }
 
+void askLesson(Session& session, std::string nameOrFolder) {
+    session.window.pendingLesson = std::move(nameOrFolder);
+    askAboutChanges(session, Pending::Lesson);
+}
+
 void askOpenScene(Session& session) {
     askAboutChanges(session, Pending::OpenScene);
 }
@@ -67,6 +82,10 @@ void askNewScene(Session& session) {
 void askExample(Session& session, std::string_view file) {
     session.window.pendingExample = file;
     askAboutChanges(session, Pending::Example);
+}
+
+void askSaveAnswers(Session& session) {
+    session.window.dialog = Dialog::SaveAnswers;
 }
 
 void askSaveAs(Session& session) {
@@ -92,6 +111,8 @@ void requestQuit(Session& session) {
 
 void requestOpen(Session& session, std::vector<std::filesystem::path> files) {
     if (files.size() == 1) {
+        if (isLesson(files.front()))
+            return askLesson(session, files.front().string());
         if (const Result<bool> scene = holdsScene(files.front()); !scene)
             return say(session, scene.error());
     }

@@ -17,14 +17,16 @@ void askOpenScene(Session& session);
 void askOpenImage(Session& session, std::string param = {});
 void askNewScene(Session& session);
 void askExample(Session& session, std::string_view file); ///< see examples.h
-void save(Session& session);                              ///< asks for a name where there is none
+void askLesson(Session& session, std::string nameOrFolder);
+void askSaveAnswers(Session& session); ///< what was done in which lesson, as a file
+void save(Session& session);           ///< asks for a name where there is none
 void askSaveAs(Session& session);
 
 /// The user wants to close the window: asks first where something would be lost.
 void requestQuit(Session& session);
 
-/// Files were dropped onto the window: a scene, images. Asks first where a scene would replace unsaved
-/// changes.
+/// Files were dropped onto the window: a scene, images, the folder of a lesson. Asks first where a scene
+/// would replace unsaved changes.
 void requestOpen(Session& session, std::vector<std::filesystem::path> files);
 
 /// The changes are saved or given up: what had to wait for that is done.

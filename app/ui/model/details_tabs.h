@@ -25,7 +25,7 @@ inline constexpr std::array dockRows{
     return dockRows[static_cast<std::size_t>(dock)];
 }
 
-enum class Tab { Vertices, Levels, Commands, Glsl, Explain, File, Memory, Kept, History };
+enum class Tab { Lesson, Vertices, Levels, Commands, Glsl, Explain, File, Memory, Kept, History };
 
 struct TabRow {
     Tab tab;
@@ -38,6 +38,7 @@ struct TabRow {
 // All lie below at first: the right column is texture space's alone, which would be low beside a list, and
 // the levels of a texture are wider than high.
 inline constexpr std::array tabRows{
+    TabRow{Tab::Lesson, "lesson", "Lesson", "Lesson", Dock::Right},
     TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices"},
     TabRow{Tab::Levels, "levels", "Levels", "Levels"},
     TabRow{Tab::Commands, "commands", "Commands", "Calls"},

@@ -17,6 +17,8 @@ Document::Document(Scene start, ImageSource source, std::filesystem::path savedA
     , used(filesOf(scene)) {}
 
 bool isDirty(const Document& document) {
+    if (document.isLessons)
+        return false;
     if (!document.file.empty())
         return document.scene != document.saved;
     const Scene& a = document.scene;

@@ -1,5 +1,6 @@
 #include "app/ui/model/loads.h"
 
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "core/base/file_fingerprint.h"
@@ -204,7 +205,9 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
     }
 }
 
-void reloadChanged(Session& session) {
+/// True where the lesson that is open has changed: it is read again with the next frame that has room for
+/// it.
+bool reloadChanged(Session& session) {
     std::set<std::string> files;
     for (const std::string& file : session.document.images.files())
         files.insert(file);
@@ -212,14 +215,19 @@ void reloadChanged(Session& session) {
         if (!load.file.empty())
             files.insert(load.file);
     }
+    const std::shared_ptr<LessonRun> lesson = session.window.lesson;
+    bool lessonHasChanged = false;
     for (const fs::path& changed : session.services.files.changed()) {
         if (changed == session.window.fileView.shown)
             refreshInspected(session);
+        if (lesson && std::ranges::find(lesson->files, changed) != lesson->files.end())
+            lesson->hasChanged = lessonHasChanged = true;
         for (const std::string& file : files) {
             if (session.document.images.directory() / file == changed)
                 start(session, {.kind = Load::Kind::Reload, .path = changed, .file = file});
         }
     }
+    return lessonHasChanged;
 }
 
 /// An edit may bring a file into use that was never read: what a scene doesn't use isn't read with it.
@@ -244,6 +252,8 @@ void watchFiles(Session& session) {
     }
     if (!session.window.fileView.shown.empty())
         paths.push_back(session.window.fileView.shown);
+    if (session.window.lesson)
+        std::ranges::copy(session.window.lesson->files, std::back_inserter(paths));
     session.services.files.watch(std::move(paths));
 }
 
@@ -276,7 +286,7 @@ bool receiveFiles(Session& session) {
     }
     const std::size_t before = session.document.loads.size();
     finishInOrder(session);
-    reloadChanged(session);
+    news |= reloadChanged(session);
     watchFiles(session);
     return news || session.document.loads.size() != before;
 }

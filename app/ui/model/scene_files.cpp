@@ -1,9 +1,9 @@
 #include "app/ui/model/scene_files.h"
 
-#include "app/ui/model/examples.h"
 #include "app/ui/model/loads.h"
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
+#include "core/example/example.h"
 #include "core/link/scene_link.h"
 #include "core/scene/params/json.h"
 

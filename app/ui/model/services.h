@@ -2,6 +2,7 @@
 
 #include "app/ui/model/captures.h"
 #include "app/ui/model/files.h"
+#include "app/ui/model/lesson_work.h"
 #include "app/ui/model/level_pictures.h"
 #include "app/ui/model/pattern_pictures.h"
 #include "app/ui/model/settings_file.h"
@@ -25,6 +26,7 @@ struct Services {
     reference::LevelMapWorker& levelMap; ///< of the levels that each pixel reads
     PatternPictures& patterns;           ///< of the choice among them
     LevelPictures& levelPictures;        ///< of the level that texture space shows
+    LessonWork& lessons;                 ///< of the lesson that is open
     UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
     SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
     Captures* captures = nullptr;        ///< nullptr: no pictures are written
@@ -42,10 +44,12 @@ public:
         , probe_(reference::ProbeWorker::When::WhenReady, wake, {cache})
         , levelMap_(reference::LevelMapWorker::When::WhenReady, wake, {cache})
         , patterns_(When::WhenReady, wake)
-        , levelPictures_(When::WhenReady, wake) {}
+        , levelPictures_(When::WhenReady, wake)
+        , lessons_(When::WhenReady, wake) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, levelPictures_, unsaved};
+        return {files_,    levels_,   reference_,     kept_,    probe_,
+                levelMap_, patterns_, levelPictures_, lessons_, unsaved};
     }
 
 private:
@@ -57,6 +61,7 @@ private:
     reference::LevelMapWorker levelMap_;
     PatternPictures patterns_;
     LevelPictures levelPictures_;
+    LessonWork lessons_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -70,10 +75,12 @@ public:
         , probe_(reference::ProbeWorker::When::AtOnce, {}, work)
         , levelMap_(reference::LevelMapWorker::When::AtOnce, {}, work)
         , patterns_(When::AtOnce)
-        , levelPictures_(When::AtOnce) {}
+        , levelPictures_(When::AtOnce)
+        , lessons_(When::AtOnce) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_, levels_, reference_, kept_, probe_, levelMap_, patterns_, levelPictures_, unsaved};
+        return {files_,    levels_,   reference_,     kept_,    probe_,
+                levelMap_, patterns_, levelPictures_, lessons_, unsaved};
     }
 
 private:
@@ -85,6 +92,7 @@ private:
     reference::LevelMapWorker levelMap_;
     PatternPictures patterns_;
     LevelPictures levelPictures_;
+    LessonWork lessons_;
 };
 
 } // namespace texplorer::ui

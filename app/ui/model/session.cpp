@@ -3,6 +3,7 @@
 #include "app/ui/model/camera.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/preview.h"
+#include "core/lesson/match.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 
@@ -84,6 +85,15 @@ void settle(Session& session, const Layout& layout) {
     followShape(session.document, session.window.playback.time, aspectOf(layout));
     bringSelectionBack(session);
     followKept(session);
+    if (const std::optional<WantedProbe> wanted = std::exchange(session.window.wantedProbe, std::nullopt)) {
+        // Of a picture in the shape of the lesson's: whatever the view's, both show the same height.
+        const int height = layout.picture.height;
+        const int width = layout.picture.width;
+        const int x =
+            width / 2 + (wanted->x - 500) * height * lesson::smallWidth / lesson::smallHeight / 1000;
+        session.window.explaining.pixel = reference::PixelPlace{
+            std::clamp(x, 0, std::max(0, width - 1)), std::max(0, height - 1 - wanted->y * height / 1000)};
+    }
 }
 
 bool isMoving(const Session& session) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,19 @@ inline constexpr std::array themeRows{
 
 inline constexpr int tourSteps = 5; ///< of the tour at the first start
 
+/// What became of a step of a lesson.
+struct StepRecord {
+    bool done = false;
+    int tries = 0;   ///< answers until the right one
+    int answer = -1; ///< the last of them
+
+    bool operator==(const StepRecord&) const = default;
+};
+
+inline constexpr std::size_t mostLessonsKept = 1000;
+inline constexpr std::size_t mostStepsKept = 100;
+inline constexpr int mostTriesKept = 1'000'000;
+
 /// What outlives the window and belongs to the person, not to the scene.
 struct Settings {
     Theme theme = Theme::Dark;
@@ -39,7 +53,8 @@ struct Settings {
     bool hasSeenTour = false;
     bool helpBelow =
         true; ///< what the pointer rests on is explained in the status bar, not over its neighbours
-    Workspace workspace; ///< which panels are open, and where
+    std::map<std::string, std::vector<StepRecord>> lessons; ///< by their names
+    Workspace workspace;                                    ///< which panels are open, and where
 
     static constexpr int smallestText = 75;
     static constexpr int largestText = 250;

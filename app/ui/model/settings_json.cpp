@@ -70,6 +70,39 @@ const char* readPinned(const SettingsJson& value, Settings& settings) {
     return nullptr;
 }
 
+SettingsJson writeLessons(const Settings& settings) {
+    SettingsJson lessons = SettingsJson::object();
+    for (const auto& [name, records] : settings.lessons) {
+        SettingsJson steps = SettingsJson::array();
+        for (const StepRecord& record : records)
+            steps.push_back({record.done, record.tries, record.answer});
+        lessons[name] = std::move(steps);
+    }
+    return lessons;
+}
+
+const char* readLessons(const SettingsJson& value, Settings& settings) {
+    constexpr const char* expected = "of each lesson a list of steps, each true or false and two numbers";
+    if (!value.is_object() || value.size() > mostLessonsKept)
+        return expected;
+    std::map<std::string, std::vector<StepRecord>> lessons;
+    for (const auto& [name, steps] : value.items()) {
+        if (!steps.is_array() || steps.size() > mostStepsKept)
+            return expected;
+        for (const SettingsJson& step : steps) {
+            const auto isWithin = [](const SettingsJson& each, int least, int most) {
+                return each.is_number_integer() && each >= least && each <= most;
+            };
+            if (!step.is_array() || step.size() != 3 || !step[0].is_boolean() ||
+                !isWithin(step[1], 0, mostTriesKept) || !isWithin(step[2], -1, mostTriesKept))
+                return expected;
+            lessons[name].push_back({step[0].get<bool>(), step[1].get<int>(), step[2].get<int>()});
+        }
+    }
+    settings.lessons = std::move(lessons);
+    return nullptr;
+}
+
 const char* readWorkspace(const SettingsJson& value, Settings& settings) {
     Result<Workspace> workspace = parseWorkspace(value.dump());
     if (!workspace)
@@ -89,6 +122,7 @@ constexpr std::array settingRows{
     switchRow<&Settings::helpBelow>("helpBelow"),
     switchRow<&Settings::hasSeenTour>("hasSeenTour"),
     SettingRow{"pinned", [](const Settings& settings) { return SettingsJson(settings.pinned); }, readPinned},
+    SettingRow{"lessons", writeLessons, readLessons},
     SettingRow{
         "workspace",
         [](const Settings& settings) { return SettingsJson::parse(writeWorkspace(settings.workspace)); },

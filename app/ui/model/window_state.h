@@ -26,6 +26,13 @@
 
 namespace texplorer::ui {
 
+struct LessonRun; // see lesson_run.h
+
+struct WantedProbe {
+    int x = 0;
+    int y = 0;
+};
+
 struct Playback {
     bool playing = true; ///< time goes on while something in the scene depends on it
     double time = 0;     ///< seconds
@@ -35,10 +42,10 @@ struct Playback {
 /// What is written as a picture.
 enum class Capture { View, Window };
 
-enum class Dialog { None, OpenScene, OpenImage, SaveScene, Discard, Help, Restore, Refused };
+enum class Dialog { None, OpenScene, OpenImage, SaveScene, SaveAnswers, Discard, Help, Restore, Refused };
 
 /// What waits until the user has decided about unsaved changes.
-enum class Pending { None, NewScene, Example, OpenScene, OpenFiles, ShowScene, Quit };
+enum class Pending { None, NewScene, Example, Lesson, OpenScene, OpenFiles, ShowScene, Quit };
 
 /// The visible part of the texture plane.
 struct Plane {
@@ -83,6 +90,7 @@ struct WindowState {
     Pending pending = Pending::None;
     std::vector<std::filesystem::path> pendingFiles;
     std::string pendingExample;       ///< its file's name
+    std::string pendingLesson;        ///< its name, or its folder
     std::shared_ptr<Load> readyScene; ///< loaded, and waits for an answer about unsaved changes
     std::vector<Error> refused; ///< of several files: those that could not be opened, until one has read it
     bool quitConfirmed = false;
@@ -93,6 +101,9 @@ struct WindowState {
     std::optional<Preview> preview; ///< the view shows it: see preview.h
     bool wantsSearch = false; ///< the keyboard goes to the search among the parameters with the next frame
 
+    /// A pixel that is explained as soon as the view's size is known, in thousandths from the upper left.
+    std::optional<WantedProbe> wantedProbe;
+    std::shared_ptr<LessonRun> lesson; ///< nullptr: none is open
     Explaining explaining;
     LevelView levels;
     InspectedFile fileView;

@@ -76,7 +76,7 @@ Workspace workspaceOf(const LayoutRow& row) {
     workspace.parameters = row.parameters;
     workspace.textureSpace = row.textureSpace;
     for (TabPlace& place : workspace.tabs)
-        place.open = row.docks;
+        place.open = place.open && row.docks; // no lesson is open at first
     return workspace;
 }
 

@@ -46,7 +46,7 @@ private:
     [[nodiscard]] static constexpr std::array<TabPlace, tabRows.size()> atHome() {
         std::array<TabPlace, tabRows.size()> places;
         for (const TabRow& row : tabRows)
-            places[static_cast<std::size_t>(row.tab)].dock = row.home;
+            places[static_cast<std::size_t>(row.tab)] = {row.home, row.tab != Tab::Lesson};
         return places;
     }
 };

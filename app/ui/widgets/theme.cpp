@@ -1,5 +1,7 @@
 #include "app/ui/widgets/theme.h"
 
+#include "core/lesson/lesson_files.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,7 +62,15 @@ std::vector<ImWchar> furtherLetters(const Catalogue* catalogue) {
     if (!catalogue || catalogue->language() != Language::Chinese || !chineseFont())
         return {};
     ImFontGlyphRangesBuilder letters;
-    letters.AddText(catalogue->letters().data(), catalogue->letters().data() + catalogue->letters().size());
+    const auto add = [&letters](std::string_view text) {
+        letters.AddText(text.data(), text.data() + text.size());
+    };
+    add(catalogue->letters());
+    const std::string name = std::string(rowOf(catalogue->language()).name) + ".po";
+    for (const lesson::LessonFile& file : lesson::lessonFiles()) {
+        if (file.name.ends_with(name))
+            add(file.text);
+    }
     ImVector<ImWchar> ranges;
     letters.BuildRanges(&ranges);
     return {ranges.begin(), ranges.end()};

@@ -1,6 +1,7 @@
 #include "app/ui/window/dialogs.h"
 
 #include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
@@ -34,6 +35,7 @@ constexpr std::array browserRows{
     BrowserRow{Dialog::OpenScene, "Open a scene", false, false},
     BrowserRow{Dialog::OpenImage, "Open an image", false, true},
     BrowserRow{Dialog::SaveScene, "Save the scene", true, false},
+    BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false},
 };
 
 std::vector<std::string> imageExtensions() {
@@ -52,6 +54,8 @@ void beginBrowsing(DialogsState& state, const Session& session) {
                   row.thumbnails ? imageExtensions() : std::vector<std::string>{".json"}, row.saving,
                   session.document.file);
     state.browser.thumbnails = row.thumbnails;
+    if (dialog == Dialog::SaveAnswers)
+        state.browser.typed = "answers.json"; // never the scene's file
 }
 
 void drawDiscard(Session& session) {
@@ -132,6 +136,8 @@ Result<void> answer(Session& session, Dialog dialog, const std::filesystem::path
         return openScene(session, chosen);
     if (dialog == Dialog::SaveScene)
         return saveScene(session, chosen);
+    if (dialog == Dialog::SaveAnswers)
+        return saveAnswers(session, chosen);
     const std::string param = std::exchange(session.window.imageParam, {});
     if (param.empty())
         importImage(session, chosen);
@@ -162,6 +168,8 @@ void drawBrowserDialog(Session& session, DialogsState& state, const Pictures& pi
     session.window.notice = {};
     if (dialog == Dialog::SaveScene)
         finishPending(session);
+    if (dialog == Dialog::SaveAnswers)
+        tell(session, fmt::format("Written: {}", chosen.string()));
 }
 
 } // namespace

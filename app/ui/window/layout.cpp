@@ -122,7 +122,9 @@ void layOutRight(Layout& layout, const Rect& column, bool hasTabs, const Workspa
         return;
     }
     const float split = workspace.seams.split;
-    const float share = split > 0 ? std::clamp(split, 0.15F, 0.85F) : 0.55F;
+    // A lesson is read: it needs the room more than the texture does.
+    const float usual = frontOf(workspace, Dock::Right) == Tab::Lesson ? 0.28F : 0.55F;
+    const float share = split > 0 ? std::clamp(split, 0.15F, 0.85F) : usual;
     const int upper = static_cast<int>(std::lround(static_cast<float>(column.height - seam) * share));
     layout.texture = {column.x, column.y, column.width, upper};
     layout.middleSeam = {column.x, column.y + upper, column.width, seam};

@@ -2,7 +2,9 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
-#include "app/ui/model/examples.h"
+#include "app/ui/model/lesson_list.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/view/false_color_view.h"
 #include "app/ui/view/framing.h"
 #include "app/ui/view/renderer_choice.h"
@@ -17,6 +19,7 @@
 #include "app/ui/window/presets_menu.h"
 #include "app/ui/window/shortcuts.h"
 #include "core/base/count.h"
+#include "core/example/example.h"
 
 #include <fmt/core.h>
 
@@ -232,6 +235,33 @@ void viewMenu(Session& session, const Layout& layout) {
         resetCamera(session, layout);
 }
 
+void drawLessonsMenu(Session& session) {
+    const Language language = catalogueInUse() ? catalogueInUse()->language() : Language::English;
+    std::string wanted;
+    for (const LessonTitle& each : lessonTitles(language)) {
+        const LessonProgress progress = progressOf(session, each.name, each.steps);
+        const bool isOpen = session.window.lesson && session.window.lesson->folder.name() == each.name;
+        const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
+        if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
+            wanted = each.name;
+        noteItem("menu:lesson:" + each.name);
+        helpTip(each.about);
+    }
+    ImGui::Separator();
+    if (item("Leave the lesson", {}, session.window.lesson != nullptr))
+        closeLesson(session);
+    if (item("Save my answers…", {}, !session.window.settings.lessons.empty()))
+        askSaveAnswers(session);
+    if (item("Copy my answers", {}, !session.window.settings.lessons.empty())) {
+        ImGui::SetClipboardText(answersText(session).c_str());
+        tell(session, "The clipboard has what you did in each lesson, as JSON.");
+    }
+    if (!wanted.empty())
+        askLesson(session, wanted);
+}
+
+constexpr float narrowestWithLessons = 46; // in heights of a letter
+
 } // namespace
 
 void drawMenuBar(Session& session, const Layout& layout) {
@@ -243,8 +273,15 @@ void drawMenuBar(Session& session, const Layout& layout) {
                ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (ImGui::BeginMenuBar()) {
         ImGui::PopStyleVar();
+        // Where there is no room beside the clock, lessons are in the menu File.
+        const bool isWide =
+            static_cast<float>(layout.menu.width) > ImGui::GetFontSize() * narrowestWithLessons;
         if (menu("File")) {
             fileMenu(session);
+            if (!isWide && menu("Lessons")) {
+                drawLessonsMenu(session);
+                ImGui::EndMenu();
+            }
             ImGui::EndMenu();
         }
         if (menu("Edit")) {
@@ -253,6 +290,10 @@ void drawMenuBar(Session& session, const Layout& layout) {
         }
         if (menu("View")) {
             viewMenu(session, layout);
+            ImGui::EndMenu();
+        }
+        if (isWide && menu("Lessons")) {
+            drawLessonsMenu(session);
             ImGui::EndMenu();
         }
         if (menu("Presets")) {

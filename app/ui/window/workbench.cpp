@@ -1,6 +1,7 @@
 #include "app/ui/window/workbench.h"
 
 #include "app/ui/model/findings.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/unsaved_work.h"
 #include "app/ui/view/view_panel.h"
@@ -127,6 +128,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
         if (workspace.maximised == Maximised::View)
             workspace.maximised = Maximised::None;
     }
+    followLesson(session);
     session.window.explaining.isOpen = isShown(workspace, Tab::Explain);
     diagnoseSession(session, factsFor(session, capabilities));
     settle(session, layout); // an edit may have taken away what is selected

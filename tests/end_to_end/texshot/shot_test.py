@@ -83,7 +83,7 @@ class Shot(Texshot):
             ("minFilter", ["--set", "textures[0].minFliter=GL_NEAREST"]),
             ("GL_NEAREST", ["--set", "textures[0].minFilter=GL_NERAEST"]),
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
-            ("one of vertices, levels, commands, glsl, explain, file, memory, a-b, history, found \"bytes\"", ["--ui", "--tab", "bytes"]),
+            ("one of lesson, vertices, levels, commands, glsl, explain, file, memory, a-b, history, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
             ("one of essentials, texture, unit, combine, coordinates, matrix, pass, light, material, model, view, found \"lod\"",
              ["--ui", "--section", "lod"]),
@@ -95,7 +95,7 @@ class Shot(Texshot):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
         self.complains(2, "--size: expected a value, found none", "shot", "-o", out, "--size")
-        self.complains(2, "expected one of shot, probe, check, commands, conform, params, presets, diff, decode, info")
+        self.complains(2, "expected one of shot, probe, check, commands, conform, params, presets, lessons, diff, decode, info")
         for unknown in ["paint", "--paint", "-x", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
 

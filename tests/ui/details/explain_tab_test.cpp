@@ -130,7 +130,7 @@ TEST_F(ExplainTab, ComparesWithNoPictureThatTheAnswerIsNotOf) {
     });
     const Services& atOnce = session->services;
     lend({atOnce.files, atOnce.levels, atOnce.reference, atOnce.kept, worker, atOnce.levelMap,
-          atOnce.patterns, atOnce.levelPictures});
+          atOnce.patterns, atOnce.levelPictures, atOnce.lessons});
     open();
     clickAt(onTheCube());
     worker.wait();

@@ -1,5 +1,7 @@
-#include "app/ui/model/examples.h"
+// The examples of core/example in the window.
+
 #include "app/ui/model/findings.h"
+#include "core/example/example.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>

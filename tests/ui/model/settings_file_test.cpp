@@ -20,6 +20,7 @@ Settings unusual() {
     settings.helpBelow = false;
     settings.hasSeenTour = true;
     settings.pinned = {"textures[].wrapR", "light.position"};
+    settings.lessons = {{"wrap", {{true, 3, 1}, {}}}, {"Мой урок", {{false, 0, -1}}}};
     settings.workspace = workspaceOf(layoutRows.back());
     return settings;
 }
@@ -42,13 +43,27 @@ struct Refused {
 };
 
 TEST(Settings, SayWhereTheyAreWrong) {
-    for (const Refused& row :
-         {Refused{"", ""}, Refused{"[1]", ""}, Refused{"{\"theme\"", ""},
-          Refused{R"({"theme": "pink"})", "/theme"}, Refused{R"({"theme": 3})", "/theme"},
-          Refused{R"({"textPercent": 74})", "/textPercent"},
-          Refused{R"({"textPercent": 251})", "/textPercent"}, Refused{R"({"textPercent": 1e400})", ""},
-          Refused{R"({"textPercent": "big"})", "/textPercent"}, Refused{R"({"glNames": 1})", "/glNames"},
-          Refused{R"({"pinned": [1]})", "/pinned"}, Refused{R"({"workspace": []})", "/workspace"}}) {
+    for (const Refused& row : {Refused{"", ""},
+                               Refused{"[1]", ""},
+                               Refused{"{\"theme\"", ""},
+                               Refused{R"({"theme": "pink"})", "/theme"},
+                               Refused{R"({"theme": 3})", "/theme"},
+                               Refused{R"({"textPercent": 74})", "/textPercent"},
+                               Refused{R"({"textPercent": 251})", "/textPercent"},
+                               Refused{R"({"textPercent": 1e400})", ""},
+                               Refused{R"({"textPercent": "big"})", "/textPercent"},
+                               Refused{R"({"glNames": 1})", "/glNames"},
+                               Refused{R"({"pinned": [1]})", "/pinned"},
+                               Refused{R"({"lessons": []})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": 3}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [true]}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [[true, 1]]}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [[1, 1, 1]]}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [[true, -1, 1]]}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [[true, 1e300, 1]]}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [[true, 99999999999999, 1]]}})", "/lessons"},
+                               Refused{R"({"lessons": {"wrap": [[true, 1, -2]]}})", "/lessons"},
+                               Refused{R"({"workspace": []})", "/workspace"}}) {
         const Result<Settings> read = parseSettings(row.text);
         ASSERT_FALSE(read) << row.text;
         EXPECT_EQ(read.error().where, row.where) << row.text;

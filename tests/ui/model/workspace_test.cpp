@@ -12,7 +12,9 @@ TEST(Workspace, BeginsAsForAStudent) {
     EXPECT_TRUE(isShown(workspace, Tab::Explain));
     EXPECT_EQ(dockOf(workspace, Tab::Explain), Dock::Below);
     for (const TabRow& row : tabRows)
-        EXPECT_EQ(dockOf(workspace, row.tab), Dock::Below) << row.label;
+        EXPECT_EQ(dockOf(workspace, row.tab), row.tab == Tab::Lesson ? Dock::Right : Dock::Below)
+            << row.label;
+    EXPECT_FALSE(isOpen(workspace, Tab::Lesson)) << "until one is chosen";
     EXPECT_FALSE(frontOf(workspace, Dock::Right)) << "the right column is texture space's";
 }
 

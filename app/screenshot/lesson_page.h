@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/ui/language/language.h"
+#include "core/base/bytes.h"
+#include "core/lesson/lesson_files.h"
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace texplorer::screenshot {
+
+struct PageFile {
+    std::string name;
+    Bytes bytes;
+};
+
+struct LessonPageOptions {
+    std::vector<lesson::LessonFolder> folders; ///< in the order in which they are shown
+    ui::Language language = ui::Language::English;
+    std::function<void(float done)> progress;
+    std::stop_token stop;
+};
+
+/// Lessons to be read, or to be printed: index.html, and beside it the pictures of each step, drawn by the
+/// reference. Errors: what can't be read or drawn of a lesson; Cancelled.
+[[nodiscard]] Result<std::vector<PageFile>> lessonPage(const LessonPageOptions& options);
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,310 @@
+#include "app/ui/details/lesson_tab.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_list.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using lesson::Match;
+using lesson::Predict;
+using lesson::Step;
+using lesson::Try;
+
+/// A text of the lesson, as wide as the panel.
+void lessonText(const LessonRun& run, const std::string& english) {
+    ImGui::PushTextWrapPos(0);
+    const std::string words = run.text(english);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    ImGui::PopTextWrapPos();
+}
+
+void lessonTextIn(ImU32 ink, const std::string& words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void space() {
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.3F});
+}
+
+/// A mark for each step, a full one where it was done; a click leads there.
+void stepMarks(Session& session, const LessonRun& run) {
+    const float em = ImGui::GetFontSize();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const std::size_t count = run.lesson.steps.size();
+    const float width = std::min(em * 1.1F, ImGui::GetContentRegionAvail().x / static_cast<float>(count));
+    std::optional<std::size_t> wanted;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0)
+            ImGui::SameLine(0, 0);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        if (ImGui::InvisibleButton(fmt::format("mark {}", i).c_str(), {width, em}))
+            wanted = i;
+        noteItem(fmt::format("lesson step:{}", i + 1));
+        helpTip(fmt::format("{}. {}", i + 1, run.text(run.lesson.steps[i].title)));
+        const ImVec2 middle(low.x + width / 2, low.y + em / 2);
+        const float radius = width * 0.3F;
+        const bool isHere = i == run.step;
+        if (isStepDone(session, run.folder.name(), i))
+            draw.AddCircleFilled(middle, radius, isHere ? color::chosen : color::accent);
+        else
+            draw.AddCircle(middle, radius, isHere ? color::chosen : color::dim, 0, em * 0.1F);
+        if (isHere)
+            draw.AddLine({low.x + width * 0.15F, low.y + em}, {low.x + width * 0.85F, low.y + em},
+                         color::chosen, em * 0.12F);
+    }
+    if (wanted)
+        goToLessonStep(session, *wanted);
+}
+
+/// A small picture in a frame; nothing yet: the frame alone.
+void smallPicture(const Pictures& pictures, const std::shared_ptr<const Image>& image, ImVec2 low,
+                  ImVec2 size, ImU32 frame) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    draw.AddRectFilled(low, high, color::ground);
+    const view::PictureHandle shown = image ? pictures.show(image) : view::PictureHandle::None;
+    if (shown != view::PictureHandle::None) {
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, nullptr);
+        draw.AddImage(textureId(shown), low, high, {0, 1}, {1, 0});
+        if (pictures.setBlending)
+            draw.AddCallback(pictures.setBlending, &draw);
+    }
+    draw.AddRect(low, high, frame, 0, 0, std::max(1.0F, ImGui::GetFontSize() * 0.12F));
+}
+
+constexpr float pictureShape =
+    static_cast<float>(lesson::smallHeight) / static_cast<float>(lesson::smallWidth);
+
+/// How an answer that was chosen stands.
+ImU32 answerInk(const LessonRun& run, const Predict& predict, std::size_t answer) {
+    if (run.answer != answer)
+        return color::dim;
+    return answer == predict.right ? color::accent : color::problem;
+}
+
+/// What is said of it, in a sign too, for whom colours are the same.
+std::string answerName(const LessonRun& run, const Predict& predict, std::size_t answer) {
+    const std::string words = run.text(predict.answers[answer].text);
+    if (run.answer != answer)
+        return words;
+    return fmt::format("{} {}", answer == predict.right ? "●" : "✕", words);
+}
+
+void answerPictures(Session& session, const LessonRun& run, const Predict& predict,
+                    const Pictures& pictures) {
+    const float em = ImGui::GetFontSize();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float gap = em * 0.6F;
+    const std::size_t columns = room > em * 40 ? predict.answers.size() : 2;
+    const float width =
+        std::min((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), em * 16);
+    std::optional<std::size_t> wanted;
+    float bottom = 0;
+    ImVec2 low = ImGui::GetCursorPos();
+    const float left = low.x;
+    for (std::size_t i = 0; i < predict.answers.size(); ++i) {
+        ImGui::SetCursorPos(low);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::BeginGroup();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        if (ImGui::InvisibleButton("picture", {width, width * pictureShape}))
+            wanted = i;
+        const bool hovered = ImGui::IsItemHovered();
+        smallPicture(pictures, run.pictures && i < run.pictures->size() ? (*run.pictures)[i] : nullptr, at,
+                     {width, width * pictureShape}, hovered ? color::text : answerInk(run, predict, i));
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+        ImGui::PushStyleColor(ImGuiCol_Text,
+                              run.answer == i ? answerInk(run, predict, i) : ImU32(color::text));
+        const std::string name = answerName(run, predict, i);
+        ImGui::TextUnformatted(name.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+        ImGui::EndGroup();
+        noteItem(fmt::format("answer:{}", i + 1));
+        bottom = std::max(bottom, ImGui::GetCursorPosY());
+        ImGui::PopID();
+        low.x += width + gap;
+        if ((i + 1) % columns == 0) {
+            low = {left, bottom};
+        }
+    }
+    ImGui::SetCursorPos({left, bottom});
+    if (wanted)
+        answerQuestion(session, *wanted);
+}
+
+void answerSentences(Session& session, const LessonRun& run, const Predict& predict) {
+    std::optional<std::size_t> wanted;
+    for (std::size_t i = 0; i < predict.answers.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const float em = ImGui::GetFontSize();
+        const float room = ImGui::GetContentRegionAvail().x - em * 0.8F;
+        const std::string name = answerName(run, predict, i);
+        const ImVec2 size = ImGui::CalcTextSize(name.c_str(), nullptr, false, room);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        if (ImGui::Button("##answer", {room + em * 0.8F, size.y + em * 0.5F}))
+            wanted = i;
+        noteItem(fmt::format("answer:{}", i + 1));
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), em, {low.x + em * 0.4F, low.y + em * 0.25F},
+                                            run.answer == i ? answerInk(run, predict, i) : ImU32(color::text),
+                                            name.c_str(), nullptr, room);
+        ImGui::PopID();
+    }
+    if (wanted)
+        answerQuestion(session, *wanted);
+}
+
+void drawTask(Session& /*session*/, const LessonRun& /*run*/, const std::monostate& /*task*/,
+              const Pictures&) {}
+
+void drawTask(Session& /*session*/, const LessonRun& run, const Try& task, const Pictures&) {
+    dimText("Try");
+    lessonText(run, task.task);
+}
+
+void drawTask(Session& session, const LessonRun& run, const Predict& predict, const Pictures& pictures) {
+    dimText("Predict");
+    lessonText(run, predict.question);
+    space();
+    const bool pictured =
+        std::ranges::any_of(predict.answers, [](const lesson::Answer& each) { return !each.edits.empty(); });
+    if (pictured)
+        answerPictures(session, run, predict, pictures);
+    else
+        answerSentences(session, run, predict);
+    if (!run.answer)
+        return;
+    space();
+    if (*run.answer != predict.right)
+        return lessonTextIn(color::problem,
+                            tr(std::string("Not this one. Look again, or try it in the window.")));
+    lessonTextIn(color::text, run.reason);
+    noteItem("reason");
+}
+
+void drawTask(Session& session, const LessonRun& run, const Match& match, const Pictures& pictures) {
+    dimText("Match");
+    lessonText(run, match.task);
+    space();
+    const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 16);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, width * pictureShape});
+    const bool passed = run.grade && run.grade->passed;
+    smallPicture(pictures, run.pictures && !run.pictures->empty() ? run.pictures->front() : nullptr, low,
+                 {width, width * pictureShape}, passed ? color::accent : color::dim);
+    noteItem("picture to reach");
+    if (!run.grade)
+        return dimText("Comparing…");
+    if (passed) {
+        lessonTextIn(color::accent, "● " + tr(std::string("Reached: your picture is this one.")));
+        noteItem("reached");
+        return;
+    }
+    dimWrappedText(
+        fmt::format("{} % of the pixels differ still.", std::max(1L, std::lround(run.grade->share * 100))));
+    if (!run.grade->hint)
+        return;
+    if (ImGui::SmallButton(label("Hint")))
+        session.window.lesson->wantsHint = true;
+    noteItem("hint");
+    if (run.wantsHint) {
+        const std::string& path = run.grade->hint->path;
+        ImGui::SameLine();
+        wrappedText(fmt::format("Change {}.", tr(run.grade->hint->label)));
+        if (session.window.shownParam != path)
+            session.window.shownParam = path;
+    }
+}
+
+/// Where one is, and the ways on.
+void stepButtons(Session& session, const LessonRun& run) {
+    const std::size_t last = run.lesson.steps.size() - 1;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    std::optional<std::size_t> wanted;
+    ImGui::BeginDisabled(run.step == 0);
+    if (ImGui::Button(label("Previous")))
+        wanted = run.step - 1;
+    noteItem("lesson:Previous");
+    ImGui::EndDisabled();
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(label("Restart step")))
+        wanted = run.step;
+    noteItem("lesson:Restart step");
+    ImGui::SameLine(0, gap);
+    const bool atEnd = run.step == last;
+    if (ImGui::Button(label(atEnd ? "All lessons" : "Next"))) {
+        if (atEnd)
+            return closeLesson(session, KeepsTab::Yes);
+        wanted = run.step + 1;
+    }
+    noteItem("lesson:Next");
+    if (wanted)
+        goToLessonStep(session, *wanted);
+}
+
+void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) {
+    const Step& step = run.lesson.steps[run.step];
+    const float buttons = ImGui::GetFrameHeightWithSpacing();
+    ImGui::BeginChild("step", {0, -buttons});
+    lessonTextIn(color::dim, run.text(run.lesson.title));
+    stepMarks(session, run);
+    lessonTextIn(color::chosen, fmt::format("{}. {}", run.step + 1, run.text(step.title)));
+    noteItem("lesson title");
+    lessonText(run, step.text);
+    space();
+    std::visit([&](const auto& task) { drawTask(session, run, task, pictures); }, step.task);
+    ImGui::EndChild();
+    stepButtons(session, run);
+}
+
+void drawList(Session& session) {
+    ImGui::BeginChild("lessons");
+    std::string wanted;
+    for (const LessonTitle& each :
+         lessonTitles(catalogueInUse() ? catalogueInUse()->language() : Language::English)) {
+        ImGui::PushID(each.name.c_str());
+        const LessonProgress progress = progressOf(session, each.name, each.steps);
+        const std::string count = fmt::format("{} of {}", progress.done, progress.steps);
+        const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x;
+        if (ImGui::Selectable(each.title.c_str(), false, 0, {room - ImGui::GetFontSize(), 0}))
+            wanted = each.name;
+        noteItem("lesson:" + each.name);
+        ImGui::SameLine(ImGui::GetCursorPosX() + room);
+        dimText(count);
+        lessonTextIn(color::dim, each.about);
+        space();
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+    if (!wanted.empty())
+        askLesson(session, wanted);
+}
+
+} // namespace
+
+void drawLessonTab(Session& session, const Pictures& pictures) {
+    if (const std::shared_ptr<LessonRun> run = session.window.lesson)
+        drawStep(session, *run, pictures);
+    else
+        drawList(session);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,352 @@
+#include "app/ui/model/lesson_run.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/findings.h"
+#include "app/ui/model/scene_files.h"
+#include "app/ui/model/session.h"
+#include "core/base/file_io.h"
+#include "core/lesson/reason.h"
+#include "core/reference/false_colors.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using lesson::Match;
+using lesson::Predict;
+
+const lesson::Step& stepOf(const LessonRun& run) {
+    return run.lesson.steps[run.step];
+}
+
+StepRecord& recordOf(Session& session, const LessonRun& run) {
+    std::vector<StepRecord>& records = session.window.settings.lessons[run.folder.name()];
+    records.resize(std::max(records.size(), run.lesson.steps.size()));
+    return records[run.step];
+}
+
+/// "fixed", or "fixed,reference": two that are compared.
+void showRenderers(ViewSettings& view, std::string_view names) {
+    std::vector<RendererKind> wanted;
+    for (std::size_t from = 0; from <= names.size();) {
+        const std::size_t end = std::min(names.find(',', from), names.size());
+        if (const EnumRow* row = findRow(EnumTable<RendererKind>::rows, names.substr(from, end - from)))
+            wanted.push_back(static_cast<RendererKind>(row->value));
+        from = end + 1;
+    }
+    if (wanted.size() > 1)
+        showComparison(view, wanted);
+    else if (!wanted.empty())
+        showOne(view, wanted.front());
+}
+
+/// The scenes whose pictures the step shows.
+std::vector<lesson::LessonScene> picturedScenes(const LessonRun& run) {
+    std::vector<lesson::LessonScene> scenes;
+    const auto add = [&](const std::vector<lesson::Edit>& edits) {
+        if (Result<lesson::LessonScene> scene = withEdits(run.start, edits))
+            scenes.push_back(*std::move(scene));
+    };
+    const lesson::Step& step = stepOf(run);
+    if (const auto* match = std::get_if<Match>(&step.task))
+        add(match->edits);
+    if (const auto* predict = std::get_if<Predict>(&step.task)) {
+        for (const lesson::Answer& answer : predict->answers) {
+            if (!answer.edits.empty())
+                add(answer.edits);
+        }
+    }
+    return scenes;
+}
+
+/// What the step wants to be looked at.
+void look(Session& session, const lesson::Look& wanted) {
+    WindowState& window = session.window;
+    const auto tab = std::ranges::find(tabRows, wanted.tab, &TabRow::name);
+    if (tab != tabRows.end())
+        window.wantedTab = tab->tab;
+    window.shownParam.clear();
+    if (!wanted.param.empty())
+        reveal(session, wanted.param);
+    if (const EnumRow* shown = findRow(EnumTable<reference::Shown>::rows,
+                                       wanted.shown.empty() ? std::string_view("picture") : wanted.shown))
+        window.view.shown = static_cast<reference::Shown>(shown->value);
+    window.explaining.pixel.reset();
+    window.wantedProbe =
+        wanted.probeX < 0 ? std::nullopt : std::optional(WantedProbe{wanted.probeX, wanted.probeY});
+    if (!wanted.renderer.empty())
+        showRenderers(window.view, wanted.renderer);
+}
+
+/// The scene takes the place of the document's, as a step that can be undone; the file is the lesson's no
+/// more.
+void showScene(Session& session, const lesson::LessonScene& scene) {
+    Document document(scene.scene, scene.images);
+    document.isLessons = true;
+    document.needsFit = false; // pictures are compared, and pixels named, as the step's camera sees them
+    replaceDocument(session, std::move(document));
+    session.window.playback.time = 0;
+}
+
+void begin(Session& session) {
+    LessonRun& run = *session.window.lesson;
+    run.answer.reset();
+    run.reason.clear();
+    run.pictures.reset();
+    run.grade.reset();
+    run.asked.reset();
+    run.wantsHint = false;
+    session.services.lessons.rest();
+    session.services.lessons.askPictures(picturedScenes(run));
+    showScene(session, run.start);
+    look(session, stepOf(run).look);
+    const lesson::Step& step = stepOf(run);
+    const bool asks = std::holds_alternative<Predict>(step.task) || std::holds_alternative<Match>(step.task);
+    if (!asks)
+        recordOf(session, run).done = true; // it was read
+}
+
+/// The texts, the scenes and the catalogue of a folder, whether they are there or not: what isn't may come.
+/// Images are watched with the document.
+std::vector<std::filesystem::path> filesOfLesson(const lesson::LessonFolder& folder,
+                                                 const lesson::Lesson& lesson, Language language) {
+    if (folder.path().empty())
+        return {};
+    std::vector<std::filesystem::path> files{folder.path() / lesson::lessonFileName};
+    if (language != Language::English)
+        files.push_back(folder.path() / catalogueFileOf(language));
+    for (const lesson::Step& step : lesson.steps) {
+        if (!step.scene.empty() && !std::filesystem::path(step.scene).has_parent_path())
+            files.push_back(folder.path() / step.scene);
+    }
+    return files;
+}
+
+void translateTexts(LessonRun& run) {
+    const Catalogue* window = catalogueInUse();
+    const Language wanted = window ? window->language() : Language::English;
+    if (run.language == wanted)
+        return;
+    run.language = wanted;
+    run.catalogue = catalogueOfLesson(run.folder, wanted);
+    run.files = filesOfLesson(run.folder, run.lesson, wanted);
+}
+
+/// What has to begin anew where it is another one.
+bool isSameStep(const lesson::Step& a, const lesson::Step& b) {
+    return a.look == b.look && a.task == b.task;
+}
+
+void tellProblem(Session& session, const Error& error) {
+    LessonRun& run = *session.window.lesson;
+    say(session,
+        {error.code,
+         fmt::format("the lesson has changed and can't be read now, the old one stays: {}", error.message),
+         error.where},
+        error.where);
+    run.problem = session.window.notice.text;
+}
+
+Scene targetOf(const LessonRun& run, const Match& match) {
+    const Result<lesson::LessonScene> target = withEdits(run.start, match.edits);
+    return target ? target->scene : run.start.scene;
+}
+
+/// The camera of another view, with what isn't the camera's.
+View seenFrom(View camera, const View& view) {
+    camera.background = view.background;
+    camera.perspectiveHint = view.perspectiveHint;
+    return camera;
+}
+
+/// What is compared: where the camera isn't what the step is about, one may look from anywhere.
+Scene comparedScene(const LessonRun& run, const Scene& target, Scene scene) {
+    const View& start = run.start.scene.view;
+    if (target.view == seenFrom(start, target.view))
+        scene.view = seenFrom(start, scene.view);
+    return scene;
+}
+
+} // namespace
+
+std::string LessonRun::text(const std::string& english) const {
+    return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(english);
+}
+
+Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
+                        std::optional<std::size_t> step) {
+    Result<lesson::Lesson> lesson = readLesson(folder);
+    if (!lesson)
+        return fail(lesson.error());
+    const auto records = session.window.settings.lessons.find(folder.name());
+    if (!step && records != session.window.settings.lessons.end()) {
+        const auto open = std::ranges::find(records->second, false, &StepRecord::done);
+        step = static_cast<std::size_t>(open - records->second.begin());
+    }
+    const std::size_t last = lesson->steps.size() - 1;
+    const std::size_t first = step.value_or(0) > last ? 0 : step.value_or(0);
+    Result<lesson::LessonScene> start = startOf(folder, *lesson, first);
+    if (!start)
+        return fail(start.error());
+    session.window.lesson = std::make_shared<LessonRun>(folder, *std::move(lesson), first, *std::move(start));
+    session.window.lesson->files = filesOfLesson(folder, session.window.lesson->lesson, Language::English);
+    translateTexts(*session.window.lesson);
+    showTab(session.window.settings.workspace, Tab::Lesson);
+    begin(session);
+    return {};
+}
+
+Result<void> openLessonNamed(Session& session, const std::string& nameOrFolder,
+                             std::optional<std::size_t> step) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(nameOrFolder, ignored))
+        return openLesson(session, lesson::LessonFolder::onDisk(nameOrFolder), step);
+    return lesson::LessonFolder::builtIn(nameOrFolder).and_then([&](const lesson::LessonFolder& folder) {
+        return openLesson(session, folder, step);
+    });
+}
+
+void closeLesson(Session& session, KeepsTab tab) {
+    session.window.lesson.reset();
+    session.services.lessons.rest();
+    if (tab == KeepsTab::No)
+        closeTab(session.window.settings.workspace, Tab::Lesson);
+}
+
+void goToLessonStep(Session& session, std::size_t step) {
+    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    if (!run || step >= run->lesson.steps.size())
+        return;
+    Result<lesson::LessonScene> start = startOf(run->folder, run->lesson, step);
+    if (!start)
+        return say(session, start.error());
+    run->step = step;
+    run->start = *std::move(start);
+    begin(session);
+}
+
+void answerQuestion(Session& session, std::size_t answer) {
+    LessonRun& run = *session.window.lesson;
+    const auto* predict = std::get_if<Predict>(&stepOf(run).task);
+    if (!predict || answer >= predict->answers.size())
+        return;
+    run.answer = answer;
+    StepRecord& record = recordOf(session, run);
+    const bool right = answer == predict->right;
+    if (!record.done) {
+        record.tries = std::min(record.tries + 1, mostTriesKept);
+        record.answer = static_cast<int>(answer);
+    }
+    if (!right)
+        return;
+    record.done = true;
+    const lesson::LessonScene scene =
+        withEdits(run.start, predict->answers[answer].edits).value_or(run.start);
+    const lesson::Look& place = stepOf(run).look;
+    const Result<std::string> reason = reasonOf(run.text(predict->reason), scene, place.probeX, place.probeY);
+    run.reason = reason ? *reason : describe(reason.error());
+    if (!predict->answers[answer].edits.empty()) {
+        session.document.scene = scene.scene;
+        sealEdit(session);
+        recordEdit(session, "Answer");
+        sealEdit(session);
+    }
+}
+
+void followLesson(Session& session) {
+    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    if (!run)
+        return;
+    translateTexts(*run);
+    if (run->hasChanged && session.window.dialog == Dialog::None)
+        reloadLesson(session);
+    LessonWork& work = session.services.lessons;
+    if (auto pictures = work.takePictures())
+        run->pictures = std::move(pictures);
+    const auto* match = std::get_if<Match>(&stepOf(*run).task);
+    if (!match)
+        return;
+    const Scene target = targetOf(*run, *match);
+    Scene compared = comparedScene(*run, target, session.document.scene);
+    if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
+        run->grade = std::move(graded->grade);
+        if (run->grade->passed && graded->scene == compared)
+            recordOf(session, *run).done = true;
+    }
+    if (run->asked == compared)
+        return;
+    run->asked = std::move(compared);
+    work.askGrade(*run->asked, target, session.document.images);
+}
+
+void reloadLesson(Session& session) {
+    LessonRun& run = *session.window.lesson;
+    run.hasChanged = false;
+    Result<lesson::Lesson> lesson = readLesson(run.folder);
+    if (!lesson)
+        return tellProblem(session, lesson.error());
+    run.files = filesOfLesson(run.folder, *lesson, run.language);
+    const std::size_t step = std::min(run.step, lesson->steps.size() - 1);
+    Result<lesson::LessonScene> start = startOf(run.folder, *lesson, step);
+    const std::string file = (run.folder.path() / lesson::lessonFileName).string();
+    if (!start)
+        return tellProblem(session, {start.error().code, describe(start.error()), file});
+    Result<std::shared_ptr<const Catalogue>> catalogue = readLessonCatalogue(run.folder, run.language);
+    if (!catalogue)
+        return tellProblem(session, catalogue.error());
+    if (!run.problem.empty() && session.window.notice.text == run.problem)
+        session.window.notice = {};
+    run.problem.clear();
+    run.catalogue = *std::move(catalogue);
+    const bool goesOn =
+        step == run.step && start->scene == run.start.scene && isSameStep(lesson->steps[step], stepOf(run));
+    run.lesson = *std::move(lesson);
+    run.step = step;
+    run.start = *std::move(start);
+    if (!goesOn)
+        begin(session);
+}
+
+bool isStepDone(const Session& session, const std::string& lesson, std::size_t step) {
+    const auto found = session.window.settings.lessons.find(lesson);
+    return found != session.window.settings.lessons.end() && step < found->second.size() &&
+           found->second[step].done;
+}
+
+LessonProgress progressOf(const Session& session, const std::string& lesson, std::size_t steps) {
+    LessonProgress progress{0, steps};
+    for (std::size_t i = 0; i < steps; ++i)
+        progress.done += isStepDone(session, lesson, i) ? 1U : 0U;
+    return progress;
+}
+
+std::string answersText(const Session& session) {
+    using Json = nlohmann::ordered_json;
+    Json list = Json::array();
+    for (const auto& [name, records] : session.window.settings.lessons) {
+        const Result<lesson::Lesson> lesson = lesson::LessonFolder::builtIn(name).and_then(
+            [](const auto& folder) { return readLesson(folder); });
+        Json steps = Json::array();
+        for (std::size_t i = 0; i < records.size(); ++i) {
+            Json step{{"step", i + 1}, {"done", records[i].done}};
+            if (records[i].tries > 0)
+                step["tries"] = records[i].tries;
+            if (lesson && i < lesson->steps.size())
+                step["title"] = lesson->steps[i].title;
+            steps.push_back(std::move(step));
+        }
+        list.push_back({{"lesson", name}, {"steps", std::move(steps)}});
+    }
+    return Json{{"answers", std::move(list)}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<void> saveAnswers(const Session& session, const std::filesystem::path& file) {
+    return writeFileAtomically(file, viewBytes(answersText(session)));
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "app/ui/language/lesson_catalogue.h"
+#include "app/ui/model/lesson_work.h"
+#include "core/lesson/lesson_scene.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace texplorer::ui {
+
+struct Session;
+
+/// A lesson that is open. What was done in which step outlives it: Settings::lessons.
+struct LessonRun {
+    LessonRun(lesson::LessonFolder from, lesson::Lesson what, std::size_t first, lesson::LessonScene scene)
+        : folder(std::move(from))
+        , lesson(std::move(what))
+        , step(first)
+        , start(std::move(scene)) {}
+
+    lesson::LessonFolder folder;
+    lesson::Lesson lesson;
+    std::size_t step = 0;
+    lesson::LessonScene start;                            ///< what the step begins with
+    std::optional<std::size_t> answer;                    ///< the one that was chosen
+    std::string reason;                                   ///< with its numbers, once the right one was
+    std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or the one to be reached
+    std::optional<lesson::Grade> grade;                   ///< of the scene that was last compared
+    std::optional<Scene> asked;                           ///< the one that is, or was last
+    bool wantsHint = false;
+    Language language = Language::English;      ///< of the catalogue
+    std::shared_ptr<const Catalogue> catalogue; ///< of the lesson's own texts; nullptr: English
+    std::vector<std::filesystem::path> files;   ///< that it is written in; none: it is the program's own
+    bool hasChanged = false;                    ///< one of them has, and was not read again yet
+    std::string problem;                        ///< why not, as the user was told; empty: nothing is wrong
+
+    /// A text of the lesson in the window's language.
+    [[nodiscard]] std::string text(const std::string& english) const;
+};
+
+/// Opens it at the step where one was, in place of the scene, which is lost: see askLesson. Errors: those of
+/// readLesson and startOf; nothing has changed then.
+[[nodiscard]] Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
+                                      std::optional<std::size_t> step = {});
+
+/// One of the program's own, or a folder's. Errors: those of LessonFolder::builtIn and openLesson.
+[[nodiscard]] Result<void> openLessonNamed(Session& session, const std::string& nameOrFolder,
+                                           std::optional<std::size_t> step = {});
+
+/// Whether the tab stays, with the list of all lessons.
+enum class KeepsTab : bool { No, Yes };
+void closeLesson(Session& session, KeepsTab tab = KeepsTab::No);
+
+/// Another step, or the same one from its start.
+void goToLessonStep(Session& session, std::size_t step);
+
+/// What the student thinks. The right answer shows its picture's scene, and why.
+void answerQuestion(Session& session, std::size_t answer);
+
+/// To be called once a frame: takes pictures and grades that are ready, and asks for those of a scene that
+/// has changed.
+void followLesson(Session& session);
+
+/// Whether every step with a question or a picture was done; how many of them were.
+struct LessonProgress {
+    std::size_t done = 0;
+    std::size_t steps = 0;
+};
+[[nodiscard]] LessonProgress progressOf(const Session& session, const std::string& lesson, std::size_t steps);
+[[nodiscard]] bool isStepDone(const Session& session, const std::string& lesson, std::size_t step);
+
+/// The files of a lesson's folder have changed: it is read again, and the step that is shown stays where it
+/// was; where one can't be read or says something wrong, everything stays, and the user is told.
+void reloadLesson(Session& session);
+
+/// What the student answered in which lesson, as JSON, to be kept or handed in.
+[[nodiscard]] std::string answersText(const Session& session);
+
+/// The same as a file. Errors: those of writeFileAtomically.
+[[nodiscard]] Result<void> saveAnswers(const Session& session, const std::filesystem::path& file);
+
+} // namespace texplorer::ui

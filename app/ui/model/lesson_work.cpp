@@ -1,0 +1,57 @@
+#include "app/ui/model/lesson_work.h"
+
+#include <utility>
+
+namespace texplorer::ui {
+
+LessonWork::LessonWork(When when, std::function<void()> wake)
+    : pictures_(
+          {.when = when, .order = JobOrder::NewestWins, .wake = wake},
+          [](const PictureWorker::Task& task) {
+              auto pictures = std::make_shared<Pictures>();
+              for (const lesson::LessonScene& scene : task.job()) {
+                  Result<Image> drawn = lesson::drawSmall(scene, task.superseded());
+                  pictures->push_back(drawn ? std::make_shared<const Image>(*std::move(drawn)) : nullptr);
+              }
+              return std::optional<std::shared_ptr<const Pictures>>(std::move(pictures));
+          },
+          [](const std::vector<lesson::LessonScene>& scenes, const Error& /*error*/) {
+              return std::make_shared<const Pictures>(scenes.size());
+          })
+    , grades_(
+          {.when = when, .order = JobOrder::NewestWins, .wake = std::move(wake)},
+          [](const GradeWorker::Task& task) {
+              const Question& question = task.job();
+              Result<lesson::Grade> grade =
+                  lesson::gradeMatch(question.scene, question.target, question.images, task.superseded());
+              return std::optional(grade ? std::optional(Graded{question.scene, *std::move(grade)})
+                                         : std::nullopt);
+          },
+          [](const Question& /*question*/, const Error& /*error*/) { return std::optional<Graded>(); }) {}
+
+void LessonWork::askPictures(std::vector<lesson::LessonScene> scenes) {
+    pictures_.clear();
+    if (!scenes.empty())
+        pictures_.ask(std::move(scenes));
+}
+
+void LessonWork::askGrade(Scene scene, Scene target, ImageSource images) {
+    grades_.ask({std::move(scene), std::move(target), std::move(images)});
+}
+
+std::shared_ptr<const LessonWork::Pictures> LessonWork::takePictures() {
+    std::vector<std::shared_ptr<const Pictures>> made = pictures_.take();
+    return made.empty() ? nullptr : std::move(made.back());
+}
+
+std::optional<LessonWork::Graded> LessonWork::takeGrade() {
+    std::vector<std::optional<Graded>> made = grades_.take();
+    return made.empty() ? std::nullopt : std::move(made.back());
+}
+
+void LessonWork::rest() {
+    pictures_.clear();
+    grades_.clear();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/base/worker.h"
+#include "core/lesson/lesson_scene.h"
+#include "core/lesson/match.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// Draws the small pictures of a lesson and compares them, for a window that must not wait. All functions are
+/// to be called from one thread.
+class LessonWork {
+public:
+    /// `wake` is called on the thread that works whenever there is something new.
+    explicit LessonWork(When when, std::function<void()> wake = {});
+
+    /// Of each scene; nullptr where it couldn't be drawn.
+    using Pictures = std::vector<std::shared_ptr<const Image>>;
+
+    /// Of a step. What was asked before is forgotten.
+    void askPictures(std::vector<lesson::LessonScene> scenes);
+
+    /// The scene is compared with the one to be reached. An earlier question that waits is forgotten.
+    void askGrade(Scene scene, Scene target, ImageSource images);
+
+    struct Graded {
+        Scene scene;
+        lesson::Grade grade;
+    };
+    [[nodiscard]] std::shared_ptr<const Pictures> takePictures();
+    [[nodiscard]] std::optional<Graded> takeGrade();
+
+    void rest();
+
+private:
+    using PictureWorker = Worker<std::vector<lesson::LessonScene>, std::shared_ptr<const Pictures>>;
+    struct Question {
+        Scene scene;
+        Scene target;
+        ImageSource images;
+    };
+    using GradeWorker = Worker<Question, std::optional<Graded>>;
+
+    PictureWorker pictures_;
+    GradeWorker grades_;
+};
+
+} // namespace texplorer::ui

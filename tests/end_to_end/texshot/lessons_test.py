@@ -1,0 +1,172 @@
+"""texshot lessons, and --lesson of the commands that take a scene."""
+
+import io
+import json
+import os
+import unittest
+
+from PIL import Image
+from texshot import Texshot, bmp
+
+STEP = {"title": "S", "text": "T", "scene": "cube"}
+SMALL = {"lesson": 1, "title": "Small", "about": "A", "steps": [STEP]}
+
+
+def predicting(*answers, **more):
+    return {**STEP, "predict": {"question": "Q", "answers": answers, "right": 0, "reason": "R", **more}}
+
+
+class Lessons(Texshot):
+    def lesson(self, *steps, text=None):
+        """A lesson's folder."""
+        folder = self.path / "mine"
+        folder.mkdir(exist_ok=True)
+        (folder / "lesson.json").write_text(text if text is not None else json.dumps({**SMALL, "steps": steps or [STEP]}))
+        return folder
+
+    def small(self, *arguments):
+        png = self.succeeds("shot", "--renderer", "reference", "--size", "96x72", "-o", "-", *arguments)
+        return Image.open(io.BytesIO(png)).convert("RGB")
+
+
+class Listing(Lessons):
+    def test_each_is_listed_with_its_steps(self):
+        text = self.succeeds("lessons").decode()
+        lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
+        self.assertEqual(lessons[0]["name"], "first-texture")
+        self.assertGreaterEqual(len(lessons), 12)
+        self.assertGreaterEqual(sum(len(each["steps"]) for each in lessons), 60)
+        for each in lessons:
+            self.assertIn(f"{each['name']}: {each['title']}\n", text)
+            for step in each["steps"]:
+                self.assertIn(f"{step['title']} ({step['task']})", text)
+                self.assertIn(step["task"], ("read", "try", "predict", "match"))
+            self.assertIn("predict", [step["task"] for step in each["steps"]])
+
+
+class Checking(Lessons):
+    def says(self, folder, *expected):
+        """Every mistake in a sentence of its own, with its file and place."""
+        said = self.complains(1, expected[0], "lessons", "--check", folder)
+        for each in expected:
+            self.assertIn(each, said)
+        self.assertIn("lesson.json", said)
+
+    def test_a_good_one(self):
+        folder = self.lesson()
+        self.assertEqual(self.succeeds("lessons", "--check", folder).decode(),
+                         f"{folder}/lesson.json: 1 steps, nothing is wrong\n")
+
+    def test_what_is_no_lesson(self):
+        self.complains(1, "lesson.json", "lessons", "--check", self.path)
+        self.complains(1, "lesson.json", "lessons", "--check", self.path / "nowhere")
+        self.says(self.lesson(text='{"lesson": 1,\n'), "line 2")
+        self.says(self.lesson(text='{"lesson": 1e400}'), "number")
+        self.says(self.lesson(text='{"lesson": 7, "title": "L"}'), "/lesson", "found 7")
+
+    def test_what_is_wrong_in_a_step(self):
+        for step, *expected in [
+                ({**STEP, "titel": "x"}, "/steps/0/titel", "expected one of"),
+                (predicting(), "/steps/0/predict/answers", "a list of 2 to 4"),
+                (predicting({"text": "one"}, {"text": "two"}, right=2), "/steps/0/predict/right"),
+                (predicting({"text": "one"}, {"text": "two"}, reason="{colour}"), "/steps/0/predict/reason"),
+                (predicting({"text": "one", "edits": ["no=1"]}, {"text": "two"}), "/steps/0/predict/answers/0: edits/0"),
+                ({**STEP, "scene": "nothing"}, "/steps/0/scene"),
+                ({**STEP, "scene": "../mine/lesson.json"}, "/steps/0/scene"),
+                ({**STEP, "look": {"tab": "explian"}}, "/steps/0/look/tab", "explain"),
+                ({**STEP, "match": {"task": "M", "edits": ["textures[0].priority=0.5"]}}, "/steps/0/match"),
+        ]:
+            with self.subTest(step=step):
+                self.says(self.lesson(step), *expected)
+
+    def test_a_picture_that_is_missing_or_lies_elsewhere(self):
+        folder = self.lesson({**STEP, "scene": "scene.json"})
+        (self.path / "outside.bmp").write_bytes(bmp(2, 2, lambda x, y: (255, 0, 0)))
+        (folder / "link.bmp").symlink_to("../outside.bmp")
+        for file in ("missing.bmp", "../outside.bmp", "link.bmp"):
+            with self.subTest(file=file):
+                (folder / "scene.json").write_text(json.dumps({"textures": [{"source": "file", "file": file}]}))
+                self.says(folder, "/steps/0/scene", file)
+        (folder / "missing.bmp").write_bytes(bmp(2, 2, lambda x, y: (255, 0, 0)))
+        (folder / "scene.json").write_text(json.dumps({"textures": [{"source": "file", "file": "missing.bmp"}]}))
+        self.succeeds("lessons", "--check", folder)
+
+    def test_a_lesson_that_is_a_link_out_of_its_folder(self):
+        folder = self.lesson()
+        os.rename(folder / "lesson.json", self.path / "lesson.json")
+        (folder / "lesson.json").symlink_to("../lesson.json")
+        self.says(folder, "the lesson's folder")
+
+    def test_ten_thousand_other_files(self):
+        folder = self.lesson()
+        for number in range(10_000):
+            (folder / f"{number}.txt").touch()
+        self.succeeds("lessons", "--check", folder)
+
+    def test_wrong_calls(self):
+        self.complains(2, "--check", "lessons", "--check")
+        self.complains(2, "--json", "lessons", "--check", self.path, "--json")
+
+
+class Drawing(Lessons):
+    MATCH = {**STEP, "match": {"task": "M", "edits": ["view.background=1,0,0,1"]}}
+    PREDICT = predicting({"text": "one", "edits": ["view.background=0,1,0,1"]},
+                         {"text": "two", "edits": ["view.background=0,0,1,1"]})
+
+    def corner(self, *arguments):
+        return self.small(*arguments).getpixel((0, 0))
+
+    def test_a_step_is_drawn_as_its_scene_is(self):
+        folder = self.lesson({**STEP, "edits": ["view.background=1,1,0,1"]}, {"title": "S", "text": "T"})
+        self.assertEqual(self.corner("--lesson", folder), (255, 255, 0))
+        self.assertEqual(self.corner("--lesson", folder, "--step", "2"), (255, 255, 0))
+        self.assertEqual(self.corner("--lesson", folder, "--set", "view.background=0,1,1,1"), (0, 255, 255))
+
+    def test_answers_and_the_picture_to_reach(self):
+        folder = self.lesson(self.MATCH, self.PREDICT)
+        self.assertEqual(self.corner("--lesson", folder, "--step", "1", "--reached"), (255, 0, 0))
+        self.assertEqual(self.corner("--lesson", folder, "--step", "2", "--answer", "1"), (0, 255, 0))
+        self.assertEqual(self.corner("--lesson", folder, "--step", "2", "--answer", "2"), (0, 0, 255))
+
+    def test_the_programs_own_go_by_name(self):
+        start = self.small("--lesson", "wrap", "--step", "3")
+        reached = self.small("--lesson", "wrap", "--step", "3", "--reached")
+        self.assertIsNotNone(self.difference(start, reached))
+        self.succeeds("check", "--lesson", "wrap")
+        self.assertIn(b"pixel", self.succeeds("probe", "--lesson", "wrap", "--at", "10,10").lower())
+
+    def test_wrong_calls(self):
+        folder = self.lesson(self.MATCH, self.PREDICT)
+        for expected, *arguments in [
+                ("expected one of first-texture, ", "--lesson", "nothing"),
+                ("steps 1 to 2", "--lesson", folder, "--step", "3"),
+                ("--step", "--lesson", folder, "--step", "0"),
+                ("no picture to reach", "--lesson", folder, "--step", "2", "--reached"),
+                ("0 answers", "--lesson", folder, "--step", "1", "--answer", "1"),
+                ("2 answers", "--lesson", folder, "--step", "2", "--answer", "3"),
+                ("--lesson", "--step", "2"),
+                ("--lesson", "--answer", "2"),
+                ("--lesson", "--lesson", folder, "scene.json"),
+                ("--answer", "--lesson", folder, "--answer", "1", "--reached"),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.complains(2, expected, "shot", "-o", self.path / "out.png", *arguments)
+
+    def test_a_broken_one_fails(self):
+        self.complains(1, "/steps", "shot", "--lesson", self.lesson(text=json.dumps({**SMALL, "steps": []})),
+                       "-o", self.path / "out.png")
+        self.complains(1, "/steps/0/scene", "shot", "--lesson", self.lesson({**STEP, "scene": "no"}),
+                       "-o", self.path / "out.png")
+
+    def test_the_window_shows_the_step(self):
+        plain = self.shot("--ui", "--size", "1280x800")
+        first = self.shot("--ui", "--size", "1280x800", "--lesson", "wrap")
+        second = self.shot("--ui", "--size", "1280x800", "--lesson", "wrap", "--step", "2")
+        self.assertIsNotNone(self.difference(plain, first))
+        self.assertIsNotNone(self.difference(first, second))
+        russian = self.shot("--ui", "--size", "1280x800", "--lesson", "wrap", "--language", "ru")
+        self.assertIsNotNone(self.difference(first, russian))
+
+
+if __name__ == "__main__":
+    unittest.main()

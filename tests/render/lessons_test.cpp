@@ -1,0 +1,141 @@
+// Every step of every lesson, and every picture that is to be reached, drawn by OpenGL's renderers and by the
+// reference: they agree on it as conform asks of a scene of its sweeps. What is left out, conform's rows of
+// skips leave out, each with its reason.
+
+#include "app/view/driver_facts.h"
+#include "core/conform/judge.h"
+#include "core/conform/lambda_range.h"
+#include "core/conform/skip.h"
+#include "core/lesson/lesson_scene.h"
+#include "tests/support/render_fixture.h"
+
+#include <GL/glew.h>
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace texplorer::lessons_test {
+namespace {
+
+using namespace test;
+
+constexpr view::Size extent{160, 120};
+
+/// conform's own draws squares.
+class LessonReference : public conform::Explainer {
+public:
+    explicit LessonReference(const ImageSource& images)
+        : images_(images) {}
+    Result<Frame> draw(const Scene& scene) override { return renderer_.draw(requestFor(scene), options_); }
+    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
+                                                          reference::PixelPlace pixel) override {
+        return conform::colorsOverLambda(renderer_, requestFor(scene), pixel, options_);
+    }
+    [[nodiscard]] const ImageSource& images() const override { return images_; }
+
+private:
+    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
+        return {scene, images_, 0, extent.width, extent.height, reference::AnisotropyMethod::Ellipse};
+    }
+
+    reference::ReferenceRenderer renderer_;
+    reference::DrawOptions options_;
+    ImageSource images_;
+};
+
+bool isAnisotropic(const Scene& scene) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                   const auto texture = static_cast<std::size_t>(unit.texture);
+                   return unit.enabled && texture < scene.textures.size() &&
+                          scene.textures[texture].maxAnisotropy > 1;
+               });
+    });
+}
+
+/// Passes that mix with what the one before has left: that is rounded to 8 bits each time.
+int blendedPasses(const Scene& scene) {
+    return static_cast<int>(
+        std::ranges::count_if(scene.passes, [](const Pass& pass) { return pass.enabled && pass.blend; }));
+}
+
+bool hasLines(const Scene& scene) {
+    return std::ranges::any_of(scene.models, [](const Model& model) {
+        return model.visible && model.shape == Shape::Mesh &&
+               (model.mesh.primitive == Primitive::Lines || model.mesh.primitive == Primitive::LineStrip ||
+                model.mesh.primitive == Primitive::LineLoop);
+    });
+}
+
+/// Anisotropy may be filtered in any way, lines have ends that are snapped; the others have lambda alone that
+/// a driver may round, and their passes.
+conform::Rule ruleOf(const Scene& scene) {
+    if (isAnisotropic(scene))
+        return conform::rules::ellipse;
+    conform::Rule rule = hasLines(scene) ? conform::rules::lines : conform::rules::levelBlend;
+    if (blendedPasses(scene) > 0)
+        rule.bound = std::max(rule.bound, conform::rules::passes.bound);
+    return rule;
+}
+
+/// These renderers keep no compressed levels for the next time, and say so.
+auto onlyNotKept() {
+    return testing::Each(testing::HasSubstr("the compressed levels are not kept"));
+}
+
+class Lessons : public RenderTest, public testing::WithParamInterface<std::string> {
+protected:
+    void expectAgreement(const lesson::LessonScene& step) {
+        const conform::Driver driver{reinterpret_cast<const char*>(glGetString(GL_RENDERER)), // NOLINT: bytes
+                                     {},
+                                     {},
+                                     view::driverFacts(capabilities)};
+        if (conform::skipOf(step.scene, {testedRenderer(), RendererKind::Reference}, driver))
+            return;
+        const Result<view::Frame> frame = renderer->draw(step.scene, step.images, 0, extent);
+        ASSERT_TRUE(frame) << describe(frame.error());
+        EXPECT_THAT(frame->problems, onlyNotKept());
+        const Result<Image> theirs = renderer->read();
+        ASSERT_TRUE(theirs) << describe(theirs.error());
+        LessonReference reference(step.images);
+        const Result<Frame> ours = reference.draw(step.scene);
+        ASSERT_TRUE(ours) << describe(ours.error());
+        EXPECT_THAT(ours->problems, onlyNotKept());
+        const conform::Rule rule = ruleOf(step.scene);
+        const Result<conform::Judgement> judged =
+            conform::judge(rule, step.scene, ours->image, *theirs, reference);
+        ASSERT_TRUE(judged) << describe(judged.error());
+        const auto pixels = static_cast<double>(judged->difference.pixels);
+        EXPECT_LE(static_cast<double>(judged->unexplained) / pixels, 1 - rule.explainedScene)
+            << "by " << rule.name << ", the worst by " << judged->difference.max;
+    }
+};
+
+TEST_P(Lessons, AreDrawnAlikeByEveryRenderer) {
+    const lesson::LessonFolder folder = lesson::LessonFolder::builtIn(GetParam()).value();
+    const lesson::Lesson lesson = readLesson(folder).value();
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        SCOPED_TRACE(fmt::format("step {}: {}", i + 1, lesson.steps[i].title));
+        const Result<lesson::LessonScene> start = startOf(folder, lesson, i);
+        ASSERT_TRUE(start) << describe(start.error());
+        expectAgreement(*start);
+        if (const auto* match = std::get_if<lesson::Match>(&lesson.steps[i].task)) {
+            SCOPED_TRACE("the picture to reach");
+            expectAgreement(withEdits(*start, match->edits).value());
+        }
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Lessons, testing::ValuesIn(lesson::builtInLessons()), nameOf);
+
+} // namespace
+} // namespace texplorer::lessons_test

@@ -1,0 +1,195 @@
+// Lessons by mouse: from the menu through their steps.
+
+#include "app/ui/model/lesson_run.h"
+#include "tests/ui/workbench.h"
+
+namespace texplorer::ui::lesson_tab_test {
+namespace {
+
+using namespace test;
+using testing::Not;
+
+class LessonTab : public Workbench {
+protected:
+    void openWrap() {
+        click("menu:Lessons");
+        click("menu:lesson:wrap");
+        ASSERT_TRUE(session->window.lesson);
+        ASSERT_EQ(session->window.lesson->folder.name(), "wrap");
+    }
+    void next(int times = 1) {
+        for (int i = 0; i < times; ++i)
+            click("lesson:Next");
+    }
+    [[nodiscard]] LessonRun& run() { return *session->window.lesson; }
+    [[nodiscard]] StepRecord record(std::size_t step) {
+        return session->window.settings.lessons["wrap"].at(step);
+    }
+    /// Turns the wheel over the step, which lies above its buttons, until an item is in sight.
+    void wheelTo(std::string_view name) {
+        const ImVec2 buttons = place("lesson:Next");
+        for (int turn = 0; turn < 50; ++turn) {
+            const auto found = places.items.find(name);
+            if (found != places.items.end() && found->second.visible && found->second.bottom < buttons.y - 12)
+                return;
+            wheel({buttons.x, buttons.y - 40}, turn == 0 ? 100.0F : -1.0F);
+        }
+    }
+};
+
+TEST_F(LessonTab, MenuListsThemInTheirOrder) {
+    click("menu:Lessons");
+    float above = 0;
+    for (const std::string& name : lesson::builtInLessons()) {
+        ASSERT_TRUE(has("menu:lesson:" + name)) << name;
+        EXPECT_GT(place("menu:lesson:" + name).y, above);
+        above = place("menu:lesson:" + name).y;
+    }
+}
+
+TEST_F(LessonTab, IsSteppedThrough) {
+    openWrap();
+    EXPECT_EQ(run().step, 0U);
+    EXPECT_EQ(scene(), run().start.scene);
+    next();
+    EXPECT_EQ(run().step, 1U);
+    EXPECT_EQ(scene(), run().start.scene);
+    click("lesson:Previous");
+    EXPECT_EQ(run().step, 0U);
+    click("lesson:Previous"); // does nothing
+    EXPECT_EQ(run().step, 0U);
+    texture().wrapS = Wrap::Clamp;
+    frames(2);
+    click("lesson:Restart step");
+    EXPECT_EQ(scene(), run().start.scene);
+    click("lesson step:4");
+    EXPECT_EQ(run().step, 3U);
+}
+
+TEST_F(LessonTab, EndsWithTheListOfAll) {
+    openWrap();
+    next(6);
+    EXPECT_FALSE(session->window.lesson);
+    ASSERT_TRUE(has("lesson:first-texture"));
+    click("lesson:first-texture");
+    ASSERT_TRUE(session->window.lesson);
+    EXPECT_EQ(run().folder.name(), "first-texture");
+}
+
+TEST_F(LessonTab, IsLeftByTheMenu) {
+    openWrap();
+    const Scene mine = scene();
+    click("menu:Lessons");
+    click("menu:Leave the lesson");
+    EXPECT_FALSE(session->window.lesson);
+    EXPECT_FALSE(has("lesson:Next"));
+    EXPECT_EQ(scene(), mine) << "one goes on with what there is";
+}
+
+TEST_F(LessonTab, TakesAnswersUntilTheRightOne) {
+    openWrap();
+    next();
+    wheelTo("answer:3");
+    click("answer:3");
+    EXPECT_EQ(record(1), (StepRecord{false, 1, 2}));
+    EXPECT_FALSE(has("reason"));
+    wheelTo("answer:1");
+    click("answer:1");
+    EXPECT_EQ(record(1), (StepRecord{true, 2, 0}));
+    frames(2);
+    EXPECT_TRUE(has("reason"));
+    EXPECT_THAT(run().reason, testing::HasSubstr("integer part is 1"));
+    EXPECT_THAT(run().reason, Not(testing::HasSubstr("{")));
+    EXPECT_EQ(texture().wrapT, Wrap::MirroredRepeat);
+}
+
+TEST_F(LessonTab, HintsAtWhatIsMissingAndSaysWhenItIsReached) {
+    openWrap();
+    next(2);
+    ASSERT_EQ(run().step, 2U);
+    wheelTo("hint");
+    EXPECT_FALSE(has("reached"));
+    click("hint");
+    EXPECT_TRUE(run().wantsHint);
+    frames(2);
+    const std::string first = session->window.shownParam;
+    EXPECT_THAT(first, testing::AnyOf("textures[0].wrapS", "textures[0].wrapT"));
+    texture().wrapS = Wrap::ClampToEdge;
+    frames(3);
+    EXPECT_EQ(session->window.shownParam, "textures[0].wrapT") << "what is missing now";
+    EXPECT_FALSE(record(2).done);
+    texture().wrapT = Wrap::ClampToBorder;
+    frames(3);
+    EXPECT_TRUE(has("reached"));
+    EXPECT_FALSE(has("hint"));
+    EXPECT_TRUE(record(2).done);
+}
+
+TEST_F(LessonTab, AsksAboutUnsavedChangesFirst) {
+    scene().material.shininess = 77;
+    recordEdit(*session, "Shininess");
+    frames(1);
+    const Scene mine = scene();
+    click("menu:Lessons");
+    click("menu:lesson:wrap");
+    EXPECT_EQ(session->window.dialog, Dialog::Discard);
+    EXPECT_EQ(scene(), mine);
+    EXPECT_FALSE(session->window.lesson);
+    click("discard:cancel");
+    EXPECT_FALSE(session->window.lesson);
+    click("menu:Lessons");
+    click("menu:lesson:wrap");
+    click("discard:drop");
+    ASSERT_TRUE(session->window.lesson);
+    texture().wrapS = Wrap::Clamp; // nobody misses what was tried in a lesson
+    recordEdit(*session, "Wrap s");
+    frames(1);
+    click("menu:Lessons");
+    click("menu:lesson:alpha");
+    EXPECT_EQ(session->window.dialog, Dialog::None);
+    EXPECT_EQ(run().folder.name(), "alpha");
+}
+
+TEST_F(LessonTab, IsInTheWindowsLanguage) {
+    openWrap();
+    EXPECT_EQ(run().text("Repeated"), "Repeated");
+    for (const Language language : {Language::Russian, Language::Chinese}) {
+        speak(language);
+        frames(3);
+        EXPECT_EQ(run().language, language);
+        EXPECT_EQ(run().text("Repeated"), language == Language::Russian ? "Повторение" : "重复");
+        EXPECT_EQ(run().text("No text of the lesson"), "No text of the lesson");
+        click("menu:Lessons");
+        EXPECT_TRUE(has("menu:lesson:wrap"));
+        click("menu:lesson:wrap");
+    }
+}
+
+/// Every step of every lesson in the language whose words are the longest.
+TEST_F(LessonTab, IsDrawnWhateverItSays) {
+    speak(Language::Russian);
+    for (const std::string& name : lesson::builtInLessons()) {
+        SCOPED_TRACE(name);
+        ASSERT_TRUE(openLessonNamed(*session, name, 0));
+        for (std::size_t i = 0; i < run().lesson.steps.size(); ++i) {
+            goToLessonStep(*session, i);
+            frames(1);
+            expectSoundFrame();
+            ASSERT_TRUE(has("lesson:Next"));
+            ASSERT_EQ(session->window.notice.text, "");
+        }
+    }
+}
+
+TEST_F(LessonTab, ShowsThePicturesOfItsAnswers) {
+    openWrap();
+    static_cast<void>(picture()); // which expects that no renderer has anything to say
+    next();
+    const Image before = picture();
+    run().pictures = nullptr;
+    EXPECT_NE(picture().pixels, before.pixels);
+    expectSoundFrame();
+}
+
+} // namespace
+} // namespace texplorer::ui::lesson_tab_test

@@ -1,0 +1,150 @@
+// A lesson of a folder in the window: opened, edited meanwhile, dropped, and its answers saved.
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/model/loads.h"
+#include "tests/support/raw_file.h"
+#include "tests/support/temp_dir.h"
+#include "tests/ui/workbench.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace texplorer::ui::lesson_folder_test {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+/// Files whose changes are told by the test.
+class ToldFiles final : public Files {
+public:
+    [[nodiscard]] Ticket load(std::filesystem::path path, Wanted wanted) override {
+        return files_.load(std::move(path), wanted);
+    }
+    void cancel(Ticket ticket) override { files_.cancel(ticket); }
+    [[nodiscard]] std::vector<ImageLoader::Loaded> take() override { return files_.take(); }
+    [[nodiscard]] std::optional<ImageLoader::Progress> progress() const override { return std::nullopt; }
+    void watch(std::vector<std::filesystem::path> files) override { watched = std::move(files); }
+    [[nodiscard]] std::vector<std::filesystem::path> changed() override { return std::exchange(told, {}); }
+    [[nodiscard]] std::shared_ptr<const Image>
+    thumbnail(const std::filesystem::path& /*file*/, std::filesystem::file_time_type /*modified*/) override {
+        return nullptr;
+    }
+    bool receiveThumbnails() override { return false; }
+    void wait() const override {}
+
+    std::vector<std::filesystem::path> watched;
+    std::vector<std::filesystem::path> told;
+
+private:
+    FilesAtOnce files_;
+};
+
+/// A teacher's lesson of two steps, which is edited while it is open.
+class LessonFolderInTheWindow : public Workbench {
+protected:
+    LessonFolderInTheWindow() {
+        Services services = beside_.lend();
+        lend({files, services.levels, services.reference, services.kept, services.probe, services.levelMap,
+              services.patterns, services.levelPictures, services.lessons});
+        write("First text.", "textures[0].wrapS=GL_CLAMP");
+        EXPECT_TRUE(openLesson(*session, lesson::LessonFolder::onDisk(folder.path()), 1));
+        frames();
+    }
+
+    void write(const std::string& text, const std::string& edit) {
+        writeRaw(folder / "lesson.json", fmt::format(R"({{"lesson": 1, "title": "Mine", "about": "About it.",
+            "steps": [{{"title": "One", "text": "One.", "scene": "cube"}},
+                      {{"title": "Two", "text": "{}", "edits": ["{}"], "try": "Do it."}}]}})",
+                                                     text, edit));
+    }
+    void tell(const std::string& name) {
+        files.told = {folder / name};
+        (void)receiveFiles(*session);
+        frames();
+    }
+    [[nodiscard]] const LessonRun& run() const { return *session->window.lesson; }
+
+    TempDir folder;
+    ToldFiles files;
+
+private:
+    ServicesAtOnce beside_;
+};
+
+TEST_F(LessonFolderInTheWindow, IsReadAgainWhenItsTextChangesAndWhatWasTriedStays) {
+    (void)receiveFiles(*session);
+    EXPECT_THAT(files.watched, testing::Contains(folder / "lesson.json"));
+    texture().magFilter = MagFilter::Nearest;
+    const Scene tried = scene();
+    write("Second text.", "textures[0].wrapS=GL_CLAMP");
+    tell("lesson.json");
+    EXPECT_EQ(run().step, 1U);
+    EXPECT_EQ(run().lesson.steps[1].text, "Second text.");
+    EXPECT_EQ(scene(), tried);
+}
+
+TEST_F(LessonFolderInTheWindow, BeginsItsStepAnewWhenItsSceneChanges) {
+    write("First text.", "textures[0].wrapS=GL_MIRRORED_REPEAT");
+    tell("lesson.json");
+    EXPECT_EQ(run().step, 1U);
+    EXPECT_EQ(texture().wrapS, Wrap::MirroredRepeat);
+}
+
+TEST_F(LessonFolderInTheWindow, StaysAsItWasWhileItIsBrokenAndSaysWhere) {
+    write("Second text.", "textures[0].nothing=1");
+    tell("lesson.json");
+    EXPECT_EQ(run().lesson.steps[1].text, "First text.");
+    EXPECT_THAT(session->window.notice.text,
+                HasSubstr("lesson.json: the lesson has changed and can't be read"));
+    EXPECT_THAT(session->window.notice.text, HasSubstr("/steps/1: edits/0"));
+    writeRaw(folder / "lesson.json", std::string("{\"lesson\": 1,"));
+    tell("lesson.json");
+    EXPECT_THAT(session->window.notice.text, HasSubstr("can't be read now, the old one stays"));
+    EXPECT_EQ(run().step, 1U);
+    write("Third text.", "textures[0].wrapS=GL_CLAMP");
+    tell("lesson.json");
+    EXPECT_EQ(run().lesson.steps[1].text, "Third text.");
+    EXPECT_EQ(session->window.notice.text, "");
+}
+
+TEST_F(LessonFolderInTheWindow, IsLeftAtItsLastStepWhereTheOneThatWasShownIsGone) {
+    writeRaw(folder / "lesson.json", std::string(R"({"lesson": 1, "title": "Mine", "about": "About it.",
+        "steps": [{"title": "One", "text": "One.", "scene": "cube"}]})"));
+    tell("lesson.json");
+    EXPECT_EQ(run().step, 0U);
+}
+
+TEST_F(LessonFolderInTheWindow, IsOpenedWhenItsFolderIsDropped) {
+    closeLesson(*session);
+    requestOpen(*session, {folder.path()});
+    ASSERT_NE(session->window.lesson, nullptr);
+    EXPECT_EQ(run().lesson.title, "Mine");
+}
+
+TEST_F(LessonFolderInTheWindow, GivesItsAnswersAsAFile) {
+    ASSERT_FALSE(session->window.settings.lessons.empty());
+    const std::filesystem::path file = folder / "answers.json";
+    ASSERT_TRUE(saveAnswers(*session, file));
+    EXPECT_EQ(readRawText(file), answersText(*session));
+    EXPECT_FALSE(saveAnswers(*session, folder / "missing" / "answers.json"));
+}
+
+TEST_F(LessonFolderInTheWindow, AsksForTheAnswersFileAndSaysWhereItIs) {
+    click("menu:Lessons");
+    click("menu:Save my answers…");
+    frames(2);
+    ASSERT_EQ(session->window.dialog, Dialog::SaveAnswers);
+    const std::filesystem::path file = folder / "mine.json";
+    key('A', {ctrl}); // all of the name that is proposed
+    type(file.string());
+    click("browser:ok");
+    EXPECT_TRUE(std::filesystem::exists(file));
+    EXPECT_EQ(session->window.notice.text, "Written: " + file.string());
+    EXPECT_TRUE(session->window.notice.isGood);
+}
+
+} // namespace
+} // namespace texplorer::ui::lesson_folder_test

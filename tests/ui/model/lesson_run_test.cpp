@@ -1,0 +1,244 @@
+// A lesson in a session: what a step shows, what an answer does, what is kept.
+
+#include "app/ui/model/asking.h"
+#include "app/ui/model/details_tabs.h"
+#include "app/ui/model/lesson_list.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/model/settings_file.h"
+#include "core/base/file_io.h"
+#include "tests/support/temp_dir.h"
+#include "tests/ui/workbench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cctype>
+
+namespace texplorer::ui::lesson_run_test {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::string_view small = R"({
+    "lesson": 1, "title": "Small", "about": "A", "steps": [
+    {"title": "First", "text": "T", "scene": "cube", "edits": ["material.shininess=7"],
+     "look": {"param": "textures[0].wrapS", "tab": "memory", "shown": "lambda", "renderer": "fixed,reference",
+              "probe": [500, 250]}, "try": "Turn it."},
+    {"title": "Second", "text": "T", "look": {"probe": [500, 500]},
+     "predict": {"question": "Q", "right": 1, "reason": "It is {fragment}.",
+                 "answers": [{"text": "one", "edits": ["material.color=1,0,0,1"]},
+                             {"text": "two", "edits": ["material.color=0,1,0,1"]}]}},
+    {"title": "Third", "text": "T", "scene": "checker",
+     "match": {"task": "M", "edits": ["view.background=1,1,1,1"]}}]})";
+
+class LessonRuns : public Workbench {
+protected:
+    LessonRuns() {
+        fs::create_directory(folder);
+        write(small);
+    }
+    void write(std::string_view text) const {
+        ASSERT_TRUE(writeFileAtomically(folder / "lesson.json", viewBytes(text)));
+    }
+    void openSmall(std::optional<std::size_t> step = {}) {
+        const Result<void> opened = openLessonNamed(*session, folder.string(), step);
+        ASSERT_TRUE(opened) << describe(opened.error());
+        frames(3);
+    }
+    [[nodiscard]] LessonRun& run() { return *session->window.lesson; }
+    [[nodiscard]] std::vector<StepRecord>& records() { return session->window.settings.lessons["small"]; }
+    void edit(glm::vec4 background) {
+        scene().view.background = background;
+        recordEdit(*session, "Background");
+        sealEdit(*session);
+        frames(3);
+    }
+
+    texplorer::test::TempDir parent;
+    fs::path folder = parent / "small";
+};
+
+TEST_F(LessonRuns, BeginWithTheStepsSceneAndLook) {
+    openSmall();
+    EXPECT_EQ(scene().material.shininess, 7);
+    EXPECT_FALSE(session->document.history.canUndo());
+    EXPECT_TRUE(session->document.file.empty());
+    EXPECT_EQ(session->window.shownParam, "textures[0].wrapS");
+    EXPECT_EQ(session->window.view.shown, reference::Shown::Lambda);
+    EXPECT_THAT(shownRenderers(session->window.view),
+                ElementsAre(RendererKind::Fixed, RendererKind::Reference));
+    ASSERT_TRUE(session->window.explaining.pixel);
+    EXPECT_EQ(session->window.explaining.pixel->x, layout.picture.width / 2);
+    EXPECT_EQ(session->window.explaining.pixel->y, layout.picture.height - 1 - layout.picture.height / 4);
+    EXPECT_TRUE(isOpen(session->window.settings.workspace, Tab::Lesson));
+    EXPECT_THAT(records(), ElementsAre(StepRecord{true, 0, -1}, StepRecord{}, StepRecord{}));
+}
+
+TEST_F(LessonRuns, CountAnswersUntilTheRightOne) {
+    openSmall(1);
+    ASSERT_TRUE(run().pictures);
+    EXPECT_EQ(run().pictures->size(), 2U);
+    const Scene start = scene();
+    answerQuestion(*session, 0);
+    EXPECT_EQ(records()[1], (StepRecord{false, 1, 0}));
+    EXPECT_EQ(run().reason, "");
+    EXPECT_EQ(scene(), start) << "a wrong answer shows nothing";
+    answerQuestion(*session, 7); // there is none
+    answerQuestion(*session, 1);
+    EXPECT_EQ(records()[1], (StepRecord{true, 2, 1}));
+    EXPECT_EQ(run().reason, "It is (0, 1, 0, 1).");
+    EXPECT_EQ(scene().material.color, glm::vec4(0, 1, 0, 1)) << "what was right is shown";
+    EXPECT_EQ(session->document.history.undoName(), "Answer");
+    answerQuestion(*session, 0);
+    EXPECT_EQ(records()[1], (StepRecord{true, 2, 1})) << "what is done stays done";
+}
+
+TEST_F(LessonRuns, MatchIsDoneByThePictureAlone) {
+    openSmall(2);
+    ASSERT_TRUE(run().grade);
+    EXPECT_FALSE(run().grade->passed);
+    ASSERT_TRUE(run().grade->hint);
+    EXPECT_EQ(run().grade->hint->path, "view.background");
+    EXPECT_FALSE(isStepDone(*session, "small", 2));
+    edit({0.5F, 0.5F, 0.5F, 1});
+    EXPECT_FALSE(run().grade->passed);
+    edit({1, 1, 1, 1});
+    EXPECT_TRUE(run().grade->passed);
+    EXPECT_TRUE(isStepDone(*session, "small", 2));
+    edit({0, 0, 0, 1});
+    EXPECT_FALSE(run().grade->passed);
+    EXPECT_TRUE(isStepDone(*session, "small", 2)) << "what is done stays done";
+}
+
+TEST_F(LessonRuns, MatchMayBeLookedAtFromAnywhere) {
+    openSmall(2);
+    EXPECT_EQ(scene().view, run().start.scene.view) << "the camera is the step's, not one that fits";
+    scene().view.azimuth += 40;
+    scene().view.distance *= 2;
+    frames(2);
+    EXPECT_EQ(run().grade->hint->path, "view.background");
+    edit({1, 1, 1, 1});
+    EXPECT_TRUE(run().grade->passed);
+}
+
+TEST_F(LessonRuns, GoToStepsAndBack) {
+    openSmall();
+    goToLessonStep(*session, 2);
+    EXPECT_EQ(run().step, 2U);
+    EXPECT_EQ(scene(), run().start.scene);
+    goToLessonStep(*session, 3);
+    EXPECT_EQ(run().step, 2U) << "there is none";
+    edit({1, 0, 0, 1});
+    goToLessonStep(*session, 2);
+    EXPECT_EQ(scene(), run().start.scene) << "from its start";
+    goToLessonStep(*session, 0);
+    EXPECT_EQ(scene().material.shininess, 7);
+}
+
+TEST_F(LessonRuns, GoOnWhereOneWas) {
+    openSmall();
+    goToLessonStep(*session, 1);
+    answerQuestion(*session, 1);
+    session->window.settings = parseSettings(writeSettings(session->window.settings)).value();
+    closeLesson(*session);
+    EXPECT_FALSE(session->window.lesson);
+    EXPECT_FALSE(isOpen(session->window.settings.workspace, Tab::Lesson));
+    openSmall();
+    EXPECT_EQ(run().step, 2U) << "the first that isn't done";
+    EXPECT_EQ(progressOf(*session, "small", 3).done, 2U);
+    records().assign(3, {true, 1, 0});
+    openSmall();
+    EXPECT_EQ(run().step, 0U) << "all are: from the beginning";
+    records().assign(100, {true, 1, 0}); // of a lesson that was longer
+    openSmall();
+    EXPECT_EQ(run().step, 0U);
+}
+
+TEST_F(LessonRuns, BrokenSayWhereAndChangeNothing) {
+    openSmall(1);
+    const Scene before = scene();
+    for (const std::string_view text : {R"({"lesson": 1)", R"({"lesson": 1, "title": "L"})", "",
+                                        R"({"lesson": 1, "title": "L", "about": "A",
+                                            "steps": [{"title": "S", "text": "T", "scene": "../x"}]})"}) {
+        write(text);
+        askLesson(*session, folder.string());
+        frames(2);
+        EXPECT_THAT(
+            session->window.notice.text,
+            HasSubstr(text.find("../x") == std::string_view::npos ? "lesson.json" : "/steps/0/scene"));
+        ASSERT_TRUE(session->window.lesson);
+        EXPECT_EQ(run().lesson.title, "Small");
+        EXPECT_EQ(run().step, 1U);
+        EXPECT_EQ(scene(), before);
+    }
+    const Result<void> none = openLessonNamed(*session, "nothing");
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().message, HasSubstr("expected one of first-texture, "));
+    EXPECT_EQ(run().lesson.title, "Small");
+}
+
+TEST_F(LessonRuns, AreKeptAsOneFile) {
+    ASSERT_TRUE(openLessonNamed(*session, "wrap", 1));
+    answerQuestion(*session, 1);
+    answerQuestion(*session, 0);
+    const nlohmann::json answers = nlohmann::json::parse(answersText(*session))["answers"];
+    ASSERT_EQ(answers.size(), 1U);
+    EXPECT_EQ(answers[0]["lesson"], "wrap");
+    const nlohmann::json& step = answers[0]["steps"][1];
+    EXPECT_EQ(step["step"], 2);
+    EXPECT_EQ(step["title"], "Mirrored");
+    EXPECT_EQ(step["tries"], 2);
+    EXPECT_EQ(step["done"], true);
+    EXPECT_EQ(answers[0]["steps"][2]["done"], false);
+}
+
+TEST(LessonTabs, AreThoseOfTheWindow) {
+    std::vector<std::string_view> names;
+    for (const TabRow& row : tabRows) {
+        if (row.tab != Tab::Lesson)
+            names.push_back(row.name);
+    }
+    EXPECT_THAT(names, testing::UnorderedElementsAreArray(lesson::lookTabs));
+}
+
+/// Nothing of a lesson stays English, in any of them.
+class LessonTexts : public testing::TestWithParam<std::string> {};
+
+TEST_P(LessonTexts, AreTranslated) {
+    const lesson::LessonFolder folder = lesson::LessonFolder::builtIn(GetParam()).value();
+    const lesson::Lesson lesson = readLesson(folder).value();
+    for (const Language language : {Language::Chinese, Language::Russian}) {
+        const std::shared_ptr<const Catalogue> catalogue = catalogueOfLesson(folder, language);
+        ASSERT_TRUE(catalogue) << rowOf(language).name;
+        for (const std::string& text : textsOf(lesson)) {
+            if (std::ranges::none_of(text, [](unsigned char each) { return std::isalpha(each) != 0; }))
+                continue; // "(12, 3)"
+            EXPECT_TRUE(catalogue->translate(text)) << rowOf(language).name << ": " << text;
+        }
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LessonTexts, testing::ValuesIn(lesson::builtInLessons()), nameOf);
+
+TEST(LessonTitles, AreThoseOfTheLanguage) {
+    const std::vector<LessonTitle>& english = lessonTitles(Language::English);
+    const std::vector<LessonTitle>& russian = lessonTitles(Language::Russian);
+    ASSERT_EQ(english.size(), lesson::builtInLessons().size());
+    ASSERT_EQ(russian.size(), english.size());
+    for (std::size_t i = 0; i < english.size(); ++i) {
+        EXPECT_EQ(russian[i].name, english[i].name);
+        EXPECT_NE(russian[i].title, english[i].title);
+        EXPECT_EQ(russian[i].steps, english[i].steps);
+    }
+}
+
+} // namespace
+} // namespace texplorer::ui::lesson_run_test
