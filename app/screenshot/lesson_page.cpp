@@ -2,6 +2,7 @@
 
 #include "app/ui/language/lesson_catalogue.h"
 #include "core/base/file_io.h"
+#include "core/base/html.h"
 #include "core/base/printable.h"
 #include "core/codec/png/png.h"
 #include "core/lesson/match.h"
@@ -56,20 +57,7 @@ img { display: block; max-width: 100%; height: auto; background: var(--soft); }
 )";
 
 std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char each : printable(text, LineBreaks::Keep)) {
-        if (each == '<')
-            result += "&lt;";
-        else if (each == '>')
-            result += "&gt;";
-        else if (each == '&')
-            result += "&amp;";
-        else if (each == '"')
-            result += "&quot;";
-        else
-            result += each;
-    }
-    return result;
+    return escapedHtml(printable(text, LineBreaks::Keep));
 }
 
 /// What HTML calls a language: "zh-CN".

@@ -1,4 +1,5 @@
 #include "core/base/count.h"
+#include "core/base/html.h"
 #include "core/base/printable.h"
 #include "core/codec/png/png.h"
 #include "core/conform/made_files.h"
@@ -43,18 +44,7 @@ p { margin: .3rem 0; }
 )";
 
 std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char each : printable(text)) {
-        if (each == '<')
-            result += "&lt;";
-        else if (each == '&')
-            result += "&amp;";
-        else if (each == '"')
-            result += "&quot;";
-        else
-            result += each;
-    }
-    return result;
+    return escapedHtml(printable(text));
 }
 
 std::string base64(ByteView bytes) {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace texplorer::ui {
@@ -45,22 +46,19 @@ void showRenderers(ViewSettings& view, std::string_view names) {
         showOne(view, wanted.front());
 }
 
-/// The scenes whose pictures the step shows.
-std::vector<lesson::LessonScene> picturedScenes(const LessonRun& run) {
-    std::vector<lesson::LessonScene> scenes;
-    const auto add = [&](const std::vector<lesson::Edit>& edits) {
-        if (Result<lesson::LessonScene> scene = withEdits(run.start, edits))
-            scenes.push_back(*std::move(scene));
+/// Of every answer, or of what is to be reached. None: that one has no edits, or they can't be made.
+std::vector<LessonWork::Pictured> picturedScenes(const LessonRun& run) {
+    const auto pictured = [&run](const std::vector<lesson::Edit>& edits) -> LessonWork::Pictured {
+        Result<lesson::LessonScene> scene = withEdits(run.start, edits);
+        return scene && !edits.empty() ? LessonWork::Pictured(*std::move(scene)) : std::nullopt;
     };
     const lesson::Step& step = stepOf(run);
+    std::vector<LessonWork::Pictured> scenes;
     if (const auto* match = std::get_if<Match>(&step.task))
-        add(match->edits);
-    if (const auto* predict = std::get_if<Predict>(&step.task)) {
-        for (const lesson::Answer& answer : predict->answers) {
-            if (!answer.edits.empty())
-                add(answer.edits);
-        }
-    }
+        scenes.push_back(pictured(match->edits));
+    if (const auto* predict = std::get_if<Predict>(&step.task))
+        std::ranges::transform(predict->answers, std::back_inserter(scenes),
+                               [&](const lesson::Answer& answer) { return pictured(answer.edits); });
     return scenes;
 }
 
@@ -83,8 +81,7 @@ void look(Session& session, const lesson::Look& wanted) {
         showRenderers(window.view, wanted.renderer);
 }
 
-/// The scene takes the place of the document's, as a step that can be undone; the file is the lesson's no
-/// more.
+/// The scene takes the place of the document's, whose history ends with it.
 void showScene(Session& session, const lesson::LessonScene& scene) {
     Document document(scene.scene, scene.images);
     document.isLessons = true;
@@ -102,7 +99,11 @@ void begin(Session& session) {
     run.asked.reset();
     run.wantsHint = false;
     session.services.lessons.rest();
-    session.services.lessons.askPictures(picturedScenes(run));
+    std::vector<LessonWork::Pictured> pictured = picturedScenes(run);
+    run.target.reset();
+    if (std::holds_alternative<Match>(stepOf(run).task) && pictured.front())
+        run.target = pictured.front()->scene;
+    session.services.lessons.askPictures(std::move(pictured));
     showScene(session, run.start);
     look(session, stepOf(run).look);
     const lesson::Step& step = stepOf(run);
@@ -150,11 +151,6 @@ void tellProblem(Session& session, const Error& error) {
          error.where},
         error.where);
     run.problem = session.window.notice.text;
-}
-
-Scene targetOf(const LessonRun& run, const Match& match) {
-    const Result<lesson::LessonScene> target = withEdits(run.start, match.edits);
-    return target ? target->scene : run.start.scene;
 }
 
 /// The camera of another view, with what isn't the camera's.
@@ -268,11 +264,9 @@ void followLesson(Session& session) {
     LessonWork& work = session.services.lessons;
     if (auto pictures = work.takePictures())
         run->pictures = std::move(pictures);
-    const auto* match = std::get_if<Match>(&stepOf(*run).task);
-    if (!match)
+    if (!run->target)
         return;
-    const Scene target = targetOf(*run, *match);
-    Scene compared = comparedScene(*run, target, session.document.scene);
+    Scene compared = comparedScene(*run, *run->target, session.document.scene);
     if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
         run->grade = std::move(graded->grade);
         if (run->grade->passed && graded->scene == compared)
@@ -281,7 +275,7 @@ void followLesson(Session& session) {
     if (run->asked == compared)
         return;
     run->asked = std::move(compared);
-    work.askGrade(*run->asked, target, session.document.images);
+    work.askGrade(*run->asked, *run->target, session.document.images);
 }
 
 void reloadLesson(Session& session) {

@@ -28,6 +28,7 @@ struct LessonRun {
     lesson::Lesson lesson;
     std::size_t step = 0;
     lesson::LessonScene start;                            ///< what the step begins with
+    std::optional<Scene> target;                          ///< to be reached; none: the step has no such task
     std::optional<std::size_t> answer;                    ///< the one that was chosen
     std::string reason;                                   ///< with its numbers, once the right one was
     std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or the one to be reached

@@ -3,19 +3,26 @@
 #include <utility>
 
 namespace texplorer::ui {
+namespace {
+
+std::shared_ptr<const Image> drawnOrNull(const lesson::LessonScene& scene, std::stop_token stop) {
+    Result<Image> drawn = lesson::drawSmall(scene, std::move(stop));
+    return drawn ? std::make_shared<const Image>(*std::move(drawn)) : nullptr;
+}
+
+} // namespace
 
 LessonWork::LessonWork(When when, std::function<void()> wake)
     : pictures_(
           {.when = when, .order = JobOrder::NewestWins, .wake = wake},
           [](const PictureWorker::Task& task) {
               auto pictures = std::make_shared<Pictures>();
-              for (const lesson::LessonScene& scene : task.job()) {
-                  Result<Image> drawn = lesson::drawSmall(scene, task.superseded());
-                  pictures->push_back(drawn ? std::make_shared<const Image>(*std::move(drawn)) : nullptr);
+              for (const Pictured& scene : task.job()) {
+                  pictures->push_back(scene ? drawnOrNull(*scene, task.superseded()) : nullptr);
               }
               return std::optional<std::shared_ptr<const Pictures>>(std::move(pictures));
           },
-          [](const std::vector<lesson::LessonScene>& scenes, const Error& /*error*/) {
+          [](const std::vector<Pictured>& scenes, const Error& /*error*/) {
               return std::make_shared<const Pictures>(scenes.size());
           })
     , grades_(
@@ -29,7 +36,7 @@ LessonWork::LessonWork(When when, std::function<void()> wake)
           },
           [](const Question& /*question*/, const Error& /*error*/) { return std::optional<Graded>(); }) {}
 
-void LessonWork::askPictures(std::vector<lesson::LessonScene> scenes) {
+void LessonWork::askPictures(std::vector<Pictured> scenes) {
     pictures_.clear();
     if (!scenes.empty())
         pictures_.ask(std::move(scenes));

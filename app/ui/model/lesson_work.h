@@ -20,11 +20,13 @@ public:
     /// `wake` is called on the thread that works whenever there is something new.
     explicit LessonWork(When when, std::function<void()> wake = {});
 
-    /// Of each scene; nullptr where it couldn't be drawn.
+    using Pictured = std::optional<lesson::LessonScene>;
+
+    /// Of each scene; nullptr where there is none, or it couldn't be drawn.
     using Pictures = std::vector<std::shared_ptr<const Image>>;
 
     /// Of a step. What was asked before is forgotten.
-    void askPictures(std::vector<lesson::LessonScene> scenes);
+    void askPictures(std::vector<Pictured> scenes);
 
     /// The scene is compared with the one to be reached. An earlier question that waits is forgotten.
     void askGrade(Scene scene, Scene target, ImageSource images);
@@ -39,7 +41,7 @@ public:
     void rest();
 
 private:
-    using PictureWorker = Worker<std::vector<lesson::LessonScene>, std::shared_ptr<const Pictures>>;
+    using PictureWorker = Worker<std::vector<Pictured>, std::shared_ptr<const Pictures>>;
     struct Question {
         Scene scene;
         Scene target;

@@ -1,0 +1,197 @@
+#include "app/ui/texture_space/texel_insets.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/fitted_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::LevelPatch;
+using reference::PlacedTap;
+
+float shareOf(const reference::UnitExplanation& unit, int level) {
+    for (const reference::LevelShare& share : unit.sample.levels) {
+        if (share.level == level)
+            return share.weight;
+    }
+    return 1;
+}
+
+void include(Box& box, ImVec2 place) {
+    box.low = {std::min(box.low.x, place.x), std::min(box.low.y, place.y)};
+    box.high = {std::max(box.high.x, place.x), std::max(box.high.y, place.y)};
+}
+
+} // namespace
+
+float insetTitleHeight() {
+    return ImGui::GetFontSize() * 1.25F;
+}
+
+Box Inset::frame() const {
+    const float pad = ImGui::GetFontSize() * 0.2F;
+    return {{low.x - pad, low.y - insetTitleHeight()}, {low.x + width + pad, low.y + size().y + pad}};
+}
+
+const LevelPatch& heaviestPatch(const reference::UnitExplanation& unit) {
+    return *std::ranges::max_element(unit.patches, {},
+                                     [&](const LevelPatch& patch) { return shareOf(unit, patch.level); });
+}
+
+Box texelBox(const Canvas& canvas, glm::ivec2 at, glm::ivec2 extent) {
+    const glm::vec2 size(glm::max(extent, 1));
+    const glm::vec2 low = glm::vec2(at) / size;
+    const glm::vec2 high = glm::vec2(at + 1) / size;
+    return {canvas.toPixel(low.x, high.y), canvas.toPixel(high.x, low.y)};
+}
+
+Corners footprintOf(ImVec2 middle, ImVec2 dx, ImVec2 dy) {
+    const auto corner = [&](float a, float b) {
+        return ImVec2(middle.x + a * dx.x + b * dy.x, middle.y + a * dx.y + b * dy.y);
+    };
+    return {corner(-0.5F, -0.5F), corner(0.5F, -0.5F), corner(0.5F, 0.5F), corner(-0.5F, 0.5F)};
+}
+
+Corners footprintIn(const Canvas& canvas, const reference::UnitExplanation& unit) {
+    const LevelPatch& patch = heaviestPatch(unit);
+    const glm::vec2 place = patch.place / glm::vec2(glm::max(patch.extent, 1));
+    const auto way = [&](glm::vec3 d) {
+        return ImVec2(d.x * canvas.pixelsPerUnit, -d.y * canvas.pixelsPerUnit);
+    };
+    return footprintOf(canvas.toPixel(place.x, place.y), way(unit.derivatives.dx), way(unit.derivatives.dy));
+}
+
+bool isFinite(const Corners& corners) {
+    return std::ranges::all_of(corners,
+                               [](ImVec2 each) { return std::isfinite(each.x) && std::isfinite(each.y); });
+}
+
+Box marksOf(const reference::UnitExplanation& unit, const Canvas& canvas) {
+    const LevelPatch& heaviest = heaviestPatch(unit);
+    const glm::vec2 place = heaviest.place / glm::vec2(glm::max(heaviest.extent, 1));
+    const ImVec2 middle = canvas.toPixel(place.x, place.y);
+    Box marks{middle, middle};
+    for (const LevelPatch& patch : unit.patches) {
+        for (const PlacedTap& tap : patch.taps) {
+            const Box texel = texelBox(canvas, tap.at, patch.extent);
+            include(marks, texel.low);
+            include(marks, texel.high);
+        }
+    }
+    if (const Corners footprint = footprintIn(canvas, unit); isFinite(footprint)) {
+        for (const ImVec2& corner : footprint)
+            include(marks, corner);
+    }
+    return marks;
+}
+
+namespace {
+
+/// What the small pictures should not cover: first what they explain, then the names of the axes and the
+/// image.
+std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const Canvas& canvas) {
+    constexpr float mark = 100;
+    constexpr float name = 3;
+    constexpr float image = 1;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = canvas.toPixel(0, 0);
+    const ImVec2 high = canvas.toPixel(1, 1);
+    std::vector<Uncovered> kept{{{{low.x, high.y}, {high.x, low.y}}, image}};
+    if (unit.target == Target::CubeMap)
+        return kept; // its texels are marked in the small pictures alone
+    kept.push_back({canvas.legend, name});
+    kept.push_back({{{low.x - 1.5F * em, low.y}, {high.x + 3 * em, low.y + 1.5F * em}}, name});
+    kept.push_back({{{low.x - 1.5F * em, high.y - 2 * em}, {low.x, high.y + em}}, name});
+    const Box marks = marksOf(unit, canvas);
+    const float margin = em * 0.4F;
+    kept.push_back(
+        {{{marks.low.x - margin, marks.low.y - margin}, {marks.high.x + margin, marks.high.y + margin}},
+         mark});
+    return kept;
+}
+
+/// What a title says, beginning with what matters most.
+std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, bool whole) {
+    const float share = shareOf(unit, patch.level);
+    std::string title = fmt::format("level {}", patch.level);
+    if (unit.sample.cube)
+        title = fmt::format("{} · {}", rowOf(cubeFaceAt(patch.layer)).label, title);
+    if (!whole)
+        return title;
+    return share < 1 ? fmt::format("{} · {} %", title, std::lround(share * 100))
+                     : fmt::format("{} · {} × {}", title, patch.extent.x, patch.extent.y);
+}
+
+/// The title as long as there is room for it.
+std::string titleThatFits(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
+    std::string title = titleOf(unit, patch, true);
+    return ImGui::CalcTextSize(tr(title).c_str()).x <= room ? title : titleOf(unit, patch, false);
+}
+
+/// With the texels of each as large as `side` has room for.
+std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas, float side) {
+    std::vector<Inset> insets;
+    const float em = ImGui::GetFontSize();
+    const float width = canvas.high.x - canvas.low.x;
+    const ImVec2 frame(em * 0.2F, em * 0.2F);
+    std::vector<ImVec2> sizes; // with a title above and a frame around
+    for (const LevelPatch& each : unit->patches) {
+        if (each.size.x < 1 || each.size.y < 1)
+            continue;
+        const float most = (width - em * 2) / 2;
+        const std::string title = titleThatFits(*unit, each, most);
+        const std::string shown = fitted(title, most);
+        insets.push_back({&each,
+                          {},
+                          side / static_cast<float>(each.size.x),
+                          title,
+                          shown,
+                          std::max(side, ImGui::CalcTextSize(shown.c_str()).x)});
+        sizes.push_back(
+            {insets.back().width + 2 * frame.x, insets.back().size().y + insetTitleHeight() + frame.y});
+    }
+    if (insets.empty())
+        return insets;
+    Box room{{canvas.low.x + em * 0.3F, canvas.low.y + em * 0.3F},
+             {canvas.high.x - em * 0.3F, canvas.high.y - em * 0.3F}};
+    // The legend is drawn over everything: beside it there is hardly room for two titles.
+    if (const float below = canvas.legend.high.y + em * 0.3F;
+        (room.high.y - below) * 4 > (room.high.y - room.low.y) * 3)
+        room.low.y = std::max(room.low.y, below);
+    const std::vector<ImVec2> places = placeInsets(sizes, room, em * 0.2F, keptInSight(*unit, canvas));
+    for (std::size_t i = 0; i < insets.size(); ++i)
+        insets[i].low = {places[i].x + frame.x, places[i].y + insetTitleHeight()};
+    return insets;
+}
+
+} // namespace
+
+std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas) {
+    const float em = ImGui::GetFontSize();
+    const float width = canvas.high.x - canvas.low.x;
+    const float height = canvas.high.y - canvas.low.y;
+    const float largest = std::min({em * 8, (width - em * 1.5F) / 2, height * 0.5F});
+    const float smallest = em * 2;
+    if (!unit || largest < smallest)
+        return {};
+    std::optional<Box> marks; // a cube map's are in the small pictures alone
+    if (unit->target != Target::CubeMap && !unit->patches.empty())
+        marks = marksOf(*unit, canvas);
+    std::vector<Inset> insets;
+    for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
+        insets = insetsOf(unit, canvas, std::max(largest * share, smallest));
+        if (!marks ||
+            std::ranges::none_of(insets, [&](const Inset& inset) { return overlaps(inset.frame(), *marks); }))
+            return insets;
+    }
+    // What they explain is all that there is to be seen: they cover the least of it.
+    return insetsOf(unit, canvas, largest);
+}
+
+} // namespace texplorer::ui
