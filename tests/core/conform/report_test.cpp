@@ -111,7 +111,7 @@ TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     for (const char* expected :
          {"<td>&lt;0.01 %", "<th>allowed", "<td>4 % over 2, 0.05 % unexplained", "texshot 9.9",
           "2026-01-02 03:04 UTC", "12.3 s", "<code>A=b texshot conform --seed 1</code>",
-          "llvmpipe &lt;&amp;>, 4.5", "by 7 at 3,63, counted from the upper left",
+          "llvmpipe &lt;&amp;&gt;, 4.5", "by 7 at 3,63, counted from the upper left",
           "<code>texshot probe trilinear-reference-fixed.json --size 64x64 --at 3,63</code>"})
         EXPECT_THAT(page, HasSubstr(expected));
     const std::string text = asText(report);
@@ -162,7 +162,7 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
     const Bytes page = file("index.html");
     const std::string text(reinterpret_cast<const char*>(page.data()), page.size());
     EXPECT_THAT(text, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
-    EXPECT_THAT(text, HasSubstr("llvmpipe &lt;&amp;>\\u001b"));
+    EXPECT_THAT(text, HasSubstr("llvmpipe &lt;&amp;&gt;\\u001b"));
     EXPECT_THAT(text, Not(HasSubstr("src=\"http")));
 }
 
