@@ -21,9 +21,9 @@ void ContextGraphics::fontsChanged() {
     backend_.makeFonts();
 }
 
-void ContextGraphics::drawPanels(ImDrawData& panels, view::Size pixels) {
+void ContextGraphics::drawPanels(ImDrawData& panels, view::Size pixels, const ImVec4& ground) {
     glViewport(0, 0, pixels.width, pixels.height);
-    glClearColor(0, 0, 0, 1);
+    glClearColor(ground.x, ground.y, ground.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     backend_.draw(&panels);
 }

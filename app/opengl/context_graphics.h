@@ -26,7 +26,7 @@ public:
     void endPanels() final { backend_.end(); }
     void fontsChanged() final;
     void beginFrame() final { backend_.beginFrame(); }
-    void drawPanels(ImDrawData& panels, view::Size pixels) final;
+    void drawPanels(ImDrawData& panels, view::Size pixels, const ImVec4& ground) final;
     [[nodiscard]] Image readPanels(view::Size pixels) final;
     [[nodiscard]] ImDrawCallback blendingSwitch() const final;
 

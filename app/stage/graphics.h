@@ -61,8 +61,8 @@ public:
     virtual void endPanels() = 0;
     virtual void fontsChanged() = 0;
     virtual void beginFrame() = 0; ///< right before the display's size is set
-    /// Clears the framebuffer, which has this size, and draws what Dear ImGui has collected.
-    virtual void drawPanels(ImDrawData& panels, view::Size pixels) = 0;
+    /// Clears the framebuffer, which has this size, to `ground` and draws what Dear ImGui has collected.
+    virtual void drawPanels(ImDrawData& panels, view::Size pixels, const ImVec4& ground) = 0;
     /// What `drawPanels` has just drawn: Rgba8, bottom row first.
     [[nodiscard]] virtual Image readPanels(view::Size pixels) = 0;
     /// See ui::Pictures::setBlending.

@@ -5,6 +5,7 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/layout.h"
 
@@ -178,7 +179,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     requests.unfinished = state_->frames.isUnfinished() || graphics.isUploading();
     ImGui::Render();
 
-    graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels);
+    graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels, ui::panelGround());
     writeCapture(session, graphics, state_->frames.frames().front(), surface.pixels);
     graphics.endFrame();
     state_->problems = state_->frames.problems();

@@ -68,7 +68,7 @@ public:
     Image readPanels(view::Size size) override {
         return Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
     }
-    void drawPanels(ImDrawData& panels, view::Size size) override {
+    void drawPanels(ImDrawData& panels, view::Size size, const ImVec4& /*ground*/) override {
         pixels = size;
         pictures.clear();
         for (int i = 0; i < panels.CmdListsCount; ++i) {

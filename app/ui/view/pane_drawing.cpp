@@ -117,8 +117,11 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     const ImVec2 low = lowOf(pane.frame);
     const ImVec2 high = highOf(pane.frame);
     draw.PushClipRect(lowOf(pane.visible), highOf(pane.visible));
-    draw.AddRectFilled(low, high, color::ground);
-    if (const view::PictureHandle picture = pictureOf(pane, pictures); picture != view::PictureHandle::None) {
+    const view::PictureHandle picture = pictureOf(pane, pictures);
+    const bool covered = picture != view::PictureHandle::None && pictures.setBlending;
+    if (!covered)
+        draw.AddRectFilled(low, high, color::ground);
+    if (picture != view::PictureHandle::None) {
         if (pictures.setBlending)
             draw.AddCallback(pictures.setBlending, nullptr);
         // The picture's first row is its bottom one.

@@ -1,8 +1,9 @@
 #include "app/ui/widgets/panel.h"
 
 namespace texplorer::ui {
+namespace {
 
-void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+void beginFixed(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
     ImGui::SetNextWindowPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
     ImGui::SetNextWindowSize({static_cast<float>(rect.width), static_cast<float>(rect.height)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -11,6 +12,22 @@ void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void beginPanel(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+    beginFixed(name, rect, flags | ImGuiWindowFlags_NoBackground);
+}
+
+void beginBar(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    beginFixed(name, rect, flags);
+    ImGui::PopStyleColor();
+}
+
+ImVec4 panelGround() {
+    return ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
 }
 
 } // namespace texplorer::ui

@@ -198,8 +198,7 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
     const float em = ImGui::GetFontSize();
     const float top = (static_cast<float>(layout.status.height) - em) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, top});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    beginPanel("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    beginBar("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     const float left = ImGui::GetCursorPosX();
     const float right = ImGui::GetContentRegionMax().x;
@@ -218,7 +217,6 @@ void drawStatusBar(Session& session, const Pictures& pictures, const view::Capab
     noteItem("status");
     helpTip(hostText(capabilities, session.window.view.offered));
     ImGui::End();
-    ImGui::PopStyleColor();
 }
 
 } // namespace texplorer::ui

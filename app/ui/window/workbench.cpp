@@ -72,8 +72,7 @@ void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
     if (rect.isEmpty())
         return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    beginPanel(row.name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    beginBar(row.name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::InvisibleButton("grip", {static_cast<float>(rect.width), static_cast<float>(rect.height)});
     noteItem(row.name);
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
@@ -88,7 +87,6 @@ void drawSeam(Workspace& workspace, const SeamRow& row, const Layout& layout) {
     else if (ImGui::IsItemActive() && way != 0)
         workspace.seams.*row.member = row.moved(layout, way);
     ImGui::End();
-    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
 }
 
