@@ -52,7 +52,11 @@ Result<view::Frame> OpenGlGraphics::draw(RendererKind renderer, view::Side side,
                                          const ImageSource& images, double time, view::Size size,
                                          LevelsSource& levels) {
     Result<render::SceneRenderer>& found = rendererOf(renderer, side);
-    return found ? found->draw(scene, images, time, size, &levels) : fail(found.error());
+    if (!found)
+        return fail(found.error());
+    Result<view::Frame> frame = found->draw(scene, images, time, size, &levels);
+    glFlush(); // a renderer in software draws it on its own threads while the panels are made here
+    return frame;
 }
 
 Result<Image> OpenGlGraphics::read(RendererKind renderer, view::Side side) {
