@@ -137,15 +137,25 @@ glm::vec2 pixelsOf(glm::vec2 share, view::Size size) {
            glm::vec2(static_cast<float>(size.width), static_cast<float>(size.height));
 }
 
+/// As projectVertex, which makes the mesh anew.
+std::optional<glm::vec2> placeOf(Session& session, const PickedVertex& picked, float aspect) {
+    const Scene& scene = session.document.scene;
+    const double time = session.window.playback.time;
+    if (!std::cmp_equal(picked.model, session.window.selection.model))
+        return projectVertex(scene, picked.model, picked.vertex, time, aspect);
+    return projectVertices(scene, scene.models[picked.model], selectedMesh(session), {&picked.vertex, 1},
+                           time, aspect)
+        .front();
+}
+
 void drawMarker(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                 view::Size picture) {
     const Model* model = selectedModel(session);
     if (!model || !model->visible || !session.window.selection.vertex)
         return;
     const std::size_t vertex = *session.window.selection.vertex;
-    const auto place =
-        projectVertex(session.document.scene, static_cast<std::size_t>(session.window.selection.model),
-                      vertex, session.window.playback.time, aspectOf(layout));
+    const auto place = placeOf(session, {static_cast<std::size_t>(session.window.selection.model), vertex},
+                               aspectOf(layout));
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
@@ -156,10 +166,11 @@ void drawMarker(Session& session, const Layout& layout, const Panes& panes, cons
     draw.AddCircle(at, em * 0.45F, color::chosen, 0, em * 0.15F);
     draw.AddCircleFilled(at, em * 0.12F, color::chosen);
 
-    const TexCoords coords = effectiveTexCoords(*model, selectedMesh(session), session.window.selection.unit);
-    if (vertex >= coords.size())
+    const Mesh& mesh = selectedMesh(session);
+    if (vertex >= mesh.vertices.size())
         return;
-    const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coords[vertex].x, coords[vertex].y);
+    const glm::vec4 coord = effectiveTexCoord(*model, mesh, session.window.selection.unit, vertex);
+    const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coord.x, coord.y);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // Beside the vertex, inside of the picture.
     ImVec2 chip(at.x + em * 0.9F, at.y - size.y - em * 0.5F);
@@ -192,15 +203,14 @@ void drawChosenDots(Session& session, const Layout& layout, const Panes& panes, 
 }
 
 /// A ring around the vertex that the pointer is on, here or in the texture space.
-void drawHoverRing(const Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
+void drawHoverRing(Session& session, const Layout& layout, const Panes& panes, const Pane& pane,
                    view::Size picture) {
     const std::optional<PickedVertex>& hovered =
         session.window.hoveredInView ? session.window.hoveredInView : session.window.hoveredInPlane;
     const std::vector<Model>& models = session.document.scene.models;
     if (!hovered || hovered->model >= models.size() || !models[hovered->model].visible)
         return;
-    const auto place = projectVertex(session.document.scene, hovered->model, hovered->vertex,
-                                     session.window.playback.time, aspectOf(layout));
+    const auto place = placeOf(session, *hovered, aspectOf(layout));
     if (!place)
         return;
     const float em = ImGui::GetFontSize();
