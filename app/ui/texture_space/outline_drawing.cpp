@@ -8,9 +8,11 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -50,25 +52,41 @@ void drawEdge(ImDrawList& draw, ImVec2 from, ImVec2 to, const Stroke& stroke) {
     draw.AddLine(from, to, stroke.tint, stroke.width);
 }
 
-void drawEdgeBetween(ImDrawList& draw, const Canvas& canvas, glm::vec2 a, glm::vec2 b, const Stroke& stroke) {
-    if (isPlace(a) && isPlace(b))
-        drawEdge(draw, canvas.toPixel(a.x, a.y), canvas.toPixel(b.x, b.y), stroke);
-}
+/// Edges of many faces. Where several have the same one, as neighbours and the sides of a cube have, it is
+/// drawn once.
+class Edges {
+public:
+    void add(glm::vec2 from, glm::vec2 to) {
+        if (isPlace(from) && isPlace(to))
+            list_.push_back(key(from) <= key(to) ? Edge{key(from), key(to)} : Edge{key(to), key(from)});
+    }
+    void draw(ImDrawList& draw, const Canvas& canvas, const Stroke& stroke) {
+        std::ranges::sort(list_);
+        const auto [rest, end] = std::ranges::unique(list_);
+        list_.erase(rest, end);
+        for (const auto& [from, to] : list_)
+            drawEdge(draw, canvas.toPixel(from[0], from[1]), canvas.toPixel(to[0], to[1]), stroke);
+    }
 
-void drawFaceOutline(ImDrawList& draw, const Canvas& canvas, const Face& face,
-                     std::span<const glm::vec2> places, const Stroke& stroke) {
+private:
+    using Place = std::array<float, 2>;
+    using Edge = std::pair<Place, Place>;
+    static Place key(glm::vec2 place) { return {place.x, place.y}; }
+
+    std::vector<Edge> list_;
+};
+
+void addOutline(Edges& edges, const Face& face, std::span<const glm::vec2> places) {
     const std::size_t count = face.vertices.size();
-    const std::size_t edges = face.closed ? count : count - std::min<std::size_t>(count, 1);
-    for (std::size_t i = 0; i < edges; ++i)
-        drawEdgeBetween(draw, canvas, places[face.vertices[i]], places[face.vertices[(i + 1) % count]],
-                        stroke);
+    const std::size_t sides = face.closed ? count : count - std::min<std::size_t>(count, 1);
+    for (std::size_t i = 0; i < sides; ++i)
+        edges.add(places[face.vertices[i]], places[face.vertices[(i + 1) % count]]);
 }
 
 /// Where the two triangles of a quadrilateral meet: see Mesh.
-void drawDiagonal(ImDrawList& draw, const Canvas& canvas, const Face& face, std::span<const glm::vec2> places,
-                  const Stroke& stroke) {
+void addDiagonal(Edges& edges, const Face& face, std::span<const glm::vec2> places) {
     if (face.closed && face.vertices.size() == 4)
-        drawEdgeBetween(draw, canvas, places[face.vertices[1]], places[face.vertices[3]], stroke);
+        edges.add(places[face.vertices[1]], places[face.vertices[3]]);
 }
 
 /// A diamond is a chosen vertex, so that it isn't known by its colour alone. Squares cost least.
@@ -219,11 +237,15 @@ void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh,
     const float dot = ImGui::GetFontSize() * 0.2F;
     const Stroke faint{faded(color::text, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)};
     const Stroke chosen{faded(color::chosen, 0.55F), strokeWidth(1), faded(color::shade, 0.5F)};
+    Edges faintEdges;
+    Edges chosenEdges;
     for (const Face& face : mesh.faces) {
         const bool isChosen = marks.vertex && contains(face, *marks.vertex);
         if (isChosen ? face.vertices.size() <= mostGivenEdges : edges <= mostGivenEdges)
-            drawFaceOutline(draw, canvas, face, places, isChosen ? chosen : faint);
+            addOutline(isChosen ? chosenEdges : faintEdges, face, places);
     }
+    faintEdges.draw(draw, canvas, faint);
+    chosenEdges.draw(draw, canvas, chosen);
     if (places.size() <= mostRoundDots) {
         for (const glm::vec2& each : places)
             draw.AddCircle(canvas.toPixel(each.x, each.y), dot, faint.tint, 12, strokeWidth(1));
@@ -247,27 +269,31 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     const float spacing = spacingOf(canvas, places);
     const bool fine = edges <= mostFineEdges && spacing >= em * 0.7F;
     const bool round = places.size() <= mostRoundDots;
-    const Stroke line{faded(color::text, fine ? 0.85F : 0.5F), strokeWidth(1),
+    const Stroke line{faded(color::text, fine ? 0.95F : 0.7F), strokeWidth(1),
                       fine ? ImU32(color::shade) : 0U};
     const Stroke diagonal{faded(color::text, 0.4F), 1, fine ? faded(color::shade, 0.4F) : 0U};
-    if (edges <= mostEdges) {
-        for (const Face& face : mesh.faces) {
-            if (isChosen(face))
-                continue;
+    Edges lines;
+    Edges diagonals;
+    Edges thinChosen; // of a face that has very many
+    Edges strongChosen;
+    Edges chosenDiagonals;
+    for (const Face& face : mesh.faces) {
+        const std::size_t count = face.vertices.size();
+        if (isChosen(face) && count <= mostEdges) {
+            addDiagonal(chosenDiagonals, face, places);
+            addOutline(count <= mostStrongEdges ? strongChosen : thinChosen, face, places);
+        } else if (!isChosen(face) && edges <= mostEdges) {
             if (round)
-                drawDiagonal(draw, canvas, face, places, diagonal);
-            drawFaceOutline(draw, canvas, face, places, line);
+                addDiagonal(diagonals, face, places);
+            addOutline(lines, face, places);
         }
     }
     const Stroke strong{color::chosen, strokeWidth(2), color::shade, faded(color::text, 0.7F)};
-    for (const Face& face : mesh.faces) {
-        if (!isChosen(face) || face.vertices.size() > mostEdges)
-            continue;
-        drawDiagonal(draw, canvas, face, places, {faded(color::chosen, 0.7F), 1, faded(color::shade, 0.6F)});
-        drawFaceOutline(draw, canvas, face, places,
-                        face.vertices.size() <= mostStrongEdges ? strong
-                                                                : Stroke{color::chosen, strong.width});
-    }
+    diagonals.draw(draw, canvas, diagonal);
+    lines.draw(draw, canvas, line);
+    chosenDiagonals.draw(draw, canvas, {faded(color::chosen, 0.7F), 1, faded(color::shade, 0.6F)});
+    thinChosen.draw(draw, canvas, {color::chosen, strong.width});
+    strongChosen.draw(draw, canvas, strong);
     const auto dotOf = [&](std::size_t vertex, float radius, ImU32 tint, DotShape shape) {
         if (vertex < places.size() && isPlace(places[vertex]))
             drawVertexDot(draw, canvas.toPixel(places[vertex].x, places[vertex].y), radius, tint, shape);

@@ -86,9 +86,16 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
     const ImU32 border = ImGui::ColorConvertFloat4ToU32(
         {texture.borderColor.x, texture.borderColor.y, texture.borderColor.z, texture.borderColor.w});
     const ImU32 opaqueBorder = border | IM_COL32_A_MASK;
-    if (shown.board)
+    const bool fills = !many && left == tile(seenLow.x) && right == tile(seenHigh.x) &&
+                       bottom == tile(seenLow.y) && top == tile(seenHigh.y) &&
+                       texture.wrapS != Wrap::ClampToBorder && texture.wrapT != Wrap::ClampToBorder;
+    const bool hidesGround = fills && shown.opaque && shown.setBlending;
+    if (!hidesGround)
+        draw.AddRectFilled(canvas.low, canvas.high, color::ground);
+    if (!hidesGround && shown.board)
         drawBoard(draw, canvas.low, canvas.high, ImGui::GetFontSize() * 0.8F);
-    if (shown.setBlending)
+    const bool blends = !shown.setBlending || !(hidesGround || shown.ignoresAlpha);
+    if (!blends)
         draw.AddCallback(shown.setBlending, nullptr);
     for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
         for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
@@ -101,12 +108,20 @@ void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, c
                 continue;
             }
             draw.AddImage(picture, low, high, {s->from, t->to}, {s->to, t->from});
-            if (const float share = borderShare(texture, i, j); share > 0)
-                draw.AddRectFilled(low, high, faded(opaqueBorder, share));
         }
     }
-    if (shown.setBlending)
+    if (!blends)
         draw.AddCallback(shown.setBlending, &draw);
+    for (int j = many ? 0 : bottom; j <= (many ? 0 : top); ++j) {
+        for (int i = many ? 0 : left; i <= (many ? 0 : right); ++i) {
+            const bool hasImage =
+                tileSpan(texture.wrapS, i, shown.width) && tileSpan(texture.wrapT, j, shown.height);
+            if (const float share = borderShare(texture, i, j); hasImage && share > 0)
+                draw.AddRectFilled(canvas.toPixel(static_cast<float>(i), static_cast<float>(j + 1)),
+                                   canvas.toPixel(static_cast<float>(i + 1), static_cast<float>(j)),
+                                   faded(opaqueBorder, share));
+        }
+    }
     // What wrapping makes of the surroundings is a little darker than the image.
     const ImU32 dark = faded(color::ground, 0.41F);
     const ImVec2 low = canvas.toPixel(0, 1);

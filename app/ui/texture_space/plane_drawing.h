@@ -65,15 +65,16 @@ struct TilePicture {
     view::PictureHandle handle = view::PictureHandle::None;
     int width = 1; ///< texels
     int height = 1;
-    bool board = false; ///< what is transparent shows a checkerboard
-    ImDrawCallback setBlending =
-        nullptr; ///< where nothing is transparent: see Pictures; nullptr: blending stays
+    bool board = false;                   ///< what is transparent shows a checkerboard
+    bool opaque = false;                  ///< nothing is transparent
+    bool ignoresAlpha = false;            ///< what is transparent is shown as if it weren't
+    ImDrawCallback setBlending = nullptr; ///< see Pictures; nullptr: blending stays
 };
 
 /// Whether an image has texels that may be transparent.
 [[nodiscard]] bool hasAlpha(const Surface& surface);
 
-/// The image, tiled as its wrap modes say, around `used`.
+/// The image, tiled as its wrap modes say, around `used`; and beyond it the ground.
 void drawTiles(ImDrawList& draw, const Canvas& canvas, const Texture& texture, const TilePicture& picture,
                const Bounds& used);
 

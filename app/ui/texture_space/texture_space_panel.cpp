@@ -18,29 +18,35 @@ namespace texplorer::ui {
 namespace {
 
 /// What the image looks like: as the host has it, or as it was made for the look.
-TilePicture tilePicture(const TextureSpaceState& state, const Pictures& pictures, const Surface& image) {
+TilePicture tilePicture(TextureSpaceState& state, const Pictures& pictures, const Texture& texture,
+                        const std::shared_ptr<const TextureImage>& image) {
+    const Surface& first = image->surfaces.front();
     const std::shared_ptr<const Image>& made = state.level.picture();
     const bool isMade = made && (!state.look.isPlain() || state.look.level != 0);
     TilePicture shown{.handle = isMade ? pictures.showTexels(made) : pictures.texture,
-                      .width = isMade ? made->width : widthOf(image),
-                      .height = isMade ? made->height : heightOf(image)};
-    const bool transparent = hasAlpha(image) && state.look.channel == Channel::All;
+                      .width = isMade ? made->width : widthOf(first),
+                      .height = isMade ? made->height : heightOf(first)};
+    const bool transparent = hasAlpha(first) && state.look.channel == Channel::All;
     shown.board = transparent && state.look.board;
-    shown.setBlending = transparent && !state.look.board ? pictures.setBlending : nullptr;
+    shown.opaque = !isMade && state.opacity.isOpaque(texture, image);
+    shown.ignoresAlpha = transparent && !shown.board;
+    shown.setBlending = pictures.setBlending;
     return shown;
 }
 
-void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session,
-                 const TextureSpaceState& state, const Pictures& pictures, Target target) {
+void drawPicture(ImDrawList& draw, const Canvas& canvas, const Session& session, TextureSpaceState& state,
+                 const Pictures& pictures, Target target) {
+    const auto drawGround = [&] { draw.AddRectFilled(canvas.low, canvas.high, color::ground); };
     const Texture* texture = boundTexture(session);
     const auto image = texture ? session.document.images.find(*texture) : nullptr;
     if (!image || image->surfaces.empty())
-        return;
-    const TilePicture shown = tilePicture(state, pictures, image->surfaces.front());
+        return drawGround();
+    const TilePicture shown = tilePicture(state, pictures, *texture, image);
     if (shown.handle == view::PictureHandle::None)
-        return;
+        return drawGround();
     if (target != Target::CubeMap)
         return drawTiles(draw, canvas, *texture, shown, boundsOf(state.coords));
+    drawGround();
     const bool isMade = shown.handle != pictures.texture;
     const float tall =
         isMade ? static_cast<float>(shown.height) / static_cast<float>(shown.width) : unfoldedHeight(*image);
@@ -107,7 +113,6 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(canvas.low, canvas.high, true);
-    draw.AddRectFilled(canvas.low, canvas.high, color::ground);
     drawPicture(draw, canvas, session, state, pictures, target);
     const OutlineMarks marks = marksNow(session, mouse.grip);
     const bool hasPlaces = !state.coords.given().empty();

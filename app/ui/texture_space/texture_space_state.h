@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/texture_space/opacity.h"
 #include "app/ui/texture_space/plane_look.h"
 #include "app/ui/texture_space/vertex_moves.h"
 
@@ -13,6 +14,7 @@ struct TextureSpaceState {
     PlaneCoords coords;
     PlaneLook look;
     LevelPicture level;
+    Opacity opacity;
     bool legend = true;   ///< what is shown is named at the upper edge
     bool numbers = true;  ///< of the vertices, where they have room
     bool selects = false; ///< a drag beside the vertices draws a box around those to be chosen; else it pans
