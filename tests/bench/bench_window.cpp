@@ -4,10 +4,12 @@
 #include "app/offscreen/osmesa_context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
-#include "core/scene/tex_coords.h"
+#include "app/ui/widgets/widget_places.h"
 
 #include <GL/glew.h>
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
+#include <imgui.h>
 
 namespace texplorer::bench {
 namespace {
@@ -28,8 +30,8 @@ void windowFrame(benchmark::State& state) {
     }
 }
 
-/// The default window with a sphere of 128 x 64 alone, of which a vertex is dragged: each frame has other
-/// coordinates, an edit in the history, a diagnosis and a texture space.
+/// The default window with a sphere of 128 x 64 alone, of which the mouse drags a vertex to and fro in
+/// texture space: each frame has other coordinates, an edit in the history and a diagnosis.
 void windowDrag(benchmark::State& state) {
     const auto context = offscreen::OsmesaContext::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
@@ -45,14 +47,30 @@ void windowDrag(benchmark::State& state) {
     sphere.stacks = 64;
     constexpr std::size_t vertex = 4000;
     session.window.selection.vertex = vertex;
-    float s = 0;
-    for (auto _ : state) {
-        s = s < 1 ? s + 0.001F : 0;
-        setTexCoord(sphere, ui::selectedMesh(session), 0, vertex, {s, 0.5F, 0, 1});
-        ui::recordEdit(session, "Move vertex", "models[0].texCoords0");
-        stage.draw(session, {window, window, 1}, 1.0F / 60);
+    const auto draw = [&](ImVec2 mouse, bool pressed) {
+        stage.draw(session, {window, window, 1}, 1.0F / 60, [&] {
+            ImGui::GetIO().MousePos = mouse;
+            ImGui::GetIO().MouseDown[ImGuiMouseButton_Left] = pressed;
+        });
         glFinish();
+    };
+    ImVec2 mouse;
+    {
+        const ui::WidgetPlaces places;
+        draw({}, false);
+        const ui::WidgetPlaces::Item& place = places.items.at(fmt::format("end:{}", vertex));
+        mouse = {place.left, place.top};
     }
+    draw(mouse, false);
+    draw(mouse, true);
+    int frame = 0;
+    for (auto _ : state) {
+        constexpr int there = 100;
+        const int way = frame++ % (2 * there);
+        draw({mouse.x + static_cast<float>(10 + (way < there ? way : 2 * there - way)), mouse.y}, true);
+    }
+    if (sphere.texCoords[0].empty())
+        state.SkipWithError("the mouse moved no vertex");
 }
 
 /// A display's time for a picture.
