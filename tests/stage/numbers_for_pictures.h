@@ -68,7 +68,8 @@ public:
     Image readPanels(view::Size size) override {
         return Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
     }
-    void drawPanels(ImDrawData& panels, view::Size size, const ImVec4& /*ground*/) override {
+    void drawPanels(ImDrawData& panels, view::Size size, const ImVec4& ground) override {
+        cleared = ground;
         pixels = size;
         pictures.clear();
         for (int i = 0; i < panels.CmdListsCount; ++i) {
@@ -86,6 +87,7 @@ public:
     std::map<std::shared_ptr<const Image>, Use> shown;
     std::vector<unsigned> pictures; ///< that the panels of the last frame are drawn with
     view::Size pixels;
+    ImVec4 cleared; ///< what to, before the panels were drawn
     int reads = 0;
     int frames = 0;
     int fonts = 0;

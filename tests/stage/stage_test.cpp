@@ -1,5 +1,6 @@
 // A frame as a host without OpenGL gets it.
 
+#include "app/ui/widgets/palette.h"
 #include "tests/stage/numbers_for_pictures.h"
 
 #include <gmock/gmock.h>
@@ -32,6 +33,8 @@ TEST_F(StageTest, AFrameIsDrawnByWhatTheHostLends) {
     EXPECT_THAT(requests.title, HasSubstr("Untitled"));
     EXPECT_THAT(graphics.drawn, ElementsAre(RendererKind::Fixed));
     EXPECT_EQ(graphics.pixels, (view::Size{1280, 800}));
+    EXPECT_EQ(ImGui::ColorConvertFloat4ToU32(graphics.cleared), ui::palette().panel)
+        << "panels draw no ground";
     EXPECT_EQ(graphics.frames, 1);
     frame();
     EXPECT_THAT(graphics.pictures, Contains(1000U)) << "the view";

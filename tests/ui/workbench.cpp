@@ -6,6 +6,7 @@
 #include "app/ui/model/loads.h"
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/keys.h"
+#include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/theme.h"
 
 #include <GL/glew.h>
@@ -152,6 +153,15 @@ void Workbench::frames(int count) {
     }
 }
 
+namespace {
+
+void clearTo(const ImVec4& color) {
+    glClearColor(color.x, color.y, color.z, color.w);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+} // namespace
+
 Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
     if (!drawing_)
         drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
@@ -179,8 +189,18 @@ Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& probl
                    return graphics.show(image, stage::Graphics::Use::Enlarged);
                }});
     glViewport(0, 0, width_, height_);
-    glClearColor(1, 0, 1, 1); // what no panel covers is glaring
-    glClear(GL_COLOR_BUFFER_BIT);
+    clearTo({1, 0, 1, 1}); // what no panel covers is glaring
+    glEnable(GL_SCISSOR_TEST);
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        const bool stands = window->Active && !window->Hidden && !window->ParentWindow;
+        if (!stands || (window->Flags & ImGuiWindowFlags_NoBackground) == 0)
+            continue;
+        glScissor(static_cast<GLint>(window->Pos.x),
+                  height_ - static_cast<GLint>(window->Pos.y + window->Size.y),
+                  static_cast<GLsizei>(window->Size.x), static_cast<GLsizei>(window->Size.y));
+        clearTo(ui::panelGround());
+    }
+    glDisable(GL_SCISSOR_TEST);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
     graphics.endFrame();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));

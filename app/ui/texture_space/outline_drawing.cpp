@@ -52,28 +52,45 @@ void drawEdge(ImDrawList& draw, ImVec2 from, ImVec2 to, const Stroke& stroke) {
     draw.AddLine(from, to, stroke.tint, stroke.width);
 }
 
+/// For an order.
+using Place = std::array<float, 2>;
+
+Place asPlace(glm::vec2 place) {
+    return {place.x, place.y};
+}
+
+/// Those that are places.
+std::vector<Place> placesOf(std::span<const glm::vec2> list) {
+    std::vector<Place> places;
+    for (const glm::vec2& each : list) {
+        if (isPlace(each))
+            places.push_back(asPlace(each));
+    }
+    return places;
+}
+
+void sortUnique(auto& list) {
+    std::ranges::sort(list);
+    const auto [rest, end] = std::ranges::unique(list);
+    list.erase(rest, end);
+}
+
 /// Edges of many faces. Where several have the same one, as neighbours and the sides of a cube have, it is
 /// drawn once.
 class Edges {
 public:
     void add(glm::vec2 from, glm::vec2 to) {
         if (isPlace(from) && isPlace(to))
-            list_.push_back(key(from) <= key(to) ? Edge{key(from), key(to)} : Edge{key(to), key(from)});
+            list_.emplace_back(std::minmax(asPlace(from), asPlace(to)));
     }
     void draw(ImDrawList& draw, const Canvas& canvas, const Stroke& stroke) {
-        std::ranges::sort(list_);
-        const auto [rest, end] = std::ranges::unique(list_);
-        list_.erase(rest, end);
+        sortUnique(list_);
         for (const auto& [from, to] : list_)
             drawEdge(draw, canvas.toPixel(from[0], from[1]), canvas.toPixel(to[0], to[1]), stroke);
     }
 
 private:
-    using Place = std::array<float, 2>;
-    using Edge = std::pair<Place, Place>;
-    static Place key(glm::vec2 place) { return {place.x, place.y}; }
-
-    std::vector<Edge> list_;
+    std::vector<std::pair<Place, Place>> list_;
 };
 
 void addOutline(Edges& edges, const Face& face, std::span<const glm::vec2> places) {
@@ -300,8 +317,11 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     };
     const float dot = em * (places.size() <= 100 ? 0.22F : 0.13F);
     if (edges <= mostEdges && spacing >= 5 * dot) {
-        for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
-            dotOf(vertex, dot, color::text, round ? DotShape::Round : DotShape::Square);
+        std::vector<Place> once = placesOf(places); // those of a cube's sides are the same
+        sortUnique(once);
+        for (const Place& each : once)
+            drawVertexDot(draw, canvas.toPixel(each[0], each[1]), dot, color::text,
+                          round ? DotShape::Round : DotShape::Square);
     }
     for (std::size_t i = 0; i < std::min(marks.chosen.size(), mostChosenDots); ++i)
         dotOf(marks.chosen[i], em * (marks.chosen.size() <= 100 ? 0.24F : 0.16F), color::chosen,

@@ -1,4 +1,5 @@
 #include "app/ui/model/chosen_vertices.h"
+#include "app/ui/widgets/theme.h"
 #include "core/scene/tex_coords.h"
 #include "tests/ui/workbench.h"
 
@@ -7,6 +8,8 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <string_view>
 
 namespace texplorer::ui::texture_space_panel_test {
 namespace {
@@ -191,6 +194,49 @@ TEST_F(TextureSpace, ShowsTheImageItsWrappingAndItsBorder) {
         at(1.5F * square, 1 + 0.5F * square); // t still repeats, darker than the image itself
     EXPECT_GT(channel(above, 1), 120);
     EXPECT_LT(channel(above, 1), 200);
+}
+
+// Beside an image without a transparent texel the border's alpha of 0 still shows the board.
+TEST_F(TextureSpace, ABoardLiesBehindWhatIsTransparent) {
+    states.textureSpace.legend = false;
+    const auto isBoard = [this](ImVec2 place) {
+        const auto at = [&](int c) { return channel(place, c); };
+        for (const ImU32 tint : {ImU32(ui::color::board), ImU32(ui::color::boardLight)}) {
+            if (ImGui::ColorConvertFloat4ToU32({static_cast<float>(at(0)) / 255,
+                                                static_cast<float>(at(1)) / 255,
+                                                static_cast<float>(at(2)) / 255, 1}) == tint)
+                return true;
+        }
+        return false;
+    };
+    frames(3);
+    EXPECT_FALSE(isBoard(at(0.3F, 0.9F))) << "the checkerboard is opaque";
+    texture().wrapS = Wrap::ClampToBorder;
+    texture().borderColor = {1, 0, 0, 0};
+    frames(3);
+    EXPECT_LT(channel(at(-0.15F, 0.4F), 0) - channel(at(-0.15F, 0.4F), 2), 20) << "not red";
+    texture().pattern = Pattern::Tree;
+    frames(3);
+    EXPECT_TRUE(isBoard(at(0.05F, 0.9F))) << "the sky beside the tree";
+}
+
+// Sides that lie on each other, and the quad's one, are the same lines and dots.
+TEST_F(TextureSpace, WhatFacesShareIsDrawnOnce) {
+    states.textureSpace.numbers = false;
+    const auto vertices = [this](Shape shape) {
+        scene().models[0].shape = shape;
+        frames(3);
+        for (const ImDrawList* list :
+             std::span(ImGui::GetDrawData()->CmdLists,
+                       static_cast<std::size_t>(ImGui::GetDrawData()->CmdListsCount))) {
+            if (std::string_view(list->_OwnerName) == "Texture space")
+                return list->VtxBuffer.Size;
+        }
+        return 0;
+    };
+    const int quad = vertices(Shape::Quad);
+    EXPECT_GT(quad, 0);
+    EXPECT_EQ(vertices(Shape::Cube), quad);
 }
 
 // The middle of the plane is the edge of squares: a pixel whose centre lay on it would belong to both.
