@@ -19,11 +19,14 @@ float reachOfMouse() {
     return ImGui::GetFontSize() * 0.55F;
 }
 
-float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse) {
+/// Infinite where it is certainly out of `reach`: it is asked of each vertex in each frame.
+float distanceTo(const Canvas& canvas, glm::vec2 place, ImVec2 mouse, float reach) {
     if (!std::isfinite(place.x) || !std::isfinite(place.y))
         return INFINITY;
     const ImVec2 at = canvas.toPixel(place.x, place.y);
-    return std::hypot(at.x - mouse.x, at.y - mouse.y);
+    const ImVec2 way(at.x - mouse.x, at.y - mouse.y);
+    const bool near = std::max(std::abs(way.x), std::abs(way.y)) <= reach;
+    return near ? std::hypot(way.x, way.y) : INFINITY;
 }
 
 struct NearVertex {
@@ -35,9 +38,10 @@ std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std:
                                     std::optional<std::size_t> chosen, ImVec2 mouse) {
     std::optional<NearVertex> best;
     constexpr float alike = 1; // pixels: the same place
+    const float reach = reachOfMouse();
     const auto consider = [&](std::size_t vertex) {
-        const float distance = distanceTo(canvas, places[vertex], mouse);
-        if (distance <= reachOfMouse() && (!best || distance < best->distance - alike))
+        const float distance = distanceTo(canvas, places[vertex], mouse, reach);
+        if (distance <= reach && (!best || distance < best->distance - alike))
             best = {vertex, distance};
     };
     if (chosen && *chosen < places.size()) {
