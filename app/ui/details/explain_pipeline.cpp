@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace texplorer::ui {
@@ -57,14 +56,33 @@ float naturalWidth(const Card& card, const CardMeasure& measure) {
     return std::ceil(width) + 2 * measure.pad;
 }
 
-float arrowsOf(const Lane& lane, const CardMeasure& measure) {
-    return measure.arrow * static_cast<float>(lane.cards.size() - 1);
+/// The cards of a lane that stand side by side. All lines but the first begin with an arrow.
+struct CardLines {
+    std::span<const Card> cards;
+    std::size_t perLine;
+
+    CardLines(const Lane& lane, const CardMeasure& measure, float available)
+        : cards(lane.cards) {
+        const float least = narrowestCard * measure.em + measure.arrow;
+        const auto most = static_cast<std::size_t>(std::max(1.0F, available / least));
+        const std::size_t lines = (cards.size() + most - 1) / most;
+        perLine = (cards.size() + lines - 1) / std::max<std::size_t>(1, lines); // as even as can be
+    }
+    [[nodiscard]] std::size_t count() const { return (cards.size() + perLine - 1) / perLine; }
+    [[nodiscard]] std::span<const Card> line(std::size_t index) const {
+        const std::size_t first = index * perLine;
+        return cards.subspan(first, std::min(perLine, cards.size() - first));
+    }
+};
+
+float arrowsOf(std::span<const Card> line, bool first, const CardMeasure& measure) {
+    return measure.arrow * static_cast<float>(line.size() - (first ? 1 : 0));
 }
 
-/// Of a lane whose cards are all as wide as what they say.
-float naturalWidth(const Lane& lane, const CardMeasure& measure) {
-    float width = arrowsOf(lane, measure);
-    for (const Card& card : lane.cards)
+/// Of a line whose cards are all as wide as what they say.
+float naturalWidth(std::span<const Card> line, bool first, const CardMeasure& measure) {
+    float width = arrowsOf(line, first, measure);
+    for (const Card& card : line)
         width += naturalWidth(card, measure);
     return width;
 }
@@ -89,16 +107,17 @@ void shareRoom(std::vector<float>& widths, float room, float least) {
 }
 
 /// As wide as what they say and somewhat more, where that has room.
-std::vector<float> widthsOf(const Lane& lane, const CardMeasure& measure, float available) {
+std::vector<float> widthsOf(std::span<const Card> line, bool first, const CardMeasure& measure,
+                            float available) {
     std::vector<float> widths;
-    for (const Card& card : lane.cards)
+    for (const Card& card : line)
         widths.push_back(naturalWidth(card, measure));
-    const float left = available - naturalWidth(lane, measure);
+    const float left = available - naturalWidth(line, first, measure);
     if (left < 0) {
-        shareRoom(widths, available - arrowsOf(lane, measure), narrowestCard * measure.em);
+        shareRoom(widths, available - arrowsOf(line, first, measure), narrowestCard * measure.em);
         return widths;
     }
-    const float slack = left / static_cast<float>(lane.cards.size());
+    const float slack = left / static_cast<float>(line.size());
     for (float& width : widths)
         width += std::floor(std::min(slack, mostSlack * measure.em));
     return widths;
@@ -192,18 +211,20 @@ void drawArrow(const CardMeasure& measure) {
     ImGui::Dummy({measure.arrow, measure.height()});
 }
 
-void drawLane(PipelineState& state, const Lane& lane, const Lane* other, const CardMeasure& measure,
-              float available) {
-    const std::vector<float> widths = widthsOf(lane, measure, available);
-    for (std::size_t i = 0; i < lane.cards.size(); ++i) {
-        const Card& card = lane.cards[i];
-        if (i > 0) {
+void drawLine(PipelineState& state, const Lane& lane, std::span<const Card> line, const Lane* other,
+              const CardMeasure& measure, float available) {
+    const bool first = line.data() == lane.cards.data();
+    const std::vector<float> widths = widthsOf(line, first, measure, available);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const Card& card = line[i];
+        if (i > 0)
             ImGui::SameLine(0, 0);
+        if (i > 0 || !first) {
             drawArrow(measure);
             ImGui::SameLine(0, 0);
         }
         const std::pair key(card.stage, card.unit);
-        ImGui::PushID(static_cast<int>(i));
+        ImGui::PushID(static_cast<int>(card.stage) * 16 + card.unit);
         const bool open = state.open.contains(key);
         const Card* against = other ? sameCard(other->cards, card) : nullptr;
         const CardClick click = drawCard(lane, card, against, open, widths[i], measure);
@@ -219,35 +240,6 @@ void drawLane(PipelineState& state, const Lane& lane, const Lane* other, const C
     }
 }
 
-/// There is more at a side of the window: it fades there, below an arrow. The wheel leads there.
-void hintAtMore(const CardMeasure& measure) {
-    const float most = ImGui::GetScrollMaxX();
-    const float now = ImGui::GetScrollX();
-    if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0)
-        ImGui::SetScrollX(std::clamp(now - ImGui::GetIO().MouseWheel * 4 * measure.em, 0.0F, most));
-    const ImVec2 low = ImGui::GetWindowPos();
-    const ImVec2 high(low.x + ImGui::GetWindowWidth(),
-                      low.y + ImGui::GetWindowHeight() - ImGui::GetStyle().ScrollbarSize);
-    const float wide = measure.em * 2;
-    const float y = (low.y + high.y) / 2;
-    const float half = measure.em * 0.5F;
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImU32 solid = color::panel;
-    const ImU32 clear = solid & ~IM_COL32_A_MASK;
-    if (now < most) {
-        draw.AddRectFilledMultiColor({high.x - wide, low.y}, high, clear, solid, solid, clear);
-        draw.AddTriangleFilled({high.x - 1.5F * half, y - half}, {high.x - 1.5F * half, y + half},
-                               {high.x - 0.5F * half, y}, color::text);
-        noteDrawn("cards:more right", {high.x - wide, low.y}, high);
-    }
-    if (now > 0) {
-        draw.AddRectFilledMultiColor(low, {low.x + wide, high.y}, solid, clear, clear, solid);
-        draw.AddTriangleFilled({low.x + 1.5F * half, y - half}, {low.x + 0.5F * half, y},
-                               {low.x + 1.5F * half, y + half}, color::text);
-        noteDrawn("cards:more left", low, {low.x + wide, high.y});
-    }
-}
-
 bool isAnyOpen(const PipelineState& state, const Lane& lane) {
     return std::ranges::any_of(
         lane.cards, [&](const Card& card) { return state.open.contains(std::pair(card.stage, card.unit)); });
@@ -257,52 +249,42 @@ bool isAnyOpen(const PipelineState& state, const Lane& lane) {
 
 void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
     CardMeasure measure;
-    const auto count = static_cast<float>(lanes.size());
     const bool titled = lanes.size() > 1;
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const bool open = isAnyOpen(state, lanes.back());
     const ImVec2 available = ImGui::GetContentRegionAvail();
-    const auto lanesHeight = [&] {
-        const float title = titled ? measure.line + gap : 0;
-        return count * (title + measure.height()) + (count - 1) * gap;
+    const auto isTooWide = [&](const Lane& lane) {
+        return naturalWidth(lane.cards, true, measure) > available.x;
     };
-    if (lanesHeight() + (open ? leastOpen * measure.em + gap : 0) > available.y)
-        measure.flatten();
-    const float title = titled ? measure.line : 0;
-    const auto widestOf = [&](const auto& widthOf) {
-        float widest = 0;
-        for (const Lane& lane : lanes)
-            widest = std::max(widest, widthOf(lane));
-        return widest;
-    };
-    if (widestOf([&](const Lane& lane) { return naturalWidth(lane, measure); }) > available.x)
+    if (std::ranges::any_of(lanes, isTooWide))
         measure.tighten();
-    const float widest = widestOf([&](const Lane& lane) {
-        const std::vector<float> widths = widthsOf(lane, measure, available.x);
-        return std::accumulate(widths.begin(), widths.end(), arrowsOf(lane, measure));
-    });
-    const float bar = widest > available.x ? ImGui::GetStyle().ScrollbarSize : 0;
+    std::vector<CardLines> split;
+    float count = 0; // lines of cards
+    for (const Lane& lane : lanes)
+        count += static_cast<float>(split.emplace_back(lane, measure, available.x).count());
+    const auto lanesHeight = [&] {
+        const float titles = titled ? static_cast<float>(lanes.size()) * (measure.line + gap) : 0;
+        return titles + count * (measure.height() + gap) - gap;
+    };
     const float room = available.y - (open ? leastOpen * measure.em + gap : 0);
-    const float left = (room - bar) / count - title - gap - measure.height() - measure.pad;
+    if (lanesHeight() > room)
+        measure.flatten();
+    const float left = (room - lanesHeight()) / count - measure.pad;
     if (left >= leastPicture * measure.em)
         measure.picture = std::floor(std::min(left, (open ? usualPicture : largestPicture) * measure.em));
-    const float height = lanesHeight() + bar;
-    ImGui::BeginChild("cards", {0, height}, false,
-                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    for (const Lane& lane : lanes) {
-        const bool compared = titled && &lane == &lanes.back();
-        ImGui::PushID(&lane == &lanes.back() ? "explained" : "pinned");
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+        const bool compared = titled && i + 1 == lanes.size();
+        ImGui::PushID(i + 1 == lanes.size() ? "explained" : "pinned");
         if (titled)
-            inkText(lane.title, compared ? color::probed : color::dim);
-        drawLane(state, lane, compared ? &lanes.front() : nullptr, measure, available.x);
+            inkText(lanes[i].title, compared ? color::probed : color::dim);
+        for (std::size_t line = 0; line < split[i].count(); ++line)
+            drawLine(state, lanes[i], split[i].line(line), compared ? &lanes.front() : nullptr, measure,
+                     available.x);
         ImGui::PopID();
     }
-    if (bar > 0)
-        hintAtMore(measure);
-    ImGui::EndChild();
     if (open) {
         const float rest = std::max(ImGui::GetContentRegionAvail().y, leastOpen * measure.em);
-        ImGui::BeginChild("open", {0, rest}, false, ImGuiWindowFlags_HorizontalScrollbar);
+        ImGui::BeginChild("open", {0, rest});
         drawOpenCards(state, lanes, ImGui::GetContentRegionAvail().y);
         ImGui::EndChild();
     }

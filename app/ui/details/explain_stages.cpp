@@ -4,6 +4,7 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -27,7 +28,7 @@ struct StagesPlan {
 
     [[nodiscard]] float textHeight(const StageRow& row) const {
         const float wrap = (width - 2 * pad) / scale;
-        return ImGui::CalcTextSize(tr(row.help), nullptr, false, wrap).y * scale;
+        return wrappedSize(tr(row.help), wrap).y * scale;
     }
     [[nodiscard]] float height(const std::vector<const StageRow*>& line) const {
         float height = 0;
@@ -77,7 +78,8 @@ void drawStage(const StagesPlan& plan, const StageRow& row, ImVec2 low, ImVec2 h
                        ImGui::GetStyle().FrameRounding);
     draw.AddText({low.x + plan.pad, low.y + plan.pad}, color::text, fitted(row.name, wrap).c_str());
     draw.AddText(ImGui::GetFont(), ImGui::GetFontSize() * plan.scale,
-                 {low.x + plan.pad, low.y + plan.pad + plan.title}, color::dim, tr(row.help), nullptr, wrap);
+                 {low.x + plan.pad, low.y + plan.pad + plan.title}, color::dim,
+                 wrappedLines(tr(row.help), wrap / plan.scale).c_str());
     noteDrawn(fmt::format("stage:{}", row.name), low, high);
     if (&row == &stageRows.back())
         return;

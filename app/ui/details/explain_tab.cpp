@@ -72,13 +72,19 @@ void drawInLine(const std::vector<StepRow>& rows, float reserved) {
     }
 }
 
-/// At the right end of the line.
+/// Where the last widget ends, in the window.
+float lineEnd() {
+    return ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX();
+}
+
+/// At the right end of the line, or below where that has no room.
 void pixelButtons(Session& session) {
     const bool pinned = session.window.explaining.pinned != nullptr;
     const char* pin = pinned ? "Unpin" : "Pin";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(pin) + gap + buttonWidth("Clear");
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+    if (lineEnd() + gap + width <= ImGui::GetContentRegionMax().x)
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     if (ImGui::SmallButton(label(pin))) {
         if (pinned)
             session.window.explaining.pinned.reset();
@@ -89,7 +95,8 @@ void pixelButtons(Session& session) {
     helpTip(pinned ? "Lets go of the pixel that stays for comparison."
                    : "Keeps this pixel as it is now. The next one, or the same one after a change, is shown "
                      "beside it, with what differs marked.");
-    ImGui::SameLine(0, gap);
+    if (lineEnd() + gap + buttonWidth("Clear") <= ImGui::GetContentRegionMax().x)
+        ImGui::SameLine(0, gap);
     if (ImGui::SmallButton(label("Clear"))) {
         session.window.explaining.pixel.reset();
         session.window.explaining.pinned.reset();
@@ -237,13 +244,8 @@ void drawLists(const Explanation* pinned, const Explanation& explanation,
 /// What to do, and what there will be to see.
 void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
     const auto [width, height] = pictures.frames.front().frame.size;
-    // Within what one sees: the cards may be wider.
-    const ImGuiStyle& style = ImGui::GetStyle();
-    ImGui::PushTextWrapPos(ImGui::GetScrollX() + ImGui::GetWindowWidth() - style.WindowPadding.x -
-                           style.ScrollbarSize);
-    text("Why has this pixel that colour? Click one in the view, or hold E over it: here is "
-         "everything that OpenGL computes on the way, in its order.");
-    ImGui::PopTextWrapPos();
+    wrappedText("Why has this pixel that colour? Click one in the view, or hold E over it: here is "
+                "everything that OpenGL computes on the way, in its order.");
     noteItem("explain:none");
     if (ImGui::SmallButton(label("Explain the pixel in the middle")))
         session.window.explaining.pixel = {width / 2, height / 2};
@@ -257,7 +259,7 @@ void drawInvitation(Session& session, const Pictures& pictures, bool wide) {
 } // namespace
 
 void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pictures) {
-    ImGui::BeginChild("explain", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::BeginChild("explain", {0, 0});
     const bool wide = ImGui::GetContentRegionAvail().x >= leastPipeline * ImGui::GetFontSize();
     const auto& answer = session.window.explaining.answer;
     const Explanation* explanation = explanationOf(session);
@@ -266,7 +268,7 @@ void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pi
         drawTexelLine(session);
     } else if (!explanation) {
         if (answer && answer->explanation && !*answer->explanation)
-            ImGui::TextWrapped("%s", tr(describe(answer->explanation->error())).c_str());
+            wrappedText(describe(answer->explanation->error()));
         else
             dimText("The texture's levels are being made…");
         noteItem("explain:waiting");
@@ -276,7 +278,7 @@ void drawExplainTab(Session& session, ExplainTabState& state, const Pictures& pi
         const auto fragments = reference::stepsOf(*explanation);
         const Explanation* pinned = pinnedExplanation(session);
         if (fragments.empty())
-            ImGui::TextWrapped("%s", tr("Nothing covers it: it shows the background."));
+            wrappedText("Nothing covers it: it shows the background.");
         if (wide && !fragments.empty())
             drawLanes(state, pinned, *explanation, fragments);
         else

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
 #include "core/base/printable.h"
 
@@ -34,7 +35,7 @@ void fieldTip(const Field& field) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
     for (const std::string& line : lines)
-        ImGui::TextUnformatted(printable(line, LineBreaks::Keep).c_str());
+        plainText(printable(line, LineBreaks::Keep));
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -254,10 +255,9 @@ void drawFileTab(Session& session, FileTabState& state) {
     followFile(session);
     const InspectedFile& view = session.window.fileView;
     if (view.shown.empty()) {
-        ImGui::TextWrapped("%s", tr(boundTexture(session)
-                                        ? "This texture is a built-in pattern: there is no file. Open an "
-                                          "image with Ctrl+I to see what its file holds."
-                                        : "No texture is bound to this unit."));
+        wrappedText(boundTexture(session) ? "This texture is a built-in pattern: there is no file. Open an "
+                                            "image with Ctrl+I to see what its file holds."
+                                          : "No texture is bound to this unit.");
         noteItem("file:none");
         return;
     }

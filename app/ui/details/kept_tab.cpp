@@ -44,9 +44,8 @@ bool button(const char* words, std::string_view name, std::string_view help) {
 }
 
 void beforeKeeping(Session& session) {
-    ImGui::TextWrapped(
-        "%s", tr("Keep the scene as A, change something, and see what it does: T flips between A and what is "
-                 "now, Shift+T shows both across one picture, and each difference is listed here."));
+    wrappedText("Keep the scene as A, change something, and see what it does: T flips between A and what is "
+                "now, Shift+T shows both across one picture, and each difference is listed here.");
     if (ImGui::Button(label("Keep as A")))
         keepAsA(session);
     noteItem("a-b tab:keep");

@@ -8,6 +8,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 
@@ -25,17 +26,12 @@ using lesson::Try;
 
 /// A text of the lesson, as wide as the panel.
 void lessonText(const LessonRun& run, const std::string& english) {
-    ImGui::PushTextWrapPos(0);
-    const std::string words = run.text(english);
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-    ImGui::PopTextWrapPos();
+    plainWrappedText(run.text(english));
 }
 
 void lessonTextIn(ImU32 ink, const std::string& words) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-    ImGui::PopTextWrapPos();
+    plainWrappedText(words);
     ImGui::PopStyleColor();
 }
 
@@ -133,8 +129,7 @@ void answerPictures(Session& session, const LessonRun& run, const Predict& predi
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
         ImGui::PushStyleColor(ImGuiCol_Text,
                               run.answer == i ? answerInk(run, predict, i) : ImU32(color::text));
-        const std::string name = answerName(run, predict, i);
-        ImGui::TextUnformatted(name.c_str());
+        plainText(answerName(run, predict, i));
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
         ImGui::EndGroup();
@@ -157,15 +152,15 @@ void answerSentences(Session& session, const LessonRun& run, const Predict& pred
         ImGui::PushID(static_cast<int>(i));
         const float em = ImGui::GetFontSize();
         const float room = ImGui::GetContentRegionAvail().x - em * 0.8F;
-        const std::string name = answerName(run, predict, i);
-        const ImVec2 size = ImGui::CalcTextSize(name.c_str(), nullptr, false, room);
+        const std::string lines = wrappedLines(answerName(run, predict, i), room);
+        const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
         const ImVec2 low = ImGui::GetCursorScreenPos();
         if (ImGui::Button("##answer", {room + em * 0.8F, size.y + em * 0.5F}))
             wanted = i;
         noteItem(fmt::format("answer:{}", i + 1));
         ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), em, {low.x + em * 0.4F, low.y + em * 0.25F},
                                             run.answer == i ? answerInk(run, predict, i) : ImU32(color::text),
-                                            name.c_str(), nullptr, room);
+                                            lines.c_str());
         ImGui::PopID();
     }
     if (wanted)

@@ -172,13 +172,13 @@ void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictur
     const std::string path = elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + ".";
     if (const Finding* incomplete = incompleteness(session, path)) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", tr(sentenceOf(*incomplete)).c_str());
+        wrappedText(sentenceOf(*incomplete));
         ImGui::PopStyleColor();
         noteItem("levels:incomplete");
         fixButtons(session, *incomplete);
     } else if (const std::string words = remark(session, texture, unit, summary); !words.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-        ImGui::TextWrapped("%s", tr(words).c_str());
+        wrappedText(words);
         ImGui::PopStyleColor();
         noteItem("levels:remark");
     }
@@ -194,12 +194,12 @@ void drawSummary(Session& session, LevelsTabState& state, const Pictures& pictur
 void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pictures) {
     const Texture* texture = boundTexture(std::as_const(session));
     if (!texture) {
-        ImGui::TextWrapped("%s", tr("No texture is bound to this unit."));
+        wrappedText("No texture is bound to this unit.");
         noteItem("levels:none");
         return;
     }
     if (!session.document.images.find(*texture)) {
-        ImGui::TextWrapped("%s", tr("The image is not loaded."));
+        wrappedText("The image is not loaded.");
         return;
     }
     const std::shared_ptr<const LevelsSummary> summary =
@@ -210,8 +210,7 @@ void drawLevelsTab(Session& session, LevelsTabState& state, const Pictures& pict
         noteItem("levels:waiting");
     } else if (!summary->problem.empty() || summary->report.levels.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s",
-                           tr(summary->problem.empty() ? "There is no level." : summary->problem.c_str()));
+        wrappedText(summary->problem.empty() ? std::string("There is no level.") : summary->problem);
         ImGui::PopStyleColor();
         noteItem("levels:problem");
     } else {

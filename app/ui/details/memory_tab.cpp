@@ -68,7 +68,7 @@ void drawSentences(const std::vector<std::string>& sentences) {
         if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
             sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", tr(fmt::format("{}.", sentence)).c_str());
+        wrappedText(fmt::format("{}.", sentence));
         ImGui::PopStyleColor();
         noteItem(fmt::format("memory:note {}", i));
     }
@@ -207,11 +207,11 @@ void drawLevels(const LevelsSummary& summary, Target target) {
 void drawMemoryTab(Session& session, const Pictures& pictures) {
     const Texture* texture = boundTexture(std::as_const(session));
     if (!texture) {
-        ImGui::TextWrapped("%s", tr("No texture is bound to this unit."));
+        wrappedText("No texture is bound to this unit.");
         return;
     }
     if (!session.document.images.find(*texture)) {
-        ImGui::TextWrapped("%s", tr("The image is not loaded."));
+        wrappedText("The image is not loaded.");
         return;
     }
     LevelsWorker& worker = session.services.levels;
@@ -221,10 +221,10 @@ void drawMemoryTab(Session& session, const Pictures& pictures) {
         drawSum(*texture, *summary);
     else if (summary) {
         ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-        ImGui::TextWrapped("%s", tr(summary->problem).c_str());
+        wrappedText(summary->problem);
         ImGui::PopStyleColor();
     } else if (worker.isCancelled(request)) {
-        ImGui::TextWrapped("%s", tr("Making the levels was cancelled: what was drawn before stays."));
+        wrappedText("Making the levels was cancelled: what was drawn before stays.");
         if (ImGui::Button(label("Make them")))
             worker.retry(request);
         noteItem("memory:retry");

@@ -4,6 +4,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +49,7 @@ float titleHeight(const reference::Step& step, float width) {
         return ImGui::GetTextLineHeight() + style.ItemSpacing.y;
     const bool below = left < 14 * ImGui::GetFontSize(); // as hangingText does
     const float room = std::max(1.0F, below ? width - ImGui::GetTreeNodeToLabelSpacing() : left);
-    return ImGui::CalcTextSize(words.c_str(), nullptr, false, room).y + style.ItemSpacing.y +
+    return wrappedSize(words, room).y + style.ItemSpacing.y +
            (below ? ImGui::GetTextLineHeightWithSpacing() : 0);
 }
 
@@ -58,7 +59,7 @@ float heightOf(const StepPiece& piece, float width, const OpenLook& look) {
     for (std::size_t i = 0; i < piece.rows.size(); ++i) {
         const reference::StepRow& row = piece.rows[i];
         if (row.cells.empty()) {
-            height += ImGui::CalcTextSize(tr(row.label).c_str(), nullptr, false, width).y + gap;
+            height += wrappedSize(tr(row.label), width).y + gap;
             continue;
         }
         const bool sameTable = i > 0 && piece.rows[i - 1].cells.size() == row.cells.size();
@@ -192,12 +193,15 @@ ImVec2 openPadding() {
     return {usual.x, std::floor(usual.y / 2)};
 }
 
-/// Whether no column is higher than `most`.
-bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, float most) {
+/// Whether no column is higher than `most`. None is wider than `room`, that of the panel.
+bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, float most, float room) {
     ImGui::SetWindowFontScale(look.scale);
     open.look = look;
     open.columnWidth = std::max(stepsWidth(lanes.back(), *open.card),
                                 open.pinned ? stepsWidth(lanes.front(), *open.pinned) : 0);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    open.columnWidth =
+        std::min(open.columnWidth, std::max(1.0F, room - 2 * openPadding().x - style.ScrollbarSize));
     open.columns = columnsOf(lanes.back(), *open.card, open.columnWidth, most, look);
     if (open.pinned)
         open.pinnedColumns = columnsOf(lanes.front(), *open.pinned, open.columnWidth, most, look);
@@ -214,43 +218,61 @@ bool arrange(OpenCard& open, std::span<const Lane> lanes, const OpenLook& look, 
 }
 
 /// In as many columns as have room, so that nothing need be scrolled; where that can't be, in as few lines as
-/// can be.
-void arrange(OpenCard& open, std::span<const Lane> lanes, ImVec2 room) {
+/// can be. `panel`: how wide that is.
+void arrange(OpenCard& open, std::span<const Lane> lanes, ImVec2 room, float panel) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     float most = room.y - 2 * openPadding().y - line;
     if (open.pinned)
         most = (most - 2 * line) / 2;
     for (const OpenLook& look : openLooks) {
-        if (arrange(open, lanes, look, most) && open.width <= room.x)
+        if (arrange(open, lanes, look, most, panel) && open.width <= room.x)
             return;
     }
     const float bar = ImGui::GetStyle().ScrollbarSize;
     most = std::max(most, line);
     do {
-        arrange(open, lanes, openLooks.front(), most);
+        arrange(open, lanes, openLooks.front(), most, panel);
         most *= 1.1F;
     } while (open.width + bar > room.x && open.columnCount() > 1);
     open.width += bar;
 }
 
-std::vector<OpenCard> arrangedCards(const PipelineState& state, std::span<const Lane> lanes, float height) {
-    std::vector<OpenCard> cards;
-    for (const Card& card : lanes.back().cards) {
-        if (state.open.contains(std::pair(card.stage, card.unit)))
-            cards.push_back({&card, lanes.size() > 1 ? sameCard(lanes.front().cards, card) : nullptr});
-    }
+constexpr float leastLine = 7.5F; // the height of a line of open cards, in heights of the text
+
+/// Open cards that stand side by side.
+struct OpenLine {
+    std::vector<OpenCard> cards{};
+    float left = 0; ///< of the width
+};
+
+/// As many lines as it takes for all to be no wider than the panel, and no higher than it if that can be.
+std::vector<OpenLine> arrangedCards(const PipelineState& state, std::span<const Lane> lanes, float& height) {
+    const float panel = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetFontSize() * 0.5F;
-    float left = ImGui::GetContentRegionAvail().x + gap;
-    for (OpenCard& open : cards) {
-        arrange(open, lanes, openLooks.front(), std::numeric_limits<float>::max());
-        left -= open.width + gap;
+    std::vector<OpenLine> lines;
+    for (const Card& card : lanes.back().cards) {
+        if (!state.open.contains(std::pair(card.stage, card.unit)))
+            continue;
+        OpenCard open{&card, lanes.size() > 1 ? sameCard(lanes.front().cards, card) : nullptr};
+        arrange(open, lanes, openLooks.front(), std::numeric_limits<float>::max(), panel);
+        const float needed = open.width + ImGui::GetStyle().ScrollbarSize + gap;
+        if (lines.empty() || lines.back().left < needed)
+            lines.push_back({{}, panel + gap});
+        lines.back().left -= needed;
+        lines.back().cards.push_back(std::move(open));
     }
-    for (OpenCard& open : cards) { // what the others leave goes to the first that needs it
-        const float before = open.width;
-        arrange(open, lanes, {before + std::max(left, 0.0F), height});
-        left -= open.width - before;
+    const auto count = static_cast<float>(lines.size());
+    const float share = (height - (count - 1) * ImGui::GetStyle().ItemSpacing.y) / std::max(1.0F, count);
+    height = lines.size() < 2 ? height : std::max(std::floor(share), leastLine * ImGui::GetFontSize());
+    for (OpenLine& line : lines) {
+        float left = line.left;
+        for (OpenCard& open : line.cards) { // what the others leave goes to the first that needs it
+            const float before = open.width + ImGui::GetStyle().ScrollbarSize;
+            arrange(open, lanes, {before + std::max(left, 0.0F), height}, panel);
+            left -= open.width - before;
+        }
     }
-    return cards;
+    return lines;
 }
 
 /// Whether it is to be closed.
@@ -279,14 +301,15 @@ bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float heigh
 } // namespace
 
 void drawOpenCards(PipelineState& state, std::span<const Lane> lanes, float height) {
-    const std::vector<OpenCard> cards = arrangedCards(state, lanes, height);
-    for (const OpenCard& open : cards) {
-        if (&open != &cards.front())
-            ImGui::SameLine(0, ImGui::GetFontSize() * 0.5F);
-        ImGui::PushID(static_cast<int>(open.card->stage) * 16 + open.card->unit);
-        if (drawOpenCard(open, lanes, height))
-            state.open.erase(std::pair(open.card->stage, open.card->unit));
-        ImGui::PopID();
+    for (const OpenLine& line : arrangedCards(state, lanes, height)) {
+        for (const OpenCard& open : line.cards) {
+            if (&open != &line.cards.front())
+                ImGui::SameLine(0, ImGui::GetFontSize() * 0.5F);
+            ImGui::PushID(static_cast<int>(open.card->stage) * 16 + open.card->unit);
+            if (drawOpenCard(open, lanes, height))
+                state.open.erase(std::pair(open.card->stage, open.card->unit));
+            ImGui::PopID();
+        }
     }
 }
 

@@ -1,7 +1,10 @@
 #include "app/ui/details/step_rows.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
+
+#include <imgui_internal.h> // how large the text of a window is
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +16,7 @@ namespace {
 using reference::Ink;
 using reference::StepRow;
 
-/// What a table of rows with the same number of cells takes: more than the panel has is reached by scrolling.
+/// What a table of rows with the same number of cells takes.
 float tableWidth(std::span<const StepRow> rows, float padding) {
     std::vector<float> columns(rows.front().cells.size() + 1);
     const auto widen = [](float& column, const std::string& words, float more) {
@@ -44,6 +47,58 @@ std::size_t tableEnd(const std::vector<StepRow>& rows, std::size_t first) {
     return last;
 }
 
+void drawLabel(const StepRow& row) {
+    if (row.swatch) {
+        swatch(*row.swatch);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
+    inkText(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
+}
+
+void drawTable(std::span<const StepRow> rows, float width) {
+    const int columns = static_cast<int>(rows.front().cells.size()) + 1;
+    if (!ImGui::BeginTable("rows", columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings,
+                           {width, 0}))
+        return;
+    for (const StepRow& row : rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        drawLabel(row);
+        for (const reference::StepCell& cell : row.cells) {
+            ImGui::TableNextColumn();
+            inkText(cell.text, tintOf(cell.ink));
+        }
+    }
+    ImGui::EndTable();
+}
+
+/// Each row's cells below its label, as many in a line as have room.
+void drawStacked(std::span<const StepRow> rows) {
+    const float gap = ImGui::GetFontSize() * 0.6F;
+    ImGui::PushTextWrapPos(0);
+    for (const StepRow& row : rows) {
+        drawLabel(row);
+        ImGui::Indent(gap);
+        const float left = ImGui::GetCursorPosX();
+        float right = 0; // of the line so far; 0: it hasn't begun
+        for (const reference::StepCell& cell : row.cells) {
+            if (cell.text.empty())
+                continue;
+            const float width = ImGui::CalcTextSize(tr(cell.text).c_str()).x;
+            if (right > 0 && right + gap + width <= ImGui::GetWindowContentRegionMax().x)
+                ImGui::SameLine(0, gap);
+            else
+                right = left - gap;
+            right += gap + width;
+            inkText(cell.text, tintOf(cell.ink));
+        }
+        ImGui::Unindent(gap);
+    }
+    ImGui::PopTextWrapPos();
+}
+
+constexpr float smallestRows = 0.78F; // of the usual size, before a table is taken apart
+
 } // namespace
 
 ImU32 tintOf(Ink ink) {
@@ -70,7 +125,7 @@ ImU32 tintOf(Ink ink) {
 
 void inkText(const std::string& words, ImU32 tint) {
     ImGui::PushStyleColor(ImGuiCol_Text, tint);
-    ImGui::TextUnformatted(tr(words).c_str());
+    text(words);
     ImGui::PopStyleColor();
 }
 
@@ -113,39 +168,30 @@ float rowsWidth(const std::vector<StepRow>& rows) {
 
 void drawRows(const std::vector<StepRow>& rows) {
     for (std::size_t first = 0; first < rows.size();) {
-        const std::size_t cells = rows[first].cells.size();
         const std::size_t last = tableEnd(rows, first);
-        if (cells == 0) {
+        if (rows[first].cells.empty()) {
             for (; first < last; ++first) {
                 ImGui::PushStyleColor(ImGuiCol_Text, tintOf(rows[first].ink));
-                ImGui::TextWrapped("%s", tr(rows[first].label).c_str());
+                wrappedText(rows[first].label);
                 ImGui::PopStyleColor();
             }
             continue;
         }
         ImGui::PushID(static_cast<int>(first));
         const float padding = cellPadding();
+        const std::span<const StepRow> table = std::span(rows).subspan(first, last - first);
+        const float width = tableWidth(table, padding);
+        const float room = ImGui::GetContentRegionAvail().x;
+        const float usual = ImGui::GetCurrentWindow()->FontWindowScale;
+        const float scale = width > room ? room / width * 0.98F : 1; // letters are whole pixels wide
         ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-        const int columns = static_cast<int>(cells) + 1;
-        const float width = tableWidth(std::span(rows).subspan(first, last - first), padding);
-        const bool open = ImGui::BeginTable(
-            "rows", columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings, {width, 0});
-        if (open) {
-            for (; first < last; ++first) {
-                const StepRow& row = rows[first];
-                ImGui::TableNextRow();
-                ImGui::TableNextColumn();
-                if (row.swatch) {
-                    swatch(*row.swatch);
-                    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-                }
-                inkText(row.label, row.ink == Ink::Plain ? color::dim : tintOf(row.ink));
-                for (const reference::StepCell& cell : row.cells) {
-                    ImGui::TableNextColumn();
-                    inkText(cell.text, tintOf(cell.ink));
-                }
-            }
-            ImGui::EndTable();
+        if (scale < smallestRows) {
+            drawStacked(table);
+        } else {
+            if (scale < 1)
+                ImGui::SetWindowFontScale(usual * scale);
+            drawTable(table, std::min(width, room));
+            ImGui::SetWindowFontScale(usual);
         }
         ImGui::PopStyleVar();
         ImGui::PopID();

@@ -25,7 +25,8 @@ void swatch(glm::vec4 color);
 /// The width of the widest table among the rows; sentences are wrapped.
 [[nodiscard]] float rowsWidth(const std::vector<reference::StepRow>& rows);
 
-/// Rows with the same number of cells share their columns.
+/// Rows with the same number of cells share their columns. What is wider than the panel is somewhat smaller,
+/// and where that isn't enough each row has its cells below its label.
 void drawRows(const std::vector<reference::StepRow>& rows);
 
 } // namespace texplorer::ui

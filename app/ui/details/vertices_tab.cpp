@@ -347,7 +347,7 @@ void vertexGroup(Session& session, const List& list, const std::string& name,
 
 void drawVerticesTab(Session& session, VerticesTabState& state) {
     if (!selectedModel(session)) {
-        ImGui::TextWrapped("%s", tr("The scene has no model."));
+        wrappedText("The scene has no model.");
         return;
     }
     modelChoice(session, ImGui::GetFontSize() * 9);

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/gl/combine_equation.h"
 #include "core/scene/params/keys.h"
 
@@ -95,7 +96,7 @@ void drawEquation(Session& session, const Combine& combine, const Half& half) {
     ImGui::TextUnformatted(("= " + symbols).c_str());
     noteItem("combine:equation" + std::string(half.suffix));
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    ImGui::TextWrapped("%s", meaning.c_str());
+    plainWrappedText(meaning);
     ImGui::PopStyleColor();
     noteItem("combine:" + meaning);
 }

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
 #include "core/scene/drawn_models.h"
 #include "core/scene/params/keys.h"
@@ -101,7 +102,7 @@ void vertexLine(Session& session) {
     if (!vertex || count == 0) {
         constexpr const char* how = "Click one in either view.";
         const float room = ImGui::GetContentRegionAvail().x;
-        if (ImGui::CalcTextSize(tr(how), nullptr, false, room).y > ImGui::GetFontSize() * 2.5F)
+        if (wrappedSize(tr(how), room).y > ImGui::GetFontSize() * 2.5F)
             ImGui::NewLine(); // rather than a word or a letter in each line
         dimWrappedText(how);
         noteItem("no vertex");

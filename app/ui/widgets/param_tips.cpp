@@ -5,6 +5,7 @@
 #include "app/ui/widgets/hints.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
@@ -14,8 +15,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float tipWidth = 26;            ///< of a tooltip, in letters' heights
-constexpr std::size_t longestText = 8000; ///< in bytes: a list of Dear ImGui's has room for 16,000 letters
+constexpr float tipWidth = 26; ///< of a tooltip, in letters' heights
 
 /// Who clicks looks at what came of it: what covers a part of that waits until the pointer moves on.
 bool hasJustClicked() {
@@ -56,17 +56,6 @@ std::string nameAndOrigin(const EnumRow& choice) {
     return choice.since.empty() ? std::string() : fmt::format("{} · {}", choice.name, originOf(choice));
 }
 
-/// Words that are translated already, or never are.
-void plainText(std::string_view words) {
-    ImGui::TextUnformatted(words.data(), words.data() + std::min(words.size(), longestText));
-}
-
-void dimPlainText(std::string_view words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    plainText(words);
-    ImGui::PopStyleColor();
-}
-
 } // namespace
 
 void text(std::string_view words) {
@@ -78,15 +67,13 @@ void dimText(std::string_view words) {
 }
 
 void wrappedText(std::string_view words) {
-    ImGui::PushTextWrapPos(0);
-    text(words);
-    ImGui::PopTextWrapPos();
+    plainWrappedText(tr(words));
 }
 
 void dimWrappedText(std::string_view words) {
-    ImGui::PushTextWrapPos(0);
-    dimText(words);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    plainWrappedText(tr(words));
+    ImGui::PopStyleColor();
 }
 
 void helpTip(std::string_view words) {

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "app/ui/window/dialog_button.h"
 #include "app/ui/window/shortcuts.h"
 
@@ -114,7 +115,7 @@ float helpGap() {
 }
 
 float wrappedHeight(const std::string& words, float width) {
-    return ImGui::CalcTextSize(tr(words).c_str(), nullptr, false, std::max(width, 1.0F)).y;
+    return wrappedSize(tr(words), std::max(width, 1.0F)).y;
 }
 
 float heightOf(const HelpRow& row, float width) {

@@ -5,6 +5,7 @@
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/ui/widgets/wrapped_text.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -21,7 +22,7 @@ constexpr float widestNote = 22;   ///< in letters' heights, then it goes on in 
 constexpr float narrowestField = 12;
 
 /// Eight shifted copies under the letters: whatever lies below them ends a little before they begin.
-void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words, float wrap) {
+void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words) {
     const std::array ways{ImVec2{1, 0},     ImVec2{-1, 0},     ImVec2{0, 1},      ImVec2{0, -1},
                           ImVec2{.7F, .7F}, ImVec2{-.7F, .7F}, ImVec2{.7F, -.7F}, ImVec2{-.7F, -.7F}};
     ImFont* font = ImGui::GetFont();
@@ -30,8 +31,8 @@ void haloedText(ImDrawList& draw, ImVec2 at, const std::string& words, float wra
     const char* begin = words.c_str();
     const char* end = begin + words.size();
     for (const ImVec2& way : ways)
-        draw.AddText(font, size, {at.x + way.x * halo, at.y + way.y * halo}, color::panel, begin, end, wrap);
-    draw.AddText(font, size, at, color::text, begin, end, wrap);
+        draw.AddText(font, size, {at.x + way.x * halo, at.y + way.y * halo}, color::panel, begin, end);
+    draw.AddText(font, size, at, color::text, begin, end);
 }
 
 /// Whole inside of the pictures' room, where it has room.
@@ -72,7 +73,8 @@ void noteField(ViewNotes& notes, ViewNote& note, float width) {
 }
 
 /// True where the pointer is on it.
-bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, ImVec2 size) {
+bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, const std::string& lines,
+                ImVec2 size) {
     ViewNote& note = notes.list[index];
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + size.x, low.y + size.y);
@@ -93,7 +95,7 @@ bool noteButton(ViewNotes& notes, std::size_t index, const Rect& canvas, ImVec2 
     if (hovered || notes.chosen == index)
         draw.AddRect(low, high, notes.chosen == index ? color::accent : color::dim);
     const float pad = ImGui::GetFontSize() * 0.25F;
-    haloedText(draw, {low.x + pad, low.y + pad / 2}, note.text, size.x);
+    haloedText(draw, {low.x + pad, low.y + pad / 2}, lines);
     return hovered;
 }
 
@@ -107,8 +109,10 @@ bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
     const bool isEdited = notes.isEdited && notes.chosen == index;
     const float em = ImGui::GetFontSize() * noteScale;
     ImVec2 size(fieldWidth(note, canvas, em), em * 1.5F);
+    std::string lines;
     if (!isEdited) {
-        size = ImGui::CalcTextSize(note.text.c_str(), nullptr, false, widestNote * em / noteScale);
+        lines = wrappedLines(note.text, widestNote * em / noteScale);
+        size = ImGui::CalcTextSize(lines.c_str());
         size = {size.x * noteScale + em, size.y * noteScale + em * 0.25F};
     }
     ImGui::SetNextWindowPos(notePlace(note, canvas, size));
@@ -120,7 +124,7 @@ bool drawNote(ViewNotes& notes, std::size_t index, const Rect& canvas) {
     if (isEdited)
         noteField(notes, note, size.x);
     else
-        hovered = noteButton(notes, index, canvas, size);
+        hovered = noteButton(notes, index, canvas, lines, size);
     ImGui::End();
     ImGui::PopStyleVar(2);
     return hovered || isEdited;

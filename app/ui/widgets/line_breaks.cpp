@@ -1,0 +1,125 @@
+#include "app/ui/widgets/line_breaks.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace texplorer::ui {
+namespace {
+
+/// The bytes of the character that a text begins with; of what isn't UTF-8, one.
+std::size_t characterLength(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    const std::size_t length = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    return std::min(length, text.size());
+}
+
+char32_t characterAt(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t length = characterLength(text);
+    char32_t letter = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
+    for (std::size_t i = 1; i < length; ++i)
+        letter = letter << 6U | (byte(i) & 0x3FU);
+    return letter;
+}
+
+/// What is set in squares, beside each of which a line may end: ideographs, kana, hangul and their marks.
+bool isIdeographic(char32_t letter) {
+    return (letter >= 0x2E80 && letter <= 0xA4CF) || (letter >= 0xAC00 && letter <= 0xD7AF) ||
+           (letter >= 0xF900 && letter <= 0xFAFF) || (letter >= 0xFE30 && letter <= 0xFE4F) ||
+           (letter >= 0xFF00 && letter <= 0xFFEF) || (letter >= 0x20000 && letter <= 0x3FFFF);
+}
+
+constexpr std::u32string_view beginNoLine = U"，。、；：！？）》〉」』】〕”’％…—–·,.;:!?)]}%»×°";
+constexpr std::u32string_view endNoLine = U"（《〈「『【〔“‘([{«";
+
+bool isOneOf(char32_t letter, std::u32string_view letters) {
+    return letters.find(letter) != std::u32string_view::npos;
+}
+
+/// Whether a line may end between two characters, of which the first may be a blank.
+bool isBreak(char32_t before, char32_t after) {
+    if (isOneOf(after, beginNoLine) || after == U' ')
+        return false;
+    return before == U' ' || ((isIdeographic(before) || isIdeographic(after)) && !isOneOf(before, endNoLine));
+}
+
+/// How many bytes at its beginning stay together, with the blanks behind them.
+std::size_t pieceLength(std::string_view text) {
+    std::size_t end = characterLength(text);
+    for (char32_t before = characterAt(text); end < text.size();) {
+        const char32_t after = characterAt(text.substr(end));
+        if (isBreak(before, after))
+            break;
+        before = after;
+        end += characterLength(text.substr(end));
+    }
+    return end;
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+    const std::size_t last = text.find_last_not_of(' ');
+    return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+/// How many bytes of a word have room: one character at least.
+std::size_t partThatFits(std::string_view word, float room, const TextMeasure& widthOf) {
+    std::size_t end = characterLength(word);
+    float width = widthOf(word.substr(0, end));
+    while (end < word.size()) {
+        const std::size_t next = characterLength(word.substr(end));
+        width += widthOf(word.substr(end, next));
+        if (width > room)
+            break;
+        end += next;
+    }
+    return end;
+}
+
+void breakParagraph(std::vector<std::string_view>& lines, std::string_view text, float room,
+                    const TextMeasure& widthOf) {
+    std::size_t length = 0; // of the line that is being filled, which `text` begins with
+    float width = 0;
+    const auto endLine = [&] {
+        lines.push_back(withoutBlanks(text.substr(0, length)));
+        text.remove_prefix(length);
+        length = 0;
+        width = 0;
+    };
+    while (length < text.size()) {
+        const std::string_view piece = text.substr(length, pieceLength(text.substr(length)));
+        const std::string_view word = withoutBlanks(piece);
+        const float wordWidth = widthOf(word);
+        if (width + wordWidth <= room) {
+            width += wordWidth + (word.size() < piece.size() ? widthOf(piece.substr(word.size())) : 0);
+            length += piece.size();
+        } else if (length > 0) {
+            endLine();
+        } else {
+            length = partThatFits(word, room, widthOf);
+            if (length == word.size())
+                length = piece.size();
+            endLine();
+        }
+    }
+    if (length > 0)
+        endLine();
+}
+
+} // namespace
+
+std::vector<std::string_view> linesOf(std::string_view text, float room, const TextMeasure& widthOf) {
+    std::vector<std::string_view> lines;
+    while (true) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view paragraph = text.substr(0, end);
+        if (withoutBlanks(paragraph).empty())
+            lines.push_back(paragraph.substr(0, 0));
+        else
+            breakParagraph(lines, paragraph, room, widthOf);
+        if (end == text.size())
+            return lines;
+        text.remove_prefix(end + 1);
+    }
+}
+
+} // namespace texplorer::ui
