@@ -26,28 +26,34 @@ bool hasHoles(const std::uint8_t* texels) {
     return false;
 }
 
-void fastDxt1(std::uint8_t* texels, std::byte* block) {
+// `mode` is stb_dxt's: how often it refines the end points.
+template<int mode>
+void quickDxt1(std::uint8_t* texels, std::byte* block) {
     makeOpaque(texels);
-    stb_compress_dxt_block(bytesOf(block), texels, 0, STB_DXT_NORMAL);
+    stb_compress_dxt_block(bytesOf(block), texels, 0, mode);
 }
 
-void fastDxt1Alpha(std::uint8_t* texels, std::byte* block) {
+/// stb_dxt knows of no holes: blocks with some are libsquish's.
+template<int mode, int fit>
+void quickDxt1Alpha(std::uint8_t* texels, std::byte* block) {
     if (hasHoles(texels))
-        squish::Compress(texels, block, squish::kDxt1 | squish::kColourRangeFit);
+        squish::Compress(texels, block, squish::kDxt1 | fit);
     else
-        fastDxt1(texels, block);
+        quickDxt1<mode>(texels, block);
 }
 
-void fastDxt3(std::uint8_t* texels, std::byte* block) {
+template<int mode>
+void quickDxt3(std::uint8_t* texels, std::byte* block) {
     for (std::size_t i = 0; i < 8; ++i) {
         const auto fourBits = [&](std::size_t texel) { return (texels[4 * texel + 3] * 15 + 127) / 255; };
         block[i] = static_cast<std::byte>(fourBits(2 * i) | fourBits(2 * i + 1) << 4);
     }
-    fastDxt1(texels, block + 8);
+    quickDxt1<mode>(texels, block + 8);
 }
 
-void fastDxt5(std::uint8_t* texels, std::byte* block) {
-    stb_compress_dxt_block(bytesOf(block), texels, 1, STB_DXT_NORMAL);
+template<int mode>
+void quickDxt5(std::uint8_t* texels, std::byte* block) {
+    stb_compress_dxt_block(bytesOf(block), texels, 1, mode);
 }
 
 void fastBc4(std::uint8_t* texels, std::byte* block) {
@@ -75,8 +81,8 @@ void withSquishOpaque(std::uint8_t* texels, std::byte* block) {
     squish::Compress(texels, block, flags);
 }
 
-template<int fit>
-BlockEncoder squishEncoder(BlockFormat format) {
+BlockEncoder bestEncoder(BlockFormat format) {
+    constexpr int fit = squish::kColourClusterFit;
     switch (format) {
     case BlockFormat::Dxt1:
         return withSquishOpaque<squish::kDxt1 | fit>;
@@ -100,13 +106,13 @@ BlockEncoder squishEncoder(BlockFormat format) {
 BlockEncoder fastEncoder(BlockFormat format) {
     switch (format) {
     case BlockFormat::Dxt1:
-        return fastDxt1;
+        return quickDxt1<STB_DXT_NORMAL>;
     case BlockFormat::Dxt1Alpha:
-        return fastDxt1Alpha;
+        return quickDxt1Alpha<STB_DXT_NORMAL, squish::kColourRangeFit>;
     case BlockFormat::Dxt3:
-        return fastDxt3;
+        return quickDxt3<STB_DXT_NORMAL>;
     case BlockFormat::Dxt5:
-        return fastDxt5;
+        return quickDxt5<STB_DXT_NORMAL>;
     case BlockFormat::Bc4:
         return fastBc4;
     case BlockFormat::Bc5:
@@ -118,6 +124,25 @@ BlockEncoder fastEncoder(BlockFormat format) {
     return nullptr;
 }
 
+BlockEncoder normalEncoder(BlockFormat format) {
+    switch (format) {
+    case BlockFormat::Dxt1:
+        return quickDxt1<STB_DXT_HIGHQUAL>;
+    case BlockFormat::Dxt1Alpha:
+        return quickDxt1Alpha<STB_DXT_HIGHQUAL, squish::kColourClusterFit>;
+    case BlockFormat::Dxt3:
+        return quickDxt3<STB_DXT_HIGHQUAL>;
+    case BlockFormat::Dxt5:
+        return quickDxt5<STB_DXT_HIGHQUAL>;
+    case BlockFormat::Bc4:
+    case BlockFormat::Bc5:
+    case BlockFormat::Bc4Signed:
+    case BlockFormat::Bc5Signed:
+        break;
+    }
+    return bestEncoder(format); // of one or two components it is quick
+}
+
 } // namespace
 
 BlockEncoder blockEncoder(BlockFormat format, EncodeQuality quality) {
@@ -125,11 +150,11 @@ BlockEncoder blockEncoder(BlockFormat format, EncodeQuality quality) {
     case EncodeQuality::Fast:
         return fastEncoder(format);
     case EncodeQuality::Normal:
-        return squishEncoder<squish::kColourRangeFit>(format);
+        return normalEncoder(format);
     case EncodeQuality::Best:
         break;
     }
-    return squishEncoder<squish::kColourClusterFit>(format);
+    return bestEncoder(format);
 }
 
 } // namespace texplorer

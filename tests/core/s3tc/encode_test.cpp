@@ -1,5 +1,6 @@
 // libsquish and stb_dxt are asked directly for what they make of the same picture.
 
+#include "core/image/patterns/pattern.h"
 #include "core/s3tc/decode.h"
 #include "core/s3tc/encode.h"
 #include "core/s3tc/flip.h"
@@ -112,16 +113,18 @@ TEST_P(EveryFormatAndQuality, IsAsGoodAsTheLibraryItself) {
             source.pixels[i] = std::byte{255};
     const auto* rgba = reinterpret_cast<const squish::u8*>(source.pixels.data());
     BlockImage peer = BlockImage::uninitialised(format(), 64, 64);
-    const int fit = quality() == EncodeQuality::Best ? squish::kColourClusterFit : squish::kColourRangeFit;
+    const bool isBest = quality() == EncodeQuality::Best;
+    const int fit = isBest ? squish::kColourClusterFit : squish::kColourRangeFit;
     squish::CompressImage(rgba, 64, 64, peer.blocks.data(), squishFlag(format()) | fit);
     double expected = psnr(image, decodeBlocks(peer), format());
-    if (quality() == EncodeQuality::Fast && format() == BlockFormat::Dxt1) {
+    if (!isBest && format() == BlockFormat::Dxt1) {
+        const int mode = quality() == EncodeQuality::Fast ? STB_DXT_NORMAL : STB_DXT_HIGHQUAL;
         for (int at = 0; at < 256; ++at) {
             std::array<unsigned char, 64> texels;
             for (int y = 0; y < 4; ++y)
                 std::memcpy(texels.data() + 16 * y, source.at(at % 16 * 4, at / 16 * 4 + y).data(), 16);
             stb_compress_dxt_block(reinterpret_cast<unsigned char*>(peer.blocks.data()) + 8 * at,
-                                   texels.data(), 0, STB_DXT_NORMAL);
+                                   texels.data(), 0, mode);
         }
         expected = psnr(image, decodeBlocks(peer), format());
     } else if (quality() == EncodeQuality::Fast) {
@@ -136,6 +139,62 @@ INSTANTIATE_TEST_SUITE_P(Rows, EveryFormatAndQuality,
                              return std::string(std::get<0>(test.param).name) + "_" +
                                     std::string(std::get<1>(test.param).name);
                          });
+
+/// Noise of every size, the larger the stronger, as photographs have it; alpha is a slope.
+Image photoLikeNoise(int side) {
+    std::mt19937 random(7);
+    std::vector<double> sums(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 3);
+    for (int cells = 4; cells <= side; cells *= 2) {
+        std::vector<double> grid(static_cast<std::size_t>((cells + 1) * (cells + 1)) * 3);
+        for (double& each : grid)
+            each = (static_cast<double>(random() % 256) - 128) / cells * 4;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const int texel = static_cast<int>(i / 3);
+            const double x = texel % side * static_cast<double>(cells) / side;
+            const double y = texel / side * static_cast<double>(cells) / side;
+            const auto at = [&](int dx, int dy) {
+                const int place = (static_cast<int>(y) + dy) * (cells + 1) + static_cast<int>(x) + dx;
+                return grid[static_cast<std::size_t>(place) * 3 + i % 3];
+            };
+            const double u = x - std::floor(x);
+            const double v = y - std::floor(y);
+            sums[i] +=
+                (1 - v) * ((1 - u) * at(0, 0) + u * at(1, 0)) + v * ((1 - u) * at(0, 1) + u * at(1, 1));
+        }
+    }
+    Image image = Image::uninitialised(PixelFormat::Rgba8, side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            for (std::size_t i = 0; i < 3; ++i)
+                image.at(x, y)[i] = static_cast<std::byte>(
+                    std::clamp(128 + sums[static_cast<std::size_t>(y * side + x) * 3 + i], 0.0, 255.0));
+            image.at(x, y)[3] = static_cast<std::byte>(x * 255 / (side - 1));
+        }
+    return image;
+}
+
+// As libsquish decodes it. That it takes longer is for `./dev bench`.
+TEST(EncodeBlocks, EachQualityIsBetterThanTheOneBefore) {
+    for (const Image& image : {drawPattern(Pattern::Planet), photoLikeNoise(128)}) {
+        Image colors = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                colors.at(x, y)[3] = std::byte{255};
+                std::memcpy(colors.at(x, y).data(), image.at(x, y).data(), image.at(x, y).size());
+            }
+        for (const BlockFormat format : {BlockFormat::Dxt1, BlockFormat::Dxt3, BlockFormat::Dxt5}) {
+            double before = 0;
+            for (const EncodeQuality quality :
+                 {EncodeQuality::Fast, EncodeQuality::Normal, EncodeQuality::Best}) {
+                const BlockImage blocks = encodeBlocks(colors, format, quality).value();
+                // Colours alone: 3 channels.
+                const double now = psnr(colors, decodeWithSquish(blocks), BlockFormat::Dxt1);
+                EXPECT_GT(now, before + 0.02) << rowOf(format).name << " " << rowOf(quality).name;
+                before = now;
+            }
+        }
+    }
+}
 
 TEST(EncodeBlocks, MakesAlphaBelow128AHole) {
     Image image = picture(8, 4);
