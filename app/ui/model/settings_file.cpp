@@ -2,6 +2,7 @@
 
 #include "app/ui/model/settings_merge.h"
 #include "core/base/file_io.h"
+#include "core/base/folder_lock.h"
 #include "core/base/user_folder.h"
 
 #include <fmt/core.h>
@@ -52,21 +53,18 @@ std::string readWhole(const fs::path& file, const Parse& parse, std::string& pro
     return {};
 }
 
-Result<void> putSettings(const fs::path& file, const std::string& text) {
-    std::error_code ignored; // the writing says what is wrong
-    fs::create_directories(file.parent_path(), ignored);
-    return writeFileAtomically(file, viewBytes(text));
-}
-
 /// One of the files, read and written anew, where that changes it. What went wrong, or nothing.
 template<class Parse, class Merge>
 std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& merge) {
+    std::error_code ignored; // the writing says what is wrong
+    fs::create_directories(file.parent_path(), ignored);
+    const FolderLock lock(file.parent_path()); // or another window's change of this moment would be lost
     std::string problem;
     const std::string there = readWhole(file, parse, problem);
     const std::string text = merge(there);
     if (file.empty() || text == there)
         return problem;
-    const Result<void> written = putSettings(file, text);
+    const Result<void> written = writeFileAtomically(file, viewBytes(text));
     return written ? problem : settingsProblem(written.error());
 }
 

@@ -1,9 +1,13 @@
 #include "app/ui/model/settings_file.h"
 #include "core/base/file_io.h"
+#include "core/base/folder_lock.h"
 #include "tests/support/temp_dir.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <optional>
+#include <thread>
 
 namespace texplorer::settings_file_test {
 namespace {
@@ -196,6 +200,39 @@ TEST_F(KeptSettings, TwoWindowsShareTheFiles) {
     EXPECT_EQ(last.textPercent, 150);
     EXPECT_THAT(last.pinned, ElementsAre("b", "d", "c"));
     EXPECT_THAT(last.recentFiles, ElementsAre("/one", "/other", "/old"));
+}
+
+// The one writes while the other is between reading and writing: it waits.
+TEST_F(KeptSettings, WindowsThatWriteAtTheSameInstantLoseNothing) {
+    std::filesystem::create_directories(places().settings.parent_path());
+    auto lock = std::make_optional<FolderLock>(places().settings.parent_path());
+    if (!lock->isHeld())
+        GTEST_SKIP() << "there are no locks here";
+    {
+        SettingsFile file = open();
+        Settings mine = file.read();
+        mine.textPercent = 150;
+        file.keep(mine);
+        now += 2;
+        file.keep(mine); // its worker begins
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        Settings other;
+        other.theme = Theme::Light;
+        const std::string text = writeSettings(other);
+        ASSERT_TRUE(writeFileAtomically(places().settings, viewBytes(text)));
+        lock.reset();
+    }
+    const Settings last = open().read();
+    EXPECT_EQ(last.theme, Theme::Light);
+    EXPECT_EQ(last.textPercent, 150);
+}
+
+TEST_F(KeptSettings, AreWrittenWithoutALockAfterAWhile) {
+    const FolderLock lock(folder.path());
+    if (!lock.isHeld())
+        GTEST_SKIP() << "there are no locks here";
+    EXPECT_FALSE(FolderLock(folder.path(), std::chrono::milliseconds(4)).isHeld());
+    EXPECT_FALSE(FolderLock(folder.path() / "none").isHeld());
 }
 
 TEST_F(KeptSettings, WhatWasWrittenOnceIsNotWrittenAgain) {
