@@ -60,9 +60,11 @@ fs::path picturesFolderOfUser() {
     if (!config.empty() && home) {
         const Result<std::string> text = readText(config / "user-dirs.dirs", longestUserDirs);
         const fs::path folder = text ? picturesFolderIn(*text, home) : fs::path{};
-        if (!folder.empty() && fs::is_directory(folder, failed))
+        if (!folder.empty())
             return folder;
     }
+    if (home && fs::is_directory(home, failed))
+        return fs::path(home) / "Pictures";
     const fs::path working = fs::current_path(failed);
     return failed ? fs::path(".") : working;
 }
@@ -72,6 +74,8 @@ Captures::Captures(fs::path folder, When when, std::function<void()> wake)
     , writing_(
           {when, JobOrder::Queue, captureFailure, std::move(wake)},
           [this](const Writing::Task& task) {
+              std::error_code ignored; // the writing says what is wrong
+              fs::create_directories(folder_, ignored);
               const fs::path file = freeName(folder_, task.job().name);
               const Result<Bytes> bytes = encodePng(withoutAlpha(*task.job().image));
               if (!bytes)

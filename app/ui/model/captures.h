@@ -17,7 +17,8 @@ namespace texplorer::ui {
 [[nodiscard]] std::filesystem::path picturesFolderIn(std::string_view userDirs,
                                                      const std::filesystem::path& home);
 
-/// The same of this user; else the working folder.
+/// The same of this user; else "Pictures" at home; else, without a home, the working folder. It needn't be
+/// there: the first picture makes it.
 [[nodiscard]] std::filesystem::path picturesFolderOfUser();
 
 /// Writes what the window shows as PNG files, on a thread of its own where it is beside the window.

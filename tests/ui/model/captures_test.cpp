@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <optional>
+
 namespace texplorer::captures_test {
 namespace {
 
@@ -41,7 +44,8 @@ TEST(Captures, HaveANameThatIsFree) {
 
 TEST(Captures, SayWhyTheyCannotBeWritten) {
     const test::TempDir folder;
-    Captures captures(folder.path() / "missing");
+    ASSERT_TRUE(writeFileAtomically(folder.path() / "no folder", Bytes{}));
+    Captures captures(folder.path() / "no folder");
     captures.write("view", twoPixels());
     const std::optional<Captures::News> news = captures.takeNews();
     ASSERT_TRUE(news);
@@ -49,12 +53,22 @@ TEST(Captures, SayWhyTheyCannotBeWritten) {
     EXPECT_THAT(news->text, HasSubstr("can't be written"));
 }
 
-/// "missing" is made between the two pictures: the first one fails, and that is what one has to know.
+TEST(Captures, MakeTheirFolder) {
+    const test::TempDir folder;
+    Captures captures(folder.path() / "Media" / "Pictures");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "Media")) << "not before there is a picture";
+    captures.write("view", twoPixels());
+    EXPECT_TRUE(captures.takeNews()->isWritten);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "Media" / "Pictures" / "view.png"));
+}
+
+/// What is in the way goes between the two pictures: the first one fails, and that is what one has to know.
 TEST(Captures, AFailureIsNotHiddenByWhatCameAfterIt) {
     const test::TempDir folder;
+    ASSERT_TRUE(writeFileAtomically(folder.path() / "missing", Bytes{}));
     Captures captures(folder.path() / "missing");
     captures.write("view", twoPixels());
-    std::filesystem::create_directory(folder.path() / "missing");
+    std::filesystem::remove(folder.path() / "missing");
     captures.write("view", twoPixels());
     const std::optional<Captures::News> news = captures.takeNews();
     ASSERT_TRUE(news);
@@ -72,6 +86,50 @@ TEST(PicturesFolder, IsTheOneThatTheUserHas) {
           UserDirs{"# a note\nXDG_MUSIC_DIR=\"$HOME/Music\"\nXDG_PICTURES_DIR=\"/data/p\"", "/data/p"},
           UserDirs{"XDG_PICTURES_DIR=\"relative\"", ""}, UserDirs{"#XDG_PICTURES_DIR=\"$HOME/p\"", ""}})
         EXPECT_EQ(picturesFolderIn(row.text, "/home/u"), row.folder) << row.text;
+}
+
+/// Sets an environment variable, or takes it away, while it lives.
+class Variable {
+public:
+    Variable(const char* name, const char* value)
+        : name_(name) {
+        if (const char* before = std::getenv(name))
+            before_ = before;
+        if (value)
+            ::setenv(name, value, 1);
+        else
+            ::unsetenv(name);
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+    ~Variable() {
+        if (before_)
+            ::setenv(name_, before_->c_str(), 1);
+        else
+            ::unsetenv(name_);
+    }
+
+private:
+    const char* name_;
+    std::optional<std::string> before_;
+};
+
+TEST(PicturesFolder, IsBelowHomeWhereTheUserNamesNone) {
+    const test::TempDir folder;
+    const Variable config("XDG_CONFIG_HOME", (folder.path() / "config").c_str());
+    {
+        const Variable home("HOME", folder.path().c_str());
+        EXPECT_EQ(picturesFolderOfUser(), folder.path() / "Pictures");
+        std::filesystem::create_directory(folder.path() / "config");
+        const std::string text = "XDG_PICTURES_DIR=\"$HOME/Media/Bilder\"\n";
+        ASSERT_TRUE(writeFileAtomically(folder.path() / "config" / "user-dirs.dirs", viewBytes(text)));
+        EXPECT_EQ(picturesFolderOfUser(), folder.path() / "Media" / "Bilder") << "it needn't be there yet";
+        std::filesystem::remove(folder.path() / "config" / "user-dirs.dirs");
+    }
+    const Variable none("HOME", nullptr);
+    EXPECT_EQ(picturesFolderOfUser(), std::filesystem::current_path());
+    const Variable gone("HOME", (folder.path() / "gone").c_str());
+    EXPECT_EQ(picturesFolderOfUser(), std::filesystem::current_path());
 }
 
 } // namespace
