@@ -86,7 +86,7 @@ private:
         ui::useCatalogue(nullptr);
         catalogue_.reset();
         if (!ui::hasLettersOf(language))
-            return "No font with Chinese letters was found. Install fonts-droid-fallback or fonts-wqy-microhei, "
+            return "No font with Chinese letters was found that can be read. Install fonts-droid-fallback or fonts-wqy-microhei, "
                    "and start Texplorer again.";
         Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(language);
         if (!catalogue)

@@ -1,11 +1,11 @@
 #include "app/ui/widgets/theme.h"
 
+#include "app/ui/widgets/font_file.h"
 #include "core/lesson/lesson_files.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -48,10 +48,7 @@ constexpr std::array chineseFonts{
 constexpr float usualLineHeight = 1.164F;
 
 const ChineseFont* chineseFont() {
-    const auto isThere = [](const ChineseFont& font) {
-        std::error_code ignored;
-        return std::filesystem::is_regular_file(font.file, ignored);
-    };
+    const auto isThere = [](const ChineseFont& font) { return isFontFile(font.file); };
     const auto found = std::ranges::find_if(chineseFonts, isThere);
     return found == chineseFonts.end() ? nullptr : &*found;
 }
@@ -84,17 +81,18 @@ void addLetters(const std::vector<ImWchar>& ranges, float size) {
     config.MergeMode = true;
     config.PixelSnapH = true;
     config.OversampleH = 1;
-    const ChineseFont& font = *chineseFont();
-    ImGui::GetIO().Fonts->AddFontFromFileTTF(font.file, std::round(size * font.lineHeight / usualLineHeight),
-                                             &config, ranges.data());
+    const ChineseFont* font = chineseFont();
+    if (!font)
+        return; // it has gone meanwhile
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(
+        font->file, std::round(size * font->lineHeight / usualLineHeight), &config, ranges.data());
 }
 
 ImFont* addFont(const char* file, float size) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     for (const char* folder : fontFolders) {
         const std::string path = std::string(folder) + file;
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(path, ignored))
+        if (!isFontFile(path))
             continue;
         ImFontConfig config;
         config.OversampleH = 2;
