@@ -276,13 +276,15 @@ Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language) {
     });
 }
 
-std::optional<std::string> Catalogue::translate(std::string_view english) const {
+std::optional<std::string> Catalogue::translate(std::string_view english, const Names& names) const {
     std::size_t left = mostEffort;
-    return lookUp(english, {0, &left});
+    return lookUp(english, {0, &left, &names});
 }
 
 std::optional<std::string> Catalogue::lookUp(std::string_view english, Search search) const {
     if (english.empty() || search.depth > deepestPart || std::ranges::none_of(english, isLetter))
+        return std::nullopt;
+    if (search.depth > 0 && search.names->contains(english))
         return std::nullopt;
     const std::size_t effort = leastEffort + english.size();
     if (*search.left < effort)

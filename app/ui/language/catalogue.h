@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ class Catalogue;
 /// Those of a language, read; English has none. Malformed: see Catalogue::parse.
 [[nodiscard]] Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language);
 
+/// Names that the user, or a file, gave: no words of the program.
+using Names = std::set<std::string, std::less<>>;
+
 /// The texts of a language, from gettext's .po files: the English text is the key. A key may have places,
 /// "{}", for what the program puts in; a translation has as many, or numbers them, "{1} of {0}". So core
 /// writes its sentences in English and knows of no language: the window translates the sentence that it is
@@ -38,8 +42,10 @@ public:
 
     /// An English text in this language; nothing where none of it has a translation. Looked up are the text
     /// itself, as a key, then as what a key with places became, whose parts are translated in their turn,
-    /// then its parts: lines, sentences, what " · " or a colon separates.
-    [[nodiscard]] std::optional<std::string> translate(std::string_view english) const;
+    /// then its parts: lines, sentences, what " · " or a colon separates. A part that is one of `names`
+    /// stays.
+    [[nodiscard]] std::optional<std::string> translate(std::string_view english,
+                                                       const Names& names = {}) const;
 
     /// Every text that a translation is made of, for a font that has its letters.
     [[nodiscard]] const std::string& letters() const { return letters_; }
@@ -65,8 +71,9 @@ private:
     struct Search {
         int depth;
         std::size_t* left;
+        const Names* names;
 
-        [[nodiscard]] Search deeper() const { return {depth + 1, left}; }
+        [[nodiscard]] Search deeper() const { return {depth + 1, left, names}; }
     };
 
     struct Draft;

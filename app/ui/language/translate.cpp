@@ -1,6 +1,7 @@
 #include "app/ui/language/translate.h"
 
 #include <unordered_map>
+#include <utility>
 
 namespace texplorer::ui {
 namespace {
@@ -15,6 +16,7 @@ using Memory = std::unordered_map<std::string, std::string, TextHash, std::equal
 // As Dear ImGui's own context: of the window that is being drawn.
 const Catalogue* inUse = nullptr;
 std::set<std::string, std::less<>>* gapsFound = nullptr;
+Names namesInUse;
 Memory translated; // most texts stay as they are from frame to frame
 Memory labelled;
 
@@ -24,7 +26,7 @@ const std::string& remembered(std::string_view english) {
     const auto found = translated.find(english);
     if (found != translated.end())
         return found->second;
-    std::optional<std::string> text = inUse->translate(english);
+    std::optional<std::string> text = inUse->translate(english, namesInUse);
     if (!text && gapsFound)
         gapsFound->emplace(english);
     return translated.emplace(english, text ? *std::move(text) : std::string(english)).first->second;
@@ -80,6 +82,14 @@ void beginTranslations() {
         translated.clear();
         labelled.clear();
     }
+}
+
+void keepNames(Names names) {
+    if (names == namesInUse)
+        return;
+    namesInUse = std::move(names);
+    translated.clear();
+    labelled.clear();
 }
 
 } // namespace texplorer::ui

@@ -33,4 +33,8 @@ void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>
 /// A frame begins: what was remembered may be forgotten.
 void beginTranslations();
 
+/// A file or a model that is called like a text of the window, "Texture", keeps its name in sentences from
+/// here on.
+void keepNames(Names names);
+
 } // namespace texplorer::ui

@@ -1,5 +1,7 @@
 #include "app/ui/window/workbench.h"
 
+#include "app/ui/language/translate.h"
+#include "app/ui/model/document_names.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/preview.h"
@@ -107,7 +109,9 @@ DriverFacts factsFor(const Session& session, const view::Capabilities& capabilit
 Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
                        const view::Capabilities& capabilities, const Layout& layout) {
     forgetPlaces();
+    keepNames(namesIn(session.document));
     session.window.keyTaken = false;
+    session.window.movesVertices = false;
     // A key that ends it is not a shortcut as well; Dear ImGui may have ended it before this frame began.
     const bool popup = isPopupOpen() || (states.hadPopup && !states.keyboard.walks);
     if (!popup)

@@ -43,6 +43,24 @@ TEST_F(Translate, KeepsTheIdentityOfALabel) {
     EXPECT_STREQ(label(""), "");
 }
 
+// "Texture" as a name of a file or a model.
+TEST_F(Translate, KeepsNamesInSentences) {
+    const Catalogue sentences =
+        Catalogue::parse(Language::Chinese,
+                         std::vector<CatalogueFile>{{"zh_CN/a.po", "msgid \"Texture\"\n"
+                                                                   "msgstr \"纹理\"\n\n"
+                                                                   "msgid \"Open {}\"\n"
+                                                                   "msgstr \"打开 {}\"\n"}})
+            .value();
+    useCatalogue(&sentences);
+    EXPECT_STREQ(tr("Open Texture"), "打开 纹理");
+    keepNames({"Texture"});
+    EXPECT_STREQ(tr("Open Texture"), "打开 Texture");
+    EXPECT_STREQ(tr("Texture"), "纹理") << "a text of the window still";
+    keepNames({});
+    EXPECT_STREQ(tr("Open Texture"), "打开 纹理");
+}
+
 TEST_F(Translate, ForgetsWithTheCatalogue) {
     EXPECT_STREQ(tr("Cancel"), "取消");
     useCatalogue(nullptr);
