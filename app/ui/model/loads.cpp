@@ -119,8 +119,15 @@ void finishReload(Session& session, const Load& load) {
         session.window.notice = {};
 }
 
+/// Whether it makes a step of undo, or another scene.
+bool isEdit(const Load& load) {
+    return load.kind != Load::Kind::Reload && load.kind != Load::Kind::Used;
+}
+
 /// Everything has arrived. False: it has to wait for the user.
 bool finish(Session& session, Load& load) {
+    if (session.window.movesVertices && isEdit(load))
+        return false; // the move would be two steps of undo, with this one between them
     switch (load.kind) {
     case Load::Kind::Import:
         putAll(session.document.images, load);

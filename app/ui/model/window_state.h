@@ -73,8 +73,9 @@ struct WindowState {
     std::optional<PickedVertex> hoveredInView;  ///< the vertex that the pointer is on, kept by the view
     std::optional<PickedVertex> hoveredInPlane; ///< the same of the texture space
     Plane plane;
-    bool keyTaken = false; ///< a panel did something with a key of this frame: it is no shortcut as well
-    bool showRq = false;   ///< whether the vertex list shows r and q
+    bool movesVertices = false; ///< in texture space, just now: what would be an edit of its own waits
+    bool keyTaken = false;      ///< a panel did something with a key of this frame: it is no shortcut as well
+    bool showRq = false;        ///< whether the vertex list shows r and q
 
     std::optional<Tab> wantedTab; ///< is opened where it lies and comes to the front with the next frame
     std::string wantedParam;      ///< the parameters are scrolled there with the next frame; empty: not

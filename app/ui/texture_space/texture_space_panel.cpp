@@ -105,6 +105,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
     const bool ended = handlePlaneKeys(session, state, canvas, mouse);
     if (!ended)
         handlePlaneMouse(session, state, canvas, mouse);
+    session.window.movesVertices = state.move.has_value();
     const Mesh& mesh = selectedMesh(session); // an undo may have chosen another model
     if (mouse.grip && mouse.grip->vertex >= state.coords.given().size())
         mouse.grip.reset();
@@ -128,7 +129,7 @@ void drawCanvas(Session& session, TextureSpaceState& state, const Pictures& pict
         mouse.hovered && !mouse.grip && !ended && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
         !io.KeyShift &&
         io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
-    drawTexelMarks(session, draw, canvas, clicked);
+    drawTexelMarks(session, draw, canvas, clicked, state.look.board);
     drawPlaneLegend(draw, legend, canvas.legend);
     if (const std::optional<Box> box = selectionBox(state, canvas)) {
         draw.AddRect(box->low, box->high, color::shade, 0, 0, 3);

@@ -1,7 +1,12 @@
 // Mouse and keys over the texture space: what is chosen, and how it is moved.
 
 #include "app/ui/model/chosen_vertices.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/widgets/keys.h"
+#include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/image/patterns/pattern.h"
+#include "tests/support/temp_dir.h"
 #include "tests/ui/texture_space/plane_bench.h"
 
 #include <glm/glm.hpp>
@@ -210,6 +215,31 @@ TEST_F(PlaneInput, GMovesUntilEnter) {
     moveTo(at(0.2F, 0.2F));
     expectCoord(2, 1.2F, 1, 0.01F);
     EXPECT_EQ(undoSteps(), 1U);
+}
+
+// It would be a step of undo in the middle of the move's.
+TEST_F(PlaneInput, AnImageThatArrivesWaitsForTheEndOfAMove) {
+    const TempDir folder;
+    const std::filesystem::path file = folder.path() / "two.png";
+    ASSERT_TRUE(writeFileAtomically(file, encodePng(drawPattern(Pattern::Checker)).value()));
+    clickAt(place("coord:2"));
+    moveTo(at(0.5F, 0.5F));
+    key('G');
+    moveTo(at(0.75F, 0.6F));
+    importImage(*session, file);
+    frames(3);
+    ASSERT_TRUE(state().move.has_value());
+    EXPECT_EQ(texture().source, SourceKind::Pattern);
+    moveTo(at(0.7F, 0.7F));
+    expectCoord(2, 1.2F, 1.2F, 0.01F);
+    key(key::enter);
+    frames(3);
+    EXPECT_EQ(texture().source, SourceKind::File);
+    EXPECT_EQ(undoSteps(), 2U);
+    undo(*session);
+    expectCoord(2, 1.2F, 1.2F, 0.01F);
+    undo(*session);
+    expectCoord(2, 1, 1);
 }
 
 TEST_F(PlaneInput, EscapeTakesAKeyedMoveBackAndNothingElse) {
