@@ -1,6 +1,7 @@
 #include "app/ui/details/explain_pictures.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/checkered.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/word.h"
@@ -270,7 +271,7 @@ void drawPatchSketch(const Sketch& whole, const reference::LevelPatch& patch) {
             if (index >= patch.colors.size())
                 continue;
             const Sketch each = box({x, y});
-            whole.draw.AddRectFilled(each.low, each.high, opaqueOf(patch.colors[index]));
+            drawCheckered(whole.draw, each.low, each.high, patch.colors[index]);
         }
     }
     for (const reference::PlacedTap& tap : patch.taps) {

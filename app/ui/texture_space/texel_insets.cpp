@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 
 namespace texplorer::ui {
 namespace {
 
 using reference::LevelPatch;
 using reference::PlacedTap;
+
+constexpr float largestShare = 0.3F; // of texture space, that small pictures may cover
 
 float shareOf(const reference::UnitExplanation& unit, int level) {
     for (const reference::LevelShare& share : unit.sample.levels) {
@@ -135,13 +137,14 @@ std::string titleThatFits(const reference::UnitExplanation& unit, const LevelPat
 }
 
 /// With the texels of each as large as `side` has room for.
-std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas& canvas, float side) {
+std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, std::span<const LevelPatch> patches,
+                            const Canvas& canvas, float side) {
     std::vector<Inset> insets;
     const float em = ImGui::GetFontSize();
     const float width = canvas.high.x - canvas.low.x;
     const ImVec2 frame(em * 0.2F, em * 0.2F);
     std::vector<ImVec2> sizes; // with a title above and a frame around
-    for (const LevelPatch& each : unit->patches) {
+    for (const LevelPatch& each : patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
         const float most = (width - em * 2) / 2;
@@ -180,18 +183,32 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation* unit, const Canvas
     const float smallest = em * 2;
     if (!unit || largest < smallest)
         return {};
-    std::optional<Box> marks; // a cube map's are in the small pictures alone
-    if (unit->target != Target::CubeMap && !unit->patches.empty())
-        marks = marksOf(*unit, canvas);
-    std::vector<Inset> insets;
-    for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
-        insets = insetsOf(unit, canvas, std::max(largest * share, smallest));
-        if (!marks ||
-            std::ranges::none_of(insets, [&](const Inset& inset) { return overlaps(inset.frame(), *marks); }))
-            return insets;
+    if (unit->patches.empty())
+        return {};
+    const bool isCube = unit->target == Target::CubeMap; // its texels are marked in the small pictures alone
+    const Box marks = marksOf(*unit, canvas);
+    const auto hides = [&](const std::vector<Inset>& insets) {
+        float area = 0;
+        for (const Inset& inset : insets) {
+            const Box frame = inset.frame();
+            if (!isCube && overlaps(frame, marks))
+                return true;
+            area += (frame.high.x - frame.low.x) * (frame.high.y - frame.low.y);
+        }
+        return area > largestShare * width * height;
+    };
+    // The smaller, the better one sees what is around; where two have no room, that of the greater share is
+    // shown alone, and where it has none, either, the texels marked in the image are all.
+    const std::span<const LevelPatch> all(unit->patches);
+    const std::span<const LevelPatch> heaviest(&heaviestPatch(*unit), 1);
+    for (const std::span<const LevelPatch> patches : {all, heaviest}) {
+        for (const float share : {1.0F, 0.75F, 0.5F, 0.35F}) {
+            std::vector<Inset> insets = insetsOf(unit, patches, canvas, std::max(largest * share, smallest));
+            if (!hides(insets))
+                return insets;
+        }
     }
-    // What they explain is all that there is to be seen: they cover the least of it.
-    return insetsOf(unit, canvas, largest);
+    return isCube ? insetsOf(unit, heaviest, canvas, smallest) : std::vector<Inset>{};
 }
 
 } // namespace texplorer::ui

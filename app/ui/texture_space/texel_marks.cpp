@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/texture_space/texel_insets.h"
+#include "app/ui/widgets/checkered.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/reference/sampling/ellipse.h"
@@ -18,9 +19,9 @@ namespace {
 using reference::LevelPatch;
 using reference::PlacedTap;
 
-ImU32 inkOf(glm::vec4 color) {
-    const glm::vec4 c = glm::clamp(color, 0.0F, 1.0F);
-    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+/// As the image around it looks: over a board, or as if it were opaque.
+void drawTexelColor(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 color, bool board) {
+    drawCheckered(draw, low, high, board ? color : glm::vec4(glm::vec3(color), 1));
 }
 
 void drawFootprint(ImDrawList& draw, const Corners& corners) {
@@ -43,7 +44,7 @@ std::string weightText(float weight) {
     return text.starts_with('0') ? text.substr(1) : text; // ".25"
 }
 
-void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const Inset& inset) {
+void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const Inset& inset, bool board) {
     const LevelPatch& patch = *inset.patch;
     const float em = ImGui::GetFontSize();
     const ImVec2 end(inset.low.x + inset.size().x, inset.low.y + inset.size().y);
@@ -61,7 +62,7 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
             const ImVec2 a = inset.toWindow(texel + glm::vec2(0, 1));
             const ImVec2 b = inset.toWindow(texel + glm::vec2(1, 0));
             const int index = y * patch.size.x + x;
-            draw.AddRectFilled(a, b, inkOf(patch.colors[static_cast<std::size_t>(index)]));
+            drawTexelColor(draw, a, b, patch.colors[static_cast<std::size_t>(index)], board);
             if (inset.cell > 6)
                 draw.AddRect(a, b, IM_COL32(128, 128, 128, 70));
         }
@@ -232,7 +233,7 @@ bool isOnPatch(const Session& session, const Canvas& canvas, ImVec2 mouse) {
                                [mouse](const Inset& inset) { return inset.holds(mouse); });
 }
 
-void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bool clicked) {
+void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bool clicked, bool board) {
     const Texture* texture = boundTexture(std::as_const(session));
     const reference::UnitExplanation* unit = probedUnit(session);
     if (unit && unit->patches.empty())
@@ -258,7 +259,7 @@ void drawTexelMarks(Session& session, ImDrawList& draw, const Canvas& canvas, bo
     if (!unit)
         return;
     for (const Inset& inset : insetsOf(unit, canvas)) {
-        drawInset(draw, *unit, inset);
+        drawInset(draw, *unit, inset, board);
         markCells(session, draw, *texture, inset, clicked);
     }
 }

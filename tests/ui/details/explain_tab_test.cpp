@@ -238,6 +238,28 @@ TEST_F(ExplainTab, TheBorderOfALevelOfOneRowCanBeAskedFor) {
 }
 
 // Whichever texel of the image a pixel reads, the small pictures don't lie on it.
+TEST_F(ExplainTab, SmallPicturesLeaveMostOfTheTextureInSight) {
+    for (const float scale : {1.0F, 1.5F, 2.0F, 2.5F}) {
+        SCOPED_TRACE(scale);
+        start(defaultScene(), 1280, 800, scale);
+        open();
+        clickAt(onTheCube());
+        ASSERT_NE(probedUnit(*session), nullptr);
+        const WidgetPlaces::Item& plane = places.items.at("texture space");
+        const WidgetPlaces::Item& marks = places.items.at("texel marks");
+        float covered = 0;
+        for (const auto& [name, item] : places.items) {
+            if (!name.starts_with("patch:"))
+                continue;
+            covered += (item.right - item.left) * (item.bottom - item.top);
+            EXPECT_FALSE(item.left < marks.right && marks.left < item.right && item.top < marks.bottom &&
+                         marks.top < item.bottom)
+                << name;
+        }
+        EXPECT_LE(covered, 0.3F * (plane.right - plane.left) * (plane.bottom - plane.top));
+    }
+}
+
 TEST_F(ExplainTab, SmallPicturesDoNotCoverWhatTheyExplain) {
     open();
     const auto overlap = [](const WidgetPlaces::Item& a, const WidgetPlaces::Item& b) {
@@ -489,8 +511,8 @@ TEST_F(ExplainTab, MoreCardsThanHaveRoomGoOnInAnotherLine) {
     EXPECT_GE(last.top, first.bottom);
     EXPECT_TRUE(last.visible);
     for (const auto& [name, item] : places.items) {
-        if (name.starts_with("card:"))
-            EXPECT_LE(item.right, static_cast<float>(layout.belowDock.right())) << name;
+        EXPECT_TRUE(!name.starts_with("card:") || item.right <= static_cast<float>(layout.belowDock.right()))
+            << name;
     }
 }
 
@@ -510,9 +532,8 @@ TEST_F(ExplainTab, NothingScrollsSideways) {
             pinPixel(*session);
             const auto look = [&] {
                 for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
-                    if (std::string_view(window->Name).find("explain") != std::string_view::npos &&
-                        window->Active)
-                        EXPECT_EQ(window->ScrollMax.x, 0) << window->Name;
+                    const bool isPart = std::string_view(window->Name).find("explain") != std::string::npos;
+                    EXPECT_TRUE(!isPart || !window->Active || window->ScrollMax.x == 0) << window->Name;
                 }
             };
             frames(3);
