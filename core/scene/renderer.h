@@ -8,8 +8,13 @@ namespace texplorer {
 enum class RendererKind : std::uint32_t { Fixed, Shader, Reference };
 
 inline constexpr std::array rendererKindRows{
-    row(RendererKind::Fixed, "fixed", "Fixed function",
-        "OpenGL's own texture units, as programs used them before there were shaders.", "1.0"),
+    EnumRow{0,
+            "fixed",
+            "Fixed function",
+            "OpenGL's own texture units, as programs used them before there were shaders.",
+            "1.0",
+            {},
+            "Fixed"},
     row(RendererKind::Shader, "shader", "Shader", "The same written out in GLSL, one program for each pass.",
         "3.3"),
     row(RendererKind::Reference, "reference", "Reference",

@@ -49,11 +49,12 @@ struct CardMeasure {
     }
 };
 
-float naturalWidth(const Card& card, const CardMeasure& measure) {
+/// With its text so much smaller.
+float naturalWidth(const Card& card, const CardMeasure& measure, float scale = 1) {
     float width = std::max(ImGui::CalcTextSize(tr(card.name).c_str()).x, usualPicture * measure.em);
     for (const CardLine& line : card.lines)
         width = std::max(width, ImGui::CalcTextSize(tr(line.text).c_str()).x);
-    return std::ceil(width) + 2 * measure.pad;
+    return std::ceil(width * scale) + 2 * measure.pad;
 }
 
 /// The cards of a lane that stand side by side. All lines but the first begin with an arrow.
@@ -80,10 +81,10 @@ float arrowsOf(std::span<const Card> line, bool first, const CardMeasure& measur
 }
 
 /// Of a line whose cards are all as wide as what they say.
-float naturalWidth(std::span<const Card> line, bool first, const CardMeasure& measure) {
+float naturalWidth(std::span<const Card> line, bool first, const CardMeasure& measure, float scale = 1) {
     float width = arrowsOf(line, first, measure);
     for (const Card& card : line)
-        width += naturalWidth(card, measure);
+        width += naturalWidth(card, measure, scale);
     return width;
 }
 
@@ -109,9 +110,16 @@ void shareRoom(std::vector<float>& widths, float room, float least) {
 /// As wide as what they say and somewhat more, where that has room.
 std::vector<float> widthsOf(std::span<const Card> line, bool first, const CardMeasure& measure,
                             float available) {
+    // Rather than to cut one text, all are somewhat smaller.
+    float scale = 1;
+    while (scale > smallestText && naturalWidth(line, first, measure, scale) > available)
+        scale = std::max(smallestText, scale - 0.01F);
+    const bool isTight = scale < 1 && naturalWidth(line, first, measure, scale) <= available;
     std::vector<float> widths;
     for (const Card& card : line)
-        widths.push_back(naturalWidth(card, measure));
+        widths.push_back(naturalWidth(card, measure, isTight ? scale : 1));
+    if (isTight)
+        return widths;
     const float left = available - naturalWidth(line, first, measure);
     if (left < 0) {
         shareRoom(widths, available - arrowsOf(line, first, measure), narrowestCard * measure.em);

@@ -2,16 +2,20 @@
 
 #include "app/ui/details/history_tab.h"
 
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/wrapped_text.h"
 #include "core/base/count.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -22,6 +26,17 @@ constexpr float pictureHeight = 4;
 std::string stepName(const History& history, std::size_t step) {
     const std::string& name = history.nameOf(step);
     return name.empty() ? "Start" : name;
+}
+
+/// What a step is called, in two lines at most.
+std::vector<std::string> nameLines(const std::string& english, float room) {
+    const std::string name = tr(english);
+    const std::string lines = wrappedLines(name, room);
+    const std::size_t end = lines.find('\n');
+    if (end == std::string::npos)
+        return {lines};
+    const std::size_t rest = std::min(name.find_first_not_of(' ', end), name.size());
+    return {lines.substr(0, end), fitted(name.substr(rest), room)};
 }
 
 std::string stepHelp(const History& history, std::size_t step) {
@@ -52,7 +67,7 @@ bool stepCard(const History& history, std::size_t step, const Pictures& pictures
     const float em = ImGui::GetFontSize();
     const float pad = em * 0.3F;
     const ImVec2 picture(em * pictureWidth, em * pictureHeight);
-    const ImVec2 size(picture.x + 2 * pad, picture.y + em * 1.3F + 2 * pad);
+    const ImVec2 size(picture.x + 2 * pad, picture.y + em * 2.45F + 2 * pad);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + size.x, low.y + size.y);
     const bool clicked = ImGui::InvisibleButton(fmt::format("step {}", step).c_str(), size);
@@ -73,8 +88,10 @@ bool stepCard(const History& history, std::size_t step, const Pictures& pictures
         drawStepPicture(draw, *image, shown, inside, picture, IM_COL32(255, 255, 255, ahead ? 90 : 255));
     if (present)
         draw.AddRect(low, high, color::chosen, pad, 0, em * 0.12F);
-    const std::string name = fitted(stepName(history, step), picture.x);
-    draw.AddText({inside.x, inside.y + picture.y + pad}, ahead ? color::dim : color::text, name.c_str());
+    const std::vector<std::string> name = nameLines(stepName(history, step), picture.x);
+    for (std::size_t i = 0; i < name.size(); ++i)
+        draw.AddText({inside.x, inside.y + picture.y + pad + em * 1.15F * static_cast<float>(i)},
+                     ahead ? color::dim : color::text, name[i].c_str());
     return clicked;
 }
 

@@ -26,6 +26,7 @@ struct PaneGrid {
     int columns = 1;
     int rows = 1;
     bool compares = false; ///< there is a strip with numbers below them
+    int stripLines = 0;    ///< that it takes, as its words were measured; 0: not yet
 };
 
 /// Where everything is, as `layoutFor` has it. The panels fill the window without overlapping: menu on top,

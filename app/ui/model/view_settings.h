@@ -42,6 +42,7 @@ struct ViewSettings {
     int tolerance = 2;               ///< differences up to here don't count, in 255ths
     bool magnifies = false;          ///< the pixels under the mouse are shown enlarged
     bool stepsThroughPasses = false; ///< those after the chosen one are left out
+    int stripLines = 0; ///< of what is said below compared pictures, as measured with the last frame; 0: none
     PictureZoom zoom;
     reference::Shown shown = reference::Shown::Picture; ///< false colours lie over the pictures, or none
     float opacity = 0.85F;                              ///< of the false colours

@@ -126,14 +126,19 @@ void wrapLine(Session& session, const Owner& owner, const ParamRow& row, int axi
 
 /// A caption at the left and a colour at the right of one line.
 void captionWithColor(Session& session, const char* words, const Owner& owner, const ParamRow& row) {
-    const float swatch = ImGui::GetFontSize() * 4;
     ImGui::AlignTextToFramePadding();
     text(words);
     const std::string_view name = shownName(session.window.settings, row);
     const float width = ImGui::CalcTextSize(tr(name).c_str()).x;
-    const float at = ImGui::GetContentRegionMax().x - swatch - width - ImGui::GetStyle().ItemInnerSpacing.x;
-    if (at > ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize())
+    const float left = ImGui::GetItemRectSize().x + ImGui::GetCursorStartPos().x + ImGui::GetFontSize();
+    for (const float swatch : {4.0F, 2.2F}) { // rather a small one than another line
+        const float at = ImGui::GetContentRegionMax().x - swatch * ImGui::GetFontSize() - width -
+                         ImGui::GetStyle().ItemInnerSpacing.x;
+        if (at <= left)
+            continue;
         ImGui::SameLine(at);
+        break;
+    }
     const Finding* idle = idleReasonOf(session.document.findings, owner.pathOf(row));
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
     text(name);

@@ -58,17 +58,23 @@ public:
     void place(float width, float gap) {
         if (x_ > left_ && x_ + gap + width > right_) {
             x_ = left_;
+            ++lines_;
             y_ += ImGui::GetFrameHeight() + ImGui::GetStyle().FramePadding.y;
         } else if (x_ > left_) {
             x_ += gap;
         }
-        ImGui::SetCursorScreenPos({x_, y_});
         x_ += width;
+    }
+    [[nodiscard]] int lines() const { return lines_; }
+    /// The same, and the next widget stands there.
+    void put(float width, float gap) {
+        place(width, gap);
+        ImGui::SetCursorScreenPos({x_ - width, y_});
     }
     /// A label, as high as a widget.
     void text(const std::string& words, ImU32 tint, float gap) {
         const std::string shown = tr(words);
-        place(ImGui::CalcTextSize(shown.c_str()).x, gap);
+        put(ImGui::CalcTextSize(shown.c_str()).x, gap);
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, tint);
         ImGui::TextUnformatted(shown.c_str());
@@ -80,6 +86,7 @@ private:
     float left_;
     float x_;
     float y_;
+    int lines_ = 1;
 };
 
 /// The part of the pictures around a pixel.
@@ -98,8 +105,7 @@ void toleranceField(Session& session, Flow& flow, const Difference* difference, 
     const bool hasShare = difference && difference->max > 0;
     const std::string words =
         tr(hasShare ? fmt::format("{} % over", rounded(100 * difference->shareOver(), 2)) : "Tolerance");
-    flow.place(ImGui::CalcTextSize(words.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow,
-               gap);
+    flow.put(ImGui::CalcTextSize(words.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, hasShare ? color::text : color::dim);
     ImGui::TextUnformatted(words.c_str());
@@ -125,7 +131,7 @@ void worstButton(Session& session, Flow& flow, const Difference& difference, vie
     const std::string words = fmt::format("max {}/255", difference.max);
     const float sign = ringed ? em * 1.2F : 0;
     const float width = buttonWidth(words.c_str()) + sign;
-    flow.place(width, gap);
+    flow.put(width, gap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##worst", {width, 0}))
         showPixel(session.window.view, difference.worst, picture);
@@ -159,6 +165,26 @@ void numbers(Session& session, Flow& flow, const Difference& difference, view::S
     worstButton(session, flow, difference, picture, gap);
 }
 
+/// How many lines the longest numbers would take, so that the strip keeps its height, and the pictures
+/// theirs, whatever they come to.
+int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, float narrow) {
+    const auto widthOf = [](const std::string& words) { return ImGui::CalcTextSize(tr(words).c_str()).x; };
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    Flow flow(strip);
+    if (!comparesRenderers(settings))
+        flow.place(widthOf("A against now"), narrow);
+    for (const ArrangementRow& row : arrangementRows) {
+        if (comparesRenderers(settings))
+            flow.place(buttonWidth(row.label), narrow);
+    }
+    const float field = widthOf("255") + 2 * padding.x;
+    flow.place(
+        std::max(widthOf("99.99 % over"), widthOf("Tolerance")) + field + widthOf(perByte) + 2 * narrow, gap);
+    flow.place(widthOf("mean 0.999/255"), gap);
+    flow.place(widthOf("max 255/255") + 2 * padding.x + ImGui::GetFontSize() * 1.2F, gap);
+    return flow.lines();
+}
+
 } // namespace
 
 void drawComparisonStrip(Session& session, const Pictures& pictures, const Layout& layout) {
@@ -167,6 +193,7 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
         return;
     const float gap = ImGui::GetFontSize() * 0.9F;
     const float narrow = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    settings.stripLines = linesNeeded(settings, layout.strip, gap, narrow);
     Flow flow(layout.strip);
     if (!comparesRenderers(settings)) {
         flow.text("A against now", color::dim, narrow);
@@ -178,7 +205,7 @@ void drawComparisonStrip(Session& session, const Pictures& pictures, const Layou
         if (!comparesRenderers(settings))
             break;
         const bool chosen = settings.arrangement == row.arrangement;
-        flow.place(buttonWidth(row.label), narrow);
+        flow.put(buttonWidth(row.label), narrow);
         ImGui::PushStyleColor(ImGuiCol_Button,
                               chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
         if (ImGui::Button(label(row.label)))

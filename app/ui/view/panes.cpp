@@ -71,7 +71,7 @@ glm::vec2 withinPicture(glm::vec2 centre, int factor) {
 PaneGrid gridOf(const ViewSettings& settings) {
     static_assert(rendererKindRows.size() == 3, "with the difference they make a square of four");
     const int extent = settings.arrangement == Arrangement::Grid ? 2 : 1;
-    return {extent, extent, isComparing(settings)};
+    return {extent, extent, isComparing(settings), settings.stripLines};
 }
 
 Panes::Panes(const Layout& layout, const ViewSettings& settings, view::Size picture)

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <fmt/core.h>
@@ -13,17 +14,31 @@ namespace {
 constexpr const char* compareHelp = "Two renderers across one picture, or all of them with the difference.";
 constexpr const char* nothingToCompare = "There is one renderer here, and nothing to compare it with.";
 
-bool choice(const std::string& name, bool chosen, bool offered, std::string_view help) {
+bool choice(const std::string& name, const std::string& words, bool chosen, bool offered,
+            std::string_view help) {
     ImGui::BeginDisabled(!offered);
     ImGui::PushStyleColor(ImGuiCol_Button,
                           chosen ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : IM_COL32(0, 0, 0, 0));
-    const bool pressed = ImGui::Button(label(name).c_str());
+    const bool pressed = ImGui::Button(label(words).c_str());
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
     noteItem("renderer:" + name);
     helpTip(help);
     return pressed;
 }
+
+constexpr const char* compareWords = "Compare";
+
+std::string wordsOf(const EnumRow& renderer, RendererForm form) {
+    return std::string(form == RendererForm::Buttons ? renderer.label : briefOf(renderer));
+}
+
+/// What is chosen now.
+std::string chosenWords(const ViewSettings& settings) {
+    return comparesRenderers(settings) ? compareWords : wordsOf(rowOf(settings.renderer), RendererForm::List);
+}
+
+constexpr const char* listSign = " ▾";
 
 std::string keyHelp(int key) {
     return fmt::format("Key {}", key);
@@ -37,31 +52,76 @@ std::string helpOf(const ViewSettings& settings, const EnumRow& renderer) {
                           : fmt::format("{}\n{}", renderer.help, fmt::format("Not available: {}.", reason));
 }
 
-void drawRendererChoice(ViewSettings& settings, float available) {
-    const std::span<const EnumRow> rows = EnumTable<RendererKind>::rows;
+float rendererChoiceWidth(const ViewSettings& settings, RendererForm form) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float before = ImGui::GetFontSize();
-    const char* compare = "Compare";
-    float needed = before + buttonWidth(compare);
-    for (const EnumRow& row : rows)
-        needed += buttonWidth(std::string(row.label).c_str()) + gap;
-    if (needed > available)
-        return; // the View menu has them all
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
+    if (form == RendererForm::List)
+        return before + ImGui::CalcTextSize((tr(chosenWords(settings)) + listSign).c_str()).x +
+               2 * ImGui::GetStyle().ItemSpacing.x;
+    float width = before + buttonWidth(compareWords);
+    for (const EnumRow& row : EnumTable<RendererKind>::rows)
+        width += buttonWidth(wordsOf(row, form).c_str()) + gap;
+    return width;
+}
+
+namespace {
+
+void drawButtons(ViewSettings& settings, RendererForm form) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2);
     int key = 0;
-    for (const EnumRow& row : rows) {
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
         const std::string help = fmt::format("{}\n{}", helpOf(settings, row), keyHelp(++key));
-        if (choice(std::string(row.label), chosen, settings.offered.has(renderer), help))
+        if (choice(std::string(row.label), wordsOf(row, form), chosen, settings.offered.has(renderer), help))
             showOne(settings, renderer);
         ImGui::SameLine(0, gap);
     }
-    if (choice(compare, comparesRenderers(settings), canCompare(settings),
+    if (choice(compareWords, compareWords, comparesRenderers(settings), canCompare(settings),
                fmt::format("{}\n{}", canCompare(settings) ? compareHelp : nothingToCompare, keyHelp(++key))))
         showComparison(settings);
     ImGui::SameLine(0, gap);
+}
+
+bool listItem(const std::string& name, int key, bool chosen, bool offered, std::string_view help) {
+    const bool pressed = ImGui::MenuItem(label(name).c_str(), std::to_string(key).c_str(), chosen, offered);
+    noteItem("renderer:" + name);
+    helpTip(help);
+    return pressed;
+}
+
+void drawList(ViewSettings& settings, float most) {
+    const float room =
+        most - ImGui::GetFontSize() - 2 * ImGui::GetStyle().ItemSpacing.x - ImGui::CalcTextSize(listSign).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
+    const std::string words = fitted(chosenWords(settings), room + 1) + listSign;
+    const bool open = ImGui::BeginMenu((words + "###renderers").c_str());
+    noteItem("renderers");
+    if (!open)
+        return helpTip("Who draws the picture");
+    int key = 0;
+    for (const EnumRow& row : EnumTable<RendererKind>::rows) {
+        const auto renderer = static_cast<RendererKind>(row.value);
+        const bool chosen = !comparesRenderers(settings) && settings.renderer == renderer;
+        if (listItem(std::string(row.label), ++key, chosen, settings.offered.has(renderer),
+                     helpOf(settings, row)))
+            showOne(settings, renderer);
+    }
+    if (listItem(compareWords, ++key, comparesRenderers(settings), canCompare(settings),
+                 canCompare(settings) ? compareHelp : nothingToCompare))
+        showComparison(settings);
+    ImGui::EndMenu();
+}
+
+} // namespace
+
+void drawRendererChoice(ViewSettings& settings, RendererForm form, float most) {
+    if (form == RendererForm::List)
+        drawList(settings, most);
+    else
+        drawButtons(settings, form);
 }
 
 } // namespace texplorer::ui

@@ -56,7 +56,11 @@ int belowFor(int inner, float scale, float dragged) {
     return static_cast<int>(std::lround(std::min(usual, 0.45F * height)));
 }
 
-int stripLines(int viewWidth, float scale) {
+/// As measured; before that as English words need it.
+int stripLines(int viewWidth, float scale, PaneGrid grid) {
+    constexpr int most = 4;
+    if (grid.stripLines > 0)
+        return std::min(grid.stripLines, most);
     const float unscaled = static_cast<float>(viewWidth) / scale;
     return unscaled > widestNarrow ? 1 : unscaled > widestNarrowest ? 2 : 3;
 }
@@ -71,8 +75,9 @@ void layOutView(Layout& layout, PaneGrid grid) {
     const int toolRow = atMost(toolRowHeight, 4);
     const int hint = atMost(hintHeight, 4);
     const int strip =
-        grid.compares ? atMost(stripHeight + stripLine * static_cast<float>(stripLines(view.width, s) - 1), 4)
-                      : 0;
+        grid.compares
+            ? atMost(stripHeight + stripLine * static_cast<float>(stripLines(view.width, s, grid) - 1), 4)
+            : 0;
     layout.canvas = {view.x, view.y + toolRow, view.width, std::max(1, view.height - toolRow - hint - strip)};
     layout.strip = {view.x, layout.canvas.bottom(), view.width, strip};
     const int gap = pixels(paneGap, s);

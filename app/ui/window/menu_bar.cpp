@@ -260,6 +260,26 @@ void drawLessonsMenu(Session& session) {
         askLesson(session, wanted);
 }
 
+/// Who draws, and A: as large as the clock leaves room for both. Where there is hardly any, who draws has it,
+/// and the clock is buttons alone; A has its menu.
+void drawChoices(Session& session) {
+    constexpr float leastList = 4.5F; // in heights of a letter
+    const ViewSettings& settings = session.window.view;
+    const float whole = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
+    const float available = whole - leastPlaybackWidth();
+    for (const RendererForm form : rendererForms) {
+        const float width = rendererChoiceWidth(settings, form);
+        if (width + keptControlsWidth(session) > available)
+            continue;
+        drawRendererChoice(session.window.view, form, width);
+        return drawKeptControls(session, available - width);
+    }
+    const float least = ImGui::GetFontSize() * leastList;
+    const float most = available >= least ? available : whole - playbackButtonsWidth();
+    if (most >= least)
+        drawRendererChoice(session.window.view, RendererForm::List, most);
+}
+
 constexpr float narrowestWithLessons = 46; // in heights of a letter
 
 } // namespace
@@ -312,10 +332,7 @@ void drawMenuBar(Session& session, const Layout& layout) {
             helpTip("Five cards that say what is where");
             ImGui::EndMenu();
         }
-        drawRendererChoice(session.window.view,
-                           ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
-        drawKeptControls(session,
-                         ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - leastPlaybackWidth());
+        drawChoices(session);
         drawPlaybackControls(session);
         ImGui::EndMenuBar();
     } else {

@@ -74,17 +74,23 @@ float leastPlaybackWidth() {
     return widthWith(ImGui::GetFontSize() * narrowestSlider);
 }
 
+float playbackButtonsWidth() {
+    return 3 * ImGui::GetFrameHeight() * 1.2F + ImGui::GetFontSize();
+}
+
 void drawPlaybackControls(Session& session) {
     Playback& playback = session.window.playback;
     const float em = ImGui::GetFontSize();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float available = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
-    if (leastPlaybackWidth() > available)
+    if (playbackButtonsWidth() > available)
         return; // a very narrow window keeps its menus; Space still plays
+    const bool hasClock = leastPlaybackWidth() <= available;
     const float widest = em * widestSlider;
     const float slider = std::min(widest, widest - (widthWith(widest) - available));
-    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - widthWith(slider) + em,
-                         (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2});
+    ImGui::SetCursorPos(
+        {ImGui::GetContentRegionMax().x - (hasClock ? widthWith(slider) : playbackButtonsWidth()) + em,
+         (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) / 2});
 
     const bool animated = isAnimated(session.document.scene);
     if (signButton("rewind", playback.time != 0, rewindSign))
@@ -103,6 +109,8 @@ void drawPlaybackControls(Session& session) {
         playback.time += static_cast<double>(stepSeconds);
     }
     helpTip("Pause, and go on by 0.1 s");
+    if (!hasClock)
+        return;
 
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(slider);

@@ -5,6 +5,7 @@
 namespace texplorer::ui {
 
 void drawPlaybackControls(Session& session);
-[[nodiscard]] float leastPlaybackWidth(); ///< they are left out of a bar with less room
+[[nodiscard]] float leastPlaybackWidth();   ///< in a bar with less room they are buttons alone
+[[nodiscard]] float playbackButtonsWidth(); ///< and with less than this they are left out
 
 } // namespace texplorer::ui

@@ -172,8 +172,12 @@ TEST_F(Comparison, APictureThatIsStillToComeIsNotMissing) {
 }
 
 TEST_F(Comparison, AllOfTheStripIsInSightInEveryWindow) {
-    for (const auto& [width, height] : {std::pair{1280, 800}, {900, 600}, {1920, 1080}}) {
+    for (const auto& [width, height, language] :
+         {std::tuple(1280, 800, Language::English), std::tuple(900, 600, Language::English),
+          std::tuple(1920, 1080, Language::English), std::tuple(1280, 800, Language::Chinese),
+          std::tuple(1280, 800, Language::Russian), std::tuple(1024, 700, Language::Russian)}) {
         start(defaultScene(), width, height);
+        speak(language);
         showComparison(session->window.view, {RendererKind::Fixed, RendererKind::Reference});
         static_cast<void>(window());
         for (const char* name : {"arrangement:Split", "arrangement:Side by side", "tolerance", "share over",

@@ -132,6 +132,31 @@ TEST_F(FewerRenderers, ASentenceSaysWhatGaveWay) {
     EXPECT_EQ(views.renderer, RendererKind::Reference);
 }
 
+// Buttons where there is room, else a menu; and "Keep as A" beside them in every usual window.
+TEST_F(RendererChoice, IsInReachAtEverySize) {
+    for (const Language language : {Language::English, Language::Russian, Language::Chinese}) {
+        for (const auto& [width, height, scale] :
+             {std::tuple(1280, 800, 1.0F), std::tuple(1024, 700, 1.0F), std::tuple(1280, 800, 1.5F),
+              std::tuple(1280, 800, 2.0F), std::tuple(1280, 800, 2.5F), std::tuple(800, 500, 1.0F)}) {
+            SCOPED_TRACE(testing::Message() << static_cast<int>(language) << " " << width << " " << scale);
+            start(defaultScene(), width, height, scale);
+            speak(language);
+            frames(3);
+            if (has("renderers"))
+                click("renderers");
+            click("renderer:Reference");
+            EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
+            EXPECT_TRUE(has("play"));
+            EXPECT_TRUE(has("a-b row:keep") || scale > 1 || width < 1024);
+            for (const auto& [name, item] : places.items) {
+                const bool isInBar =
+                    name.starts_with("renderer") || name.starts_with("a-b row:") || name == "speed";
+                EXPECT_TRUE(!isInBar || item.right <= static_cast<float>(width)) << name;
+            }
+        }
+    }
+}
+
 TEST_F(RendererChoice, ANarrowWindowKeepsItsMenusAndItsClock) {
     start(defaultScene(), 580, 400);
     EXPECT_FALSE(has("renderer:Shader"));
