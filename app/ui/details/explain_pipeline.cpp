@@ -219,8 +219,8 @@ void drawArrow(const CardMeasure& measure) {
     ImGui::Dummy({measure.arrow, measure.height()});
 }
 
-void drawLine(PipelineState& state, const Lane& lane, std::span<const Card> line, const Lane* other,
-              const CardMeasure& measure, float available) {
+void drawCards(PipelineState& state, const Lane& lane, std::span<const Card> line, const Lane* other,
+               const CardMeasure& measure, float available) {
     const bool first = line.data() == lane.cards.data();
     const std::vector<float> widths = widthsOf(line, first, measure, available);
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -286,8 +286,8 @@ void drawPipeline(PipelineState& state, std::span<const Lane> lanes) {
         if (titled)
             inkText(lanes[i].title, compared ? color::probed : color::dim);
         for (std::size_t line = 0; line < split[i].count(); ++line)
-            drawLine(state, lanes[i], split[i].line(line), compared ? &lanes.front() : nullptr, measure,
-                     available.x);
+            drawCards(state, lanes[i], split[i].line(line), compared ? &lanes.front() : nullptr, measure,
+                      available.x);
         ImGui::PopID();
     }
     if (open) {

@@ -16,19 +16,19 @@ constexpr std::size_t longestWord = 160; // in bytes
 constexpr std::size_t longestText = 4000;
 constexpr std::size_t mostRemembered = 4000; // texts
 
-bool isContinuation(char byte) {
+bool isInsideLetter(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; // of a UTF-8 sequence 10xxxxxx
 }
 
 std::string_view beginningOf(std::string_view text, std::size_t bytes) {
-    while (bytes > 0 && isContinuation(text[bytes]))
+    while (bytes > 0 && isInsideLetter(text[bytes]))
         --bytes;
     return text.substr(0, bytes);
 }
 
 std::string_view endOf(std::string_view text, std::size_t bytes) {
     std::size_t from = text.size() - bytes;
-    while (from < text.size() && isContinuation(text[from]))
+    while (from < text.size() && isInsideLetter(text[from]))
         ++from;
     return text.substr(from);
 }
