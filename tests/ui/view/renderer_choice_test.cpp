@@ -144,7 +144,11 @@ TEST_F(RendererChoice, IsInReachAtEverySize) {
             frames(3);
             if (has("renderers"))
                 click("renderers");
-            click("renderer:Reference");
+            else if (!has("renderer:Reference")) { // Russian menus of that size fill the bar
+                EXPECT_EQ(scale, 2.5F);
+                click("menu:View");
+            }
+            click(has("renderer:Reference") ? "renderer:Reference" : "menu:Drawn by: Reference");
             EXPECT_EQ(session->window.view.renderer, RendererKind::Reference);
             EXPECT_TRUE(has("play"));
             EXPECT_TRUE(has("a-b row:keep") || scale > 1 || width < 1024);
