@@ -104,6 +104,10 @@ Result<Shot> drawWindow(const ShotRequest& request) {
             !opened)
             return fail(opened.error());
     }
+    if (request.figure) { // even where the lesson would show another one
+        session.window.figure = *request.figure;
+        session.window.wantedTab = ui::Tab::Figures;
+    }
     if (request.tour > 0)
         session.window.tour = request.tour - 1;
     if (request.probed) {

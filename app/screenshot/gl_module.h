@@ -4,6 +4,7 @@
 // everything that needs GL lives in a module that is loaded only when something is drawn.
 
 #include "app/ui/model/details_tabs.h"
+#include "app/ui/model/figures.h"
 #include "app/ui/model/sections.h"
 #include "app/ui/model/settings.h"
 #include "app/view/offered_renderers.h"
@@ -47,7 +48,8 @@ struct ShotRequest {
     LevelWork levels{};                                 ///< how textures are compressed at run time
     view::Pretence pretence{};                          ///< what the driver is treated as lacking
     reference::Shown shown = reference::Shown::Picture; ///< of the window and of the reference
-    reference::LevelQuestion shownUnit{};          ///< whose false colours; of the window: the selected one
+    reference::LevelQuestion shownUnit{}; ///< whose false colours; of the window: the selected one
+    std::optional<ui::Figure> figure{};   ///< of the window, with its tab in front; none: as it has it
     ui::LayoutRow layout = ui::layoutRows.front(); ///< which panels of the window are open
     ui::Theme theme{};                             ///< of the window
     ui::Language language = ui::Language::English; ///< of the window

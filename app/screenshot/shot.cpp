@@ -30,6 +30,7 @@ struct ShotOptions {
     PictureArgument picture;
     bool window = false;
     std::string tab;
+    std::string figure;
     std::string layout;
     std::string theme;
     std::string language;
@@ -74,6 +75,14 @@ Result<std::optional<ui::Tab>> parseTab(std::string_view name) {
         return std::nullopt;
     return parseRow(ui::tabRows, name, "--tab").map([](const ui::TabRow& row) {
         return std::optional(row.tab);
+    });
+}
+
+Result<std::optional<ui::Figure>> parseFigure(std::string_view name) {
+    if (name.empty())
+        return std::nullopt;
+    return parseRow(ui::figureRows, name, "--figure").map([](const ui::FigureRow& row) {
+        return std::optional(row.figure);
     });
 }
 
@@ -186,6 +195,9 @@ ExitCode shoot(const ShotOptions& options) {
     const Result<std::optional<ui::Tab>> tab = parseTab(options.tab);
     if (!tab)
         return complain(tab.error(), wrongCall);
+    const Result<std::optional<ui::Figure>> figure = parseFigure(options.figure);
+    if (!figure)
+        return complain(figure.error(), wrongCall);
     const Result<ui::LayoutRow> layout = parseLayout(options.layout);
     if (!layout)
         return complain(layout.error(), wrongCall);
@@ -261,6 +273,7 @@ ExitCode shoot(const ShotOptions& options) {
     request.pretence = *pretence;
     request.shown = *shown;
     request.shownUnit = options.shownUnit;
+    request.figure = *figure;
     request.layout = *layout;
     request.theme = *theme;
     request.lesson = options.scene.lesson;
@@ -310,6 +323,10 @@ void addShot(CommandLine& line) {
         "--tab", options->tab,
         fmt::format("With --ui: the tab that is in front where it lies, one of {}.", namesOf(ui::tabRows)),
         {.value = "TAB", .needs = &window});
+    command.option("--figure", options->figure,
+                   fmt::format("With --ui: the figure that is in front with its tab, one of {}.",
+                               namesOf(ui::figureRows)),
+                   {.value = "FIGURE", .needs = &window});
     command.option("--layout", options->layout,
                    fmt::format("With --ui: which panels are open, one of {}.", namesOf(ui::layoutRows)),
                    {.value = "LAYOUT", .needs = &window});

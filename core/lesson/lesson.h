@@ -33,10 +33,15 @@ struct Edit {
 inline constexpr std::array<std::string_view, 9> lookTabs{
     "vertices", "levels", "commands", "glsl", "explain", "file", "memory", "a-b", "history"};
 
+/// What Look::figure may say: the figures of the window's tab of that name.
+inline constexpr std::array<std::string_view, 7> lookFigures{"environments", "sheet",  "block", "flip",
+                                                             "objects",      "emboss", "edge"};
+
 /// What the window shows of the step, each as texshot has it; what is empty stays as it is.
 struct Look {
     std::string param;    ///< a path: its control is lit
     std::string tab;      ///< comes to the front
+    std::string figure;   ///< comes to the front with its tab
     std::string shown;    ///< what the view shows: picture, levels, anisotropy
     std::string renderer; ///< fixed, shader, reference; or two of them, joined by a comma, which are compared
     int probeX = -1; ///< the pixel that Explain is about, in thousandths of the picture from its left edge

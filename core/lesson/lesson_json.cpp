@@ -113,6 +113,7 @@ void readLook(const Json& json, const std::string& where, std::optional<Error>& 
     Members members(json, where, problem);
     members.text("param", look.param, false);
     members.text("tab", look.tab, false);
+    members.text("figure", look.figure, false);
     members.text("shown", look.shown, false);
     members.text("renderer", look.renderer, false);
     const Json* probe = members.find("probe");

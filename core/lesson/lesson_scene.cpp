@@ -112,6 +112,8 @@ void checkLook(const Look& look, const Scene& scene, const std::string& place, P
     }
     if (!look.tab.empty())
         checkName(look.tab, lookTabs, std::identity{}, place + "/tab", problems);
+    if (!look.figure.empty())
+        checkName(look.figure, lookFigures, std::identity{}, place + "/figure", problems);
     if (!look.shown.empty())
         checkName(look.shown, EnumTable<reference::Shown>::rows, rowName, place + "/shown", problems);
     for (std::size_t from = 0; from < look.renderer.size();) {

@@ -40,6 +40,8 @@ void drawTab(Session& session, DetailsState& state, const Pictures& pictures, Ta
         return drawKeptTab(session, state.kept);
     case Tab::History:
         return drawHistoryTab(session, state.history, pictures);
+    case Tab::Figures:
+        return drawFiguresTab(session, state.figures, pictures);
     }
 }
 

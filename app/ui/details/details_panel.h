@@ -8,6 +8,7 @@
 #include "app/ui/details/kept_tab.h"
 #include "app/ui/details/levels_tab.h"
 #include "app/ui/details/vertices_tab.h"
+#include "app/ui/figures/figures_tab.h"
 
 #include <optional>
 
@@ -23,6 +24,7 @@ struct DetailsState {
     FileTabState file;
     KeptTabState kept;
     HistoryTabState history;
+    FiguresTabState figures;
     std::optional<Tab> dragged; ///< the tab that the mouse carries from one dock to the other
 };
 

@@ -25,7 +25,7 @@ inline constexpr std::array dockRows{
     return dockRows[static_cast<std::size_t>(dock)];
 }
 
-enum class Tab { Lesson, Vertices, Levels, Commands, Glsl, Explain, File, Memory, Kept, History };
+enum class Tab { Lesson, Vertices, Levels, Commands, Glsl, Explain, File, Memory, Kept, History, Figures };
 
 struct TabRow {
     Tab tab;
@@ -48,6 +48,7 @@ inline constexpr std::array tabRows{
     TabRow{Tab::Memory, "memory", "Memory", "Memory"},
     TabRow{Tab::Kept, "a-b", "A and B", "A/B"},
     TabRow{Tab::History, "history", "History", "History"},
+    TabRow{Tab::Figures, "figures", "Figures", "Figures"},
 };
 
 [[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {

@@ -68,6 +68,11 @@ void look(Session& session, const lesson::Look& wanted) {
     const auto tab = std::ranges::find(tabRows, wanted.tab, &TabRow::name);
     if (tab != tabRows.end())
         window.wantedTab = tab->tab;
+    const auto figure = std::ranges::find(figureRows, wanted.figure, &FigureRow::name);
+    if (figure != figureRows.end()) {
+        window.figure = figure->figure;
+        window.wantedTab = Tab::Figures;
+    }
     window.shownParam.clear();
     if (!wanted.param.empty())
         reveal(session, wanted.param);

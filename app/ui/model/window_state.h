@@ -2,6 +2,7 @@
 
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/explaining.h"
+#include "app/ui/model/figures.h"
 #include "app/ui/model/inspected_file.h"
 #include "app/ui/model/layout.h"
 #include "app/ui/model/level_view.h"
@@ -106,6 +107,7 @@ struct WindowState {
     std::optional<WantedProbe> wantedProbe;
     std::shared_ptr<LessonRun> lesson; ///< nullptr: none is open
     Explaining explaining;
+    Figure figure = Figure::Environments; ///< of the tab of figures
     LevelView levels;
     InspectedFile fileView;
     Notice notice;

@@ -30,7 +30,7 @@ TEST(LessonJson, IsReadAsItIsWritten) {
         "lesson": 1, "title": "L", "source": "Chapter 2", "about": "A",
         "steps": [
             {"title": "S1", "text": "T1", "scene": "cube", "edits": ["a.b=c=d", "preset:seam"],
-             "look": {"param": "a.b", "tab": "explain", "shown": "lambda", "renderer": "fixed,reference",
+             "look": {"param": "a.b", "tab": "explain", "figure": "edge", "shown": "lambda", "renderer": "fixed,reference",
                       "probe": [0, 999]},
              "try": "Turn it."},
             {"title": "S2", "text": "T2",
@@ -45,7 +45,7 @@ TEST(LessonJson, IsReadAsItIsWritten) {
                             "T1",
                             "cube",
                             {{"a.b", "c=d"}, {"", "seam"}},
-                            {"a.b", "explain", "lambda", "fixed,reference", 0, 999},
+                            {"a.b", "explain", "edge", "lambda", "fixed,reference", 0, 999},
                             Try{"Turn it."}});
     lesson.steps.push_back(
         {"S2", "T2", "", {}, {}, Predict{"Q", {{"one", {}}, {"two", {{"x", ""}}}}, 1, "R"}});

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/ui/figures/block_flip.h"
+#include "app/ui/figures/block_microscope.h"
+#include "app/ui/figures/edge_lens.h"
+#include "app/ui/figures/emboss_theory.h"
+#include "app/ui/figures/environment_table.h"
+#include "app/ui/figures/sheet.h"
+#include "app/ui/figures/texture_objects.h"
+
+namespace texplorer::ui {
+
+/// What each figure remembers.
+struct FiguresTabState {
+    EnvironmentTableState environments;
+    SheetState sheet;
+    BlockMicroscopeState block;
+    BlockFlipState flip;
+    TextureObjectsState objects;
+    EmbossTheoryState emboss;
+    EdgeLensState edge;
+};
+
+/// The names of all figures, and the one that is chosen: WindowState::figure.
+void drawFiguresTab(Session& session, FiguresTabState& state, const Pictures& pictures);
+
+} // namespace texplorer::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/lesson/lesson.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace texplorer::ui {
+
+/// Interactive drawings that explain a thing beside the scene, all in one tab.
+enum class Figure { Environments, Sheet, Block, Flip, Objects, Emboss, Edge };
+
+struct FigureRow {
+    Figure figure;
+    std::string_view name; ///< for lessons and texshot's --figure
+    const char* label;
+    const char* help;
+};
+
+inline constexpr std::array figureRows{
+    FigureRow{Figure::Environments, "environments", "Environments",
+              "What each environment mode makes of each base format, in symbols and in numbers."},
+    FigureRow{Figure::Sheet, "sheet", "Sheet",
+              "The scene with every pair of values of two parameters; a click takes them."},
+    FigureRow{Figure::Block, "block", "Block",
+              "A compressed block of 4x4 texels, bit by bit: its end colours, palette and indices."},
+    FigureRow{Figure::Flip, "flip", "Block flip",
+              "How compressed blocks are turned upside down without decompressing, for every height."},
+    FigureRow{Figure::Objects, "objects", "Texture objects",
+              "What glBindTexture brings back, and what stays with the unit."},
+    FigureRow{Figure::Emboss, "emboss", "Emboss", "How two heights, a light and a slope make a bump."},
+    FigureRow{Figure::Edge, "edge", "Edge",
+              "Which texels are mixed across the edges of a texture, for each wrap mode and filter."},
+};
+
+[[nodiscard]] constexpr const FigureRow& rowOf(Figure figure) {
+    return figureRows[static_cast<std::size_t>(figure)];
+}
+static_assert(std::ranges::all_of(figureRows,
+                                  [](const FigureRow& row) { return &rowOf(row.figure) == &row; }));
+static_assert(std::ranges::equal(figureRows, lesson::lookFigures, {}, &FigureRow::name));
+
+} // namespace texplorer::ui
