@@ -139,7 +139,7 @@ TEST_F(LessonScenes, HaveNoImagesOfOtherFolders) {
 
 TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {
     lesson.steps = {stepOf("cube"), stepOf(""), stepOf(""), stepOf(""), stepOf(""), stepOf("")};
-    lesson.steps[0].look = {"textures[9].wrapS", "explian", "levels", "fixed,software", -1, -1};
+    lesson.steps[0].look = {"textures[9].wrapS", "explian", "edges", "levels", "fixed,software", -1, -1};
     lesson.steps[1].task =
         Predict{"Q",
                 {{"a", {{"view.background", "1,0,0,1"}}}, {"b", {{"view.background", "1,0,0,1"}}}},
@@ -153,7 +153,7 @@ TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {
     for (const Error& problem : problems())
         places.push_back(problem.where);
     EXPECT_THAT(places, ElementsAre(HasSubstr("/steps/0/look/param"), "/steps/0/look/tab",
-                                    "/steps/0/look/shown", "/steps/0/look/renderer",
+                                    "/steps/0/look/figure", "/steps/0/look/shown", "/steps/0/look/renderer",
                                     "/steps/1/predict/answers/1", HasSubstr("/steps/1/predict/reason"),
                                     HasSubstr("/steps/2/predict/answers/0: edits/0"),
                                     HasSubstr("/steps/3/match: edits/0"), "/steps/4/match",
