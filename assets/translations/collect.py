@@ -33,6 +33,7 @@ CATALOGUES = {
     "window": ["app/ui/window/", "app/ui/widgets/", "app/ui/model/", "app/ui/view/", "app/ui/language/", "app/stage/"],
     "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
                "app/screenshot/lesson_page"],
+    "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/autosave/", "core/codec/", "core/image/", "core/link/", "core/s3tc/",
                  "core/texture/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
 }

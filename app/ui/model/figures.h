@@ -30,7 +30,7 @@ inline constexpr std::array figureRows{
     FigureRow{Figure::Objects, "objects", "Texture objects",
               "What glBindTexture brings back, and what stays with the unit."},
     FigureRow{Figure::Emboss, "emboss", "Emboss", "How two heights, a light and a slope make a bump."},
-    FigureRow{Figure::Edge, "edge", "Edge",
+    FigureRow{Figure::Edge, "edge", "Edge lens",
               "Which texels are mixed across the edges of a texture, for each wrap mode and filter."},
 };
 
