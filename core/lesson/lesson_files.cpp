@@ -46,7 +46,7 @@ std::vector<std::string> builtInLessons() {
     return names;
 }
 
-Result<LessonFolder> LessonFolder::builtIn(std::string_view name) {
+Result<LessonFolder> LessonFolder::builtIn(std::string_view name, fs::path installed) {
     const std::vector<std::string> names = builtInLessons();
     if (std::ranges::find(names, name) == names.end()) {
         std::string list;
@@ -56,6 +56,7 @@ Result<LessonFolder> LessonFolder::builtIn(std::string_view name) {
     }
     LessonFolder folder;
     folder.name_ = name;
+    folder.installed_ = std::move(installed);
     return folder;
 }
 
@@ -73,6 +74,11 @@ bool LessonFolder::has(std::string_view file) const {
                          : fs::is_regular_file(path_ / file, ignored);
 }
 
+fs::path LessonFolder::installed(std::string_view file) const {
+    const bool isKnown = std::ranges::find(installedImages, file) != installedImages.end();
+    return isKnown && !installed_.empty() ? installed_ / file : fs::path();
+}
+
 Result<void> LessonFolder::checkInside(std::string_view file) const {
     const fs::path name(file);
     if (name.empty() || name.has_parent_path() || name == ".." || name == ".")
@@ -87,11 +93,11 @@ Result<void> LessonFolder::checkInside(std::string_view file) const {
     return {};
 }
 
-Result<Bytes> LessonFolder::read(std::string_view file) const {
+Result<Bytes> LessonFolder::read(std::string_view file, std::size_t most) const {
     if (const Result<void> inside = checkInside(file); !inside)
         return fail(inside.error());
     if (!path_.empty())
-        return readFile(path_ / file, maxLessonFileBytes);
+        return readFile(path_ / file, most);
     const LessonFile* found = findLessonFile(name_ + "/" + std::string(file));
     if (!found)
         return fail(ErrorCode::NotFound, "the lesson has no such file", std::string(file));
@@ -100,7 +106,7 @@ Result<Bytes> LessonFolder::read(std::string_view file) const {
 }
 
 Result<std::string> LessonFolder::readText(std::string_view file) const {
-    return read(file).map([](const Bytes& bytes) {
+    return read(file, maxLessonTextBytes).map([](const Bytes& bytes) {
         return std::string(reinterpret_cast<const char*>(bytes.data()),
                            bytes.size()); // NOLINT: bytes of a text
     });

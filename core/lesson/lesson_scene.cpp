@@ -1,5 +1,6 @@
 #include "core/lesson/lesson_scene.h"
 
+#include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/example/example.h"
 #include "core/lesson/match.h"
@@ -42,20 +43,58 @@ Result<Scene> sceneNamed(const LessonFolder& folder, const std::string& name) {
     return example;
 }
 
-/// Files that stand in the folder, of the program's own lessons and of a teacher's. None may lie elsewhere.
-Result<void> loadImages(const LessonFolder& folder, LessonScene& scene) {
-    for (const std::string& file : filesOf(scene.scene)) {
-        if (const Result<void> inside = file.empty() ? Result<void>() : folder.checkInside(file); !inside)
-            return inside;
-        if (!folder.path().empty())
+/// A photograph where it is installed, a pattern where it isn't. One that can't be read is as good as none.
+void takeInstalled(const LessonFolder& folder, LessonScene& step) {
+    for (Texture& texture : step.scene.textures) {
+        const std::string name = texture.file;
+        if (texture.source != SourceKind::File || folder.has(name) ||
+            std::ranges::find(installedImages, name) == installedImages.end())
             continue;
+        const std::filesystem::path path = folder.installed(name);
         Result<TextureImage> image =
-            folder.read(file).and_then([](const Bytes& bytes) { return decodeTexture(bytes); });
+            path.empty() ? Result<TextureImage>(fail(ErrorCode::NotFound, "it is in no folder"))
+                         : readFile(path, maxLessonFileBytes).and_then([](const Bytes& bytes) {
+                               return decodeTexture(bytes);
+                           });
+        step.installed.push_back({name, image ? path : std::filesystem::path()});
+        if (image) {
+            texture.file = path.string();
+            texture.preparation.clear();
+            step.images.put(texture.file, *std::move(image));
+        } else {
+            texture.source = SourceKind::Pattern;
+            texture.file.clear();
+        }
+    }
+}
+
+/// Files of the program's own lesson.
+Result<void> takeEmbedded(const LessonFolder& folder, LessonScene& step) {
+    for (const std::string& file : filesOf(step.scene)) {
+        if (step.images.holds(file))
+            continue;
+        Result<Bytes> bytes = folder.read(file);
+        if (!bytes)
+            return fail(bytes.error());
+        Result<TextureImage> image = decodeTexture(*bytes);
         if (!image)
             return fail(image.error().code, image.error().message, file);
-        scene.images.put(file, *std::move(image));
+        step.images.put(file, *std::move(image));
+        step.images.putFile(file, *std::move(bytes));
     }
-    return folder.path().empty() ? Result<void>() : scene.images.load(scene.scene);
+    return {};
+}
+
+/// Files that stand in the folder, of the program's own lessons and of a teacher's. None may lie elsewhere.
+Result<void> loadImages(const LessonFolder& folder, LessonScene& step, StepImages images) {
+    takeInstalled(folder, step);
+    if (folder.path().empty())
+        return takeEmbedded(folder, step);
+    for (const std::string& file : filesOf(step.scene)) {
+        if (const Result<void> inside = file.empty() ? Result<void>() : folder.checkInside(file); !inside)
+            return inside;
+    }
+    return images == StepImages::Read ? step.images.load(step.scene) : Result<void>();
 }
 
 /// The scene that a step names, or the nearest before it, and what the steps since then have edited.
@@ -190,11 +229,12 @@ Result<LessonScene> withEdits(const LessonScene& start, const std::vector<Edit>&
     return scene;
 }
 
-Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step) {
+Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step,
+                            StepImages images) {
     Result<LessonScene> start = sceneOf(folder, lesson, step);
     if (!start)
         return start;
-    if (const Result<void> loaded = loadImages(folder, *start); !loaded)
+    if (const Result<void> loaded = loadImages(folder, *start, images); !loaded)
         return fail(at(placeOf(step) + "/scene", loaded.error()));
     return start;
 }

@@ -4,17 +4,36 @@
 #include "core/lesson/lesson_files.h"
 #include "core/texture/image_source.h"
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 namespace texplorer::lesson {
+
+/// A picture of installedImages that a scene names.
+struct InstalledImage {
+    std::string name;                ///< "earth.jpg"
+    std::filesystem::path path = {}; ///< where it was read; empty: it is not there, and a pattern is
+
+    bool operator==(const InstalledImage&) const = default;
+};
 
 /// A scene with its images, as a document begins.
 struct LessonScene {
     Scene scene;
     ImageSource images;
+    std::vector<InstalledImage> installed = {};
 };
 
-/// What a step begins with: the scene that it names, or the step before it begins with, with its edits.
-/// Errors are about lesson.json, by its JSON pointer, or the files that it names.
-[[nodiscard]] Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step);
+enum class StepImages : bool { Read, Leave };
+
+/// What a step begins with: the scene that it names, or the step before it begins with, with its edits. A
+/// texture whose file is one of installedImages has it where it is installed, without a preparation;
+/// elsewhere it has its pattern instead, with its preparation. Errors are about lesson.json, by its JSON
+/// pointer, or the files that it names. Images of a folder on disk may be left to be read later; they are
+/// inside, then.
+[[nodiscard]] Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step,
+                                          StepImages images = StepImages::Read);
 
 /// Makes all edits, or none. The error's `where` is "edits/3", after it that of setParam.
 [[nodiscard]] Result<void> makeEdits(Scene& scene, const std::vector<Edit>& edits);

@@ -22,20 +22,6 @@ constexpr DecodeLimits thumbnailLimits{
 
 constexpr FailureWords loadingFailure{"there is no memory for what it holds", "can't be loaded"};
 
-Content dissectFile(Bytes bytes) {
-    auto file = std::make_shared<DissectedFile>();
-    file->anatomy = dissect(bytes);
-    file->fileBytes = bytes.size();
-    if (const auto texture = decodeTexture(bytes); !texture)
-        file->problem = texture.error().message;
-    if (bytes.size() > DissectedFile::keptBytes) {
-        bytes.resize(DissectedFile::keptBytes);
-        bytes.shrink_to_fit();
-    }
-    file->bytes = std::move(bytes);
-    return file;
-}
-
 /// `decoding` is called when the file is read.
 Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size_t left,
                      const ReadObserver& observer, const std::function<void()>& decoding) {
@@ -64,6 +50,20 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
 }
 
 } // namespace
+
+std::shared_ptr<const DissectedFile> dissectFile(Bytes bytes) {
+    auto file = std::make_shared<DissectedFile>();
+    file->anatomy = dissect(bytes);
+    file->fileBytes = bytes.size();
+    if (const auto texture = decodeTexture(bytes); !texture)
+        file->problem = texture.error().message;
+    if (bytes.size() > DissectedFile::keptBytes) {
+        bytes.resize(DissectedFile::keptBytes);
+        bytes.shrink_to_fit();
+    }
+    file->bytes = std::move(bytes);
+    return file;
+}
 
 struct ImageLoader::State {
     explicit State(std::function<void()> wake)

@@ -26,6 +26,9 @@ struct DissectedFile {
     static constexpr std::size_t keptBytes = std::size_t{8} << 20;
 };
 
+/// Of a file's content that is there.
+[[nodiscard]] std::shared_ptr<const DissectedFile> dissectFile(Bytes bytes);
+
 /// Reads files and makes pictures of them on a thread of its own, one after the other in the order in which
 /// they were asked for. The caller keeps the ticket and looks for its result in `take`. All functions are
 /// to be called from one thread; the first `load` starts the other one.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/bytes.h"
 #include "core/base/result.h"
 #include "core/image/texture_image.h"
 #include "core/scene/scene.h"
@@ -48,6 +49,17 @@ public:
     }
     /// A picture, upright as images are.
     void put(const std::string& file, Image image);
+
+    /// A file that lies in no folder, as those of the program's lessons: for who looks into it, or saves it.
+    /// What it holds is put beside it.
+    void putFile(const std::string& file, Bytes bytes) {
+        inMemory_[file] = std::make_shared<const Bytes>(std::move(bytes));
+    }
+    /// nullptr: it lies in a folder, if anywhere.
+    [[nodiscard]] std::shared_ptr<const Bytes> fileInMemory(const std::string& file) const {
+        const auto found = inMemory_.find(file);
+        return found == inMemory_.end() ? nullptr : found->second;
+    }
 
     /// What the light sees, `size` texels on each side, for textures with SourceKind::LightDepth: from
     /// whoever draws the scene (core/reference/light_depth.h).
@@ -101,6 +113,7 @@ private:
 
     std::filesystem::path directory_;
     std::map<std::string, std::shared_ptr<const TextureImage>> files_;
+    std::map<std::string, std::shared_ptr<const Bytes>> inMemory_;
     std::map<int, std::shared_ptr<const TextureImage>> lightDepths_; ///< by their size
 };
 

@@ -11,13 +11,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path wantedFile(const Session& session) {
+struct WantedFile {
+    fs::path path;
+    std::shared_ptr<const Bytes> inMemory = nullptr;
+};
+
+WantedFile wantedFile(const Session& session) {
     if (!session.window.fileView.chosen.empty())
-        return session.window.fileView.chosen;
+        return {session.window.fileView.chosen};
     const Texture* texture = boundTexture(session);
     if (!texture || texture->source != SourceKind::File || texture->file.empty())
         return {};
-    return session.document.images.directory() / texture->file;
+    if (auto bytes = session.document.images.fileInMemory(texture->file))
+        return {texture->file, std::move(bytes)};
+    return {session.document.images.directory() / texture->file};
 }
 
 } // namespace
@@ -64,6 +71,8 @@ void refreshInspected(Session& session) {
     InspectedFile& view = session.window.fileView;
     if (view.shown.empty())
         return;
+    if (view.inMemory)
+        return receiveInspected(session, dissectFile(*view.inMemory)); // it is small
     Files& files = session.services.files;
     if (view.ticket != 0)
         files.cancel(view.ticket);
@@ -72,14 +81,15 @@ void refreshInspected(Session& session) {
 
 void followFile(Session& session) {
     InspectedFile& view = session.window.fileView;
-    fs::path wanted = wantedFile(session);
-    if (wanted == view.shown)
+    WantedFile wanted = wantedFile(session);
+    if (wanted.path == view.shown && wanted.inMemory == view.inMemory)
         return;
     if (view.ticket != 0)
         cancelLoad(session, view.ticket);
     InspectedFile next;
     next.chosen = std::move(view.chosen);
-    next.shown = std::move(wanted);
+    next.shown = std::move(wanted.path);
+    next.inMemory = std::move(wanted.inMemory);
     view = std::move(next);
     refreshInspected(session);
 }

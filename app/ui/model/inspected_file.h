@@ -27,9 +27,10 @@ private:
 
 /// The file that the tab "File" shows, as it is read.
 struct InspectedFile {
-    std::filesystem::path chosen;   ///< what the user wants to look into; empty: the bound texture's file
-    std::filesystem::path shown;    ///< the file that `content` or `problem` is about; empty: none yet
-    ImageLoader::Ticket ticket = 0; ///< of what is awaited; 0: nothing
+    std::filesystem::path chosen; ///< what the user wants to look into; empty: the bound texture's file
+    std::shared_ptr<const Bytes> inMemory; ///< what `shown` is where it lies in no folder
+    std::filesystem::path shown;           ///< the file that `content` or `problem` is about; empty: none yet
+    ImageLoader::Ticket ticket = 0;        ///< of what is awaited; 0: nothing
     std::shared_ptr<const DissectedFile> content;
     FieldMap map;
     std::string problem; ///< why the file can't be read; empty: nothing wrong

@@ -212,11 +212,18 @@ void receive(Session& session, ImageLoader::Loaded loaded) {
     }
 }
 
+/// Those of the images that lie in a folder.
+std::vector<std::string> filesOnDisk(const ImageSource& images) {
+    std::vector<std::string> files = images.files();
+    std::erase_if(files, [&](const std::string& file) { return images.fileInMemory(file) != nullptr; });
+    return files;
+}
+
 /// True where the lesson that is open has changed: it is read again with the next frame that has room for
 /// it.
 bool reloadChanged(Session& session) {
     std::set<std::string> files;
-    for (const std::string& file : session.document.images.files())
+    for (const std::string& file : filesOnDisk(session.document.images))
         files.insert(file);
     for (const Load& load : session.document.loads) { // what is being read may have changed after it was read
         if (!load.file.empty())
@@ -251,13 +258,13 @@ void loadUsed(Session& session) {
 
 void watchFiles(Session& session) {
     std::vector<fs::path> paths;
-    for (const std::string& file : session.document.images.files())
+    for (const std::string& file : filesOnDisk(session.document.images))
         paths.push_back(session.document.images.directory() / file);
     for (const Load& load : session.document.loads) {
         if (!load.file.empty())
             paths.push_back(session.document.images.directory() / load.file);
     }
-    if (!session.window.fileView.shown.empty())
+    if (!session.window.fileView.shown.empty() && !session.window.fileView.inMemory)
         paths.push_back(session.window.fileView.shown);
     if (session.window.lesson)
         std::ranges::copy(session.window.lesson->files, std::back_inserter(paths));

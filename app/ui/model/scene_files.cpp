@@ -47,11 +47,35 @@ Result<Scene> readScene(const fs::path& path) {
     return scene;
 }
 
-/// The same scene, with its image files named from another folder.
-Scene rebased(const Scene& scene, const fs::path& from, const fs::path& to) {
+/// The same scene, with its image files named from another folder. Those that lie in none keep their names.
+Scene rebased(const Scene& scene, const ImageSource& images, const fs::path& to) {
     Scene result = scene;
-    renameFiles(result, [&](const std::string& file) { return nameFrom(to, from / file); });
+    renameFiles(result, [&](const std::string& file) {
+        return images.fileInMemory(file) ? file : nameFrom(to, images.directory() / file);
+    });
     return result;
+}
+
+/// Images that lie in no folder come into that of the scene, where there is no other file of their name.
+Result<void> saveFilesInMemory(const Scene& scene, const ImageSource& images, const fs::path& folder) {
+    std::vector<std::string> missing;
+    for (const std::string& file : filesOf(scene)) {
+        const std::shared_ptr<const Bytes> bytes = images.fileInMemory(file);
+        if (!bytes)
+            continue;
+        const Result<Bytes> there = readFile(folder / file);
+        if (!there && there.error().code == ErrorCode::NotFound)
+            missing.push_back(file);
+        else if (!there || *there != *bytes)
+            return fail(ErrorCode::Unwritable,
+                        "the scene has an image of this name, and there is another file",
+                        (folder / file).string());
+    }
+    for (const std::string& file : missing) {
+        if (Result<void> written = writeFileAtomically(folder / file, *images.fileInMemory(file)); !written)
+            return written;
+    }
+    return {};
 }
 
 /// As the file has it, where it can be read: what undo and the mark of unsaved changes go by.
@@ -140,13 +164,15 @@ void restoreUnsaved(Session& session, UnsavedScene draft) {
 Result<void> saveScene(Session& session, const fs::path& path) {
     const fs::path file = absolutePath(path);
     const fs::path folder = file.parent_path();
-    const Scene scene = rebased(session.document.scene, session.document.images.directory(), folder);
+    const Scene scene = rebased(session.document.scene, session.document.images, folder);
     const std::string text = writeScene(scene);
     if (text.size() > maxSceneBytes) // and what is there stays
         return fail(ErrorCode::TooLarge,
                     fmt::format("the scene takes {} bytes, and no more than {} are read again", text.size(),
                                 maxSceneBytes),
                     file.string());
+    if (Result<void> images = saveFilesInMemory(scene, session.document.images, folder); !images)
+        return images;
     if (Result<void> written = writeFileAtomically(file, viewBytes(text)); !written)
         return written;
     if (absolutePath(session.document.images.directory()) != folder || session.document.file.empty()) {
