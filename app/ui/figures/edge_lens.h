@@ -5,8 +5,14 @@
 
 namespace texplorer::ui {
 
-struct EdgeLensState {};
+/// A row of texels across its two edges.
+struct EdgeLensState {
+    int size = 4;       ///< of the row
+    float s = -0.0625F; ///< the coordinate that is read
+};
 
+/// Which texels of a row are mixed at each coordinate from -1 to 2, with the wrap mode and the filter of the
+/// texture that is bound. A click on a mode takes it into the scene.
 void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <imgui.h>
+
+#include <string>
+
+namespace texplorer::ui {
+
+/// A rectangle of the window in which numbers are drawn: x to the right, y upwards.
+struct PlotBox {
+    ImVec2 low;  ///< upper left
+    ImVec2 high; ///< lower right
+    float xFrom = 0;
+    float xTo = 1;
+    float yFrom = 0;
+    float yTo = 1;
+
+    [[nodiscard]] float width() const { return high.x - low.x; }
+    [[nodiscard]] float height() const { return high.y - low.y; }
+    [[nodiscard]] float atX(float x) const { return low.x + (x - xFrom) / (xTo - xFrom) * width(); }
+    [[nodiscard]] float atY(float y) const { return high.y - (y - yFrom) / (yTo - yFrom) * height(); }
+    [[nodiscard]] ImVec2 at(float x, float y) const { return {atX(x), atY(y)}; }
+    /// Of a place in the window.
+    [[nodiscard]] float xOf(float place) const { return xFrom + (place - low.x) / width() * (xTo - xFrom); }
+};
+
+/// A colour of the scene, opaque.
+[[nodiscard]] ImU32 plotColor(glm::vec3 color);
+
+/// What can be read on a colour of the scene, in every theme.
+[[nodiscard]] ImU32 inkOn(glm::vec3 color);
+
+/// A small text, in the window's language already. `anchor`: which share of it lies left of and above `at`.
+void plotText(ImDrawList& draw, ImVec2 at, ImVec2 anchor, const std::string& text, ImU32 ink);
+
+/// How large it is.
+[[nodiscard]] ImVec2 plotTextSize(const std::string& text);
+
+/// As wide as the lines of all figures.
+[[nodiscard]] float plotLine();
+
+} // namespace texplorer::ui
