@@ -1,7 +1,448 @@
 #include "app/ui/figures/texture_objects.h"
 
-namespace texplorer::ui {
+#include "app/ui/figures/board_pictures.h"
+#include "app/ui/figures/plot.h"
+#include "app/ui/figures/texbind_calls.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
 
-void drawTextureObjects(Session& /*session*/, TextureObjectsState& /*state*/, const Pictures& /*pictures*/) {}
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using objects::Call;
+using objects::Name;
+using objects::TextureNames;
+using objects::TextureObject;
+using objects::UnitState;
+
+constexpr Name mostNames = 4;
+constexpr std::size_t mostLogged = 100;
+
+void makeCall(TextureObjectsState& state, const Call& call) {
+    state.before = state.names;
+    const objects::Answer answer = apply(state.names, call);
+    state.log.push_back({call, answer});
+    if (state.log.size() > mostLogged)
+        state.log.erase(state.log.begin());
+}
+
+/// A call that the user makes: a program that is played ends there.
+struct Wanted {
+    std::optional<Call> call;
+
+    void operator()(Call made) { call = std::move(made); }
+};
+
+/// The C of a call, for who rests on its button.
+void callTip(const Call& call) {
+    helpTip(objects::codeOf(call));
+}
+
+/// Buttons of an enumeration, each of which is a call; the C stands below the pointer.
+template<class Enum, class CallOf>
+void enumCalls(const Session& session, std::string_view name, std::span<const Enum> choices, Enum chosen,
+               float width, Wanted& wanted, const CallOf& callOf) {
+    std::vector<Segment> segments;
+    for (const Enum each : choices)
+        segments.push_back({std::string(shownBrief(session.window.settings, rowOf(each)))});
+    if constexpr (std::is_same_v<Enum, MinFilter>)
+        segments.back().text = "Blended mips"; // Nearest within each: the initial value
+    const auto at = static_cast<std::size_t>(std::ranges::find(choices, chosen) - choices.begin());
+    auto plan = planSegments(segments, width, 1);
+    for (std::size_t lines = 2; !plan && lines <= segments.size(); ++lines)
+        plan = planSegments(segments, width, lines);
+    if (!plan)
+        return;
+    ImGui::PushID(name.data());
+    const auto pressed = drawSegments(segments, *plan, at, [&](std::size_t i) {
+        noteItem(fmt::format("objects:{}={}", name, rowOf(choices[i]).name));
+        callTip(callOf(choices[i]));
+    });
+    ImGui::PopID();
+    if (pressed)
+        wanted(callOf(choices[*pressed]));
+}
+
+/// A button that makes a call.
+void callButton(const char* words, std::string_view name, const Call& call, Wanted& wanted,
+                bool enabled = true, float width = 0) {
+    ImGui::BeginDisabled(!enabled);
+    if (ImGui::Button(words, {width, 0}))
+        wanted(call);
+    noteItem(name);
+    ImGui::EndDisabled();
+    callTip(call);
+}
+
+/// What the last item shows was changed by the last call.
+void lightItem(bool changed, std::string_view name) {
+    if (!changed)
+        return;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRect({low.x - 2, low.y - 2}, {high.x + 2, high.y + 2}, color::changed, 3,
+                                        0, plotLine() * 1.5F);
+    noteItem(fmt::format("objects:lit {}", name));
+}
+
+/// In the order of Sampled.
+constexpr std::array sampledRemarks{
+    "Object {} is bound, texturing is off",
+    "Object {} has no image: untextured",
+    "Object {} lacks mipmaps: untextured",
+    "Object {} is drawn",
+};
+
+/// Where a unit's line to its object begins, and where an object's row is.
+struct Ends {
+    std::array<ImVec2, objects::unitCount> units{};
+    std::array<std::optional<ImVec2>, mostNames + 1> names{};
+};
+
+/// What belongs to a unit, and what comes of the fragment there.
+void drawUnitCard(const Session& session, const TextureObjectsState& state, std::size_t number, float width,
+                  Wanted& wanted, Ends& ends) {
+    const float em = ImGui::GetFontSize();
+    const UnitState& unit = state.names.units.at(number);
+    const UnitState& before = state.before.units.at(number);
+    const bool isActive = state.names.active == number;
+    ImGui::PushID(static_cast<int>(number));
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float pad = em * 0.25F;
+    const float side = 2 * ImGui::GetFrameHeight();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    ImGui::SetCursorScreenPos({low.x + pad, low.y + pad});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.5F, 2});
+    ImGui::BeginGroup();
+    const float inner = width - side - 3 * pad;
+    ImGui::PushStyleColor(ImGuiCol_Text, isActive ? ImU32(color::chosen) : ImU32(color::text));
+    const std::string title = fmt::format("Unit {}", number);
+    if (ImGui::Button(label(fmt::format("{}###unit", tr(title))).c_str()))
+        wanted(objects::ActiveTexture{number});
+    ImGui::PopStyleColor();
+    noteItem(fmt::format("objects:unit {}", number));
+    callTip(objects::ActiveTexture{number});
+    lightItem(isActive && state.before.active != number, fmt::format("unit {}", number));
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!isActive);
+    const objects::EnableTexture toggle{!unit.enabled};
+    bool on = unit.enabled;
+    if (ImGui::Checkbox("GL_TEXTURE_2D", &on))
+        wanted(toggle);
+    noteItem(fmt::format("objects:enable {}", number));
+    callTip(toggle);
+    lightItem(unit.enabled != before.enabled, fmt::format("enable {}", number));
+    constexpr std::array modes{EnvMode::Modulate, EnvMode::Replace, EnvMode::Decal};
+    ImGui::BeginGroup();
+    enumCalls<EnvMode>(session, fmt::format("env {}", number), modes, unit.envMode, inner, wanted,
+                       [](EnvMode mode) { return objects::SetEnvMode{mode}; });
+    ImGui::EndGroup();
+    lightItem(unit.envMode != before.envMode, fmt::format("env {}", number));
+    ImGui::EndDisabled();
+    const objects::Sampled sampled = sampledBy(state.names, number);
+    const std::string remark =
+        tr(fmt::format(fmt::runtime(sampledRemarks.at(static_cast<std::size_t>(sampled))), unit.bound));
+    const bool isWrong = sampled == objects::Sampled::NoImage || sampled == objects::Sampled::NoMipmaps;
+    const ImVec2 said = ImGui::GetCursorScreenPos();
+    plotText(draw, said, {0, 0}, remark, isWrong ? color::problem : color::text);
+    ImGui::Dummy({inner, em});
+    noteItem(fmt::format("objects:bound {} {}", number, unit.bound));
+    ImGui::EndGroup();
+    ImGui::PopStyleVar();
+    const float bottom = ImGui::GetItemRectMax().y + pad;
+    drawFragments(draw, {low.x + width - pad - side, low.y + pad}, side, state.names, number);
+    noteDrawn(fmt::format("objects:fragments {}", number), {low.x + width - pad - side, low.y + pad},
+              {low.x + width - pad, low.y + pad + side});
+    draw.AddRect(low, {low.x + width, bottom}, isActive ? color::chosen : color::outline, em * 0.25F, 0,
+                 isActive ? plotLine() * 1.5F : plotLine());
+    ends.units.at(number) = {low.x + width, bottom - pad - em / 2};
+    ImGui::SetCursorScreenPos({low.x, bottom + em * 0.3F});
+    ImGui::Dummy({0, 0});
+    ImGui::PopID();
+}
+
+/// A cell of the table, lit where the last call changed it.
+void objectCell(const std::string& words, bool changed, std::string_view name) {
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(fitted(words, ImGui::GetContentRegionAvail().x).c_str());
+    noteItem(name);
+    if (changed) {
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, color::lit);
+        noteItem(fmt::format("objects:lit {}", name));
+    }
+}
+
+void drawObjectRow(const Session& session, const TextureObjectsState& state, Name name,
+                   const std::optional<TextureObject>& object, Wanted& wanted, Ends& ends) {
+    const auto earlier = state.before.names.find(name);
+    const bool isNew = earlier == state.before.names.end();
+    const std::optional<TextureObject> before = isNew ? std::nullopt : earlier->second;
+    const bool isMade = object && !before;
+    const auto changed = [&](const auto& partOf) {
+        return object && (isMade || partOf(*object) != partOf(*before));
+    };
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(name));
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (name < ends.names.size())
+        ends.names.at(name) = ImVec2(low.x, low.y + ImGui::GetFrameHeight() / 2);
+    const bool isBound = state.names.activeUnit().bound == name;
+    ImGui::PushStyleColor(ImGuiCol_Text, isBound ? ImU32(color::chosen) : ImU32(color::text));
+    callButton(label(fmt::format("{}###bind", tr(fmt::format("Bind {}", name)))).c_str(),
+               fmt::format("objects:bind {}", name), objects::BindTexture{name}, wanted, true,
+               ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleColor();
+    if (isNew || isMade)
+        lightItem(true, fmt::format("name {}", name));
+    const auto choice = [&](auto value) { return tr(shownName(session.window.settings, rowOf(value))); };
+    if (object) {
+        ImGui::TableNextColumn();
+        const float side = ImGui::GetFrameHeight();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::Dummy({side, side});
+        if (object->picture) {
+            drawBoard(*ImGui::GetWindowDrawList(), at, side,
+                      boards.at(static_cast<std::size_t>(*object->picture)));
+            noteItem(fmt::format("objects:picture {} {}", name, *object->picture));
+        } else {
+            plotText(*ImGui::GetWindowDrawList(), {at.x, at.y + side / 2}, {0, 0.5F}, tr("none"), color::dim);
+        }
+        if (changed([](const TextureObject& o) { return o.picture; }) && object->picture)
+            ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, color::lit);
+        objectCell(choice(object->state.magFilter),
+                   changed([](const TextureObject& o) { return o.state.magFilter; }),
+                   fmt::format("mag {}", name));
+        objectCell(choice(object->state.minFilter),
+                   changed([](const TextureObject& o) { return o.state.minFilter; }),
+                   fmt::format("min {}", name));
+        const Texture& texture = object->state;
+        const std::string wraps = texture.wrapS == texture.wrapT
+                                      ? choice(texture.wrapS)
+                                      : fmt::format("{}, {}", choice(texture.wrapS), choice(texture.wrapT));
+        objectCell(wraps,
+                   changed([](const TextureObject& o) { return std::pair(o.state.wrapS, o.state.wrapT); }),
+                   fmt::format("wrap {}", name));
+    } else {
+        for (int column = 0; column < 4; ++column) {
+            ImGui::TableNextColumn();
+            if (column != 2)
+                continue;
+            ImGui::AlignTextToFramePadding();
+            dimText("a name only");
+            noteItem(fmt::format("objects:name only {}", name));
+        }
+    }
+    ImGui::TableNextColumn();
+    callButton("?", fmt::format("objects:is {}", name), objects::IsTexture{name}, wanted, true,
+               ImGui::GetFrameHeight());
+    ImGui::SameLine(0, 2);
+    callButton("✕", fmt::format("objects:delete {}", name), objects::DeleteTexture{name}, wanted, true,
+               ImGui::GetFrameHeight());
+    ImGui::PopID();
+}
+
+void drawObjects(const Session& session, const TextureObjectsState& state, float width, Wanted& wanted,
+                 Ends& ends) {
+    const float em = ImGui::GetFontSize();
+    if (!ImGui::BeginTable("objects", 6, ImGuiTableFlags_BordersInnerH, {width, 0}))
+        return;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed,
+                            ImGui::CalcTextSize(tr(fmt::format("Bind {}", 0)).c_str()).x +
+                                2 * ImGui::GetStyle().FramePadding.x);
+    ImGui::TableSetupColumn("image", ImGuiTableColumnFlags_WidthFixed, em * 2.8F);
+    ImGui::TableSetupColumn("mag", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("min", ImGuiTableColumnFlags_WidthStretch, 2);
+    ImGui::TableSetupColumn("wrap", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("calls", ImGuiTableColumnFlags_WidthFixed, 2 * ImGui::GetFrameHeight() + 2);
+    ImGui::TableNextRow();
+    for (const char* heading : {"Object", "Image", "Mag filter", "Min filter", "Wrap"}) {
+        ImGui::TableNextColumn();
+        plotText(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), {0, 0},
+                 fitted(tr(std::string(heading)), ImGui::GetContentRegionAvail().x * 1.15F), color::dim);
+        ImGui::Dummy({0, em});
+    }
+    for (const auto& [name, object] : state.names.names)
+        drawObjectRow(session, state, name, object, wanted, ends);
+    ImGui::EndTable();
+}
+
+/// From each unit to the object that is bound to it.
+void drawBindings(const TextureObjectsState& state, const Ends& ends) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float em = ImGui::GetFontSize();
+    for (std::size_t i = 0; i < objects::unitCount; ++i) {
+        const UnitState& unit = state.names.units.at(i);
+        if (unit.bound >= ends.names.size() || !ends.names.at(unit.bound))
+            continue;
+        const ImVec2 from = ends.units.at(i);
+        const ImVec2 to = *ends.names.at(unit.bound);
+        if (to.x <= from.x)
+            continue; // they lie below each other
+        const bool isNew = unit.bound != state.before.units.at(i).bound;
+        const bool isActive = i == state.names.active;
+        const ImU32 ink = isNew ? color::changed : isActive ? color::chosen : color::dim;
+        const float bend = (to.x - from.x) / 2;
+        draw.AddBezierCubic(from, {from.x + bend, from.y}, {to.x - bend, to.y}, {to.x - em * 0.3F, to.y}, ink,
+                            plotLine() * (isNew ? 2.5F : 1.5F));
+        draw.AddTriangleFilled({to.x - em * 0.05F, to.y}, {to.x - em * 0.45F, to.y - em * 0.25F},
+                               {to.x - em * 0.45F, to.y + em * 0.25F}, ink);
+    }
+}
+
+/// What was called, the last one on top.
+void drawLog(const TextureObjectsState& state, ImVec2 size) {
+    ImGui::BeginChild("log", size, true);
+    ImGui::PushFont(codeFont());
+    ImGui::PushTextWrapPos(0);
+    for (std::size_t i = state.log.size(); i-- > 0;) {
+        const std::string code = codeOf(state.log[i].call, state.log[i].answer);
+        const bool isLast = i + 1 == state.log.size();
+        if (isLast) {
+            const ImVec2 low = ImGui::GetCursorScreenPos();
+            const ImVec2 extent =
+                ImGui::CalcTextSize(code.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x);
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                low, {low.x + ImGui::GetContentRegionAvail().x, low.y + extent.y}, color::lit, 2);
+        }
+        ImGui::PushStyleColor(ImGuiCol_Text, isLast ? ImU32(color::text) : ImU32(color::dim));
+        ImGui::TextUnformatted(code.c_str());
+        ImGui::PopStyleColor();
+        if (isLast)
+            noteItem("objects:last " + code);
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    if (state.log.empty())
+        dimWrappedText("The calls appear here, the last one on top.");
+    ImGui::EndChild();
+}
+
+/// glGenTextures, the program of the slides, and a new start.
+void drawProgram(TextureObjectsState& state, Wanted& wanted) {
+    const bool full = state.names.names.size() > mostNames;
+    callButton("glGenTextures", "objects:gen", objects::GenTexture{}, wanted, !full);
+    ImGui::SameLine();
+    const std::vector<ToldCall>& program = texbindCalls();
+    const bool ended = state.played >= program.size();
+    const std::string words = ended
+                                  ? std::string("texbind.c: from the start")
+                                  : fmt::format("texbind.c: call {} of {}", state.played + 1, program.size());
+    if (ImGui::Button(label(fmt::format("{}###texbind", tr(words))).c_str())) {
+        if (state.played == 0 || ended)
+            state = {};
+        makeCall(state, program[state.played].call);
+        ++state.played;
+        wanted.call.reset();
+    }
+    noteItem("objects:texbind");
+    helpTip("The next call of the slides' program texbind.c. The first one begins anew.");
+    ImGui::SameLine();
+    if (ImGui::Button(label("Reset")))
+        state = {};
+    noteItem("objects:reset");
+    helpTip("A new context: nothing but the object that is there from the start, name 0.");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    if (state.played > 0)
+        fittedText(program[state.played - 1].remark, color::text);
+    else
+        fittedText(
+            "Each button is an OpenGL call. Binding brings back what the object keeps; the rest is the unit's.",
+            color::dim);
+}
+
+/// What glTexImage2D and glTexParameter give to the object that is bound.
+void drawParameters(const Session& session, const TextureObjectsState& state, Wanted& wanted) {
+    const float em = ImGui::GetFontSize();
+    const TextureObject& object = state.names.objectOf(state.names.active);
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const auto group = [&](const char* words, float width) {
+        const float needed = ImGui::CalcTextSize(tr(words)).x + width + em * 1.5F;
+        ImGui::SameLine(0, em * 0.8F);
+        if (ImGui::GetCursorPosX() + needed > right + em)
+            ImGui::NewLine();
+        ImGui::AlignTextToFramePadding();
+        dimText(words);
+        ImGui::SameLine();
+    };
+    ImGui::AlignTextToFramePadding();
+    text(fmt::format("To object {}:", state.names.activeUnit().bound));
+    group("glTexImage2D", 3 * ImGui::GetFrameHeight());
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine(0, 3);
+        const float side = ImGui::GetFrameHeight();
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const objects::GiveImage call{static_cast<int>(i)};
+        if (ImGui::InvisibleButton(fmt::format("image {}", i).c_str(), {side, side}))
+            wanted(call);
+        noteItem(fmt::format("objects:image {}", i));
+        callTip(call);
+        const float inset = ImGui::IsItemHovered() ? 0 : 2;
+        drawBoard(*ImGui::GetWindowDrawList(), {low.x + inset, low.y + inset}, side - 2 * inset,
+                  boards.at(i));
+    }
+    constexpr std::array magnify{MagFilter::Nearest, MagFilter::Linear};
+    constexpr std::array minify{MinFilter::Nearest, MinFilter::Linear, MinFilter::NearestMipmapLinear};
+    constexpr std::array wraps{Wrap::Repeat, Wrap::Clamp};
+    group("Mag filter", em * 7.5F);
+    enumCalls<MagFilter>(session, "mag", magnify, object.state.magFilter, em * 7.5F, wanted,
+                         [](MagFilter filter) { return objects::setParameter(filter); });
+    group("Min filter", em * 13.5F);
+    enumCalls<MinFilter>(session, "min", minify, object.state.minFilter, em * 13.5F, wanted,
+                         [](MinFilter filter) { return objects::setParameter(filter); });
+    group("Wrap s", em * 7.5F);
+    enumCalls<Wrap>(session, "wrap", wraps, object.state.wrapS, em * 7.5F, wanted,
+                    [](Wrap wrap) { return objects::setWrapS(wrap); });
+}
+
+} // namespace
+
+void drawTextureObjects(Session& session, TextureObjectsState& state, const Pictures& /*pictures*/) {
+    const float em = ImGui::GetFontSize();
+    Wanted wanted;
+    drawProgram(state, wanted);
+    drawParameters(session, state, wanted);
+    ImGui::Dummy({0, em * 0.1F});
+    Ends ends;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x > em * 52;
+    const ImVec2 top = ImGui::GetCursorPos();
+    const float units = beside ? em * 19 : std::min(room.x, em * 26);
+    for (std::size_t i = 0; i < objects::unitCount; ++i)
+        drawUnitCard(session, state, i, units, wanted, ends);
+    const float log = beside ? std::max(em * 15, room.x * 0.24F) : room.x;
+    const float gap = em * 2.5F;
+    if (beside)
+        ImGui::SetCursorPos({top.x + units + gap, top.y});
+    const float middle = beside ? room.x - units - log - gap - em : room.x;
+    ImGui::BeginGroup();
+    drawObjects(session, state, middle, wanted, ends);
+    ImGui::EndGroup();
+    if (beside)
+        ImGui::SetCursorPos({top.x + room.x - log, top.y});
+    drawLog(state, {log, beside ? std::max(room.y, em * 9) : em * 8});
+    drawBindings(state, ends);
+    if (wanted.call) {
+        state.played = 0;
+        makeCall(state, *wanted.call);
+    }
+}
 
 } // namespace texplorer::ui

@@ -1,0 +1,77 @@
+#include "app/ui/figures/board_pictures.h"
+
+#include "app/ui/figures/plot.h"
+#include "app/ui/widgets/theme.h"
+#include "core/reference/sampling/row_weights.h"
+
+#include <glm/vec4.hpp>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr int boardSide = 2; // texels
+
+/// The fragment's colour where no texture is: glColor.
+constexpr glm::vec4 fragmentColor(0.4F, 0.6F, 1, 1);
+
+glm::vec3 boardTexel(const Board& board, int i, int j) {
+    return (i + j) % 2 == 0 ? board.first : board.second;
+}
+
+/// What an object's image has at (s, t), 0 to 1: as its magnification filter and its wrap modes say.
+glm::vec4 boardColor(const objects::TextureObject& object, float s, float t) {
+    const Texture& state = object.state;
+    const bool linear = state.magFilter == MagFilter::Linear;
+    const auto across = reference::sampleRow(state.wrapS, linear, s, boardSide);
+    const auto up = reference::sampleRow(state.wrapT, linear, t, boardSide);
+    glm::vec3 sum(0);
+    for (const reference::RowTexel& row : up.taps) {
+        for (const reference::RowTexel& texel : across.taps) {
+            const auto outside = [](int index) { return index < 0 || index >= boardSide; };
+            const bool border = outside(row.index) || outside(texel.index);
+            const glm::vec3 color = border ? glm::vec3(state.borderColor)
+                                           : boardTexel(boards.at(static_cast<std::size_t>(*object.picture)),
+                                                        texel.index, row.index);
+            sum += color * (row.weight * texel.weight);
+        }
+    }
+    return {sum, 1};
+}
+
+} // namespace
+
+void drawBoard(ImDrawList& draw, ImVec2 low, float side, const Board& board) {
+    const float cell = side / boardSide;
+    for (int j = 0; j < boardSide; ++j) {
+        for (int i = 0; i < boardSide; ++i) {
+            const ImVec2 at(low.x + cell * static_cast<float>(i),
+                            low.y + cell * static_cast<float>(boardSide - 1 - j));
+            draw.AddRectFilled(at, {at.x + cell, at.y + cell}, plotColor(boardTexel(board, i, j)));
+        }
+    }
+    draw.AddRect(low, {low.x + side, low.y + side}, color::outline);
+}
+
+/// A square as it is drawn through the units up to this one, coordinates 0 to 1.
+void drawFragments(ImDrawList& draw, ImVec2 low, float side, const objects::TextureNames& names,
+                   std::size_t last) {
+    constexpr int cells = 12;
+    const float cell = side / cells;
+    for (int j = 0; j < cells; ++j) {
+        for (int i = 0; i < cells; ++i) {
+            const float s = (static_cast<float>(i) + 0.5F) / cells;
+            const float t = (static_cast<float>(j) + 0.5F) / cells;
+            glm::vec4 color = fragmentColor;
+            for (std::size_t unit = 0; unit <= last; ++unit) {
+                if (sampledBy(names, unit) == objects::Sampled::Textured)
+                    color = colorAfter(names, unit, color, boardColor(names.objectOf(unit), s, t));
+            }
+            const ImVec2 at(low.x + cell * static_cast<float>(i),
+                            low.y + cell * static_cast<float>(cells - 1 - j));
+            draw.AddRectFilled(at, {at.x + cell + 0.5F, at.y + cell + 0.5F}, plotColor(glm::vec3(color)));
+        }
+    }
+    draw.AddRect(low, {low.x + side, low.y + side}, color::outline);
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/objects/texture_names.h"
+#include "core/scene/params/params.h"
+
+#include <string>
+#include <variant>
+
+namespace texplorer::objects {
+
+// The calls. Each means GL_TEXTURE_2D of the active unit.
+
+struct GenTexture {
+    bool operator==(const GenTexture&) const = default;
+};
+struct BindTexture {
+    Name name = 0;
+    bool operator==(const BindTexture&) const = default;
+};
+struct DeleteTexture {
+    Name name = 0;
+    bool operator==(const DeleteTexture&) const = default;
+};
+struct IsTexture {
+    Name name = 0;
+    bool operator==(const IsTexture&) const = default;
+};
+struct ActiveTexture {
+    std::size_t unit = 0;
+    bool operator==(const ActiveTexture&) const = default;
+};
+struct EnableTexture {
+    bool on = true;
+    bool operator==(const EnableTexture&) const = default;
+};
+struct SetEnvMode {
+    EnvMode mode = EnvMode::Modulate;
+    bool operator==(const SetEnvMode&) const = default;
+};
+/// glTexParameter: a row of textureTable with its value.
+struct SetParameter {
+    const ParamRow* row = nullptr;
+    Value value;
+    bool operator==(const SetParameter&) const = default;
+};
+/// glTexImage2D, of level 0.
+struct GiveImage {
+    int picture = 0;
+    bool operator==(const GiveImage&) const = default;
+};
+
+using Call = std::variant<GenTexture, BindTexture, DeleteTexture, IsTexture, ActiveTexture, EnableTexture,
+                          SetEnvMode, SetParameter, GiveImage>;
+
+[[nodiscard]] SetParameter setParameter(MinFilter filter);
+[[nodiscard]] SetParameter setParameter(MagFilter filter);
+[[nodiscard]] SetParameter setWrapS(Wrap wrap);
+[[nodiscard]] SetParameter setWrapT(Wrap wrap);
+
+/// What a call gives back.
+struct Answer {
+    std::optional<Name> name;      ///< glGenTextures'
+    std::optional<bool> isTexture; ///< glIsTexture's
+
+    bool operator==(const Answer&) const = default;
+};
+
+/// What GL does. What it would refuse can't be said here, but for what it passes over: deleting 0, or what
+/// isn't there. A name that glGenTextures never gave is bound all the same, as OpenGL 2.1 lets one.
+Answer apply(TextureNames& names, const Call& call);
+
+/// As C has it: "glBindTexture(GL_TEXTURE_2D, 1);", with what it gave back behind it: "// 1".
+[[nodiscard]] std::string codeOf(const Call& call, const Answer& answer = {});
+
+} // namespace texplorer::objects
