@@ -1,7 +1,358 @@
 #include "app/ui/figures/emboss_theory.h"
 
-namespace texplorer::ui {
+#include "app/ui/figures/plot.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_place.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
+#include "core/image/patterns/pattern.h"
+#include "core/reference/shading/lighting.h"
+#include "core/scene/params/keys.h"
 
-void drawEmbossTheory(Session& /*session*/, EmbossTheoryState& /*state*/, const Pictures& /*pictures*/) {}
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr float steepest = 85; // degrees: the light stays above the surface
+constexpr Range angleRange{-steepest, steepest, 1, "deg"};
+constexpr Range placeRange{0, 1, 0.002F, {}};
+constexpr int brickRow = 48; // through the middle of a course
+
+const HeightProfile& profileOf(EmbossTheoryState& state) {
+    if (!state.profile || state.drawn != state.line) {
+        state.profile = state.line == EmbossTheoryState::Line::Sketch
+                            ? sketchedProfile()
+                            : texplorer::profileOf(drawPattern(Pattern::BrickHeight),
+                                                   drawPattern(Pattern::Brick), brickRow);
+        state.drawn = state.line;
+    }
+    return *state.profile;
+}
+
+/// Of the first unit of the scene that embosses.
+std::optional<ParamPlace> embossDepth(Session& session) {
+    Scene& scene = session.document.scene;
+    for (std::size_t pass = 0; pass < scene.passes.size(); ++pass) {
+        for (std::size_t unit = 0; unit < maxUnits; ++unit) {
+            const Unit& each = scene.passes[pass].units.at(unit);
+            if (scene.passes[pass].enabled && each.enabled && each.emboss.enabled)
+                return placeOf(scene, fmt::format("{}.{}.{}", elementOf<&Scene::passes>(pass),
+                                                  elementOf<&Pass::units>(unit),
+                                                  pathOf<&Unit::emboss, &Emboss::depth>()));
+        }
+    }
+    return std::nullopt;
+}
+
+/// How bright a white surface is that faces the viewer: with the scene's light and material.
+float brightnessOf(const Scene& scene, float angle) {
+    Light light = scene.light;
+    light.position = {std::sin(angle), 0, std::cos(angle), 0};
+    light.specular = glm::vec4(0);
+    const reference::Reflectance surface(scene.material, scene.material.color);
+    const reference::LightingTerms terms =
+        reference::lightingTerms(light, surface, glm::vec3(0, 0, -1), glm::vec3(0, 0, 1));
+    return reference::litColors(terms, surface, ColorControl::Single).primary.r;
+}
+
+/// What the drawing is of.
+struct EmbossFigure {
+    const HeightProfile& profile;
+    float light; ///< radians
+    float depth;
+    float brightness;
+
+    [[nodiscard]] EmbossedPoint at(float s) const { return embossAt(profile, s, light, depth, brightness); }
+};
+
+constexpr int embossColumns = 240;
+
+float columnS(int column) {
+    return (static_cast<float>(column) + 0.5F) / embossColumns;
+}
+
+/// A curve of a number of each place.
+template<class Number>
+void drawEmbossCurve(ImDrawList& draw, const PlotBox& box, ImU32 ink, float width, const Number& number) {
+    std::vector<ImVec2> points;
+    points.reserve(embossColumns);
+    for (int i = 0; i < embossColumns; ++i)
+        points.push_back(box.at(columnS(i), number(columnS(i))));
+    draw.AddPolyline(points.data(), static_cast<int>(points.size()), ink, 0, width);
+}
+
+/// Where the sun stands: on an arc around the middle of the ground.
+ImVec2 sunAt(const PlotBox& box, float light) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 foot = box.at(0.5F, 0);
+    const float across = box.width() / 2 - em;
+    const float up = box.height() - em;
+    return {foot.x + std::sin(light) * across, foot.y - std::cos(light) * up};
+}
+
+/// The heights, the moved ones, the place and the light. One drags the place, and the sun.
+void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const PlotBox& box) {
+    const float em = ImGui::GetFontSize();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    ImVec2 sun = sunAt(box, figure.light);
+    ImGui::SetCursorScreenPos({sun.x - em, sun.y - em});
+    ImGui::InvisibleButton("sun", {2 * em, 2 * em});
+    noteItem("emboss:sun");
+    helpTip("The light, far away: drag it.");
+    const bool holdsSun = ImGui::IsItemActive();
+    const bool overSun = holdsSun || ImGui::IsItemHovered();
+    if (holdsSun) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const ImVec2 foot = box.at(0.5F, 0);
+        const float across = (mouse.x - foot.x) / (box.width() / 2 - em);
+        const float up = std::max(0.0F, foot.y - mouse.y) / (box.height() - em);
+        state.angle = std::clamp(glm::degrees(std::atan2(across, up)), -steepest, steepest);
+    }
+    ImGui::SetCursorScreenPos(box.low);
+    ImGui::InvisibleButton("heights", {box.width(), box.height()});
+    noteItem("emboss:heights");
+    if (ImGui::IsItemActive())
+        state.s = std::clamp(box.xOf(ImGui::GetIO().MousePos.x), 0.0F, 1.0F);
+    helpTip(
+        "The height H across the surface, and dashed the same moved towards the light. Drag to read a place.");
+
+    draw.AddRectFilled(box.low, box.high, color::ground);
+    draw.PushClipRect(box.low, box.high, true);
+    for (int i = 0; i + 1 < embossColumns; ++i) {
+        const ImVec2 a = box.at(columnS(i), figure.profile.heightAt(columnS(i)));
+        const ImVec2 b = box.at(columnS(i + 1), figure.profile.heightAt(columnS(i + 1)));
+        draw.AddQuadFilled(a, b, {b.x, box.high.y}, {a.x, box.high.y}, color::lit);
+    }
+    for (int i = 0; i + 1 < embossColumns; i += 6) { // dashes
+        std::array<ImVec2, 4> dash{};
+        for (int k = 0; k < 4; ++k) {
+            const float s = columnS(std::min(i + k, embossColumns - 1));
+            dash.at(static_cast<std::size_t>(k)) = box.at(s, figure.at(s).h1);
+        }
+        draw.AddPolyline(dash.data(), 4, color::accent, 0, plotLine() * 1.5F);
+    }
+    drawEmbossCurve(draw, box, color::text, plotLine() * 1.5F,
+                    [&](float s) { return figure.profile.heightAt(s); });
+    const EmbossedPoint point = figure.at(state.s);
+    const ImVec2 here = box.at(state.s, point.h0);
+    const ImVec2 there = box.at(state.s + point.offset, point.h1);
+    draw.AddLine({here.x, box.low.y}, {here.x, box.high.y}, color::probed, plotLine());
+    // Towards the light, as far away as it is.
+    sun = sunAt(box, figure.light);
+    const ImVec2 way(std::sin(figure.light), -std::cos(figure.light));
+    const float reach = em * 3.2F;
+    const ImVec2 tip(here.x + way.x * reach, here.y + way.y * reach);
+    draw.AddLine(here, tip, color::chosen, plotLine() * 1.5F);
+    draw.AddTriangleFilled({tip.x + way.x * em * 0.4F, tip.y + way.y * em * 0.4F},
+                           {tip.x - way.y * em * 0.2F, tip.y + way.x * em * 0.2F},
+                           {tip.x + way.y * em * 0.2F, tip.y - way.x * em * 0.2F}, color::chosen);
+    const float dot = em * 0.24F;
+    draw.AddCircleFilled(there, dot, color::accent);
+    draw.AddCircleFilled(here, dot, color::probed);
+    draw.AddCircleFilled(sun, em * (overSun ? 0.62F : 0.5F), color::chosen);
+    for (int i = 0; i < 8; ++i) {
+        const float turn = static_cast<float>(i) * glm::radians(45.0F);
+        const ImVec2 ray(std::cos(turn), std::sin(turn));
+        draw.AddLine({sun.x + ray.x * em * 0.65F, sun.y + ray.y * em * 0.65F},
+                     {sun.x + ray.x * em * 0.95F, sun.y + ray.y * em * 0.95F}, color::chosen, plotLine());
+    }
+    draw.PopClipRect();
+    draw.AddRect(box.low, box.high, color::outline);
+}
+
+/// The grey of the first pass, as a curve.
+void drawGrey(const EmbossTheoryState& state, const EmbossFigure& figure, const PlotBox& box) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(box.low, box.high, color::ground);
+    draw.AddLine(box.at(0, 0.5F), box.at(1, 0.5F), color::faint, plotLine());
+    drawEmbossCurve(draw, box, color::changed, plotLine() * 1.5F, [&](float s) { return figure.at(s).grey; });
+    draw.AddLine(box.at(state.s, 0), box.at(state.s, 1), color::probed, plotLine());
+    draw.AddCircleFilled(box.at(state.s, figure.at(state.s).grey), ImGui::GetFontSize() * 0.2F,
+                         color::probed);
+    draw.AddRect(box.low, box.high, color::outline);
+}
+
+/// Colours of the places side by side.
+template<class Color>
+void drawEmbossStrip(const EmbossTheoryState& state, const PlotBox& box, const Color& colorOf) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (int i = 0; i < embossColumns; ++i) {
+        const float from = static_cast<float>(i) / embossColumns;
+        const float to = static_cast<float>(i + 1) / embossColumns;
+        draw.AddRectFilled(box.at(from, 1), box.at(to, 0), plotColor(colorOf(columnS(i))));
+    }
+    const float x = box.atX(state.s);
+    draw.AddLine({x, box.low.y}, {x, box.high.y}, color::shade, plotLine() * 3);
+    draw.AddLine({x, box.low.y}, {x, box.high.y}, color::probed, plotLine());
+    draw.AddRect(box.low, box.high, color::outline);
+}
+
+void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, ImVec2 size) {
+    const float em = ImGui::GetFontSize();
+    const std::array names{std::string(tr("Heights")), std::string(tr("Relief")), std::string(tr("Grey")),
+                           std::string(tr("Lit"))};
+    float column = 0;
+    for (const std::string& name : names)
+        column = std::max(column, plotTextSize(name).x);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float left = origin.x + std::ceil(column + em * 0.5F);
+    const float right = origin.x + size.x;
+    const float strip = em * 1.1F;
+    const float gap = em * 0.25F;
+    const float scale = em * 1.1F;
+    const float curves = std::max(size.y - 2 * strip - 3 * gap - scale, em * 5);
+    float y = origin.y;
+    const auto next = [&](float height, float most) {
+        const PlotBox box{{left, y}, {right, y + height}, 0, 1, 0, most};
+        y += height + gap;
+        return box;
+    };
+    const PlotBox heights = next(curves * 0.68F, 1.5F);
+    const PlotBox grey = next(curves * 0.32F, 1);
+    const PlotBox greys = next(strip, 1);
+    const PlotBox lit = next(strip, 1);
+    drawHeights(state, figure, heights);
+    drawGrey(state, figure, grey);
+    drawEmbossStrip(state, greys, [&](float s) { return glm::vec3(figure.at(s).grey); });
+    drawEmbossStrip(state, lit, [&](float s) { return figure.at(s).color; });
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const std::array boxes{&heights, &grey, &greys, &lit};
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        plotText(draw, {origin.x, (boxes.at(i)->low.y + boxes.at(i)->high.y) / 2}, {0, 0.5F}, names.at(i),
+                 color::dim);
+    plotText(draw, {left, lit.high.y + 1}, {0, 0}, "0", color::dim);
+    plotText(draw, {(left + right) / 2, lit.high.y + 1}, {0.5F, 0}, "s", color::s);
+    plotText(draw, {right, lit.high.y + 1}, {1, 0}, "1", color::dim);
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy({size.x, y + scale - origin.y});
+}
+
+/// A line of the calculation, in the fixed-width font.
+void embossLine(const std::string& words, ImU32 ink, std::string_view name) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    noteItem(name);
+}
+
+void numberLine(const char* name, ImU32 ink) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, ImGui::GetFontSize() * 0.4F);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5.2F);
+}
+
+/// What one chooses: the line, the light, how far the second map is moved, the place.
+void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional<ParamPlace>& depth) {
+    const float em = ImGui::GetFontSize();
+    const std::array lines{Segment{"Bump and block"}, Segment{"Bricks"}};
+    if (const auto plan = planSegments(lines, std::min(em * 15, ImGui::GetContentRegionAvail().x), 2)) {
+        const auto pressed =
+            drawSegments(lines, *plan, static_cast<std::size_t>(state.line), [](std::size_t i) {
+                noteItem(i == 0 ? "emboss:sketch" : "emboss:bricks");
+                helpTip("What the line is drawn across: a sketch, or the program's bricks.");
+            });
+        if (pressed)
+            state.line = static_cast<EmbossTheoryState::Line>(*pressed);
+    }
+    numberLine("s", color::s);
+    dragNumber("##place", state.s, placeRange, 0);
+    noteItem("emboss:s");
+    ImGui::SameLine(0, em);
+    numberLine(tr("Light"), color::chosen);
+    dragNumber("##light", state.angle, angleRange, -1);
+    noteItem("emboss:light");
+    helpTip("The light's angle from the normal, towards growing s.");
+    ImGui::SameLine(0, em);
+    if (ImGui::GetContentRegionAvail().x < em * 12)
+        ImGui::NewLine();
+    numberLine("MAX_EMBOSS", color::text);
+    float shift = depth ? numberAt(*depth, 0) : state.depth;
+    const Range range = depth ? rangeOf(*depth) : Range{0, 0.2F, 0.001F, {}};
+    if (dragNumber("##depth", shift, range, -1)) {
+        if (depth)
+            assignNumber(session, *depth, 0, shift);
+        else
+            state.depth = shift;
+    }
+    noteItem("emboss:depth");
+    sealAfterItem(session);
+    helpTip(
+        depth
+            ? "How far the second map is moved at most: the scene's own depth of embossing."
+            : "How far the second map is moved at most. No unit of the scene embosses: it is the figure's alone.");
+}
+
+void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figure) {
+    const EmbossedPoint point = figure.at(state.s);
+    const float em = ImGui::GetFontSize();
+    embossLine(fmt::format("ds = S·l × MAX_EMBOSS = {:.2f} × {:.3f} = {:.4f}", std::sin(figure.light),
+                           figure.depth, point.offset),
+               color::text, fmt::format("emboss:ds {:.4f}", point.offset));
+    embossLine(fmt::format("H0 = H(s) = {:.2f}", point.h0), color::probed,
+               fmt::format("emboss:h0 {:.2f}", point.h0));
+    ImGui::SameLine(0, em);
+    embossLine(fmt::format("H1 = H(s + ds) = {:.2f}", point.h1), color::accent,
+               fmt::format("emboss:h1 {:.2f}", point.h1));
+    embossLine(fmt::format("grey = 0.5 + (H0 - H1) / 2 = {:.2f}", point.grey), color::changed,
+               fmt::format("emboss:grey {:.2f}", point.grey));
+    embossLine(fmt::format("(1 + H0 - H1) × light × texel = {:.2f} × {:.2f} × texel", 2 * point.grey,
+                           figure.brightness),
+               color::text, "emboss:color");
+    ImGui::SameLine(0, em * 0.4F);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({em * 1.6F, em});
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + em * 1.6F, low.y + em}, plotColor(point.color));
+    ImGui::GetWindowDrawList()->AddRect(low, {low.x + em * 1.6F, low.y + em}, color::outline);
+    const char* seen =
+        point.grey < 0.497F   ? "Here it climbs towards the light: H1 is larger, and it gets darker."
+        : point.grey > 0.503F ? "Here it falls towards the light: H0 is larger, and it gets brighter."
+                              : "Here it is flat: the heights cancel out, and 0.5 is left.";
+    wrappedText(seen);
+    dimWrappedText(
+        "The lesson's theory calls the slope m = H1 - H0, but its formula, Fd + (H0 - H1), has the other "
+        "sign. The program draws the formula.");
+}
+
+} // namespace
+
+void drawEmbossTheory(Session& session, EmbossTheoryState& state, const Pictures& /*pictures*/) {
+    const float em = ImGui::GetFontSize();
+    fittedText("Drag the sun, a place on the surface, and MAX_EMBOSS: slopes that face the light get bright.",
+               color::dim);
+    std::optional<ParamPlace> depth = embossDepth(session);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x > em * 44;
+    const float right = beside ? std::max(em * 27, room.x * 0.38F) : room.x;
+    const float gap = em;
+    const ImVec2 top = ImGui::GetCursorPos();
+    const float light = glm::radians(state.angle);
+    const EmbossFigure figure{profileOf(state), light, depth ? numberAt(*depth, 0) : state.depth,
+                              brightnessOf(session.document.scene, light)};
+    const ImVec2 size(beside ? room.x - right - gap : room.x,
+                      beside ? std::max(room.y - ImGui::GetStyle().ItemSpacing.y, em * 10) : em * 12);
+    drawEmbossDrawings(state, figure, size);
+    if (beside)
+        ImGui::SetCursorPos({top.x + size.x + gap, top.y});
+    ImGui::BeginGroup();
+    drawEmbossChoices(session, state, depth);
+    drawEmbossNumbers(state, figure);
+    ImGui::EndGroup();
+}
 
 } // namespace texplorer::ui
