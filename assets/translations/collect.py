@@ -145,6 +145,9 @@ def texts_of_lesson(lesson):
             yield step["predict"]["question"]
             yield from (answer["text"] for answer in step["predict"]["answers"])
             yield step["predict"]["reason"]
+    for key in lesson.get("keys", []):
+        yield key["label"]
+        yield from (choice["label"] for choice in key.get("cycle", []))
 
 
 def lessons():

@@ -20,6 +20,8 @@ inline constexpr std::size_t maxSteps = 100;
 inline constexpr std::size_t maxEdits = 200; ///< of a list
 inline constexpr std::size_t fewestAnswers = 2;
 inline constexpr std::size_t mostAnswers = 4;
+inline constexpr std::size_t maxKeys = 24;
+inline constexpr std::size_t maxChoices = 8; ///< that a key goes through
 
 /// What changes a scene: "textures[0].wrapS=GL_CLAMP", or a preset, "preset:alpha-test".
 struct Edit {
@@ -93,19 +95,62 @@ struct Step {
     bool operator==(const Step&) const = default;
 };
 
+/// One of what a key goes through.
+struct KeyChoice {
+    std::string label;
+    std::vector<Edit> edits; ///< at least one
+
+    bool operator==(const KeyChoice&) const = default;
+};
+
+/// Each press goes on to the next choice. Where the choices of several keys change the same parameters, they
+/// are all made, in the order of the keys: a later key has the last word.
+struct Cycle {
+    std::vector<KeyChoice> choices; ///< at least one
+
+    bool operator==(const Cycle&) const = default;
+};
+
+/// Adds to a number: once when it is pressed, and 60 times a second while it is held, as programs do that
+/// look at their keys in every frame.
+struct Addition {
+    std::string path;
+    int component = 0; ///< of a vector: 0 to 3
+    float amount = 0;
+
+    bool operator==(const Addition&) const = default;
+};
+
+/// What a key does while the lesson is open, in the place of the window's own shortcut. In a step whose scene
+/// hasn't the parameters it does nothing.
+struct LessonKey {
+    std::string key;   ///< one of keyNames, or a letter or digit
+    std::string label; ///< "Filter"
+    std::variant<Cycle, Addition> effect;
+
+    bool operator==(const LessonKey&) const = default;
+};
+
+/// What LessonKey::key may say, beside A to Z and 0 to 9.
+inline constexpr std::array<std::string_view, 11> keyNames{
+    "Up", "Down", "Left", "Right", "Page Up", "Page Down", "Home", "End", "Insert", "Delete", "Space"};
+
+[[nodiscard]] bool isKeyName(std::string_view name);
+
 struct Lesson {
     std::string title;
     std::string source;      ///< what it is about: a book's chapter
     std::string about;       ///< a sentence or two
     std::vector<Step> steps; ///< at least one
+    std::vector<LessonKey> keys{};
 
     bool operator==(const Lesson&) const = default;
 };
 
 /// Reads a lesson.json. Malformed, Unsupported, OutOfRange or TooLarge, with the JSON pointer in
 /// Error::where: no JSON, unknown keys, missing or empty texts, a question without two to four answers, more
-/// than one task, edits that are neither PATH=VALUE nor preset:NAME. Whether they can be made, checkLesson
-/// says.
+/// than one task, edits that are neither PATH=VALUE nor preset:NAME, keys that there aren't or that are there
+/// twice. Whether edits can be made, checkLesson says.
 [[nodiscard]] Result<Lesson> parseLesson(std::string_view json);
 
 /// Every text that a reader sees, in order, for a catalogue.

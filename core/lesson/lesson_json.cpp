@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 namespace texplorer::lesson {
@@ -44,6 +46,8 @@ public:
         const auto found = json_.is_object() ? json_.find(key) : json_.end();
         return found == json_.end() ? nullptr : &*found;
     }
+
+    [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
 
     void text(const char* key, std::string& target, bool isNeeded) {
         const Json* value = find(key);
@@ -94,6 +98,13 @@ private:
     std::optional<Error>& problem_;
     std::vector<std::string> taken_;
 };
+
+std::string keyNameList() {
+    std::string names;
+    for (const std::string_view name : keyNames)
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+    return names;
+}
 
 void readEdits(Members& members, std::vector<Edit>& edits, std::size_t fewest) {
     members.list("edits", fewest, maxEdits, [&](const Json& json, const std::string& where) {
@@ -185,6 +196,52 @@ void readStep(const Json& json, const std::string& where, std::optional<Error>& 
     readTask(members, step);
 }
 
+void readCycle(Members& members, Cycle& cycle) {
+    members.list("cycle", 1, maxChoices, [&](const Json& each, const std::string& place) {
+        Members choice(each, place, members.problem());
+        choice.text("label", cycle.choices.emplace_back().label, true);
+        readEdits(choice, cycle.choices.back().edits, 1);
+    });
+}
+
+void readAddition(Members& members, Addition& addition) {
+    constexpr std::string_view components = "xyzw";
+    members.text("path", addition.path, true);
+    std::string component = "x";
+    members.text("component", component, false);
+    const std::size_t at = components.find(component);
+    if (component.size() != 1 || at == std::string_view::npos)
+        members.refuse("component", "one of x, y, z, w");
+    else
+        addition.component = static_cast<int>(at);
+    const Json* add = members.find("add");
+    const float amount = add && add->is_number() ? add->get<float>() : 0;
+    if (amount == 0 || !std::isfinite(amount))
+        members.refuse("add", "a number other than 0");
+    addition.amount = amount;
+}
+
+void readKey(const Json& json, const std::string& where, std::optional<Error>& problem,
+             std::vector<LessonKey>& keys) {
+    Members members(json, where, problem);
+    LessonKey key;
+    members.text("key", key.key, true);
+    if (!isKeyName(key.key))
+        members.refuse("key", "A to Z, 0 to 9 or one of " + keyNameList());
+    if (std::ranges::find(keys, key.key, &LessonKey::key) != keys.end())
+        members.say(ErrorCode::Malformed, "key",
+                    fmt::format("expected each key once, found {} again", key.key));
+    members.text("label", key.label, true);
+    const bool isCycle = members.has("cycle");
+    if (isCycle == members.has("path"))
+        members.say(ErrorCode::Malformed, "", "expected either cycle, or path and add");
+    if (members.has("path"))
+        readAddition(members, key.effect.emplace<Addition>());
+    else
+        readCycle(members, key.effect.emplace<Cycle>());
+    keys.push_back(std::move(key));
+}
+
 /// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'",
 /// which may be long, and not even UTF-8.
 std::string mistakeOf(const Json::exception& error) {
@@ -248,6 +305,9 @@ Result<Lesson> parseLesson(std::string_view text) {
         members.list("steps", 1, maxSteps, [&](const Json& each, const std::string& where) {
             readStep(each, where, problem, lesson.steps.emplace_back());
         });
+        members.list("keys", 0, maxKeys, [&](const Json& each, const std::string& where) {
+            readKey(each, where, problem, lesson.keys);
+        });
         if (!lesson.steps.empty() && lesson.steps.front().scene.empty())
             members.say(ErrorCode::Malformed, "steps/0/scene",
                         "expected the scene that the lesson begins with");
@@ -272,7 +332,18 @@ std::vector<std::string> textsOf(const Lesson& lesson) {
             texts.push_back(predict->reason);
         }
     }
+    for (const LessonKey& key : lesson.keys) {
+        texts.push_back(key.label);
+        if (const auto* cycle = std::get_if<Cycle>(&key.effect))
+            std::ranges::transform(cycle->choices, std::back_inserter(texts), &KeyChoice::label);
+    }
     return texts;
+}
+
+bool isKeyName(std::string_view name) {
+    const bool isLetter =
+        name.size() == 1 && ((name[0] >= 'A' && name[0] <= 'Z') || (name[0] >= '0' && name[0] <= '9'));
+    return isLetter || std::ranges::find(keyNames, name) != keyNames.end();
 }
 
 } // namespace texplorer::lesson

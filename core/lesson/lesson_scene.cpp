@@ -3,6 +3,7 @@
 #include "core/base/file_io.h"
 #include "core/codec/registry.h"
 #include "core/example/example.h"
+#include "core/lesson/lesson_keys.h"
 #include "core/lesson/match.h"
 #include "core/lesson/reason.h"
 #include "core/preset/preset.h"
@@ -201,6 +202,19 @@ void checkTask(const Match& match, const LessonScene& start, const std::string& 
         problems.push_back({ErrorCode::Malformed, "its picture is that of the step's own scene", where});
 }
 
+/// Each has to do something in one step at least.
+void checkKeys(const std::vector<LessonKey>& keys, const std::vector<Scene>& starts, Problems& problems) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        Result<void> last;
+        const bool works = std::ranges::any_of(starts, [&](const Scene& scene) {
+            last = checkKey(scene, keys[i]);
+            return last.has_value();
+        });
+        if (!works && !last)
+            problems.push_back(at(fmt::format("/keys/{}", i), last.error()));
+    }
+}
+
 void checkTask(const Try&, const LessonScene&, const std::string&, Problems&) {}
 void checkTask(const std::monostate&, const LessonScene&, const std::string&, Problems&) {}
 
@@ -241,6 +255,7 @@ Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, st
 
 Problems checkLesson(const LessonFolder& folder, const Lesson& lesson) {
     Problems problems;
+    std::vector<Scene> starts;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const Step& step = lesson.steps[i];
         const Result<LessonScene> start = startOf(folder, lesson, i);
@@ -251,7 +266,9 @@ Problems checkLesson(const LessonFolder& folder, const Lesson& lesson) {
         const std::string place = placeOf(i);
         checkLook(step.look, start->scene, place + "/look", problems);
         std::visit([&](const auto& task) { checkTask(task, *start, place, problems); }, step.task);
+        starts.push_back(start->scene);
     }
+    checkKeys(lesson.keys, starts, problems);
     return problems;
 }
 

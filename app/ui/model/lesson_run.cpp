@@ -95,8 +95,27 @@ void showScene(Session& session, const lesson::LessonScene& scene) {
     session.window.playback.time = 0;
 }
 
+/// Which of the lesson's keys do something in its step.
+void readyKeys(LessonRun& run) {
+    const std::vector<lesson::LessonKey>& keys = run.lesson.keys;
+    run.usable.clear();
+    for (const lesson::LessonKey& key : keys)
+        run.usable.push_back(checkKey(run.start.scene, key).has_value());
+    run.chosen.clear();
+    run.keyed.reset();
+}
+
+/// What the keys have led to, whoever has changed it: undo, or a panel.
+void followKeys(Session& session, LessonRun& run) {
+    if (run.lesson.keys.empty() || run.keyed == session.document.scene)
+        return;
+    run.chosen = choicesOf(session.document.scene, run.lesson.keys, run.chosen);
+    run.keyed = session.document.scene;
+}
+
 void begin(Session& session) {
     LessonRun& run = *session.window.lesson;
+    readyKeys(run);
     run.answer.reset();
     run.reason.clear();
     run.pictures.reset();
@@ -266,6 +285,7 @@ void followLesson(Session& session) {
     translateTexts(*run);
     if (run->hasChanged && session.window.dialog == Dialog::None)
         reloadLesson(session);
+    followKeys(session, *run);
     LessonWork& work = session.services.lessons;
     if (auto pictures = work.takePictures())
         run->pictures = std::move(pictures);
@@ -309,6 +329,8 @@ void reloadLesson(Session& session) {
     run.start = *std::move(start);
     if (!goesOn)
         begin(session);
+    else
+        readyKeys(run);
 }
 
 bool isStepDone(const Session& session, const std::string& lesson, std::size_t step) {

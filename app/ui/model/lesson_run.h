@@ -2,6 +2,7 @@
 
 #include "app/ui/language/lesson_catalogue.h"
 #include "app/ui/model/lesson_work.h"
+#include "core/lesson/lesson_keys.h"
 #include "core/lesson/lesson_scene.h"
 
 #include <filesystem>
@@ -40,6 +41,11 @@ struct LessonRun {
     std::vector<std::filesystem::path> files;   ///< that it is written in; none: it is the program's own
     bool hasChanged = false;                    ///< one of them has, and was not read again yet
     std::string problem;                        ///< why not, as the user was told; empty: nothing is wrong
+    lesson::ChosenChoices chosen;               ///< which choice of each of its keys the scene has
+    std::vector<bool> usable;                   ///< which of its keys do something in this step
+    std::optional<Scene> keyed;                 ///< the scene that `chosen` is about
+    std::optional<std::size_t> heldKey;         ///< the last one of them that is down
+    bool holdsKey = false;                      ///< one of them is held that goes on meanwhile
 
     /// A text of the lesson in the window's language.
     [[nodiscard]] std::string text(const std::string& english) const;

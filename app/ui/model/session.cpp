@@ -1,6 +1,7 @@
 #include "app/ui/model/session.h"
 
 #include "app/ui/model/camera.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/model/loads.h"
 #include "app/ui/model/preview.h"
 #include "core/lesson/match.h"
@@ -14,6 +15,11 @@
 
 namespace texplorer::ui {
 namespace {
+
+bool isPlaying(const Session& session) {
+    return session.window.playback.playing && session.window.playback.speed != 0 &&
+           isAnimated(shownScene(session));
+}
 
 int lastIndex(std::size_t size) {
     return std::max(0, static_cast<int>(size) - 1);
@@ -97,12 +103,11 @@ void settle(Session& session, const Layout& layout) {
 }
 
 bool isMoving(const Session& session) {
-    return session.window.playback.playing && session.window.playback.speed != 0 &&
-           isAnimated(shownScene(session));
+    return isPlaying(session) || (session.window.lesson && session.window.lesson->holdsKey);
 }
 
 void advance(Session& session, double seconds) {
-    if (isMoving(session))
+    if (isPlaying(session))
         session.window.playback.time = std::max(
             0.0, session.window.playback.time + seconds * static_cast<double>(session.window.playback.speed));
 }

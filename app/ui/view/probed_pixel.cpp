@@ -9,7 +9,8 @@ namespace texplorer::ui {
 
 void probeWithMouse(Session& session, const Panes& panes, bool hovered, bool clicked) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool held = hovered && ImGui::IsKeyDown('E') && !io.WantTextInput && !io.KeyCtrl;
+    const bool held =
+        hovered && ImGui::IsKeyDown('E') && !io.WantTextInput && !io.KeyCtrl && !session.window.keyTaken;
     if (!held && !(clicked && session.window.explaining.isOpen))
         return;
     if (const auto pixel = panes.pixelAt(io.MousePos))

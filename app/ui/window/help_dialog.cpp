@@ -1,6 +1,7 @@
 #include "app/ui/window/help_dialog.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/lesson_run.h"
 #include "app/ui/texture_space/plane_keys.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/modal.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -95,8 +97,20 @@ void addKeys(HelpRows& help) {
         help.push_back({line.keys, line.effect});
 }
 
-HelpRows helpRows() {
-    HelpRows help{{"Keys", "", color::dim}};
+/// The lesson's own, which go before the others.
+void addLessonKeys(const Session& session, HelpRows& help) {
+    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    if (!run || run->lesson.keys.empty())
+        return;
+    help.push_back({"Keys of this lesson, which go first", "", color::dim});
+    for (const lesson::LessonKey& key : run->lesson.keys)
+        help.push_back({key.key, run->text(key.label)});
+}
+
+HelpRows helpRows(const Session& session) {
+    HelpRows help;
+    addLessonKeys(session, help);
+    help.push_back({"Keys", "", color::dim});
     addKeys(help);
     help.push_back({"Mouse", "", color::dim});
     for (const Line& line : mouseLines)
@@ -210,11 +224,11 @@ struct HelpPlan {
     std::vector<std::span<const HelpRow>> columns{};
 };
 
-HelpPlan planHelp(std::size_t count, float available) {
+HelpPlan planHelp(const Session& session, std::size_t count, float available) {
     const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x * 2;
     const float bar = ImGui::GetStyle().ScrollbarSize;
     const float each = std::floor((available - gaps) / static_cast<float>(count)) - bar;
-    HelpPlan plan{helpRows(), std::clamp(each, 1.0F, ImGui::GetFontSize() * 31), 0};
+    HelpPlan plan{helpRows(session), std::clamp(each, 1.0F, ImGui::GetFontSize() * 31), 0};
     shareWidths(plan.rows, plan.width);
     plan.height = std::ceil(heightOf(plan.rows, plan.width) / static_cast<float>(count));
     plan.columns = helpColumns(plan.rows, plan.width, plan.height);
@@ -226,11 +240,11 @@ HelpPlan planHelp(std::size_t count, float available) {
 }
 
 /// In two columns where these have room; in three where that is lower.
-HelpPlan planHelp(ImVec2 available) {
-    HelpPlan two = planHelp(2, available.x);
+HelpPlan planHelp(const Session& session, ImVec2 available) {
+    HelpPlan two = planHelp(session, 2, available.x);
     if (two.height <= available.y)
         return two;
-    HelpPlan three = planHelp(3, available.x);
+    HelpPlan three = planHelp(session, 3, available.x);
     return three.height < two.height ? std::move(three) : std::move(two);
 }
 
@@ -290,7 +304,7 @@ void drawHelp(Session& session) {
     const float others = 2 * ImGui::GetFrameHeight() + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y +
                          wrappedHeight(intro, width - 3 * style.ScrollbarSize);
     const float room = std::max(ImGui::GetFontSize() * 6, std::floor(display.y * 0.94F - others));
-    const HelpPlan plan = planHelp({width, room});
+    const HelpPlan plan = planHelp(session, {width, room});
     const auto count = static_cast<float>(plan.columns.size());
     helpText(intro, color::text, count * plan.width + (count - 1) * 2 * style.ItemSpacing.x);
     drawHelpColumns(plan, room);

@@ -13,6 +13,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/comfort.h"
+#include "app/ui/window/lesson_keys.h"
 #include "app/ui/window/menu_bar.h"
 #include "app/ui/window/notes.h"
 #include "app/ui/window/pixel_keys.h"
@@ -116,6 +117,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     const bool popup = isPopupOpen() || (states.hadPopup && !states.keyboard.walks);
     if (!popup)
         moveKeyboardFocus(session, states.keyboard);
+    takeLessonKeys(session, popup);
     turnHover(session.window);
     const bool helpsBelow = session.window.settings.helpBelow && session.window.dialog == Dialog::None;
     beginHints(helpsBelow ? hintRoom(layout) : 0);

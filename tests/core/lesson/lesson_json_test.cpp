@@ -132,6 +132,66 @@ TEST(LessonJson, IsRefusedByPlace) {
     EXPECT_TRUE(parseLesson(predictWith(twoAnswers, "1")));
 }
 
+std::string withKeys(const std::string& keys) {
+    return R"({"lesson": 1, "title": "L", "about": "A", "steps": [{"title": "S", "text": "T", "scene": "cube"}], "keys": [)" +
+           keys + "]}";
+}
+
+TEST(LessonJson, HasKeys) {
+    const Result<Lesson> read = parseLesson(withKeys(R"(
+        {"key": "F", "label": "Filter", "cycle": [{"label": "one", "edits": ["a=b"]}, {"label": "two", "edits": ["a=c"]}]},
+        {"key": "Page Up", "label": "Farther", "path": "view.distance", "add": 0.02},
+        {"key": "7", "label": "Turn", "path": "models[0].spin", "component": "y", "add": -2})"));
+    ASSERT_TRUE(read) << describe(read.error());
+    const std::vector<LessonKey> expected{
+        {"F", "Filter", Cycle{{{"one", {{"a", "b"}}}, {"two", {{"a", "c"}}}}}},
+        {"Page Up", "Farther", Addition{"view.distance", 0, 0.02F}},
+        {"7", "Turn", Addition{"models[0].spin", 1, -2}},
+    };
+    EXPECT_EQ(read->keys, expected);
+    EXPECT_THAT(textsOf(*read), ElementsAre("L", "A", "S", "T", "Filter", "one", "two", "Farther", "Turn"));
+}
+
+TEST(LessonJson, RefusesKeysByPlace) {
+    const std::string cycle = R"("cycle": [{"label": "one", "edits": ["a=b"]}])";
+    const std::string good = R"({"key": "F", "label": "L", )" + cycle + "}";
+    struct Row {
+        std::string keys;
+        const char* where;
+        const char* says;
+    };
+    const std::vector<Row> rows{
+        {"3", "/keys/0", "an object"},
+        {R"({"label": "L", )" + cycle + "}", "/keys/0/key", "a text"},
+        {R"({"key": "f", "label": "L", )" + cycle + "}", "/keys/0/key", "A to Z, 0 to 9 or one of Up, Down"},
+        {R"({"key": "Escape", "label": "L", )" + cycle + "}", "/keys/0/key", "Page Up"},
+        {good + "," + good, "/keys/1/key", "found F again"},
+        {R"({"key": "F", )" + cycle + "}", "/keys/0/label", "a text"},
+        {R"({"key": "F", "label": "L"})", "/keys/0", "either cycle, or path and add"},
+        {R"({"key": "F", "label": "L", "path": "a", "add": 1, )" + cycle + "}", "/keys/0", "either cycle"},
+        {R"({"key": "F", "label": "L", "cycle": []})", "/keys/0/cycle", "a list of 1 to 8"},
+        {R"({"key": "F", "label": "L", "cycle": [{"label": "one"}]})", "/keys/0/cycle/0/edits",
+         "a list of 1"},
+        {R"({"key": "F", "label": "L", "cycle": [{"edits": ["a=b"]}]})", "/keys/0/cycle/0/label", "a text"},
+        {R"({"key": "F", "label": "L", "cycle": [{"label": "one", "edits": ["ab"]}]})",
+         "/keys/0/cycle/0/edits/0", "PATH=VALUE"},
+        {R"({"key": "F", "label": "L", "path": "a"})", "/keys/0/add", "a number other than 0"},
+        {R"({"key": "F", "label": "L", "path": "a", "add": 0})", "/keys/0/add", "a number other than 0"},
+        {R"({"key": "F", "label": "L", "path": "a", "add": 1, "component": "s"})", "/keys/0/component",
+         "one of x, y, z, w"},
+        {R"({"key": "F", "label": "L", "path": "a", "add": 1, "speed": 3})", "/keys/0/speed",
+         "expected one of"},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.keys);
+        const Result<Lesson> read = parseLesson(withKeys(row.keys));
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().code, ErrorCode::Malformed);
+        EXPECT_EQ(read.error().where, row.where);
+        EXPECT_THAT(read.error().message, HasSubstr(row.says));
+    }
+}
+
 TEST(LessonJson, SaysTheFirstOfSeveralProblems) {
     const Result<Lesson> read = parseLesson(lessonOf(R"({"title": "", "text": "", "scene": 3, "more": 1})"));
     ASSERT_FALSE(read);

@@ -95,6 +95,17 @@ TEST_F(LessonScenes, ThatAreNotThereAreRefusedByPlace) {
     EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1: edits/0"));
 }
 
+TEST_F(LessonScenes, CheckKeysWithTheStepsThatHaveThem) {
+    lesson.keys = {{"A", "a", Cycle{{{"one", {{"textures[0].wrapS", "GL_CLAMP"}}}}}},
+                   {"B", "b", Cycle{{{"one", {{"passes[1].blend", "true"}}}}}},
+                   {"C", "c", Addition{"view.distance", 0, 1}},
+                   {"D", "d", Addition{"view.distance", 1, 1}}};
+    EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/keys/1: cycle/0/edits/0")),
+                                        Field(&Error::where, HasSubstr("/keys/3: view.distance"))));
+    lesson.steps.push_back(stepOf("texbind")); // which has two passes
+    EXPECT_THAT(problems(), ElementsAre(Field(&Error::where, HasSubstr("/keys/3"))));
+}
+
 TEST_F(LessonScenes, HaveTheImagesOfTheFolder) {
     write("red.bmp", texplorer::test::onePixelBmp({'\0', '\0', '\xff'}));
     writePictured("s.json", "red.bmp");

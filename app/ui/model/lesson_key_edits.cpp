@@ -1,0 +1,51 @@
+#include "app/ui/model/lesson_key_edits.h"
+
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/model/session.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+namespace texplorer::ui {
+
+bool isUsable(const LessonRun& run, std::size_t key) {
+    return key < run.usable.size() && run.usable[key];
+}
+
+void pressLessonKey(Session& session, std::size_t key, float times) {
+    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    if (!run || !isUsable(*run, key))
+        return;
+    const lesson::LessonKey& pressed = run->lesson.keys[key];
+    const std::string words = fmt::format("Key {}", pressed.key);
+    Scene& scene = session.document.scene;
+    if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
+        // At the end of its range a number stays, and there is nothing to say about it.
+        if (addTo(scene, *addition, times, session.window.playback.time))
+            recordEdit(session, words, addition->path);
+        return;
+    }
+    sealEdit(session);
+    if (pressKey(scene, run->lesson.keys, run->chosen, key))
+        recordEdit(session, words);
+    run->keyed = scene;
+    sealEdit(session);
+}
+
+void releaseLessonKey(Session& session) {
+    sealEdit(session);
+}
+
+std::string stateOfKey(const Session& session, const LessonRun& run, std::size_t key) {
+    const lesson::LessonKey& which = run.lesson.keys[key];
+    if (const auto* addition = std::get_if<lesson::Addition>(&which.effect)) {
+        const Result<float> number = numberOf(session.document.scene, *addition);
+        return number ? fmt::format("{:.2f}", *number) : std::string();
+    }
+    const auto& choices = std::get<lesson::Cycle>(which.effect).choices;
+    const std::size_t chosen = key < run.chosen.size() ? run.chosen[key] : 0;
+    return chosen < choices.size() ? run.text(choices[chosen].label) : std::string();
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace texplorer::ui {
+
+struct Session;
+struct LessonRun;
+
+/// Whether a key of the open lesson does something in its step.
+[[nodiscard]] bool isUsable(const LessonRun& run, std::size_t key);
+
+/// Does what a key says: a choice is a step of undo; what only adds goes on in one until releaseLessonKey.
+/// `times`: how often it adds.
+void pressLessonKey(Session& session, std::size_t key, float times);
+void releaseLessonKey(Session& session);
+
+/// What a key has led to: the choice in the window's language, or the number.
+[[nodiscard]] std::string stateOfKey(const Session& session, const LessonRun& run, std::size_t key);
+
+} // namespace texplorer::ui

@@ -1,0 +1,73 @@
+#include "app/ui/window/lesson_keys.h"
+
+#include "app/ui/model/lesson_key_edits.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/widgets/keys.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+
+namespace texplorer::ui {
+namespace {
+
+struct NamedKey {
+    std::string_view name;
+    int code;
+};
+constexpr std::array namedKeys{
+    NamedKey{"Up", key::up},       NamedKey{"Down", key::down},      NamedKey{"Left", key::left},
+    NamedKey{"Right", key::right}, NamedKey{"Page Up", key::pageUp}, NamedKey{"Page Down", key::pageDown},
+    NamedKey{"Home", key::home},   NamedKey{"End", key::end},        NamedKey{"Insert", key::insert},
+    NamedKey{"Delete", key::del},  NamedKey{"Space", key::space},
+};
+static_assert(std::ranges::equal(namedKeys, lesson::keyNames, {}, &NamedKey::name));
+
+int codeOfKey(std::string_view name) {
+    const auto* named = std::ranges::find(namedKeys, name, &NamedKey::name);
+    return named != namedKeys.end() ? named->code : name.front(); // letters and digits are themselves
+}
+
+/// As a program that looks at its keys in each frame, on a screen of its time.
+constexpr float framesASecond = 60;
+
+bool areKeysFree(const Session& session, bool popup) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return !popup && session.window.dialog == Dialog::None && !session.window.keyTaken && !io.WantTextInput &&
+           !io.KeyCtrl && !io.KeyShift && !io.KeyAlt && !io.KeySuper && !ImGui::IsAnyItemActive();
+}
+
+} // namespace
+
+void takeLessonKeys(Session& session, bool popup) {
+    const std::shared_ptr<LessonRun> run = session.window.lesson;
+    if (!run)
+        return;
+    const bool held = run->holdsKey;
+    run->holdsKey = false;
+    run->heldKey.reset();
+    if (areKeysFree(session, popup)) {
+        for (std::size_t i = 0; i < run->lesson.keys.size(); ++i) {
+            const lesson::LessonKey& each = run->lesson.keys[i];
+            const int code = codeOfKey(each.key);
+            if (!isUsable(*run, i) || !ImGui::IsKeyDown(code))
+                continue;
+            session.window.keyTaken = true;
+            run->heldKey = i;
+            const bool pressed = ImGui::IsKeyPressed(code, false);
+            const bool goesOn = std::holds_alternative<lesson::Addition>(each.effect);
+            run->holdsKey |= goesOn;
+            if (pressed)
+                pressLessonKey(session, i, 1);
+            else if (goesOn && held)
+                pressLessonKey(session, i, ImGui::GetIO().DeltaTime * framesASecond);
+        }
+    }
+    if (held && !run->holdsKey)
+        releaseLessonKey(session);
+}
+
+} // namespace texplorer::ui
