@@ -29,11 +29,10 @@ const T& oneOf(const std::array<T, N>& choices, std::mt19937& dice) {
 /// The same calls to OpenGL, whose names are others: what glGenTextures gives is its own affair.
 class Driver {
 public:
-    [[nodiscard]] GLuint nameOf(Name name) {
-        if (name == 0)
-            return 0;
-        const auto [found, isNew] = names_.try_emplace(name, 1000 + name); // never generated
-        return found->second;
+    /// Of a name that is unknown, one that OpenGL never saw.
+    [[nodiscard]] GLuint nameOf(Name name) const {
+        const auto found = names_.find(name);
+        return name == 0 ? 0 : found != names_.end() ? found->second : unseen;
     }
 
     void operator()(const GenTexture& /*call*/, const Answer& answer) {
@@ -43,6 +42,9 @@ public:
         names_[*answer.name] = name;
     }
     void operator()(const BindTexture& call, const Answer& /*answer*/) {
+        // Downwards: glGenTextures gives the least that is free, or what is above all.
+        if (call.name != 0 && !names_.contains(call.name))
+            names_[call.name] = ownName_--;
         glBindTexture(GL_TEXTURE_2D, nameOf(call.name));
     }
     void operator()(const DeleteTexture& call, const Answer& /*answer*/) {
@@ -77,7 +79,10 @@ public:
     }
 
 private:
+    static constexpr GLuint unseen = 4'000'000;
+
     std::map<Name, GLuint> names_;
+    GLuint ownName_ = 1'000'000;
 };
 
 Call randomCall(std::mt19937& dice) {
@@ -117,7 +122,7 @@ GLint parameterOf(GLenum name) {
     return value;
 }
 
-void expectSame(const TextureNames& names, Driver& driver) {
+void expectSame(const TextureNames& names, const Driver& driver) {
     GLint active = -1;
     glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
     EXPECT_EQ(active, GL_TEXTURE0 + static_cast<GLint>(names.active));

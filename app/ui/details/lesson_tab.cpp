@@ -1,8 +1,8 @@
 #include "app/ui/details/lesson_tab.h"
 
+#include "app/ui/details/lesson_key_caps.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/asking.h"
-#include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/button_width.h"
@@ -256,65 +256,6 @@ void stepButtons(Session& session, const LessonRun& run) {
         goToLessonStep(session, *wanted);
 }
 
-/// A key as it stands on a keyboard, what it does and what it has led to. A click does the same.
-void keyCap(Session& session, const LessonRun& run, std::size_t number, float right) {
-    const float em = ImGui::GetFontSize();
-    const lesson::LessonKey& each = run.lesson.keys[number];
-    const bool usable = isUsable(run, number);
-    const std::string name = tr(each.key);
-    const std::string words = run.text(each.label);
-    const std::string state = usable ? stateOfKey(session, run, number) : std::string("–");
-    const float cap = std::max(ImGui::CalcTextSize(name.c_str()).x + em * 0.8F, em * 1.6F);
-    const float gap = em * 0.4F;
-    const float width =
-        cap + gap + ImGui::CalcTextSize(words.c_str()).x + gap + ImGui::CalcTextSize(state.c_str()).x;
-    if (number > 0) {
-        ImGui::SameLine(0, em * 1.2F);
-        if (ImGui::GetCursorPosX() + width > right)
-            ImGui::NewLine();
-    }
-    ImGui::PushID(static_cast<int>(number));
-    ImGui::BeginDisabled(!usable);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float height = em * 1.5F;
-    if (ImGui::InvisibleButton("cap", {width, height}))
-        pressLessonKey(session, number, 1);
-    noteItem("lesson key:" + each.key);
-    if (ImGui::IsItemDeactivated())
-        releaseLessonKey(session);
-    helpTip(usable
-                ? "A key of this lesson: press it, or click here. It goes before the window's own shortcut."
-                : "A key of this lesson: the scene of this step hasn't what it changes.");
-    const bool held = usable && run.heldKey == number;
-    const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    ImGui::EndDisabled();
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImVec2 high(low.x + cap, low.y + height);
-    const ImU32 ink = usable ? color::text : color::faint;
-    draw.AddRectFilled(low, high,
-                       ImGui::GetColorU32(held || hovered ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
-                       em * 0.25F);
-    draw.AddRect(low, high, held ? ImU32(color::chosen) : ImU32(color::outline), em * 0.25F);
-    draw.AddLine({low.x + em * 0.15F, high.y - 1}, {high.x - em * 0.15F, high.y - 1},
-                 usable ? color::outline : color::faint, em * 0.12F);
-    const float y = low.y + (height - em) / 2;
-    draw.AddText({low.x + (cap - ImGui::CalcTextSize(name.c_str()).x) / 2, y}, ink, name.c_str());
-    draw.AddText({high.x + gap, y}, usable ? color::dim : color::faint, words.c_str());
-    draw.AddText({high.x + 2 * gap + ImGui::CalcTextSize(words.c_str()).x, y}, ink, state.c_str());
-    if (usable)
-        noteDrawn(fmt::format("lesson key:{}={}", each.key, state), low, high);
-    ImGui::PopID();
-}
-
-void keyCaps(Session& session, const LessonRun& run) {
-    if (run.lesson.keys.empty())
-        return;
-    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    for (std::size_t i = 0; i < run.lesson.keys.size(); ++i)
-        keyCap(session, run, i, right);
-    space();
-}
-
 void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) {
     const Step& step = run.lesson.steps[run.step];
     const float buttons = ImGui::GetFrameHeightWithSpacing();
@@ -325,7 +266,7 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     noteItem("lesson title");
     lessonText(run, step.text);
     space();
-    keyCaps(session, run);
+    drawLessonKeys(session, run);
     std::visit([&](const auto& task) { drawTask(session, run, task, pictures); }, step.task);
     ImGui::EndChild();
     stepButtons(session, run);

@@ -94,6 +94,8 @@ void drawLensRow(ImDrawList& draw, const PlotBox& box, const LensRow& row) {
 /// The weights on top of each other: at every s they fill the height.
 void drawLensWeights(ImDrawList& draw, const PlotBox& box, const LensRow& row, Wrap wrap) {
     draw.AddRectFilled(box.low, box.high, color::ground);
+    const ImDrawListFlags flags = draw.Flags; // soft edges would be seams between pieces
+    draw.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (const RowPiece& piece : row.pieces(wrap)) {
         std::vector<RowPiece::Share> shares = piece.shares;
         std::ranges::sort(shares, {}, [&](const RowPiece::Share& each) {
@@ -111,6 +113,7 @@ void drawLensWeights(ImDrawList& draw, const PlotBox& box, const LensRow& row, W
             to += share.to;
         }
     }
+    draw.Flags = flags;
     draw.AddRect(box.low, box.high, color::outline);
 }
 
@@ -267,7 +270,7 @@ void drawLensStrips(Session& session, const ParamPlace& place, const LensRow& ro
         const auto wrap = static_cast<Wrap>(mode.value);
         ImGui::PushID(mode.name.data());
         const ImVec2 low = ImGui::GetCursorScreenPos();
-        const float height = std::ceil(em * 1.35F);
+        const float height = std::ceil(em * 1.2F);
         if (ImGui::Selectable("##mode", wrap == chosen, 0, {width, height}))
             wanted = wrap;
         noteItem(fmt::format("edge:{}", mode.name));
@@ -356,10 +359,10 @@ void drawEdgeLens(Session& session, EdgeLensState& state, const Pictures& /*pict
     if (beside)
         ImGui::SetCursorPos({top.x + width + gap, top.y});
     ImGui::BeginGroup();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, std::floor(em * 0.15F)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, std::floor(em * 0.12F)});
     drawLensStrips(session, *wrapPlace, row, wrap, right);
-    ImGui::PopStyleVar();
     drawLensReading(state, row, wrap);
+    ImGui::PopStyleVar();
     ImGui::EndGroup();
 }
 

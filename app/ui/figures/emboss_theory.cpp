@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer::ui {
@@ -92,13 +93,14 @@ void drawEmbossCurve(ImDrawList& draw, const PlotBox& box, ImU32 ink, float widt
     draw.AddPolyline(points.data(), static_cast<int>(points.size()), ink, 0, width);
 }
 
-/// Where the sun stands: on an arc around the middle of the ground.
+/// Where the sun stands: straight above the middle for a light from above, and lower and lower beside it.
 ImVec2 sunAt(const PlotBox& box, float light) {
     const float em = ImGui::GetFontSize();
     const ImVec2 foot = box.at(0.5F, 0);
     const float across = box.width() / 2 - em;
     const float up = box.height() - em;
-    return {foot.x + std::sin(light) * across, foot.y - std::cos(light) * up};
+    constexpr float lowest = 0.62F; // it never stands before the bump
+    return {foot.x + std::sin(light) * across, foot.y - std::lerp(lowest, 1.0F, std::cos(light)) * up};
 }
 
 /// The heights, the moved ones, the place and the light. One drags the place, and the sun.
@@ -113,11 +115,10 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
     const bool holdsSun = ImGui::IsItemActive();
     const bool overSun = holdsSun || ImGui::IsItemHovered();
     if (holdsSun) {
-        const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const ImVec2 foot = box.at(0.5F, 0);
-        const float across = (mouse.x - foot.x) / (box.width() / 2 - em);
-        const float up = std::max(0.0F, foot.y - mouse.y) / (box.height() - em);
-        state.angle = std::clamp(glm::degrees(std::atan2(across, up)), -steepest, steepest);
+        const float across =
+            (ImGui::GetIO().MousePos.x - box.atX(0.5F)) / std::max(1.0F, box.width() / 2 - em);
+        state.angle =
+            std::clamp(glm::degrees(std::asin(std::clamp(across, -1.0F, 1.0F))), -steepest, steepest);
     }
     ImGui::SetCursorScreenPos(box.low);
     ImGui::InvisibleButton("heights", {box.width(), box.height()});
@@ -129,11 +130,14 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
 
     draw.AddRectFilled(box.low, box.high, color::ground);
     draw.PushClipRect(box.low, box.high, true);
+    const ImDrawListFlags flags = draw.Flags; // soft edges would be seams
+    draw.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (int i = 0; i + 1 < embossColumns; ++i) {
         const ImVec2 a = box.at(columnS(i), figure.profile.heightAt(columnS(i)));
         const ImVec2 b = box.at(columnS(i + 1), figure.profile.heightAt(columnS(i + 1)));
         draw.AddQuadFilled(a, b, {b.x, box.high.y}, {a.x, box.high.y}, color::lit);
     }
+    draw.Flags = flags;
     for (int i = 0; i + 1 < embossColumns; i += 6) { // dashes
         std::array<ImVec2, 4> dash{};
         for (int k = 0; k < 4; ++k) {
@@ -175,12 +179,27 @@ void drawHeights(EmbossTheoryState& state, const EmbossFigure& figure, const Plo
 void drawGrey(const EmbossTheoryState& state, const EmbossFigure& figure, const PlotBox& box) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(box.low, box.high, color::ground);
+    for (const auto& [grey, anchor] : {std::pair(box.yFrom, 1.0F), std::pair(box.yTo, 0.0F)})
+        plotText(draw, {box.high.x - plotLine() * 3, box.atY(grey)}, {1, anchor}, fmt::format("{:.2f}", grey),
+                 color::dim);
     draw.AddLine(box.at(0, 0.5F), box.at(1, 0.5F), color::faint, plotLine());
     drawEmbossCurve(draw, box, color::changed, plotLine() * 1.5F, [&](float s) { return figure.at(s).grey; });
-    draw.AddLine(box.at(state.s, 0), box.at(state.s, 1), color::probed, plotLine());
+    draw.AddLine({box.atX(state.s), box.low.y}, {box.atX(state.s), box.high.y}, color::probed, plotLine());
     draw.AddCircleFilled(box.at(state.s, figure.at(state.s).grey), ImGui::GetFontSize() * 0.2F,
                          color::probed);
     draw.AddRect(box.low, box.high, color::outline);
+}
+
+/// How far the curve of the grey goes away from 0.5, or a little more.
+float greyReach(const EmbossFigure& figure) {
+    float most = 0;
+    for (int i = 0; i < embossColumns; ++i)
+        most = std::max(most, std::abs(figure.at(columnS(i)).grey - 0.5F));
+    for (const float step : {0.05F, 0.1F, 0.25F}) {
+        if (most <= step)
+            return step;
+    }
+    return 0.5F;
 }
 
 /// Colours of the places side by side.
@@ -219,7 +238,10 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
         return box;
     };
     const PlotBox heights = next(curves * 0.68F, 1.5F);
-    const PlotBox grey = next(curves * 0.32F, 1);
+    PlotBox grey = next(curves * 0.32F, 1);
+    const float reach = greyReach(figure);
+    grey.yFrom = 0.5F - reach;
+    grey.yTo = 0.5F + reach;
     const PlotBox greys = next(strip, 1);
     const PlotBox lit = next(strip, 1);
     drawHeights(state, figure, heights);
@@ -227,7 +249,7 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
     drawEmbossStrip(state, greys, [&](float s) { return glm::vec3(figure.at(s).grey); });
     drawEmbossStrip(state, lit, [&](float s) { return figure.at(s).color; });
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const std::array boxes{&heights, &grey, &greys, &lit};
+    const std::array<const PlotBox*, 4> boxes{&heights, &grey, &greys, &lit};
     for (std::size_t i = 0; i < boxes.size(); ++i)
         plotText(draw, {origin.x, (boxes.at(i)->low.y + boxes.at(i)->high.y) / 2}, {0, 0.5F}, names.at(i),
                  color::dim);
@@ -254,7 +276,7 @@ void numberLine(const char* name, ImU32 ink) {
     ImGui::TextUnformatted(name);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, ImGui::GetFontSize() * 0.4F);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5.2F);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.8F);
 }
 
 /// What one chooses: the line, the light, how far the second map is moved, the place.
@@ -273,13 +295,13 @@ void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional
     numberLine("s", color::s);
     dragNumber("##place", state.s, placeRange, 0);
     noteItem("emboss:s");
-    ImGui::SameLine(0, em);
+    ImGui::SameLine(0, em * 0.7F);
     numberLine(tr("Light"), color::chosen);
     dragNumber("##light", state.angle, angleRange, -1);
     noteItem("emboss:light");
     helpTip("The light's angle from the normal, towards growing s.");
-    ImGui::SameLine(0, em);
-    if (ImGui::GetContentRegionAvail().x < em * 12)
+    ImGui::SameLine(0, em * 0.7F);
+    if (ImGui::GetContentRegionAvail().x < em * 11)
         ImGui::NewLine();
     numberLine("MAX_EMBOSS", color::text);
     float shift = depth ? numberAt(*depth, 0) : state.depth;
@@ -319,14 +341,13 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
     ImGui::Dummy({em * 1.6F, em});
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + em * 1.6F, low.y + em}, plotColor(point.color));
     ImGui::GetWindowDrawList()->AddRect(low, {low.x + em * 1.6F, low.y + em}, color::outline);
-    const char* seen =
-        point.grey < 0.497F   ? "Here it climbs towards the light: H1 is larger, and it gets darker."
-        : point.grey > 0.503F ? "Here it falls towards the light: H0 is larger, and it gets brighter."
-                              : "Here it is flat: the heights cancel out, and 0.5 is left.";
+    const char* seen = point.grey < 0.497F   ? "It climbs towards the light: H1 is larger, so it is darker."
+                       : point.grey > 0.503F ? "It falls towards the light: H0 is larger, so it is brighter."
+                                             : "It is flat: the heights cancel each other, and 0.5 is left.";
     wrappedText(seen);
     dimWrappedText(
-        "The lesson's theory calls the slope m = H1 - H0, but its formula, Fd + (H0 - H1), has the other "
-        "sign. The program draws the formula.");
+        "The lesson's text calls m = H1 - H0 the slope, but its formula, Fd + (H0 - H1), and its program "
+        "have the other sign.");
 }
 
 } // namespace
@@ -351,7 +372,9 @@ void drawEmbossTheory(Session& session, EmbossTheoryState& state, const Pictures
         ImGui::SetCursorPos({top.x + size.x + gap, top.y});
     ImGui::BeginGroup();
     drawEmbossChoices(session, state, depth);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1});
     drawEmbossNumbers(state, figure);
+    ImGui::PopStyleVar();
     ImGui::EndGroup();
 }
 

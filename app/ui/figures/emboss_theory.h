@@ -14,7 +14,7 @@ struct EmbossTheoryState {
     Line line = Line::Sketch;
     float angle = 40;                       ///< of the light, degrees from the normal towards growing s
     float s = 0.19F;                        ///< the place that is worked out
-    float depth = 0.01F;                    ///< MAX_EMBOSS, where no unit of the scene embosses
+    float depth = 0.03F;                    ///< MAX_EMBOSS, where no unit of the scene embosses
     std::optional<HeightProfile> profile{}; ///< of `drawn`
     Line drawn = Line::Sketch;
 };

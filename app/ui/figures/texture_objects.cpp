@@ -232,9 +232,10 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
                    changed([](const TextureObject& o) { return o.state.minFilter; }),
                    fmt::format("min {}", name));
         const Texture& texture = object->state;
+        const auto brief = [&](Wrap wrap) { return tr(shownBrief(session.window.settings, rowOf(wrap))); };
         const std::string wraps = texture.wrapS == texture.wrapT
-                                      ? choice(texture.wrapS)
-                                      : fmt::format("{}, {}", choice(texture.wrapS), choice(texture.wrapT));
+                                      ? brief(texture.wrapS)
+                                      : fmt::format("{}, {}", brief(texture.wrapS), brief(texture.wrapT));
         objectCell(wraps,
                    changed([](const TextureObject& o) { return std::pair(o.state.wrapS, o.state.wrapT); }),
                    fmt::format("wrap {}", name));
@@ -267,11 +268,11 @@ void drawObjects(const Session& session, const TextureObjectsState& state, float
                                 2 * ImGui::GetStyle().FramePadding.x);
     ImGui::TableSetupColumn("image", ImGuiTableColumnFlags_WidthFixed, em * 2.8F);
     ImGui::TableSetupColumn("mag", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("min", ImGuiTableColumnFlags_WidthStretch, 2);
+    ImGui::TableSetupColumn("min", ImGuiTableColumnFlags_WidthStretch, 2.4F);
     ImGui::TableSetupColumn("wrap", ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableSetupColumn("calls", ImGuiTableColumnFlags_WidthFixed, 2 * ImGui::GetFrameHeight() + 2);
     ImGui::TableNextRow();
-    for (const char* heading : {"Object", "Image", "Mag filter", "Min filter", "Wrap"}) {
+    for (const char* heading : {"Object", "Image", "Mag", "Min", "Wrap"}) {
         ImGui::TableNextColumn();
         plotText(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), {0, 0},
                  fitted(tr(std::string(heading)), ImGui::GetContentRegionAvail().x * 1.15F), color::dim);
@@ -363,7 +364,7 @@ void drawProgram(TextureObjectsState& state, Wanted& wanted) {
         fittedText(program[state.played - 1].remark, color::text);
     else
         fittedText(
-            "Each button is an OpenGL call. Binding brings back what the object keeps; the rest is the unit's.",
+            "Each button is a call. Binding brings back what the object keeps; what the unit has stays.",
             color::dim);
 }
 
@@ -383,7 +384,7 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
     };
     ImGui::AlignTextToFramePadding();
     text(fmt::format("To object {}:", state.names.activeUnit().bound));
-    group("glTexImage2D", 3 * ImGui::GetFrameHeight());
+    group("Image", 3 * ImGui::GetFrameHeight());
     for (std::size_t i = 0; i < boards.size(); ++i) {
         if (i > 0)
             ImGui::SameLine(0, 3);
@@ -404,8 +405,8 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
     group("Mag filter", em * 7.5F);
     enumCalls<MagFilter>(session, "mag", magnify, object.state.magFilter, em * 7.5F, wanted,
                          [](MagFilter filter) { return objects::setParameter(filter); });
-    group("Min filter", em * 13.5F);
-    enumCalls<MinFilter>(session, "min", minify, object.state.minFilter, em * 13.5F, wanted,
+    group("Min filter", em * 14.5F);
+    enumCalls<MinFilter>(session, "min", minify, object.state.minFilter, em * 14.5F, wanted,
                          [](MinFilter filter) { return objects::setParameter(filter); });
     group("Wrap s", em * 7.5F);
     enumCalls<Wrap>(session, "wrap", wraps, object.state.wrapS, em * 7.5F, wanted,
@@ -427,8 +428,8 @@ void drawTextureObjects(Session& session, TextureObjectsState& state, const Pict
     const float units = beside ? em * 19 : std::min(room.x, em * 26);
     for (std::size_t i = 0; i < objects::unitCount; ++i)
         drawUnitCard(session, state, i, units, wanted, ends);
-    const float log = beside ? std::max(em * 15, room.x * 0.24F) : room.x;
-    const float gap = em * 2.5F;
+    const float log = beside ? std::max(em * 13, room.x * 0.2F) : room.x;
+    const float gap = em * 2;
     if (beside)
         ImGui::SetCursorPos({top.x + units + gap, top.y});
     const float middle = beside ? room.x - units - log - gap - em : room.x;

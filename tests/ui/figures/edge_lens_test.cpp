@@ -81,7 +81,7 @@ TEST_F(EdgeLens, TheFilterIsTheScenes) {
 
 TEST_F(EdgeLens, ADragReadsACoordinate) {
     open();
-    const auto& lens = places.items.find("edge:lens")->second;
+    const auto lens = places.items.find("edge:lens")->second; // a copy: the next frame has its own
     const ImVec2 right(lens.right - 1, (lens.top + lens.bottom) / 2);
     drag(right, {-2, 0});
     EXPECT_GT(states.details.figures.edge.s, 1.9F);

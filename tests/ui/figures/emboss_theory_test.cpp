@@ -66,7 +66,7 @@ TEST_F(EmbossTheory, TheSunAndThePlaceAreDragged) {
     open(nehe());
     drag(place("emboss:sun"), {-300, 0});
     EXPECT_LT(state().angle, 0);
-    const auto& box = places.items.find("emboss:heights")->second;
+    const auto box = places.items.find("emboss:heights")->second; // a copy: the next frame has its own
     const float y = box.bottom - 3;
     drag({box.left + (box.right - box.left) * 0.25F, y}, {(box.right - box.left) * 0.25F, 0});
     EXPECT_NEAR(state().s, 0.5F, 0.01F);

@@ -1,0 +1,126 @@
+#include "app/ui/details/lesson_key_caps.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/lesson_key_edits.h"
+#include "app/ui/model/lesson_run.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+/// The sign of a key where it has one.
+std::string signOfKey(const std::string& name) {
+    struct Sign {
+        const char* name;
+        const char* sign;
+    };
+    constexpr std::array signs{Sign{"Up", "↑"}, Sign{"Down", "↓"}, Sign{"Left", "←"}, Sign{"Right", "→"}};
+    const auto* found = std::ranges::find(signs, name, &Sign::name);
+    return found != signs.end() ? std::string(found->sign) : tr(name);
+}
+
+float capHeight() {
+    return std::floor(ImGui::GetFontSize() * 1.4F);
+}
+
+float capWidth(const std::string& sign) {
+    const float em = ImGui::GetFontSize();
+    return std::max(ImGui::CalcTextSize(sign.c_str()).x + em * 0.7F, em * 1.5F);
+}
+
+/// A key as it stands on a keyboard. A click does the same.
+void keyCap(Session& session, const LessonRun& run, std::size_t number) {
+    const float em = ImGui::GetFontSize();
+    const lesson::LessonKey& each = run.lesson.keys[number];
+    const std::string sign = signOfKey(each.key);
+    const bool usable = isUsable(run, number);
+    const ImVec2 size(capWidth(sign), capHeight());
+    ImGui::PushID(static_cast<int>(number));
+    ImGui::BeginDisabled(!usable);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("cap", size))
+        pressLessonKey(session, number, 1);
+    noteItem("lesson key:" + each.key);
+    if (ImGui::IsItemDeactivated())
+        releaseLessonKey(session);
+    const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    ImGui::EndDisabled();
+    helpTip(usable
+                ? "A key of this lesson: press it, or click here. It goes before the window's own shortcut."
+                : "A key of this lesson: the scene of this step hasn't what it changes.");
+    const bool held = usable && run.heldKey == number;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    const ImU32 edge = held ? color::chosen : usable ? color::outline : color::faint;
+    draw.AddRectFilled(low, high,
+                       ImGui::GetColorU32(held || hovered ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
+                       em * 0.25F);
+    draw.AddRect(low, high, edge, em * 0.25F);
+    draw.AddLine({low.x + em * 0.2F, high.y - 1}, {high.x - em * 0.2F, high.y - 1}, edge, em * 0.12F);
+    draw.AddText({low.x + (size.x - ImGui::CalcTextSize(sign.c_str()).x) / 2, low.y + (size.y - em) / 2},
+                 usable ? color::text : color::faint, sign.c_str());
+    ImGui::PopID();
+}
+
+/// Keys that change the same number, one to and one fro, are said together.
+bool isWithNext(const std::vector<lesson::LessonKey>& keys, std::size_t number) {
+    if (number + 1 >= keys.size() || keys[number].label != keys[number + 1].label)
+        return false;
+    const auto* one = std::get_if<lesson::Addition>(&keys[number].effect);
+    const auto* other = std::get_if<lesson::Addition>(&keys[number + 1].effect);
+    return one && other && one->path == other->path && one->component == other->component;
+}
+
+} // namespace
+
+void drawLessonKeys(Session& session, const LessonRun& run) {
+    const std::vector<lesson::LessonKey>& keys = run.lesson.keys;
+    if (keys.empty())
+        return;
+    const float em = ImGui::GetFontSize();
+    const float gap = em * 0.35F;
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    for (std::size_t first = 0; first < keys.size();) {
+        std::size_t last = first;
+        float width = capWidth(signOfKey(keys[first].key));
+        while (isWithNext(keys, last)) {
+            ++last;
+            width += em * 0.15F + capWidth(signOfKey(keys[last].key));
+        }
+        const std::string words = run.text(keys[first].label);
+        const bool usable = isUsable(run, first);
+        const std::string state = usable ? stateOfKey(session, run, first) : std::string("–");
+        width += 2 * gap + ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(state.c_str()).x;
+        if (first > 0) {
+            ImGui::SameLine(0, em);
+            if (ImGui::GetCursorPosX() + width > right)
+                ImGui::NewLine();
+        }
+        for (std::size_t key = first; key <= last; ++key) {
+            keyCap(session, run, key);
+            ImGui::SameLine(0, key < last ? em * 0.15F : gap);
+        }
+        const ImVec2 at(ImGui::GetCursorScreenPos().x,
+                        ImGui::GetCursorScreenPos().y + (capHeight() - em) / 2);
+        const float wordsWidth = ImGui::CalcTextSize(words.c_str()).x;
+        ImGui::Dummy({wordsWidth + gap + ImGui::CalcTextSize(state.c_str()).x, capHeight()});
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        draw.AddText(at, usable ? color::dim : color::faint, words.c_str());
+        draw.AddText({at.x + wordsWidth + gap, at.y}, usable ? color::text : color::faint, state.c_str());
+        if (usable)
+            noteItem(fmt::format("lesson key:{}={}", keys[first].key, state));
+        first = last + 1;
+    }
+    ImGui::Dummy({0, em * 0.3F});
+}
+
+} // namespace texplorer::ui
