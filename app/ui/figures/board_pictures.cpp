@@ -40,7 +40,7 @@ glm::vec4 boardColor(const objects::TextureObject& object, float s, float t) {
 
 } // namespace
 
-void drawBoard(ImDrawList& draw, ImVec2 low, float side, const Board& board) {
+void drawBoardImage(ImDrawList& draw, ImVec2 low, float side, const Board& board) {
     const float cell = side / boardSide;
     for (int j = 0; j < boardSide; ++j) {
         for (int i = 0; i < boardSide; ++i) {

@@ -20,7 +20,7 @@ inline constexpr std::array boards{
     Board{{0.10F, 0.25F, 0.75F}, {1, 0.85F, 0.30F}},
 };
 
-void drawBoard(ImDrawList& draw, ImVec2 low, float side, const Board& board);
+void drawBoardImage(ImDrawList& draw, ImVec2 low, float side, const Board& board);
 
 /// A square, coordinates 0 to 1, as it is drawn through the units up to `last`: pale blue where none has a
 /// texture.

@@ -217,8 +217,8 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::Dummy({side, side});
         if (object->picture) {
-            drawBoard(*ImGui::GetWindowDrawList(), at, side,
-                      boards.at(static_cast<std::size_t>(*object->picture)));
+            drawBoardImage(*ImGui::GetWindowDrawList(), at, side,
+                           boards.at(static_cast<std::size_t>(*object->picture)));
             noteItem(fmt::format("objects:picture {} {}", name, *object->picture));
         } else {
             plotText(*ImGui::GetWindowDrawList(), {at.x, at.y + side / 2}, {0, 0.5F}, tr("none"), color::dim);
@@ -396,8 +396,8 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
         noteItem(fmt::format("objects:image {}", i));
         callTip(call);
         const float inset = ImGui::IsItemHovered() ? 0 : 2;
-        drawBoard(*ImGui::GetWindowDrawList(), {low.x + inset, low.y + inset}, side - 2 * inset,
-                  boards.at(i));
+        drawBoardImage(*ImGui::GetWindowDrawList(), {low.x + inset, low.y + inset}, side - 2 * inset,
+                       boards.at(i));
     }
     constexpr std::array magnify{MagFilter::Nearest, MagFilter::Linear};
     constexpr std::array minify{MinFilter::Nearest, MinFilter::Linear, MinFilter::NearestMipmapLinear};
