@@ -31,7 +31,7 @@ struct Edit {
     bool operator==(const Edit&) const = default;
 };
 
-/// What Look::tab may say: the window's tabs, but that of the lesson.
+/// What Look::tab may say: the window's tabs, but that of the lesson and that of the figures.
 inline constexpr std::array<std::string_view, 9> lookTabs{
     "vertices", "levels", "commands", "glsl", "explain", "file", "memory", "a-b", "history"};
 

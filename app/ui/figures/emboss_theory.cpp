@@ -260,11 +260,11 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
     ImGui::Dummy({size.x, y + scale - origin.y});
 }
 
-/// A line of the calculation, in the fixed-width font.
+/// A line of the calculation.
 void embossLine(const std::string& words, ImU32 ink, std::string_view name) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(words.c_str());
+    text(words);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     noteItem(name);
