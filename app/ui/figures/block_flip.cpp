@@ -1,7 +1,343 @@
 #include "app/ui/figures/block_flip.h"
 
-namespace texplorer::ui {
+#include "app/ui/figures/block_swatch.h"
+#include "app/ui/figures/figure_columns.h"
+#include "app/ui/figures/flip_words.h"
+#include "app/ui/figures/striped_blocks.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
+#include "core/s3tc/flip.h"
 
-void drawBlockFlip(Session& /*session*/, BlockFlipState& /*state*/, const Pictures& /*pictures*/) {}
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace texplorer::ui {
+namespace {
+
+using Act = FlipStep::Act;
+
+constexpr std::array flipFormats{BlockFormat::Dxt1Alpha, BlockFormat::Dxt3, BlockFormat::Dxt5};
+constexpr std::array flipFormatLabels{"DXT1", "DXT3", "DXT5"};
+constexpr std::array flipHeights{1, 2, 3, 4, 6, 8, 10, 12};
+
+void chooseFormat(BlockFlipState& state) {
+    std::vector<Segment> names;
+    for (const char* each : flipFormatLabels)
+        names.push_back({each});
+    const auto chosen =
+        static_cast<std::size_t>(std::ranges::find(flipFormats, state.format) - flipFormats.begin());
+    const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 11);
+    const auto plan = planSegments(names, width, names.size());
+    if (!plan)
+        return;
+    if (const auto pressed = drawSegments(names, *plan, chosen, [](std::size_t i) {
+            noteItem(fmt::format("flip:format {}", flipFormatLabels.at(i)));
+            helpTip(rowOf(flipFormats.at(i)).help);
+        }))
+        state.format = flipFormats.at(*pressed);
+}
+
+void chooseHeight(BlockFlipState& state) {
+    std::vector<Segment> names;
+    for (const int each : flipHeights)
+        names.push_back({std::to_string(each)});
+    const auto chosen =
+        static_cast<std::size_t>(std::ranges::find(flipHeights, state.height) - flipHeights.begin());
+    ImGui::AlignTextToFramePadding();
+    dimText("Height");
+    ImGui::SameLine();
+    const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 16);
+    const auto plan = planSegments(names, width, names.size());
+    if (!plan)
+        return;
+    if (const auto pressed = drawSegments(names, *plan, chosen, [](std::size_t i) {
+            noteItem(fmt::format("flip:height {}", flipHeights.at(i)));
+            helpTip(flipsWithoutLoss(flipHeights.at(i)) ? "This height is turned around without loss."
+                                                        : "This height can't be turned around in blocks.");
+        })) {
+        state.height = flipHeights.at(*pressed);
+        state.step = 0;
+    }
+}
+
+/// Back, the steps by their numbers, and Next.
+void chooseStep(BlockFlipState& state) {
+    std::vector<Segment> names;
+    for (std::size_t i = 0; i < state.steps.size(); ++i)
+        names.push_back({std::to_string(i)});
+    ImGui::BeginDisabled(state.step == 0);
+    const bool back = ImGui::Button(label("Back"));
+    ImGui::EndDisabled();
+    noteItem("flip:back");
+    ImGui::SameLine();
+    const float width = std::min(ImGui::GetContentRegionAvail().x,
+                                 ImGui::GetFontSize() * 1.8F * static_cast<float>(names.size()));
+    if (const auto plan = planSegments(names, width, names.size())) {
+        if (const auto pressed = drawSegments(names, *plan, state.step, [](std::size_t i) {
+                noteItem(fmt::format("flip:step {}", i));
+                helpTip("A step; 0 is the picture as it is stored.");
+            }))
+            state.step = *pressed;
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(state.step + 1 >= state.steps.size());
+    const bool next = ImGui::Button(label("Next"));
+    ImGui::EndDisabled();
+    noteItem("flip:next");
+    if (back && state.step > 0)
+        --state.step;
+    if (next && state.step + 1 < state.steps.size())
+        ++state.step;
+}
+
+/// Made once for each format and height.
+void followFlip(BlockFlipState& state) {
+    if (state.stepsHeight == state.height && state.stepsFormat == state.format)
+        return;
+    if (auto steps = flipSteps(stripedBlocks(state.format, state.height)))
+        state.steps = *std::move(steps);
+    state.stepsHeight = state.height;
+    state.stepsFormat = state.format;
+    state.step = std::min(state.step, state.steps.size() - 1);
+}
+
+/// How the rows of a picture lie.
+struct StripeLook {
+    float row;   ///< height
+    float names; ///< room for the places of the rows
+    float width;
+    float gap; ///< between blocks
+
+    [[nodiscard]] float topOf(int number) const {
+        return static_cast<float>(number) * row + static_cast<float>(number / 4) * gap;
+    }
+};
+
+StripeLook stripeLook(int blockRows, float room) {
+    const float em = ImGui::GetFontSize();
+    const float gap = std::floor(em * 0.3F);
+    const auto rows = static_cast<float>(4 * blockRows);
+    const float row =
+        std::floor(std::clamp((room - gap * static_cast<float>(blockRows)) / rows, em * 1.05F, em * 2.0F));
+    return {row, em * 1.4F, em * 6.5F, gap};
+}
+
+/// The rows of a step, each with the number that it had at the beginning.
+void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook& look) {
+    const BlockImage& image = state.steps[step].after;
+    const BlockImage& stored = state.steps.front().after;
+    const bool again = state.steps[step].act == Act::Recompress;
+    const bool hasAlpha = alphaCount(image.format) > 0;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const auto rows = 4 * static_cast<int>(image.blockRows());
+    const float left = corner.x + look.names;
+    const float alphaFrom = left + look.width * (hasAlpha ? 0.72F : 1.0F);
+    for (int row = 0; row < rows; ++row) {
+        const bool isInside = row < image.height;
+        const BlockColor color =
+            texelsOf(image.format, blockAt(image, row / 4))[static_cast<std::size_t>(row % 4) * 4];
+        const ImVec2 low(left, corner.y + look.topOf(row));
+        const ImVec2 high(left + look.width, low.y + look.row - 1);
+        drawSwatch(draw, low, {alphaFrom, high.y}, {color[0], color[1], color[2], 255});
+        if (hasAlpha)
+            drawSwatch(draw, {alphaFrom, low.y}, high, {color[3], color[3], color[3], 255});
+        const int from = again ? image.height - 1 - row : stripeAt(image, stored, row);
+        const bool wasInside = from >= 0 && from < image.height;
+        const std::string name = wasInside ? std::to_string(from) : "✕";
+        drawOnSwatch(draw, low, {alphaFrom, high.y}, name.c_str());
+        if (hasAlpha && look.width * 0.28F > ImGui::GetFontSize() * 1.6F)
+            drawOnSwatch(draw, {alphaFrom, low.y}, high, std::to_string(color[3]).c_str());
+        if (!isInside)
+            draw.AddRectFilled(low, high, color::shade);
+        const std::string place = std::to_string(row);
+        draw.AddText({left - ImGui::CalcTextSize(place.c_str()).x - ImGui::GetFontSize() * 0.3F,
+                      std::floor(low.y + (look.row - ImGui::GetFontSize()) / 2)},
+                     isInside ? static_cast<ImU32>(color::dim) : static_cast<ImU32>(color::faint),
+                     place.c_str());
+        noteDrawn(fmt::format("flip:row {} of step {} is {}", row, step, isInside ? name : "outside"), low,
+                  high);
+    }
+    for (int block = 0; block < rows / 4; ++block)
+        draw.AddRect({left - 2, corner.y + look.topOf(4 * block) - 2},
+                     {left + look.width + 2, corner.y + look.topOf(4 * block + 3) + look.row + 1},
+                     color::outline, 0, 0, std::max(1.0F, ImGui::GetFontSize() / 12));
+    if (image.height < rows) {
+        const float y = corner.y + look.topOf(image.height) - 1;
+        draw.AddLine({corner.x, y}, {left + look.width + look.names / 2, y}, color::chosen,
+                     std::max(1.5F, ImGui::GetFontSize() / 8));
+    }
+    ImGui::Dummy({look.names + look.width, look.topOf(rows - 1) + look.row + 2});
+}
+
+/// A bracket from one place to another, with a head at both ends, that reaches `out` to the right.
+void drawBracket(ImDrawList& draw, float x, float from, float to, float out) {
+    const float em = ImGui::GetFontSize();
+    const float thick = std::max(1.5F, em / 9);
+    const float head = em * 0.25F;
+    draw.AddLine({x + head, from}, {x + out, from}, color::accent, thick);
+    draw.AddLine({x + out, from}, {x + out, to}, color::accent, thick);
+    draw.AddLine({x + out, to}, {x + head, to}, color::accent, thick);
+    for (const float y : {from, to})
+        draw.AddTriangleFilled({x, y}, {x + 1.6F * head, y - head}, {x + 1.6F * head, y + head},
+                               color::accent);
+}
+
+float bracketRoom() {
+    return ImGui::GetFontSize() * 1.9F;
+}
+
+/// What the step exchanges, beside its picture.
+void drawBrackets(const FlipStep& step, ImVec2 corner, const StripeLook& look) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float x = corner.x + look.names + look.width + ImGui::GetFontSize() * 0.35F;
+    const float out = ImGui::GetFontSize();
+    if (step.act == Act::SwapBlockRows) {
+        const auto middle = [&](int block) { return corner.y + look.topOf(4 * block + 2) - 1; };
+        drawBracket(draw, x, middle(step.first), middle(step.second), out * 1.4F);
+    }
+    if (step.act != Act::TurnRows)
+        return;
+    const auto middle = [&](int row) { return corner.y + look.topOf(4 * step.first + row) + look.row / 2; };
+    for (const RowPair& pair : rowPairs(turnedRows(step.after.height)))
+        drawBracket(draw, x, middle(pair.first), middle(pair.second),
+                    out * (pair.second - pair.first == 1 && pair.first == 1 ? 0.8F : 1.4F));
+}
+
+/// Which texel row of its block a byte belongs to; -1: to all, or to two rows.
+int rowOfByte(BlockFormat format, int byte) {
+    const int colors = alphaCount(format) > 0 ? 8 : 0;
+    if (byte >= colors + 4)
+        return byte - colors - 4;
+    return format == BlockFormat::Dxt3 && byte < 8 ? byte / 2 : -1;
+}
+
+/// A few digits with what they belong to under them, lit where the step has changed them.
+void drawDigits(ImVec2 at, const std::string& digits, const BlockColor* meaning, bool changed) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float em = ImGui::GetFontSize();
+    const float width = ImGui::CalcTextSize(digits.c_str()).x;
+    const float stripe = std::max(2.0F, std::round(em / 7));
+    if (changed)
+        draw.AddRectFilled({at.x - 2, at.y}, {at.x + width + 2, at.y + em}, color::lit);
+    draw.AddText(at, color::text, digits.c_str());
+    if (meaning)
+        draw.AddRectFilled({at.x, at.y + em - 1}, {at.x + width, at.y + em - 1 + stripe},
+                           IM_COL32((*meaning)[0], (*meaning)[1], (*meaning)[2], 255));
+}
+
+float bytesNames() {
+    return ImGui::CalcTextSize(tr("block 0")).x + ImGui::GetFontSize() * 0.7F;
+}
+
+float bytesWidth() {
+    ImGui::PushFont(codeFont());
+    const float letter = ImGui::CalcTextSize("0").x;
+    ImGui::PopFont();
+    return bytesNames() + letter * 25;
+}
+
+/// The bytes of every row of blocks; of DXT5 the twelve bits of each row of alphas, too.
+void drawFlipBytes(const BlockFlipState& state) {
+    const FlipStep& step = state.steps[state.step];
+    const BlockImage& before = state.steps[state.step > 0 ? state.step - 1 : 0].after;
+    const BlockFormat format = step.after.format;
+    const bool hasAlpha = alphaCount(format) > 0;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (int block = 0; block < static_cast<int>(step.after.blockRows()); ++block) {
+        const BlockBytes bytes = blockAt(step.after, block);
+        const BlockBytes old = blockAt(before, block);
+        const std::array<BlockColor, 16> texels = texelsOf(format, bytes);
+        ImVec2 corner = ImGui::GetCursorScreenPos();
+        const ImVec2 top = corner;
+        draw.AddText(corner, color::dim, tr(fmt::format("block {}", block)).c_str());
+        ImGui::PushFont(codeFont());
+        const float letter = ImGui::CalcTextSize("0").x;
+        const float line = ImGui::GetFontSize() * 1.3F;
+        const float names = bytesNames();
+        for (int i = 0; i < static_cast<int>(bytesPerBlock(format)); ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            if (i == 8)
+                corner.y += line;
+            const int row = rowOfByte(format, i);
+            BlockColor meaning = row < 0 ? BlockColor{} : texels.at(static_cast<std::size_t>(row) * 4);
+            if (hasAlpha && i < 8)
+                meaning = {meaning[3], meaning[3], meaning[3], 255};
+            drawDigits({corner.x + names + letter * 3 * static_cast<float>(i % 8), corner.y},
+                       fmt::format("{:02X}", std::to_integer<int>(bytes[at])), row < 0 ? nullptr : &meaning,
+                       bytes[at] != old[at]);
+            if (format != BlockFormat::Dxt5 || i != 7)
+                continue;
+            corner.y += line;
+            const auto twelve = [&](const BlockBytes& of, int number) {
+                return readField(of, {BlockPart::Alpha, 0, 16 + 12 * number, 12});
+            };
+            for (int number = 0; number < 4; ++number) {
+                const std::uint8_t alpha = texels.at(static_cast<std::size_t>(number) * 4)[3];
+                const BlockColor grey{alpha, alpha, alpha, 255};
+                drawDigits({corner.x + names + letter * (6 + 4.5F * static_cast<float>(number)), corner.y},
+                           fmt::format("{:03X}", twelve(bytes, number)), &grey,
+                           twelve(bytes, number) != twelve(old, number));
+            }
+        }
+        ImGui::PopFont();
+        ImGui::Dummy({bytesWidth(), corner.y - top.y + line});
+        noteItem(fmt::format("flip:bytes {}", block));
+        helpTip(
+            format == BlockFormat::Dxt5
+                ? "The bytes of the alphas, what they have for each row, 12 bits, as three digits, and the "
+                  "bytes of the colours; the stripe is the colour or the alpha of the row."
+                : "The bytes of a block; the stripe is the colour or the alpha of the row that a byte is "
+                  "about.");
+    }
+}
+
+} // namespace
+
+void drawBlockFlip(Session& /*session*/, BlockFlipState& state, const Pictures& /*pictures*/) {
+    const float em = ImGui::GetFontSize();
+    const float room = ImGui::GetContentRegionAvail().x;
+    chooseFormat(state);
+    if (room > em * 34)
+        ImGui::SameLine(0, em);
+    chooseHeight(state);
+    followFlip(state);
+    if (room > em * 58)
+        ImGui::SameLine(0, em);
+    chooseStep(state);
+    const FlipStep& now = state.steps[state.step];
+    const StripeLook look =
+        stripeLook(static_cast<int>(now.after.blockRows()), ImGui::GetContentRegionAvail().y - em * 1.6F);
+    const float picture = look.names + look.width;
+    const FigureColumn stored{picture + em * 0.3F, [&] {
+                                  dimText("As stored");
+                                  drawStripes(state, 0, look);
+                              }};
+    const FigureColumn shown{picture + bracketRoom(), [&] {
+                                 text(fmt::format("Step {}", state.step));
+                                 const ImVec2 corner = ImGui::GetCursorScreenPos();
+                                 drawStripes(state, state.step, look);
+                                 drawBrackets(now, corner, look);
+                             }};
+    const FigureColumn bytes{bytesWidth(), [&] {
+                                 dimText("Bytes after the step; what it changed is lit");
+                                 drawFlipBytes(state);
+                             }};
+    const float used = stored.width + shown.width + bytes.width + em * 4;
+    const FigureColumn words{std::clamp(room - used, std::min(room, em * 15), em * 30), [&] {
+                                 for (const std::string& sentence : flipSentences(state.steps, state.step))
+                                     wrappedText(sentence);
+                                 noteItem("flip:words");
+                             }};
+    if (used + em * 15 <= room)
+        return drawFigureColumns(std::array{stored, shown, bytes, words});
+    drawFigureColumns(std::array{FigureColumn{room, words.draw}, stored, shown, bytes});
+}
 
 } // namespace texplorer::ui

@@ -2,10 +2,23 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
+#include "core/s3tc/flip_steps.h"
+
+#include <optional>
+#include <vector>
 
 namespace texplorer::ui {
 
-struct BlockFlipState {};
+struct BlockFlipState {
+    BlockFormat format = BlockFormat::Dxt1Alpha;
+    int height = 8;
+    std::size_t step = 0;
+
+    // What they were last, and what came of them.
+    std::vector<FlipStep> steps{};
+    BlockFormat stepsFormat = BlockFormat::Dxt1Alpha;
+    int stepsHeight = 0;
+};
 
 void drawBlockFlip(Session& session, BlockFlipState& state, const Pictures& pictures);
 

@@ -1,8 +1,123 @@
 #include "app/ui/figures/block_microscope.h"
 
-namespace texplorer::ui {
+#include "app/ui/figures/block_columns.h"
+#include "app/ui/figures/figure_columns.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
 
-void drawBlockMicroscope(Session& /*session*/, BlockMicroscopeState& /*state*/,
-                         const Pictures& /*pictures*/) {}
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+struct FormatChoice {
+    BlockFormat format;
+    const char* label;
+};
+
+constexpr std::array formatChoices{
+    FormatChoice{BlockFormat::Dxt1, "DXT1 RGB"}, FormatChoice{BlockFormat::Dxt1Alpha, "DXT1 RGBA"},
+    FormatChoice{BlockFormat::Dxt3, "DXT3"}, FormatChoice{BlockFormat::Dxt5, "DXT5"}};
+
+struct SourceChoice {
+    const char* label;
+    const char* name;
+    const char* help;
+};
+
+constexpr std::array sourceChoices{
+    SourceChoice{"A block of your own", "own", "A block to try things with"},
+    SourceChoice{"From the texture", "texture",
+                 "A block of the bound texture's level 0: the stored bytes, or compressed now"},
+    SourceChoice{"At the probed pixel", "probed", "The block of the texel that the probed pixel reads"}};
+
+/// Buttons on one line, or on as few as have room.
+template<class Choices, class After>
+std::optional<std::size_t> choose(const Choices& choices, std::size_t chosen, float width, After after) {
+    std::vector<Segment> names;
+    for (const auto& each : choices)
+        names.push_back({each.label});
+    const auto plan = planSegments(names, width, names.size());
+    return plan ? drawSegments(names, *plan, chosen, after) : std::nullopt;
+}
+
+template<class Choices>
+float leastWidthOf(const Choices& choices) {
+    float width = 0;
+    for (const auto& each : choices)
+        width += ImGui::CalcTextSize(tr(each.label)).x + ImGui::GetFontSize();
+    return width;
+}
+
+void drawChoices(BlockMicroscopeState& state) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetFontSize();
+    const float formats = std::min(room, leastWidthOf(formatChoices));
+    const float sources = std::min(room, leastWidthOf(sourceChoices));
+    const auto format = std::ranges::find(formatChoices, state.format, &FormatChoice::format);
+    if (const auto pressed = choose(formatChoices, static_cast<std::size_t>(format - formatChoices.begin()),
+                                    formats, [](std::size_t i) {
+                                        const EnumRow& row = rowOf(formatChoices.at(i).format);
+                                        noteItem(fmt::format("block:format {}", formatChoices.at(i).label));
+                                        helpTip(fmt::format("{}\n{}", row.name, row.help));
+                                    })) {
+        const BlockFormat wanted = formatChoices.at(*pressed).format;
+        state.block = inFormat(state.block, state.format, wanted);
+        state.format = wanted;
+        state.hovered.reset();
+    }
+    if (formats + gap + sources <= room)
+        ImGui::SameLine(0, gap);
+    if (const auto pressed =
+            choose(sourceChoices, static_cast<std::size_t>(state.source.kind), sources, [](std::size_t i) {
+                noteItem(fmt::format("block:source {}", sourceChoices.at(i).name));
+                helpTip(sourceChoices.at(i).help);
+            }))
+        state.source.kind = static_cast<BlockSource::Kind>(*pressed);
+}
+
+constexpr const char* whatToDo =
+    "Click a texel, then one of the four colours; a click on a bit turns it over. What goes together lights up.";
+
+} // namespace
+
+BlockMicroscopeState::BlockMicroscopeState()
+    : format(blockExamples.front().format)
+    , block(blockOfHex(format, blockExamples.front().hex).value()) {}
+
+BlockLook lookAt(const BlockMicroscopeState& state) {
+    const BlockFields fields = fieldsOf(state.format, state.block);
+    return {fields, colorsOf(state.format, fields), alphasOf(state.format, fields),
+            state.hovered ? linksOf(state.format, fields, *state.hovered) : BlockLinks{}};
+}
+
+void drawBlockMicroscope(Session& session, BlockMicroscopeState& state, const Pictures& /*pictures*/) {
+    followBlockSource(session, state);
+    drawChoices(state);
+    dimWrappedText(whatToDo);
+    const float em = ImGui::GetFontSize();
+    const BlockLook look = lookAt(state);
+    state.hovering.reset();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float high = ImGui::GetContentRegionAvail().y;
+    const float cell = std::floor(std::clamp((high - em * 1.3F) / 4, em * 1.9F, em * 4));
+    const FigureColumn texels{blockTexelsWidth(cell), [&] { drawBlockTexels(state, look, cell); }};
+    const FigureColumn palette{blockPaletteWidth(), [&] { drawBlockPalette(state, look); }};
+    const FigureColumn bits{blockBitsWidth(state.format), [&] { drawBlockBits(state, look); }};
+    const FigureColumn source{std::floor(em * 9.5F), [&] { drawBlockSource(state); }};
+    const float beside = texels.width + palette.width + bits.width + source.width + em * 3.5F;
+    drawFigureColumns(beside <= room ? std::array{texels, palette, bits, source}
+                                     : std::array{texels, source, palette, bits});
+    state.hovered = state.hovering;
+}
 
 } // namespace texplorer::ui

@@ -1,0 +1,315 @@
+#include "app/ui/figures/block_source.h"
+
+#include "app/ui/figures/block_microscope.h"
+#include "app/ui/figures/block_swatch.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
+#include "core/image/convert.h"
+#include "core/s3tc/decode.h"
+#include "core/s3tc/encode.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+using SourceKind = BlockSource::Kind;
+
+std::optional<LevelsRequest> levelsOfBoundTexture(Session& session, std::string& problem) {
+    const Texture* texture = boundTexture(std::as_const(session));
+    if (!texture) {
+        problem = "No texture is bound to this unit.";
+        return std::nullopt;
+    }
+    LevelsRequest request{session.document.images.picturesOf(*texture), imageSettings(*texture),
+                          selectedUnit(session).target};
+    if (request.pictures.base)
+        return request;
+    problem = "The image is not loaded.";
+    return std::nullopt;
+}
+
+/// Large levels take a while to be freed.
+void giveLevelsBack(Session& session, BlockSource& source) {
+    if (source.levels && source.request)
+        session.services.levels.uploaded(*source.request, std::exchange(source.levels, nullptr), {});
+    source.levels.reset();
+    source.request.reset();
+    source.taken.reset();
+}
+
+/// Asks for the levels until they are there. True where they are another texture's than before.
+bool followLevels(Session& session, BlockSource& source) {
+    std::optional<LevelsRequest> request = levelsOfBoundTexture(session, source.problem);
+    if (!request) {
+        giveLevelsBack(session, source);
+        return false;
+    }
+    if (source.levels && source.request == request)
+        return false;
+    std::shared_ptr<const PreparedLevels> levels = session.services.levels.prepare(*request);
+    if (!levels) {
+        source.problem = "The levels are being made…";
+        return false;
+    }
+    if (!*levels || (*levels)->levels.empty()) {
+        source.problem = *levels ? std::string("There is no level.") : levels->error().message;
+        return false;
+    }
+    giveLevelsBack(session, source);
+    source.levels = std::move(levels);
+    source.request = std::move(request);
+    return true;
+}
+
+/// The first level of a face, and what it was made of where it was compressed here.
+struct BaseOfFace {
+    const Surface* surface = nullptr;
+    const Image* before = nullptr;
+};
+
+BaseOfFace baseOfFace(const TextureLevels& levels, int face) {
+    auto found = std::ranges::find(levels.levels, face, &TextureLevel::face);
+    if (found == levels.levels.end())
+        found = levels.levels.begin();
+    const auto index = static_cast<std::size_t>(found - levels.levels.begin());
+    return {&*found->surface, index < levels.source.size() ? &levels.source[index] : nullptr};
+}
+
+/// 4 x 4 texels of the first slice; beyond an edge it is repeated, as encodeBlocks() does.
+std::array<BlockColor, 16> texelsAround(const Image& image, int blockX, int blockY) {
+    std::array<BlockColor, 16> texels{};
+    for (int i = 0; i < 16; ++i) {
+        const int x = std::min(4 * blockX + i % 4, image.width - 1);
+        const int y = std::min(4 * blockY + i / 4, image.height - 1);
+        texels[static_cast<std::size_t>(i)] = rgbaOf(image.format, image.at(x, y).data());
+    }
+    return texels;
+}
+
+const std::byte* bytesAt(const BlockImage& image, int blockX, int blockY) {
+    return image.blocks.data() + static_cast<std::size_t>(blockY) * image.blockRowBytes() +
+           static_cast<std::size_t>(blockX) * bytesPerBlock(image.format);
+}
+
+std::array<BlockColor, 16> texelsIn(const BlockImage& image, int blockX, int blockY) {
+    std::array<std::byte, 64> rgba{};
+    decodeBlock(image.format, bytesAt(image, blockX, blockY), rgba.data());
+    std::array<BlockColor, 16> texels{};
+    std::memcpy(texels.data(), rgba.data(), rgba.size());
+    return texels;
+}
+
+BlockBytes compressed(const std::array<BlockColor, 16>& texels, BlockFormat format, EncodeQuality quality) {
+    Image image = Image::uninitialised(PixelFormat::Rgba8, 4, 4);
+    std::memcpy(image.pixels.data(), texels.data(), image.pixels.size());
+    BlockBytes block{};
+    if (const Result<BlockImage> made = encodeBlocks(image, format, quality, {}, {}, 1))
+        std::ranges::copy(made->blocks, block.begin());
+    return block;
+}
+
+/// The face and the block of the texel that weighs most at the probed pixel; where it was read in a smaller
+/// level, the block of the base level at that place.
+std::optional<glm::ivec3> probedBlock(const Session& session, const TextureLevels& levels) {
+    const reference::UnitExplanation* unit = probedUnit(session);
+    if (!unit || unit->sample.taps.empty())
+        return std::nullopt;
+    const reference::Tap& tap = *std::ranges::max_element(unit->sample.taps, {}, &reference::Tap::weight);
+    const int face = unit->target == Target::CubeMap ? tap.index.z : 0;
+    const Surface& base = *baseOfFace(levels, face).surface;
+    const auto level = std::ranges::find_if(levels.levels, [&](const TextureLevel& each) {
+        return each.number == tap.level && each.face == face;
+    });
+    if (level == levels.levels.end())
+        return std::nullopt;
+    const auto along = [&](int index, int size, int baseSize) {
+        const int inside = std::clamp(index + levels.border, 0, size - 1);
+        return static_cast<int>(static_cast<long long>(inside) * baseSize / size) / 4;
+    };
+    return glm::ivec3(along(tap.index.x, widthOf(*level->surface), widthOf(base)),
+                      along(tap.index.y, heightOf(*level->surface), heightOf(base)), face);
+}
+
+void takeBlock(BlockMicroscopeState& state, int face) {
+    BlockSource& source = state.source;
+    const BaseOfFace base = baseOfFace(**source.levels, face);
+    const auto* blocks = std::get_if<BlockImage>(base.surface);
+    const auto* image = std::get_if<Image>(base.surface);
+    source.stored = blocks && blocks->format == state.format;
+    source.original.reset();
+    if (base.before || image)
+        source.original = texelsAround(base.before ? *base.before : *image, source.x, source.y);
+    if (source.stored) {
+        source.block = {};
+        std::copy_n(bytesAt(*blocks, source.x, source.y), bytesPerBlock(state.format), source.block.begin());
+    } else {
+        source.block = compressed(source.original ? *source.original : texelsIn(*blocks, source.x, source.y),
+                                  state.format, source.quality);
+    }
+    source.width = std::min(4, widthOf(*base.surface) - 4 * source.x);
+    source.height = std::min(4, heightOf(*base.surface) - 4 * source.y);
+    state.block = source.block;
+}
+
+} // namespace
+
+void followBlockSource(Session& session, BlockMicroscopeState& state) {
+    BlockSource& source = state.source;
+    source.problem.clear();
+    if (source.kind == SourceKind::Own)
+        return giveLevelsBack(session, source);
+    const bool isNew = followLevels(session, source);
+    if (!source.levels || !source.problem.empty())
+        return;
+    const TextureLevels& levels = **source.levels;
+    int face = 0;
+    if (source.kind == SourceKind::Probed) {
+        const std::optional<glm::ivec3> block = probedBlock(session, levels);
+        if (!block) {
+            source.problem = "Hold E and click a pixel that reads this texture.";
+            return;
+        }
+        source.x = block->x;
+        source.y = block->y;
+        face = block->z;
+    }
+    const Surface& base = *baseOfFace(levels, face).surface;
+    if (const auto* blocks = std::get_if<BlockImage>(&base); isNew && blocks && isS3tc(blocks->format))
+        state.format = blocks->format;
+    source.columns = (widthOf(base) + 3) / 4;
+    source.rows = (heightOf(base) + 3) / 4;
+    source.x = std::clamp(source.x, 0, source.columns - 1);
+    source.y = std::clamp(source.y, 0, source.rows - 1);
+    const BlockSource::Taken now{source.levels.get(), face, source.x, source.y, state.format, source.quality};
+    if (source.taken == now)
+        return;
+    takeBlock(state, face);
+    source.taken = now;
+}
+
+namespace {
+
+void drawExamples(BlockMicroscopeState& state, float width) {
+    for (const BlockExample& example : blockExamples) {
+        if (ImGui::Button(label(example.label), {width, 0})) {
+            state.format = example.format;
+            state.block = blockOfHex(example.format, example.hex).value();
+        }
+        noteItem(fmt::format("block:example {}", example.label));
+        helpTip(example.help);
+    }
+}
+
+/// ← → ↓ ↑ to the neighbours, and where it is.
+void drawPlace(BlockSource& source) {
+    struct Way {
+        const char* sign;
+        const char* name;
+        const char* help;
+        int x, y;
+    };
+    constexpr std::array ways{Way{"←", "block:left", "The block before along s", -1, 0},
+                              Way{"→", "block:right", "The next block along s", 1, 0},
+                              Way{"↓", "block:down", "The block before along t", 0, -1},
+                              Way{"↑", "block:up", "The next block along t", 0, 1}};
+    for (const Way& way : ways) {
+        const int x = source.x + way.x;
+        const int y = source.y + way.y;
+        if (way.sign != ways.front().sign)
+            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
+        const bool inside = x >= 0 && y >= 0 && x < source.columns && y < source.rows;
+        if (squareButton(way.sign, way.name, way.help, source.kind == SourceKind::Texture && inside)) {
+            source.x = x;
+            source.y = y;
+        }
+    }
+}
+
+void drawQuality(BlockSource& source, float width) {
+    std::vector<Segment> names;
+    std::ranges::transform(encodeQualityRows, std::back_inserter(names),
+                           [](const EnumRow& row) { return Segment{std::string(row.label)}; });
+    const auto plan = planSegments(names, width, names.size());
+    if (!plan)
+        return;
+    const auto pressed =
+        drawSegments(names, *plan, static_cast<std::size_t>(source.quality), [](std::size_t i) {
+            noteItem(fmt::format("block:quality {}", encodeQualityRows.at(i).name));
+            helpTip(encodeQualityRows.at(i).help);
+        });
+    if (pressed)
+        source.quality = static_cast<EncodeQuality>(*pressed);
+}
+
+/// The texels that were compressed, small, and how far those of the block are from them.
+void drawOriginal(const BlockMicroscopeState& state) {
+    const BlockSource& source = state.source;
+    const float cell = std::floor(ImGui::GetFontSize() * 1.1F);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (int i = 0; i < 16; ++i) {
+        if (i % 4 >= source.width || i / 4 >= source.height)
+            continue;
+        const ImVec2 at(low.x + cell * static_cast<float>(i % 4), low.y + cell * static_cast<float>(i / 4));
+        drawSwatch(draw, at, {at.x + cell - 1, at.y + cell - 1},
+                   source.original->at(static_cast<std::size_t>(i)));
+    }
+    ImGui::Dummy({4 * cell, 4 * cell});
+    noteItem("block:original");
+    helpTip("The texels that the block was made of, in the same order");
+    const double error = rootMeanSquare(*source.original, texelsOf(state.format, state.block), source.width,
+                                        source.height, state.format != BlockFormat::Dxt1);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::BeginGroup();
+    dimText("original");
+    dimText("RMS error");
+    ImGui::TextUnformatted(fmt::format("{:.2f}", error).c_str());
+    ImGui::EndGroup();
+    noteItem("block:error");
+    helpTip(
+        "The root of the mean square of the differences between the original and the block's texels, of 255");
+}
+
+} // namespace
+
+void drawBlockSource(BlockMicroscopeState& state) {
+    BlockSource& source = state.source;
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (source.kind == SourceKind::Own)
+        return drawExamples(state, width);
+    if (!source.problem.empty()) {
+        dimWrappedText(source.problem);
+        noteItem("block:problem");
+        return;
+    }
+    drawPlace(source);
+    text(fmt::format("Block {}, {} of {} × {}", source.x, source.y, source.columns, source.rows));
+    noteItem("block:place");
+    if (source.original)
+        drawOriginal(state);
+    if (source.stored) {
+        dimText("The texture's own bytes");
+        noteItem("block:stored");
+    } else {
+        drawQuality(source, width);
+    }
+    ImGui::BeginDisabled(state.block == source.block);
+    if (ImGui::Button(label("Take again"), {width, 0}))
+        state.block = source.block;
+    ImGui::EndDisabled();
+    noteItem("block:again");
+    helpTip("Takes back what was changed here: the block as it was taken");
+}
+
+} // namespace texplorer::ui

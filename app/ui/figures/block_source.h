@@ -1,0 +1,78 @@
+#pragma once
+
+// Where the block under the microscope comes from: one's own hands, or the scene's texture.
+
+#include "app/ui/model/session.h"
+#include "core/s3tc/block_parts.h"
+#include "core/s3tc/encode_quality.h"
+#include "core/texture/levels_source.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace texplorer::ui {
+
+struct BlockMicroscopeState;
+
+struct BlockExample {
+    const char* label;
+    BlockFormat format;
+    const char* hex;
+    const char* help;
+};
+
+inline constexpr std::array blockExamples{
+    BlockExample{"Four colours", BlockFormat::Dxt1Alpha, "20 FD 30 19 A0 E8 FA 7E",
+                 "Color 0 is the larger number: the indices 2 and 3 lie between the ends."},
+    BlockExample{"Three and a hole", BlockFormat::Dxt1Alpha, "30 19 20 FD A5 BD 3E 0A",
+                 "Color 0 is the smaller number: the index 2 is the mean, and 3 is transparent black."},
+    BlockExample{"16 alphas", BlockFormat::Dxt3, "10 32 54 76 98 BA DC FE 20 FD 30 19 A0 E8 FA 7E",
+                 "DXT3: each texel has an alpha of its own, of 4 bits."},
+    BlockExample{"Eight alphas", BlockFormat::Dxt5, "FF 00 D0 A8 B1 63 CD FA 20 FD 30 19 A0 E8 FA 7E",
+                 "DXT5 with alpha 0 larger than alpha 1: six alphas between the ends."},
+    BlockExample{"Six, 0 and 255", BlockFormat::Dxt5, "50 B0 86 06 AD 5A B3 E6 20 FD 30 19 A0 E8 FA 7E",
+                 "DXT5 with alpha 0 smaller than alpha 1: four alphas between the ends, and 0 and 255."},
+};
+
+struct BlockSource {
+    enum class Kind : std::uint8_t { Own, Texture, Probed };
+    Kind kind = Kind::Own;
+    int x = 0; ///< of the block, along s
+    int y = 0; ///< along t
+    EncodeQuality quality = EncodeQuality::Best;
+
+    // What is known of the texture.
+    std::optional<LevelsRequest> request{};
+    std::shared_ptr<const PreparedLevels> levels{}; ///< of that request; nullptr: not yet
+    std::string problem{};                          ///< a sentence: why there is no block to take
+
+    /// The block as it was taken.
+    struct Taken {
+        const PreparedLevels* levels = nullptr;
+        int face = 0;
+        int x = 0;
+        int y = 0;
+        BlockFormat format = BlockFormat::Dxt1;
+        EncodeQuality quality = EncodeQuality::Best;
+
+        bool operator==(const Taken&) const = default;
+    };
+    std::optional<Taken> taken{};
+    BlockBytes block{};
+    bool stored = false; ///< the texture has these bytes; else they were compressed now
+    std::optional<std::array<BlockColor, 16>> original{}; ///< what was compressed, where that is known
+    int width = 4;                                        ///< how many of the texels lie in the texture
+    int height = 4;
+    int columns = 1; ///< how many blocks the texture has
+    int rows = 1;
+};
+
+/// Looks for the block where the source is the texture, and takes it when it is another one than before.
+void followBlockSource(Session& session, BlockMicroscopeState& state);
+
+/// What belongs to the source, as wide as the column is.
+void drawBlockSource(BlockMicroscopeState& state);
+
+} // namespace texplorer::ui

@@ -1,0 +1,55 @@
+#include "app/ui/figures/block_swatch.h"
+
+#include "app/ui/widgets/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texplorer::ui {
+
+void drawSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const BlockColor& color) {
+    if (color[3] < 255) {
+        const float cell = std::max(2.0F, std::floor((high.y - low.y) / 4));
+        draw.AddRectFilled(low, high, color::board);
+        for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
+            const float y = low.y + static_cast<float>(row) * cell;
+            for (float x = low.x + (row % 2 == 0 ? 0 : cell); x < high.x; x += 2 * cell)
+                draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
+                                   color::boardLight);
+        }
+    }
+    draw.AddRectFilled(low, high, IM_COL32(color[0], color[1], color[2], color[3]));
+}
+
+void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame frame) {
+    if (frame == SwatchFrame::None)
+        return;
+    const float thick = std::max(1.0F, std::round(ImGui::GetFontSize() / 8));
+    const auto ring = [&](float inset, float width, ImU32 tint) {
+        draw.AddRect({low.x + inset, low.y + inset}, {high.x - inset, high.y - inset}, tint, 0, 0, width);
+    };
+    ring(thick, 3 * thick, color::shade);
+    ring(thick, thick, frame == SwatchFrame::Chosen ? color::chosen : color::text);
+}
+
+void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words) {
+    const ImVec2 size = ImGui::CalcTextSize(words);
+    const float pad = std::floor(ImGui::GetFontSize() * 0.2F);
+    const ImVec2 at(std::floor((low.x + high.x - size.x) / 2), std::floor((low.y + high.y - size.y) / 2));
+    draw.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, color::shade, pad);
+    draw.AddText(at, color::text, words);
+}
+
+Spot spotHere(const char* id, ImVec2 size) {
+    Spot spot{ImGui::GetCursorScreenPos(), {}, false, false};
+    spot.high = {spot.low.x + size.x, spot.low.y + size.y};
+    spot.pressed = ImGui::InvisibleButton(id, size);
+    const bool focused = ImGui::GetIO().NavVisible && ImGui::IsItemFocused();
+    spot.hovered = ImGui::IsItemHovered() || focused;
+    if (focused)
+        ImGui::GetWindowDrawList()->AddRect(spot.low, spot.high, color::accent, 0, 0,
+                                            std::max(2.0F, ImGui::GetFontSize() / 7));
+    return spot;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+namespace texplorer::ui {
+
+/// Something beside others, with the width that it needs.
+struct FigureColumn {
+    float width;
+    std::function<void()> draw;
+};
+
+/// Beside each other, and those that find no room below.
+void drawFigureColumns(std::span<const FigureColumn> columns);
+
+} // namespace texplorer::ui

@@ -1,0 +1,182 @@
+// The block under the microscope, edited by synthetic clicks; what a block means stands in
+// EXT_texture_compression_s3tc, and what is taken from a texture is held against its bytes.
+
+#include "app/ui/figures/block_microscope.h"
+#include "core/s3tc/decode.h"
+#include "core/s3tc/encode.h"
+#include "tests/ui/workbench.h"
+
+#include <fmt/core.h>
+
+#include <cstring>
+
+namespace texplorer::ui::block_microscope_test {
+namespace {
+
+using namespace test;
+
+class BlockMicroscope : public Workbench {
+protected:
+    void open() {
+        session->window.wantedTab = Tab::Figures;
+        session->window.figure = Figure::Block;
+        frames(4);
+    }
+    [[nodiscard]] BlockMicroscopeState& state() { return states.details.figures.block; }
+    [[nodiscard]] BlockFields fields() { return fieldsOf(state().format, state().block); }
+    [[nodiscard]] std::string hex() { return hexOf(state().format, state().block); }
+};
+
+TEST_F(BlockMicroscope, BeginsWithFourColours) {
+    open();
+    EXPECT_EQ(hex(), "20 FD 30 19 A0 E8 FA 7E");
+    EXPECT_TRUE(has("block:mode"));
+    EXPECT_TRUE(has("block:texel 15"));
+    EXPECT_FALSE(has("block:bit 64"));
+}
+
+TEST_F(BlockMicroscope, AClickInThePaletteGivesTheChosenTexelItsIndex) {
+    open();
+    click("block:texel 6");
+    EXPECT_EQ(state().texel, 6U);
+    EXPECT_EQ(fields().indices[6], 2) << "choosing changes nothing";
+    click("block:entry 1");
+    EXPECT_EQ(fields().indices[6], 1);
+    click("block:texel 6");
+    EXPECT_EQ(fields().indices[6], 2) << "a second click takes the next index";
+}
+
+TEST_F(BlockMicroscope, AClickTurnsABitOver) {
+    open();
+    click("block:bit 63"); // the upper index bit of texel 15: from 01 to 11
+    EXPECT_EQ(hex(), "20 FD 30 19 A0 E8 FA FE");
+    EXPECT_EQ(fields().indices[15], 3);
+    click("block:bit 15"); // red's highest of color 0: no longer the larger end
+    EXPECT_FALSE(hasFourColors(state().format, fields()) && fields().colors[0] > 0x8000);
+}
+
+TEST_F(BlockMicroscope, SwappedEndsMakeAHole) {
+    open();
+    click("block:swap");
+    EXPECT_EQ(hex(), "30 19 20 FD A0 E8 FA 7E");
+    EXPECT_EQ(texelsOf(state().format, state().block)[7][3], 0) << "index 3";
+    click("block:format DXT1 RGB");
+    EXPECT_EQ(texelsOf(state().format, state().block)[7][3], 255) << "black, and opaque";
+}
+
+TEST_F(BlockMicroscope, TypedBytesAreTheBlockAsSoonAsTheyAreOne) {
+    open();
+    click("block:hex");
+    key('A', {ctrl});
+    type("00F81F00E40000");
+    EXPECT_TRUE(has("block:hex problem"));
+    EXPECT_EQ(hex(), "20 FD 30 19 A0 E8 FA 7E") << "not yet";
+    type("40");
+    EXPECT_FALSE(has("block:hex problem"));
+    EXPECT_EQ(hex(), "00 F8 1F 00 E4 00 00 40");
+}
+
+TEST_F(BlockMicroscope, AnEndIsDraggedInItsOwnBits) {
+    open();
+    drag(place("block:color 1[2]"), {60, 0});
+    EXPECT_GT(fields().colors[1] & 31, 0x1930 & 31);
+    EXPECT_EQ(fields().colors[1] >> 5, 0x1930 >> 5) << "red and green stay";
+}
+
+TEST_F(BlockMicroscope, AlphasOfDxt5AreEightOrSix) {
+    open();
+    click("block:example Eight alphas");
+    EXPECT_EQ(state().format, BlockFormat::Dxt5);
+    EXPECT_TRUE(hasEightAlphas(fields()));
+    EXPECT_TRUE(has("block:alpha entry 7"));
+    EXPECT_FALSE(has("block:alpha entry 8"));
+    click("block:swap alphas");
+    EXPECT_FALSE(hasEightAlphas(fields()));
+    click("block:texel 0");
+    click("block:alpha entry 6");
+    EXPECT_EQ(texelsOf(state().format, state().block)[0][3], 0);
+    click("block:example 16 alphas");
+    click("block:texel 3");
+    click("block:alpha entry 15");
+    EXPECT_EQ(fields().alphas[3], 15);
+}
+
+TEST_F(BlockMicroscope, WhatGoesTogetherLightsUp) {
+    open();
+    moveTo(place("block:texel 15"));
+    frames(2);
+    ASSERT_TRUE(state().hovered);
+    EXPECT_EQ(*state().hovered, (BlockMark{BlockMark::Kind::Texel, 15}));
+    moveTo(place("block:bit 3")); // of color 0
+    frames(2);
+    EXPECT_EQ(*state().hovered, (BlockMark{BlockMark::Kind::Field, 0}));
+    moveTo(place("block:entry 2"));
+    frames(2);
+    EXPECT_EQ(*state().hovered, (BlockMark{BlockMark::Kind::Color, 2}));
+}
+
+TEST_F(BlockMicroscope, PixelsOfTheTextureAreCompressedNow) {
+    texture().pattern = Pattern::Checker;
+    open();
+    click("block:source texture");
+    ASSERT_TRUE(state().source.original);
+    EXPECT_FALSE(state().source.stored);
+    EXPECT_TRUE(has("block:error"));
+    click("block:right");
+    click("block:up");
+    EXPECT_EQ(state().source.x, 1);
+    EXPECT_EQ(state().source.y, 1);
+    const BlockBytes taken = state().block;
+    click("block:bit 40");
+    EXPECT_NE(state().block, taken);
+    click("block:again");
+    EXPECT_EQ(state().block, taken);
+    // The same texels in a picture of their own, by the same encoder.
+    Image image = Image::uninitialised(PixelFormat::Rgba8, 4, 4);
+    std::memcpy(image.pixels.data(), state().source.original->data(), 64);
+    const BlockImage expected = encodeBlocks(image, state().format, EncodeQuality::Best).value();
+    EXPECT_TRUE(std::equal(expected.blocks.begin(), expected.blocks.end(), taken.begin()));
+}
+
+TEST_F(BlockMicroscope, ACompressedTextureGivesTheBytesThatItHas) {
+    texture().compression = Compression::Cached;
+    texture().compressedFormat = CompressedFormat::Dxt5;
+    open();
+    click("block:source texture");
+    EXPECT_TRUE(has("block:stored"));
+    EXPECT_EQ(state().format, BlockFormat::Dxt5);
+    ASSERT_TRUE(state().source.original) << "what it was made of is known";
+    const TextureLevels& levels = **state().source.levels;
+    const auto& blocks = std::get<BlockImage>(*levels.levels.front().surface);
+    EXPECT_TRUE(std::equal(state().block.begin(), state().block.end(), blocks.blocks.begin()));
+    click("block:format DXT3");
+    EXPECT_FALSE(has("block:stored")) << "another format is compressed now";
+    EXPECT_EQ(state().format, BlockFormat::Dxt3);
+}
+
+TEST_F(BlockMicroscope, FollowsTheProbedPixel) {
+    open();
+    click("block:source probed");
+    EXPECT_TRUE(has("block:problem")) << "no pixel is probed";
+    session->window.explaining.pixel = {layout.picture.width / 4, layout.picture.height / 2};
+    frames(3);
+    const reference::UnitExplanation* unit = probedUnit(*session);
+    ASSERT_NE(unit, nullptr);
+    EXPECT_FALSE(has("block:problem"));
+    const reference::Tap& tap = *std::ranges::max_element(unit->sample.taps, {}, &reference::Tap::weight);
+    EXPECT_EQ(state().source.x, (tap.index.x << tap.level) / 4);
+    EXPECT_EQ(state().source.y, (tap.index.y << tap.level) / 4);
+}
+
+TEST_F(BlockMicroscope, SaysWhyThereIsNoBlockToTake) {
+    open();
+    unit().texture = -1;
+    click("block:source texture");
+    frames(2);
+    EXPECT_TRUE(has("block:problem"));
+    click("block:source own");
+    EXPECT_FALSE(has("block:problem"));
+}
+
+} // namespace
+} // namespace texplorer::ui::block_microscope_test
