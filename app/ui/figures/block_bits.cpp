@@ -38,7 +38,7 @@ std::string nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
     const BlockField& field = blockFields(format)[fieldAtBit(format, 8 * group.first)];
     switch (field.part) {
     case BlockPart::Color:
-        return fmt::format("color {}", field.number);
+        return fmt::format("colour {}", field.number);
     case BlockPart::ColorIndex:
         return fmt::format("indices, row {}", field.number / 4);
     case BlockPart::AlphaEnd:
@@ -61,12 +61,12 @@ std::string tipOf(BlockFormat format, int bit, const BlockField& field) {
     case BlockPart::Color: {
         const int place = bit - field.first;
         if (place >= 11)
-            return fmt::format("Bit {} of byte {}: red of color {}", inByte, byte, field.number);
-        return place >= 5 ? fmt::format("Bit {} of byte {}: green of color {}", inByte, byte, field.number)
-                          : fmt::format("Bit {} of byte {}: blue of color {}", inByte, byte, field.number);
+            return fmt::format("Bit {} of byte {}: red of colour {}", inByte, byte, field.number);
+        return place >= 5 ? fmt::format("Bit {} of byte {}: green of colour {}", inByte, byte, field.number)
+                          : fmt::format("Bit {} of byte {}: blue of colour {}", inByte, byte, field.number);
     }
     case BlockPart::ColorIndex:
-        return fmt::format("Bit {} of byte {}: the color index of texel {}, {}", inByte, byte, column, row);
+        return fmt::format("Bit {} of byte {}: the colour index of texel {}, {}", inByte, byte, column, row);
     case BlockPart::AlphaEnd:
         return fmt::format("Bit {} of byte {}: alpha {}", inByte, byte, field.number);
     case BlockPart::Alpha:

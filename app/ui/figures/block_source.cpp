@@ -48,28 +48,28 @@ void giveLevelsBack(Session& session, BlockSource& source) {
     source.taken.reset();
 }
 
-/// Asks for the levels until they are there. True where they are another texture's than before.
-bool followLevels(Session& session, BlockSource& source) {
+/// Asks for the levels until they are there. Of others than before nothing is taken yet.
+void followLevels(Session& session, BlockSource& source) {
     std::optional<LevelsRequest> request = levelsOfBoundTexture(session, source.problem);
     if (!request) {
         giveLevelsBack(session, source);
-        return false;
+        return;
     }
-    if (source.levels && source.request == request)
-        return false;
-    std::shared_ptr<const PreparedLevels> levels = session.services.levels.prepare(*request);
-    if (!levels) {
-        source.problem = "The levels are being made…";
-        return false;
+    if (!source.levels || source.request != request) {
+        std::shared_ptr<const PreparedLevels> levels = session.services.levels.prepare(*request);
+        const bool cancelled = levels && !*levels && levels->error().code == ErrorCode::Cancelled;
+        if (!levels || cancelled) {
+            source.problem = cancelled ? levels->error().message : "The levels are being made…";
+            return;
+        }
+        giveLevelsBack(session, source);
+        source.levels = std::move(levels);
+        source.request = std::move(request);
     }
-    if (!*levels || (*levels)->levels.empty()) {
-        source.problem = *levels ? std::string("There is no level.") : levels->error().message;
-        return false;
-    }
-    giveLevelsBack(session, source);
-    source.levels = std::move(levels);
-    source.request = std::move(request);
-    return true;
+    if (!*source.levels)
+        source.problem = source.levels->error().message;
+    else if ((*source.levels)->levels.empty())
+        source.problem = "There is no level.";
 }
 
 /// The first level of a face, and what it was made of where it was compressed here.
@@ -169,7 +169,7 @@ void followBlockSource(Session& session, BlockMicroscopeState& state) {
     source.problem.clear();
     if (source.kind == SourceKind::Own)
         return giveLevelsBack(session, source);
-    const bool isNew = followLevels(session, source);
+    followLevels(session, source);
     if (!source.levels || !source.problem.empty())
         return;
     const TextureLevels& levels = **source.levels;
@@ -185,7 +185,8 @@ void followBlockSource(Session& session, BlockMicroscopeState& state) {
         face = block->z;
     }
     const Surface& base = *baseOfFace(levels, face).surface;
-    if (const auto* blocks = std::get_if<BlockImage>(&base); isNew && blocks && isS3tc(blocks->format))
+    if (const auto* blocks = std::get_if<BlockImage>(&base);
+        !source.taken && blocks && isS3tc(blocks->format))
         state.format = blocks->format;
     source.columns = (widthOf(base) + 3) / 4;
     source.rows = (heightOf(base) + 3) / 4;
@@ -272,7 +273,7 @@ void drawOriginal(const BlockMicroscopeState& state) {
                                         source.height, state.format != BlockFormat::Dxt1);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::BeginGroup();
-    dimText("original");
+    dimText("Original");
     dimText("RMS error");
     ImGui::TextUnformatted(fmt::format("{:.2f}", error).c_str());
     ImGui::EndGroup();

@@ -25,9 +25,9 @@ struct BlockExample {
 
 inline constexpr std::array blockExamples{
     BlockExample{"Four colours", BlockFormat::Dxt1Alpha, "20 FD 30 19 A0 E8 FA 7E",
-                 "Color 0 is the larger number: the indices 2 and 3 lie between the ends."},
+                 "Colour 0 is the larger number: the indices 2 and 3 lie between the ends."},
     BlockExample{"Three and a hole", BlockFormat::Dxt1Alpha, "30 19 20 FD A5 BD 3E 0A",
-                 "Color 0 is the smaller number: the index 2 is the mean, and 3 is transparent black."},
+                 "Colour 0 is the smaller number: the index 2 is the mean, and 3 is transparent black."},
     BlockExample{"16 alphas", BlockFormat::Dxt3, "10 32 54 76 98 BA DC FE 20 FD 30 19 A0 E8 FA 7E",
                  "DXT3: each texel has an alpha of its own, of 4 bits."},
     BlockExample{"Eight alphas", BlockFormat::Dxt5, "FF 00 D0 A8 B1 63 CD FA 20 FD 30 19 A0 E8 FA 7E",

@@ -38,10 +38,10 @@ std::string texelTip(const BlockMicroscopeState& state, const BlockLook& look, s
                      const BlockColor& color) {
     const std::string what =
         alphaCount(state.format) > 0
-            ? fmt::format("Texel {}, {}: {} {} {}, alpha {}, color index {}, alpha {}", texel % 4, texel / 4,
+            ? fmt::format("Texel {}, {}: {} {} {}, alpha {}, colour index {}, alpha {}", texel % 4, texel / 4,
                           color[0], color[1], color[2], color[3], look.fields.indices[texel],
                           look.fields.alphas[texel])
-            : fmt::format("Texel {}, {}: {} {} {}, alpha {}, color index {}", texel % 4, texel / 4, color[0],
+            : fmt::format("Texel {}, {}: {} {} {}, alpha {}, colour index {}", texel % 4, texel / 4, color[0],
                           color[1], color[2], color[3], look.fields.indices[texel]);
     return what;
 }
