@@ -10,28 +10,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace texplorer::ui {
 namespace {
 
 /// How a line of bits lies: what it is, its bytes, and then its number, the highest bit first.
 struct BitLine {
-    float letter; ///< width of a digit
+    float letter; ///< width of a bit
     float names;
     float bytes;
+    float gap; ///< between fields
 
-    explicit BitLine(BlockFormat format)
+    BitLine(BlockFormat format, float spread)
         : letter(0)
-        , names(std::max(ImGui::CalcTextSize(tr("alphas, rows 2, 3")).x,
-                         ImGui::CalcTextSize(tr("indices, row 3")).x) +
-                ImGui::GetFontSize() * 0.5F)
-        , bytes(0) {
+        , names(0)
+        , bytes(0)
+        , gap(0) {
+        for (const char* name : {"colour 0", "index row 0", "α rows 0, 1"})
+            names = std::max(names, ImGui::CalcTextSize(tr(name)).x);
+        names += ImGui::GetFontSize() * 0.5F;
         ImGui::PushFont(codeFont());
-        letter = ImGui::CalcTextSize("0").x;
+        const float digit = ImGui::CalcTextSize("0").x;
         ImGui::PopFont();
-        bytes = letter * (format == BlockFormat::Dxt5 ? 9.0F : 6.0F);
+        letter = std::floor(digit * spread);
+        bytes = digit * (format == BlockFormat::Dxt5 ? 9.0F : 6.0F);
+        gap = std::floor(digit * 0.6F);
     }
-    [[nodiscard]] float fieldGap() const { return std::floor(letter * 0.6F); }
+    /// Where a bit of a field begins, counted from the field's left end.
+    [[nodiscard]] float placeOf(const BlockField& field, int bit) const {
+        const int place = bit - field.first;
+        const int components = field.part != BlockPart::Color ? 0 : place >= 11 ? 0 : place >= 5 ? 1 : 2;
+        return letter * static_cast<float>(field.bits - 1 - place) + gap * static_cast<float>(components);
+    }
+    [[nodiscard]] float widthOf(const BlockField& field) const {
+        return placeOf(field, field.first) + letter;
+    }
+    [[nodiscard]] float widthOf(BlockFormat format, const BlockBytesGroup& group) const {
+        float width = -gap;
+        for (const BlockField& field : fieldsOfGroup(format, group))
+            width += widthOf(field) + gap;
+        return width;
+    }
+    [[nodiscard]] static std::span<const BlockField> fieldsOfGroup(BlockFormat format,
+                                                                   const BlockBytesGroup& group) {
+        const std::size_t first = fieldAtBit(format, 8 * group.first);
+        const std::size_t last = fieldAtBit(format, 8 * (group.first + group.count) - 1);
+        return blockFields(format).subspan(first, last - first + 1);
+    }
 };
 
 std::string nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
@@ -40,15 +66,15 @@ std::string nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
     case BlockPart::Color:
         return fmt::format("colour {}", field.number);
     case BlockPart::ColorIndex:
-        return fmt::format("indices, row {}", field.number / 4);
+        return fmt::format("index row {}", field.number / 4);
     case BlockPart::AlphaEnd:
-        return fmt::format("alpha {}", field.number);
+        return fmt::format("α {}", field.number);
     case BlockPart::Alpha:
         break;
     }
     const int row = field.number / 4;
-    return format == BlockFormat::Dxt3 ? fmt::format("alphas, row {}", row)
-                                       : fmt::format("alphas, rows {}, {}", row, row + 1);
+    return format == BlockFormat::Dxt3 ? fmt::format("α row {}", row)
+                                       : fmt::format("α rows {}, {}", row, row + 1);
 }
 
 /// What a bit says, in words.
@@ -107,20 +133,20 @@ void drawField(BlockMicroscopeState& state, const BlockLook& look, const BitLine
                ImVec2 at) {
     const BlockField field = blockFields(state.format)[number];
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float width = line.letter * static_cast<float>(field.bits);
+    const float width = line.widthOf(field);
     const float em = ImGui::GetFontSize();
     const float stripe = std::max(2.0F, std::round(em / 7));
     if (look.lit.fields.test(number))
         draw.AddRectFilled({at.x - 1, at.y}, {at.x + width + 1, at.y + em}, color::lit);
     drawSwatch(draw, {at.x, at.y + em - 1}, {at.x + width, at.y + em - 1 + stripe}, meaningOf(field, look));
-    for (int i = 0; i < field.bits; ++i) {
-        const int bit = field.first + field.bits - 1 - i;
-        const ImVec2 place(at.x + line.letter * static_cast<float>(i), at.y);
+    const float indent = (line.letter - ImGui::CalcTextSize("0").x) / 2;
+    for (int bit = field.first + field.bits - 1; bit >= field.first; --bit) {
+        const ImVec2 place(at.x + line.placeOf(field, bit), at.y);
         ImGui::SetCursorScreenPos(place);
         const Spot spot = spotHere(fmt::format("bit {}", bit).c_str(), {line.letter, em + stripe});
         noteItem(fmt::format("block:bit {}", bit));
         const bool isSet = (readField(state.block, field) >> (bit - field.first) & 1) != 0;
-        draw.AddText(place, inkOf(field, bit), isSet ? "1" : "0");
+        draw.AddText({place.x + indent, place.y}, inkOf(field, bit), isSet ? "1" : "0");
         if (spot.hovered) {
             draw.AddLine({place.x, place.y + 1}, {place.x + line.letter, place.y + 1}, color::text);
             state.hovering = BlockMark{BlockMark::Kind::Field, number};
@@ -159,22 +185,38 @@ void drawHex(BlockMicroscopeState& state, float width) {
 
 } // namespace
 
-float blockBitsWidth(BlockFormat format) {
-    const BitLine line(format);
+float blockBitsWidth(BlockFormat format, float spread) {
+    const BitLine line(format, spread);
     float numbers = 0;
-    for (const BlockBytesGroup& group : blockGroups(format)) {
-        const std::size_t first = fieldAtBit(format, 8 * group.first);
-        const std::size_t last = fieldAtBit(format, 8 * (group.first + group.count) - 1);
-        numbers = std::max(numbers, line.letter * 8 * static_cast<float>(group.count) +
-                                        line.fieldGap() * static_cast<float>(last - first));
-    }
+    for (const BlockBytesGroup& group : blockGroups(format))
+        numbers = std::max(numbers, line.widthOf(format, group));
     return std::ceil(line.names + line.bytes + numbers) + 2;
 }
 
-void drawBlockBits(BlockMicroscopeState& state, const BlockLook& look) {
+float blockBitsSpread(BlockFormat format, float more) {
+    const float digit = BitLine(format, 1).letter;
+    const float bits = format == BlockFormat::Dxt5 ? 24 : 16;
+    return std::clamp(1 + more / (digit * bits), 1.0F, 1.5F);
+}
+
+float blockHexWidth(BlockFormat format) {
+    ImGui::PushFont(codeFont());
+    const auto digits = static_cast<float>(3 * bytesPerBlock(format) - 1);
+    const float width = ImGui::CalcTextSize("0").x * digits + ImGui::GetFontSize() * 0.8F;
+    ImGui::PopFont();
+    return std::ceil(width);
+}
+
+void drawBlockBits(BlockMicroscopeState& state, const BlockLook& look, float spread, float room) {
     const BlockFormat format = state.format;
-    const BitLine line(format);
-    drawHex(state, blockBitsWidth(format));
+    const BitLine line(format, spread);
+    const float width = blockBitsWidth(format, spread);
+    const float top = ImGui::GetCursorPosY();
+    drawHex(state, std::min(ImGui::GetContentRegionAvail().x, blockHexWidth(format)));
+    const float em = ImGui::GetFontSize();
+    const float left = room - (ImGui::GetCursorPosY() - top);
+    const float height =
+        std::floor(std::clamp(left / static_cast<float>(blockGroups(format).size()), em * 0.95F, em * 1.4F));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     for (const BlockBytesGroup& group : blockGroups(format)) {
@@ -185,17 +227,16 @@ void drawBlockBits(BlockMicroscopeState& state, const BlockLook& look) {
         for (int i = 0; i < group.count; ++i)
             bytes += fmt::format(
                 "{:02X} ", std::to_integer<int>(state.block[static_cast<std::size_t>(group.first + i)]));
-        const float height = ImGui::GetFontSize() * 1.22F;
         draw.AddText({corner.x + line.names, corner.y}, color::text, bytes.c_str());
         float x = corner.x + line.names + line.bytes;
-        const std::size_t first = fieldAtBit(format, 8 * group.first);
-        for (std::size_t i = fieldAtBit(format, 8 * (group.first + group.count) - 1) + 1; i > first; --i) {
-            drawField(state, look, line, i - 1, {x, corner.y});
-            x += line.letter * static_cast<float>(blockFields(format)[i - 1].bits) + line.fieldGap();
+        const std::span<const BlockField> fields = BitLine::fieldsOfGroup(format, group);
+        for (std::size_t i = fields.size(); i > 0; --i) { // the highest bits first
+            drawField(state, look, line, fieldAtBit(format, fields[i - 1].first), {x, corner.y});
+            x += line.widthOf(fields[i - 1]) + line.gap;
         }
         ImGui::PopFont();
         ImGui::SetCursorScreenPos(corner);
-        ImGui::Dummy({blockBitsWidth(format), height});
+        ImGui::Dummy({width, height});
     }
     ImGui::PopStyleVar();
 }

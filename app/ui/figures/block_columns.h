@@ -24,7 +24,13 @@ void drawBlockTexels(BlockMicroscopeState& state, const BlockLook& look, float c
 [[nodiscard]] float blockPaletteWidth();
 void drawBlockPalette(BlockMicroscopeState& state, const BlockLook& look);
 
-[[nodiscard]] float blockBitsWidth(BlockFormat format);
-void drawBlockBits(BlockMicroscopeState& state, const BlockLook& look);
+/// `spread`: how far the bits are apart, 1 or more.
+[[nodiscard]] float blockBitsWidth(BlockFormat format, float spread);
+/// How far they can be apart with so much more room than that of 1.
+[[nodiscard]] float blockBitsSpread(BlockFormat format, float more);
+/// Of all bytes in one line.
+[[nodiscard]] float blockHexWidth(BlockFormat format);
+/// As high as `room` where that will do, as wide as the column.
+void drawBlockBits(BlockMicroscopeState& state, const BlockLook& look, float spread, float room);
 
 } // namespace texplorer::ui

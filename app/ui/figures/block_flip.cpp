@@ -124,8 +124,8 @@ StripeLook stripeLook(int blockRows, float room) {
     const float gap = std::floor(em * 0.3F);
     const auto rows = static_cast<float>(4 * blockRows);
     const float row =
-        std::floor(std::clamp((room - gap * static_cast<float>(blockRows)) / rows, em * 1.05F, em * 2.0F));
-    return {row, em * 1.4F, em * 6.5F, gap};
+        std::floor(std::clamp((room - gap * static_cast<float>(blockRows)) / rows, em * 0.78F, em * 2.0F));
+    return {row, em * 1.4F, em * 5.4F, gap};
 }
 
 /// The rows of a step, each with the number that it had at the beginning.
@@ -138,7 +138,7 @@ void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const auto rows = 4 * static_cast<int>(image.blockRows());
     const float left = corner.x + look.names;
-    const float alphaFrom = left + look.width * (hasAlpha ? 0.72F : 1.0F);
+    const float alphaFrom = left + look.width * (hasAlpha ? 0.62F : 1.0F);
     for (int row = 0; row < rows; ++row) {
         const bool isInside = row < image.height;
         const BlockColor color =
@@ -152,15 +152,17 @@ void drawStripes(const BlockFlipState& state, std::size_t step, const StripeLook
         const bool wasInside = from >= 0 && from < image.height;
         const std::string name = wasInside ? std::to_string(from) : "✕";
         drawOnSwatch(draw, low, {alphaFrom, high.y}, name.c_str());
-        if (hasAlpha && look.width * 0.28F > ImGui::GetFontSize() * 1.6F)
+        if (hasAlpha && look.width * 0.38F > ImGui::GetFontSize() * 1.6F)
             drawOnSwatch(draw, {alphaFrom, low.y}, high, std::to_string(color[3]).c_str());
         if (!isInside)
             draw.AddRectFilled(low, high, color::shade);
         const std::string place = std::to_string(row);
-        draw.AddText({left - ImGui::CalcTextSize(place.c_str()).x - ImGui::GetFontSize() * 0.3F,
-                      std::floor(low.y + (look.row - ImGui::GetFontSize()) / 2)},
-                     isInside ? static_cast<ImU32>(color::dim) : static_cast<ImU32>(color::faint),
-                     place.c_str());
+        const float letters = std::min(ImGui::GetFontSize(), look.row);
+        const float wide = ImGui::CalcTextSize(place.c_str()).x * letters / ImGui::GetFontSize();
+        draw.AddText(
+            ImGui::GetFont(), letters,
+            {left - wide - ImGui::GetFontSize() * 0.3F, std::floor(low.y + (look.row - letters) / 2)},
+            isInside ? static_cast<ImU32>(color::dim) : static_cast<ImU32>(color::faint), place.c_str());
         noteDrawn(fmt::format("flip:row {} of step {} is {}", row, step, isInside ? name : "outside"), low,
                   high);
     }
@@ -259,7 +261,7 @@ void drawFlipBytes(const BlockFlipState& state) {
         draw.AddText(corner, color::dim, tr(fmt::format("block {}", block)).c_str());
         ImGui::PushFont(codeFont());
         const float letter = ImGui::CalcTextSize("0").x;
-        const float line = ImGui::GetFontSize() * 1.3F;
+        const float line = std::floor(ImGui::GetFontSize() * 1.2F);
         const float names = bytesNames();
         for (int i = 0; i < static_cast<int>(bytesPerBlock(format)); ++i) {
             const auto at = static_cast<std::size_t>(i);
@@ -291,10 +293,10 @@ void drawFlipBytes(const BlockFlipState& state) {
         noteItem(fmt::format("flip:bytes {}", block));
         helpTip(
             format == BlockFormat::Dxt5
-                ? "The bytes of the alphas, what they have for each row, 12 bits, as three digits, and the "
-                  "bytes of the colours; the stripe is the colour or the alpha of the row."
-                : "The bytes of a block; the stripe is the colour or the alpha of the row that a byte is "
-                  "about.");
+                ? "The bytes of the alphas, the 12 bits of each row of them as three digits, and the bytes "
+                  "of the colours. The stripe is the row's alpha or colour; what changed is lit."
+                : "The stripe is the alpha or the colour of the row that a byte is about; what the step has "
+                  "changed is lit.");
     }
 }
 
@@ -326,16 +328,16 @@ void drawBlockFlip(Session& /*session*/, BlockFlipState& state, const Pictures& 
                                  drawBrackets(now, corner, look);
                              }};
     const FigureColumn bytes{bytesWidth(), [&] {
-                                 dimText("Bytes after the step; what it changed is lit");
+                                 dimText("Bytes after the step");
                                  drawFlipBytes(state);
                              }};
-    const float used = stored.width + shown.width + bytes.width + em * 4;
-    const FigureColumn words{std::clamp(room - used, std::min(room, em * 15), em * 30), [&] {
+    const float used = stored.width + shown.width + bytes.width + 3 * figureColumnGap();
+    const FigureColumn words{std::clamp(room - used, std::min(room, em * 11), em * 30), [&] {
                                  for (const std::string& sentence : flipSentences(state.steps, state.step))
                                      wrappedText(sentence);
                                  noteItem("flip:words");
                              }};
-    if (used + em * 15 <= room)
+    if (used + em * 11 <= room)
         return drawFigureColumns(std::array{stored, shown, bytes, words});
     drawFigureColumns(std::array{FigureColumn{room, words.draw}, stored, shown, bytes});
 }

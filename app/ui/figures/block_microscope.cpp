@@ -112,11 +112,18 @@ void drawBlockMicroscope(Session& session, BlockMicroscopeState& state, const Pi
     const float cell = std::floor(std::clamp((high - em * 1.3F) / 4, em * 1.9F, em * 4));
     const FigureColumn texels{blockTexelsWidth(cell), [&] { drawBlockTexels(state, look, cell); }};
     const FigureColumn palette{blockPaletteWidth(), [&] { drawBlockPalette(state, look); }};
-    const FigureColumn bits{blockBitsWidth(state.format), [&] { drawBlockBits(state, look); }};
-    const FigureColumn source{std::floor(em * 9.5F), [&] { drawBlockSource(state); }};
-    const float beside = texels.width + palette.width + bits.width + source.width + em * 3.5F;
-    drawFigureColumns(beside <= room ? std::array{texels, palette, bits, source}
-                                     : std::array{texels, source, palette, bits});
+    const FigureColumn source{blockSourceWidth(), [&] { drawBlockSource(state); }};
+    // Beside each other as many as have room, the source last; in a narrow panel it is beside the texels.
+    const float threeRoom = room - texels.width - palette.width - 2 * figureColumnGap();
+    const float fourRoom = threeRoom - source.width - figureColumnGap();
+    const float least = blockBitsWidth(state.format, 1);
+    const float bitsRoom = least <= fourRoom ? fourRoom : least <= threeRoom ? threeRoom : room;
+    const float spread = blockBitsSpread(state.format, bitsRoom - least);
+    const FigureColumn bits{
+        std::max(blockBitsWidth(state.format, spread), std::min(blockHexWidth(state.format), bitsRoom)),
+        [&] { drawBlockBits(state, look, spread, high - 4); }};
+    drawFigureColumns(least <= threeRoom ? std::array{texels, palette, bits, source}
+                                         : std::array{texels, source, palette, bits});
     state.hovered = state.hovering;
 }
 

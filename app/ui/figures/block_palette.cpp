@@ -88,10 +88,10 @@ void drawColorEnd(BlockMicroscopeState& state, const BlockLook& look, int end) {
 /// What a colour that isn't stored is made of.
 const char* recipeOf(std::size_t index, bool fourColors, BlockFormat format) {
     if (fourColors)
-        return index == 2 ? "(2·c0 + c1) / 3" : "(c0 + 2·c1) / 3";
+        return index == 2 ? "(2c0+c1)/3" : "(c0+2c1)/3";
     if (index == 2)
-        return "(c0 + c1) / 2";
-    return format == BlockFormat::Dxt1Alpha ? "black, transparent" : "black";
+        return "(c0+c1)/2";
+    return format == BlockFormat::Dxt1Alpha ? "Transparent" : "Black";
 }
 
 void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_t index) {
@@ -160,11 +160,13 @@ void drawAlphaEnds(BlockMicroscopeState& state, const BlockLook& look) {
                          : "Alpha 1, of 8 bits.");
         ImGui::SameLine(0, gap);
     }
-    const char* words = hasEightAlphas(look.fields) ? "Eight alphas" : "Six, 0 and 255";
+    const char* words = hasEightAlphas(look.fields) ? "Swap (eight)" : "Swap (six)";
     if (ImGui::Button(label(fmt::format("{}##alphas", words)).c_str(), {ImGui::GetContentRegionAvail().x, 0}))
         swapEnds(state, BlockPart::AlphaEnd);
     noteItem("block:swap alphas");
-    helpTip("Exchanges the two ends: the larger one first means eight alphas.");
+    helpTip(
+        "Exchanges the two ends: the larger one first means eight alphas, else six are made of them, with 0 and "
+        "255.");
 }
 
 /// Each alpha that a texel can have, in lines of so many; a click gives it to the chosen texel.
@@ -200,7 +202,7 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
 } // namespace
 
 float blockPaletteWidth() {
-    return std::floor(ImGui::GetFontSize() * 15.5F);
+    return std::floor(ImGui::GetFontSize() * 14);
 }
 
 void drawBlockPalette(BlockMicroscopeState& state, const BlockLook& look) {

@@ -212,8 +212,9 @@ void drawExamples(BlockMicroscopeState& state, float width) {
     }
 }
 
-/// ← → ↓ ↑ to the neighbours, and where it is.
-void drawPlace(BlockSource& source) {
+/// ← → ↓ ↑ to the neighbours, and ↺ to the block as it was taken.
+void drawPlace(BlockMicroscopeState& state) {
+    BlockSource& source = state.source;
     struct Way {
         const char* sign;
         const char* name;
@@ -228,13 +229,17 @@ void drawPlace(BlockSource& source) {
         const int x = source.x + way.x;
         const int y = source.y + way.y;
         if (way.sign != ways.front().sign)
-            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
+            ImGui::SameLine(0, 2);
         const bool inside = x >= 0 && y >= 0 && x < source.columns && y < source.rows;
         if (squareButton(way.sign, way.name, way.help, source.kind == SourceKind::Texture && inside)) {
             source.x = x;
             source.y = y;
         }
     }
+    ImGui::SameLine(0, 2);
+    if (squareButton("↺", "block:again", "Takes back what was changed here: the block as it was taken",
+                     state.block != source.block))
+        state.block = source.block;
 }
 
 void drawQuality(BlockSource& source, float width) {
@@ -284,6 +289,13 @@ void drawOriginal(const BlockMicroscopeState& state) {
 
 } // namespace
 
+float blockSourceWidth() {
+    float width = ImGui::GetFontSize() * 8.5F;
+    for (const BlockExample& example : blockExamples)
+        width = std::max(width, buttonWidth(example.label));
+    return std::ceil(width);
+}
+
 void drawBlockSource(BlockMicroscopeState& state) {
     BlockSource& source = state.source;
     const float width = ImGui::GetContentRegionAvail().x;
@@ -294,7 +306,7 @@ void drawBlockSource(BlockMicroscopeState& state) {
         noteItem("block:problem");
         return;
     }
-    drawPlace(source);
+    drawPlace(state);
     text(fmt::format("Block {}, {} of {} × {}", source.x, source.y, source.columns, source.rows));
     noteItem("block:place");
     if (source.original)
@@ -305,12 +317,6 @@ void drawBlockSource(BlockMicroscopeState& state) {
     } else {
         drawQuality(source, width);
     }
-    ImGui::BeginDisabled(state.block == source.block);
-    if (ImGui::Button(label("Take again"), {width, 0}))
-        state.block = source.block;
-    ImGui::EndDisabled();
-    noteItem("block:again");
-    helpTip("Takes back what was changed here: the block as it was taken");
 }
 
 } // namespace texplorer::ui

@@ -72,6 +72,7 @@ struct BlockSource {
 /// Looks for the block where the source is the texture, and takes it when it is another one than before.
 void followBlockSource(Session& session, BlockMicroscopeState& state);
 
+[[nodiscard]] float blockSourceWidth();
 /// What belongs to the source, as wide as the column is.
 void drawBlockSource(BlockMicroscopeState& state);
 

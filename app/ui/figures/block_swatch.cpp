@@ -24,7 +24,9 @@ void drawSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const BlockColor& col
 void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame frame) {
     if (frame == SwatchFrame::None)
         return;
-    const float thick = std::max(1.0F, std::round(ImGui::GetFontSize() / 8));
+    const float em = ImGui::GetFontSize();
+    const bool isSmall = high.y - low.y < em * 1.3F; // and the frame leaves its words readable
+    const float thick = isSmall ? 1.0F : std::max(1.0F, std::round(em / 8));
     const auto ring = [&](float inset, float width, ImU32 tint) {
         draw.AddRect({low.x + inset, low.y + inset}, {high.x - inset, high.y - inset}, tint, 0, 0, width);
     };
@@ -33,11 +35,14 @@ void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame fram
 }
 
 void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words) {
-    const ImVec2 size = ImGui::CalcTextSize(words);
-    const float pad = std::floor(ImGui::GetFontSize() * 0.2F);
+    const float em = ImGui::GetFontSize();
+    const float letters = std::min(em, high.y - low.y);
+    const ImVec2 whole = ImGui::CalcTextSize(words);
+    const ImVec2 size(whole.x * letters / em, letters);
+    const float pad = std::floor(letters * 0.2F);
     const ImVec2 at(std::floor((low.x + high.x - size.x) / 2), std::floor((low.y + high.y - size.y) / 2));
     draw.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, color::shade, pad);
-    draw.AddText(at, color::text, words);
+    draw.AddText(ImGui::GetFont(), letters, at, color::text, words);
 }
 
 Spot spotHere(const char* id, ImVec2 size) {

@@ -16,7 +16,7 @@ enum class SwatchFrame { None, Lit, Chosen };
 
 void drawSwatchFrame(ImDrawList& draw, ImVec2 low, ImVec2 high, SwatchFrame frame);
 
-/// Words on a colour, readable on any, in the middle.
+/// Words on a colour, readable on any, in the middle; smaller where it is low.
 void drawOnSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const char* words);
 
 /// An invisible button of this size; keyboard and pointer rest on it alike.

@@ -8,9 +8,13 @@
 
 namespace texplorer::ui {
 
+float figureColumnGap() {
+    return std::floor(ImGui::GetFontSize() * 0.9F);
+}
+
 void drawFigureColumns(std::span<const FigureColumn> columns) {
     const float room = ImGui::GetContentRegionAvail().x;
-    const float gap = std::floor(ImGui::GetFontSize() * 1.1F);
+    const float gap = figureColumnGap();
     for (std::size_t first = 0; first < columns.size();) {
         float width = std::min(columns[first].width, room);
         std::size_t end = first + 1;

@@ -11,6 +11,9 @@ struct FigureColumn {
     std::function<void()> draw;
 };
 
+/// What is between two of them.
+[[nodiscard]] float figureColumnGap();
+
 /// Beside each other, and those that find no room below.
 void drawFigureColumns(std::span<const FigureColumn> columns);
 

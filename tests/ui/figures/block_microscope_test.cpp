@@ -168,6 +168,19 @@ TEST_F(BlockMicroscope, FollowsTheProbedPixel) {
     EXPECT_EQ(state().source.y, (tap.index.y << tap.level) / 4);
 }
 
+// At the size that most windows have, nothing has to be scrolled to.
+TEST_F(BlockMicroscope, AllOfItIsInSight) {
+    open();
+    for (const char* example : {"Four colours", "16 alphas", "Eight alphas"}) {
+        click(fmt::format("block:example {}", example));
+        frames(2);
+        const int last = 8 * static_cast<int>(bytesPerBlock(state().format)) - 1;
+        EXPECT_TRUE(places.items.find(fmt::format("block:bit {}", last))->second.visible) << example;
+        EXPECT_TRUE(places.items.find("block:texel 15")->second.visible) << example;
+        EXPECT_TRUE(places.items.find("block:example Six, 0 and 255")->second.visible) << example;
+    }
+}
+
 TEST_F(BlockMicroscope, SaysWhyThereIsNoBlockToTake) {
     open();
     unit().texture = -1;
