@@ -189,8 +189,8 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
                         frameOf(look.fields.alphas[state.texel] == i, look.lit.alphas.test(i)));
         if (spot.hovered) {
             state.hovering = BlockMark{BlockMark::Kind::Alpha, i};
-            helpTip(fmt::format("Gives the chosen texel the alpha {}, stored as {:0{}b}.", alpha, i,
-                                count == 16 ? 4 : 3));
+            const std::string bits = count == 16 ? fmt::format("{:04b}", i) : fmt::format("{:03b}", i);
+            helpTip(fmt::format("Gives the chosen texel the alpha {}, stored as {}.", alpha, bits));
         }
         if (spot.pressed)
             writeField(state.block, blockField(state.format, BlockPart::Alpha, static_cast<int>(state.texel)),
