@@ -196,6 +196,13 @@ void forEachParam(
     visitStruct(sceneTable(), const_cast<Scene*>(&scene), "", visit);
 }
 
+Result<ParamAt> paramAt(const Scene& scene, std::string_view path) {
+    const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // only read below
+    if (!place)
+        return fail(place.error());
+    return ParamAt{place->row, place->row->read(place->owner)};
+}
+
 Result<std::string> getParam(const Scene& scene, std::string_view path) {
     const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // only read below
     if (!place)

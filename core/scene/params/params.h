@@ -163,6 +163,15 @@ void forEachParam(
     const Scene& scene,
     const std::function<void(const std::string& path, const ParamRow& row, const Value& value)>& visit);
 
+/// A parameter of a scene.
+struct ParamAt {
+    const ParamRow* row;
+    Value value;
+};
+
+/// The one at a path. Errors as of getParam, with which it has the path in common.
+[[nodiscard]] Result<ParamAt> paramAt(const Scene& scene, std::string_view path);
+
 /// Reads or writes one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can
 /// be indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first
 /// filled from the mesh). The error names the part of the path that does not exist and what would.

@@ -1,0 +1,100 @@
+#include "core/scene/params/sweep_axis.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::sweep_axis_test {
+namespace {
+
+using testing::ElementsAre;
+
+struct Case {
+    const char* name;
+    const char* text;
+    std::vector<std::string> values;
+};
+
+class Axes : public testing::TestWithParam<Case> {};
+
+TEST_P(Axes, HaveTheseValues) {
+    const Result<SweepAxis> axis = parseSweepAxis(defaultScene(), GetParam().text);
+    ASSERT_TRUE(axis) << describe(axis.error());
+    EXPECT_EQ(axis->values, GetParam().values);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, Axes,
+    testing::Values(
+        Case{"Choices", "textures[0].magFilter=GL_NEAREST,GL_LINEAR", {"GL_NEAREST", "GL_LINEAR"}},
+        Case{"AllChoices", "textures[0].magFilter=*", {"GL_NEAREST", "GL_LINEAR"}},
+        Case{"Blanks", "textures[0].maxAnisotropy= 1 , 2 ", {"1", "2"}},
+        Case{"NoneTwice", "textures[0].maxAnisotropy=1,2,1.0", {"1", "2"}},
+        Case{"ARange", "textures[0].maxAnisotropy=1..16/4", {"1", "6", "11", "16"}},
+        Case{"ARangeOfFive", "textures[0].lodBias=-1..1", {"-1", "-0.5", "0", "0.5", "1"}},
+        Case{"TenthsAreTenths", "passes[0].alphaRef=0..0.3/4", {"0", "0.1", "0.2", "0.3"}},
+        Case{"ARangeBackwards", "textures[0].lodBias=2..0/3", {"2", "1", "0"}},
+        Case{"ARangeAndMore", "textures[0].lodBias=0..1/2,4", {"0", "1", "4"}},
+        Case{"WholeNumbers", "textures[0].baseLevel=0..2/5", {"0", "1", "2"}}, // 0, 0.5, 1, 1.5, 2
+        Case{"TrueAndFalse", "passes[0].lighting=*", {"false", "true"}},
+        Case{"DoublingNumbers", "textures[0].maxAnisotropy=*", {"1", "2", "4", "8", "16"}},
+        Case{"Colours", "material.color=1,0,0,1;0,1,0,1", {"1,0,0,1", "0,1,0,1"}}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST(SweepAxis, NumbersWithManyStepsAreSuggestedAroundTheCurrentOne) {
+    Scene scene = defaultScene();
+    const auto suggested = [&](const char* path) {
+        const Result<SweepAxis> axis = sweepAxis(scene, path, "*");
+        return axis ? axis->values : std::vector<std::string>{describe(axis.error())};
+    };
+    // -16 to 16 in steps of 0.02: 50 of them are 1.
+    EXPECT_THAT(suggested("textures[0].lodBias"), ElementsAre("-2", "-1", "0", "1", "2"));
+    scene.textures[0].lodBias = 3;
+    EXPECT_THAT(suggested("textures[0].lodBias"), ElementsAre("1", "2", "3", "4", "5"));
+    // At the end of the range they stay in it.
+    scene.textures[0].lodBias = 16;
+    EXPECT_THAT(suggested("textures[0].lodBias"), ElementsAre("12", "13", "14", "15", "16"));
+    EXPECT_THAT(suggested("textures[0].baseLevel"), ElementsAre("0", "1", "2", "3", "4"));
+}
+
+struct Refusal {
+    const char* name;
+    const char* text;
+    const char* error;
+};
+
+class RefusedAxes : public testing::TestWithParam<Refusal> {};
+
+TEST_P(RefusedAxes, SayWhatWasExpected) {
+    const Result<SweepAxis> axis = parseSweepAxis(defaultScene(), GetParam().text);
+    ASSERT_FALSE(axis);
+    EXPECT_EQ(describe(axis.error()), GetParam().error);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, RefusedAxes,
+    testing::Values(
+        Refusal{
+            "NoValues", "textures[0].magFilter",
+            R"(expected PATH=VALUES, as in textures[0].maxAnisotropy=1,2,4, found "textures[0].magFilter")"},
+        Refusal{"NoSuchParameter", "textures[0].magFiltre=*",
+                R"(textures[0].magFiltre: no such parameter; did you mean "magFilter"?)"},
+        Refusal{"NoSuchChoice", "textures[0].magFilter=GL_NEAREST,GL_FAST",
+                R"(textures[0].magFilter: expected one of GL_NEAREST, GL_LINEAR, found "GL_FAST")"},
+        Refusal{"OutOfRange", "textures[0].maxAnisotropy=1,32",
+                "textures[0].maxAnisotropy: expected a number from 1 to 16, found 32"},
+        Refusal{"HalfARange", "textures[0].lodBias=0..",
+                R"(textures[0].lodBias: expected two numbers, as in 0..4/5, found "0..")"},
+        Refusal{"OneValueOfARange", "textures[0].lodBias=0..1/1",
+                R"(textures[0].lodBias: expected 2 to 256 values after the slash, found "1")"},
+        Refusal{"TooManyOfARange", "textures[0].lodBias=0..1/257",
+                R"(textures[0].lodBias: expected 2 to 256 values after the slash, found "257")"},
+        Refusal{"TooMany", "textures[0].lodBias=-1..0/256,0..1/256",
+                "textures[0].lodBias: expected at most 256 values, found 511"},
+        Refusal{
+            "AList", "models[0].texCoords0=0,0",
+            "models[0].texCoords0: expected a choice, a number, a colour or what is true or false, and this is none"},
+        Refusal{"NothingSuggested", "material.color=*",
+                "material.color: expected values, since none suggest themselves here"}),
+    [](const auto& tested) { return tested.param.name; });
+
+} // namespace
+} // namespace texplorer::sweep_axis_test
