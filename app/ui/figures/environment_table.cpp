@@ -1,8 +1,344 @@
 #include "app/ui/figures/environment_table.h"
 
-namespace texplorer::ui {
+#include "app/ui/language/translate.h"
+#include "app/ui/model/preview.h"
+#include "app/ui/model/table_colors.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/segments.h"
+#include "app/ui/widgets/theme.h"
+#include "core/scene/params/keys.h"
 
-void drawEnvironmentTable(Session& /*session*/, EnvironmentTableState& /*state*/,
-                          const Pictures& /*pictures*/) {}
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::TableColors;
+using reference::tableFormats;
+using reference::tableModes;
+
+/// The colours that the table is worked out for.
+struct ColorRow {
+    const char* symbol;
+    const char* words;
+    glm::vec4 TableColors::*member;
+    std::optional<glm::vec4> EnvironmentTableState::*own;
+};
+constexpr std::array colorRows{
+    ColorRow{"Cp",
+             "Cp, Ap: the colour that comes in, of lighting, glColor or the unit before. Textbooks "
+             "write Cf.",
+             &TableColors::fragment, &EnvironmentTableState::fragment},
+    ColorRow{"Ct",
+             "Ct, At: the texel, filtered, with all that its image has. Cs and As are what a format keeps "
+             "of it; Lt and It are its red.",
+             &TableColors::texel, &EnvironmentTableState::texel},
+    ColorRow{"Cc", "Cc, Ac: GL_TEXTURE_ENV_COLOR of the unit. GL_BLEND alone reads it.",
+             &TableColors::constant, &EnvironmentTableState::constant},
+};
+
+bool hasOwnColors(const EnvironmentTableState& state) {
+    return std::ranges::any_of(colorRows, [&](const ColorRow& row) { return (state.*row.own).has_value(); });
+}
+
+TableColors colorsOf(const EnvironmentTableState& state, const TableSubject& subject) {
+    TableColors colors = subject.colors;
+    for (const ColorRow& row : colorRows) {
+        if (state.*row.own)
+            colors.*row.member = *(state.*row.own);
+    }
+    return colors;
+}
+
+/// In the line where this has room, else in the next one.
+void goOn(float width, float gap) {
+    ImGui::SameLine(0, gap);
+    if (ImGui::GetContentRegionAvail().x < width)
+        ImGui::NewLine();
+}
+
+void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
+    const float em = ImGui::GetFontSize();
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float editor = em * 11.5F;
+    bool first = true;
+    for (const ColorRow& row : colorRows) {
+        const float width = ImGui::CalcTextSize(row.symbol).x + inner + editor;
+        if (!first)
+            goOn(width, em * 0.8F);
+        first = false;
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, state.*row.own ? color::changed : color::text);
+        ImGui::TextUnformatted(row.symbol);
+        ImGui::PopStyleColor();
+        helpTip(row.words);
+        ImGui::SameLine(0, inner);
+        ImGui::SetNextItemWidth(editor);
+        glm::vec4 value = colors.*row.member;
+        ImGui::PushID(row.symbol);
+        if (ImGui::ColorEdit4("##color", &value.x,
+                              ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_AlphaBar |
+                                  ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_NoOptions))
+            state.*row.own = glm::clamp(value, 0.0F, 1.0F);
+        ImGui::PopID();
+        noteItem(fmt::format("table color:{}", row.symbol));
+        helpTip(row.words);
+    }
+}
+
+/// Two choices side by side. The one that was pressed.
+std::optional<std::size_t> pair(const char* name, const std::array<const char*, 2>& words,
+                                const std::array<const char*, 2>& tips, std::size_t chosen) {
+    const std::array segments{Segment{words[0]}, Segment{words[1]}};
+    const float em = ImGui::GetFontSize();
+    const float room = ImGui::CalcTextSize(tr(words[0])).x + ImGui::CalcTextSize(tr(words[1])).x + em * 1.6F;
+    goOn(room, em * 0.8F);
+    const std::optional<SegmentPlan> plan =
+        planSegments(segments, std::min(room, ImGui::GetContentRegionAvail().x), 2);
+    if (!plan)
+        return std::nullopt;
+    ImGui::PushID(name);
+    const auto pressed = drawSegments(segments, *plan, chosen, [&](std::size_t i) {
+        noteItem(fmt::format("{}:{}", name, words.at(i)));
+        helpTip(tips.at(i));
+    });
+    ImGui::PopID();
+    return pressed;
+}
+
+void tools(EnvironmentTableState& state, const TableSubject& subject, const CellPlan& plan) {
+    if (!plan.hasBoth()) {
+        if (const auto shown =
+                pair("table text", {"Symbols", "Numbers"},
+                     {"Each cell's equations: of the colour, and below it of alpha.",
+                      "Each cell's result for the colours above: red, green, blue and alpha, 0 to 255."},
+                     static_cast<std::size_t>(state.shows)))
+            state.shows = static_cast<CellText>(*shown);
+    }
+    if (subject.texels) {
+        if (const auto shown = pair("table picture", {"Texture", "Gradient"},
+                                    {"The pictures are of the bound texture.",
+                                     "The pictures are of every hue, and of every alpha from bottom to top."},
+                                    state.gradient ? 1 : 0))
+            state.gradient = *shown == 1;
+    }
+    const float em = ImGui::GetFontSize();
+    if (hasOwnColors(state)) {
+        const char* words = subject.probed ? "Back to the pixel" : "Back to the scene";
+        goOn(buttonWidth(words), em * 0.8F);
+        if (ImGui::Button(label(words)))
+            state.fragment = state.texel = state.constant = std::nullopt;
+        noteItem("table:reset");
+        helpTip("Takes the colours again from the scene.");
+    }
+}
+
+/// Where the colours come from, and what to do.
+void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
+    const char* words =
+        hasOwnColors(state)
+            ? "Colours of your own. Rest on a cell: the view shows it. Click: the unit takes it."
+        : subject.probed
+            ? "Colours of the probed pixel. Rest on a cell: the view shows it. Click: the unit takes it."
+            : "glColor and the image's mean; hold E over a pixel for its own. Rest on a cell: the view shows "
+              "it. Click: the unit takes it.";
+    if (fittedText(words, color::dim))
+        helpTip(words);
+    noteItem("table:sentence");
+}
+
+struct CellPlace {
+    std::size_t column;
+    std::size_t row;
+    [[nodiscard]] EnvMode mode() const { return tableModes.at(column); }
+    [[nodiscard]] BaseFormat format() const { return tableFormats.at(row); }
+};
+
+std::string nameOf(const CellPlace& cell) {
+    return fmt::format("{},{}", texplorer::rowOf(cell.mode()).name, texplorer::rowOf(cell.format()).name);
+}
+
+/// What is said of the step of undo, and of the preview.
+std::string wordsOf(const CellPlace& cell) {
+    return fmt::format("{}: {}, {}", "Environment", texplorer::rowOf(cell.mode()).label,
+                       texplorer::rowOf(cell.format()).label);
+}
+
+void take(Scene& scene, const Selection& selection, const TableSubject& subject, const CellPlace& cell) {
+    Unit& unit = scene.passes.at(static_cast<std::size_t>(selection.pass))
+                     .units.at(static_cast<std::size_t>(selection.unit));
+    unit.envMode = cell.mode();
+    const auto texture = static_cast<std::size_t>(unit.texture);
+    // RGBA4 has the base format RGBA: it stays.
+    if (subject.hasChoice && subject.format != cell.format() && texture < scene.textures.size())
+        scene.textures[texture].internalFormat = internalFormat(cell.format());
+}
+
+void cellTip(const Session& session, const CellPlace& cell, const TableColors& colors) {
+    if (!ImGui::IsItemHovered())
+        return;
+    const Settings& settings = session.window.settings;
+    const reference::EnvironmentEquations equations =
+        reference::equationsOf(cell.mode(), cell.format(), reference::inputsOf(cell.format(), colors));
+    std::string words = fmt::format("{}, {}", tr(shownName(settings, texplorer::rowOf(cell.mode()))),
+                                    tr(shownName(settings, texplorer::rowOf(cell.format()))));
+    if (equations.undefined)
+        return helpTip(words + "\n" +
+                       tr("The specification leaves this undefined. Here the colour that comes in stays; a "
+                          "driver may do anything else."));
+    const auto [source, alpha] = reference::sourceSymbols(cell.format());
+    words += fmt::format("\nCs = {}, As = {}", source, alpha);
+    constexpr std::array names{"red", "green", "blue"};
+    words += "\n" + equations.color.symbols;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        words += fmt::format("\n  {}: {}", tr(names.at(i)), equations.color.numbers.at(i));
+    words += fmt::format("\n{}: {}", equations.alpha.symbols, equations.alpha.numbers.at(0));
+    helpTip(words);
+}
+
+void drawCell(Session& session, const TableSubject& subject, const TableColors& colors, const CellPlace& cell,
+              const CellPlan& plan, const CellPictures& pictures) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + plan.size.x, low.y + plan.size.y);
+    const bool pressed = ImGui::InvisibleButton(nameOf(cell).c_str(), plan.size);
+    noteItem("cell:" + nameOf(cell));
+    const bool hovered = ImGui::IsItemHovered();
+    if (!ImGui::IsItemVisible())
+        return;
+    const Unit& unit = selectedUnit(session);
+    const bool own = unit.envMode == cell.mode() && subject.format == cell.format();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
+    ImGui::PushClipRect(low, high, true);
+    drawEnvironmentCell(plan, low, cell.column, cell.row, colors, pictures);
+    ImGui::PopClipRect();
+    const float line = std::max(1.0F, std::floor(ImGui::GetFontSize() / 8));
+    if (own || hovered)
+        draw.AddRect(low, high, own ? color::accent : color::text, 0, 0, own ? 1.5F * line : line);
+    if (own)
+        noteItem("cell:own");
+    cellTip(session, cell, colors);
+    const Selection& selection = session.window.selection;
+    if (hovered && !own)
+        preview(session, "cell:" + nameOf(cell), wordsOf(cell),
+                [&](Scene& scene) { take(scene, selection, subject, cell); });
+    if (!pressed || own)
+        return;
+    sealEdit(session);
+    take(session.document.scene, selection, subject, cell);
+    recordEdit(session, wordsOf(cell), selectedUnitPath(session) + "." + keyOf<&Unit::envMode>());
+    sealEdit(session);
+}
+
+/// A small line of text where it fits.
+void headText(ImVec2 at, const std::string& words, float size, ImU32 ink) {
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size, {std::round(at.x), std::round(at.y)}, ink,
+                                        words.c_str());
+}
+
+/// The format's name, and what it makes of the texel.
+void drawRowHead(const Session& session, const TableColors& colors, BaseFormat format, ImVec2 low,
+                 ImVec2 size) {
+    const float em = ImGui::GetFontSize();
+    const EnumRow& row = texplorer::rowOf(format);
+    const auto [source, alpha] = reference::sourceSymbols(format);
+    const float small = em * 0.8F;
+    const float gap = em * 0.4F;
+    const float patch = em * 1.2F;
+    const std::string name = fitted(shownName(session.window.settings, row), size.x - gap);
+    const float top = low.y + std::max(0.0F, (size.y - em - small * 1.1F) / 2);
+    headText({low.x, top}, name, em, color::text);
+    const ImVec2 at(low.x, top + em * 1.05F);
+    colorPatch(*ImGui::GetWindowDrawList(), {at.x, at.y + 1}, {at.x + patch, at.y + small},
+               reference::inputsOf(format, colors).source);
+    headText({at.x + patch + gap, at.y}, fmt::format("Cs {}, As {}", source, alpha), small, color::dim);
+    ImGui::Dummy(size);
+    helpTip(row.help);
+}
+
+float headWidth(const Session& session) {
+    const float em = ImGui::GetFontSize();
+    float width = em * 1.6F + ImGui::CalcTextSize("Cs Lt, As At").x * 0.8F;
+    for (const BaseFormat format : tableFormats)
+        width = std::max(
+            width,
+            ImGui::CalcTextSize(tr(shownName(session.window.settings, texplorer::rowOf(format))).c_str()).x);
+    return std::min(std::ceil(width + em * 0.4F), std::floor(ImGui::GetContentRegionAvail().x / 4));
+}
+
+/// Of a column or a row: the scene's own is the accent's colour.
+void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const EnvMode own = session.document.scene.passes[static_cast<std::size_t>(session.window.selection.pass)]
+                            .units[static_cast<std::size_t>(session.window.selection.unit)]
+                            .envMode;
+    for (std::size_t column = 0; column < tableModes.size(); ++column) {
+        const EnumRow& row = texplorer::rowOf(tableModes.at(column));
+        const float left = origin.x + head + static_cast<float>(column) * (cell.x + gap);
+        ImGui::SetCursorScreenPos({left, origin.y});
+        ImGui::Dummy({cell.x, em * 1.2F});
+        helpTip(row.help);
+        const std::string name = fitted(shownName(session.window.settings, row), cell.x);
+        headText({left, origin.y}, name, em, tableModes.at(column) == own ? color::accent : color::text);
+    }
+    ImGui::SetCursorScreenPos({origin.x, origin.y + em * 1.2F});
+}
+
+/// Of `height` there is what the lines above the cells leave.
+ImVec2 cellSize(float head, float height, float gap) {
+    const float width = ImGui::GetContentRegionAvail().x - head;
+    const auto columns = static_cast<float>(tableModes.size());
+    const auto rows = static_cast<float>(tableFormats.size());
+    const float all = height - ImGui::GetFontSize() * 1.2F;
+    return {std::max(1.0F, std::floor((width + gap) / columns) - gap),
+            std::max(leastCellHeight(), std::floor((all + gap) / rows) - gap)};
+}
+
+} // namespace
+
+void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const Pictures& pictures) {
+    const float em = ImGui::GetFontSize();
+    const float gap = std::max(1.0F, std::floor(em / 8));
+    const TableSubject subject = tableSubject(session, pictures.frames.front().frame.size);
+    const TableColors colors = colorsOf(state, subject);
+    const auto atlas = session.services.environments.find(
+        {state.gradient ? nullptr : subject.texels, colors.fragment, colors.constant});
+    CellPictures shown{pictures.show(atlas)};
+    if (atlas) {
+        shown.width = static_cast<float>(atlas->width) / static_cast<float>(tableModes.size());
+        shown.height = static_cast<float>(atlas->height) / static_cast<float>(tableFormats.size());
+    }
+    const float head = headWidth(session);
+    // The switch is there where the cells are small, and they are planned before it is drawn.
+    const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+    const CellPlan first =
+        planCells(cellSize(head, ImGui::GetContentRegionAvail().y - above, gap), state.shows);
+    colorEditors(state, colors);
+    tools(state, subject, first);
+    sentence(state, subject);
+    const ImVec2 cell = cellSize(head, ImGui::GetContentRegionAvail().y, gap);
+    const CellPlan plan = planCells(cell, state.shows);
+    drawColumnHeads(session, head, cell, gap);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    for (std::size_t row = 0; row < tableFormats.size(); ++row) {
+        const float top = origin.y + static_cast<float>(row) * (cell.y + gap);
+        ImGui::SetCursorScreenPos({origin.x, top});
+        drawRowHead(session, colors, tableFormats.at(row), {origin.x, top}, {head, cell.y});
+        for (std::size_t column = 0; column < tableModes.size(); ++column) {
+            ImGui::SetCursorScreenPos({origin.x + head + static_cast<float>(column) * (cell.x + gap), top});
+            drawCell(session, subject, colors, {column, row}, plan, shown);
+        }
+    }
+}
 
 } // namespace texplorer::ui

@@ -1,12 +1,26 @@
 #pragma once
 
+#include "app/ui/figures/environment_cell.h"
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
 
+#include <glm/vec4.hpp>
+
+#include <optional>
+
 namespace texplorer::ui {
 
-struct EnvironmentTableState {};
+struct EnvironmentTableState {
+    /// Colours that the user has set here; nothing: those of the scene.
+    std::optional<glm::vec4> fragment;
+    std::optional<glm::vec4> texel;
+    std::optional<glm::vec4> constant;
+    CellText shows = CellText::Symbols; ///< where a cell has no room for both
+    bool gradient = false;              ///< the pictures are of every hue and alpha, not of the texture
+};
 
+/// The environment modes by the base formats, for the selected unit and its texture. A click takes the mode
+/// and the format of a cell.
 void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

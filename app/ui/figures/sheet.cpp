@@ -1,7 +1,292 @@
 #include "app/ui/figures/sheet.h"
 
-namespace texplorer::ui {
+#include "app/ui/language/translate.h"
+#include "app/ui/model/preview.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
 
-void drawSheet(Session& /*session*/, SheetState& /*state*/, const Pictures& /*pictures*/) {}
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace texplorer::ui {
+namespace {
+
+constexpr std::size_t mostOnASide = 8;
+constexpr float leastCell = 6.5F; ///< heights of the text: narrower ones are scrolled instead
+
+/// An axis with what it is called.
+struct NamedAxis {
+    SweepAxis axis;
+    const ParamRow* row;
+    std::size_t all; ///< values that there are; those that are shown are in `axis`
+
+    [[nodiscard]] std::size_t count() const { return axis.values.size(); }
+    [[nodiscard]] std::string labelOf(const Settings& settings, std::size_t value) const {
+        const std::string& name = axis.values.at(value);
+        const EnumRow* choice = findRow(row->choices, name);
+        return choice ? tr(shownName(settings, *choice)) : name;
+    }
+};
+
+Result<NamedAxis> namedAxis(const Session& session, const SheetAxis& wanted) {
+    Result<SweepAxis> axis = sweepAxis(session.document.scene, wanted.path, wanted.values);
+    if (!axis)
+        return fail(axis.error());
+    NamedAxis named{*std::move(axis), paramAt(session.document.scene, wanted.path)->row, 0};
+    named.all = named.axis.values.size();
+    named.axis.values.resize(std::min(named.all, mostOnASide));
+    return named;
+}
+
+/// How the pictures lie in their room.
+struct SheetPlan {
+    float head = 0; ///< the width of the rows' names
+    float line = 0; ///< the height of the columns' names
+    float gap = 1;
+    ImVec2 cell{1, 1};
+};
+
+float headOf(const Session& session, const NamedAxis& rows) {
+    float width = 0;
+    for (std::size_t i = 0; i < rows.count(); ++i)
+        width = std::max(width, ImGui::CalcTextSize(rows.labelOf(session.window.settings, i).c_str()).x);
+    return std::min(std::ceil(width + ImGui::GetFontSize() * 0.6F),
+                    std::floor(ImGui::GetContentRegionAvail().x * 0.22F));
+}
+
+/// `aspect`: the view's width by its height.
+SheetPlan planSheet(const Session& session, const NamedAxis& rows, const NamedAxis& columns, float aspect) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    SheetPlan plan{.head = headOf(session, rows),
+                   .line = std::ceil(em * 1.25F),
+                   .gap = std::max(2.0F, std::floor(em / 5))};
+    const auto share = [&](float all, std::size_t count) {
+        return (all + plan.gap) / static_cast<float>(std::max<std::size_t>(1, count)) - plan.gap;
+    };
+    const float width = share(room.x - plan.head, columns.count());
+    const float height = room.y - plan.line;
+    float wide = std::min(width, share(height, rows.count()) * aspect);
+    if (wide < em * leastCell) { // then they scroll; one row and a part of the next are in sight
+        const float most = share(room.x - plan.head - ImGui::GetStyle().ScrollbarSize, columns.count());
+        wide = std::min(most, std::max(em * leastCell, height / 1.4F * aspect));
+    }
+    plan.cell.x = std::max(8.0F, std::floor(wide));
+    plan.cell.y = std::max(6.0F, std::floor(plan.cell.x / aspect));
+    return plan;
+}
+
+struct Axes {
+    NamedAxis rows;
+    NamedAxis columns;
+};
+
+std::string wordsOf(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
+    const Settings& settings = session.window.settings;
+    return fmt::format("{}: {}, {}: {}", tr(shownName(settings, *axes.rows.row)),
+                       axes.rows.labelOf(settings, row), tr(shownName(settings, *axes.columns.row)),
+                       axes.columns.labelOf(settings, column));
+}
+
+/// The value of an axis that the scene has; nothing: another one.
+std::optional<std::size_t> ownValue(const Session& session, const SweepAxis& axis) {
+    const Result<std::string> now = getParam(session.document.scene, axis.path);
+    const auto found = now ? std::ranges::find(axis.values, *now) : axis.values.end();
+    return found == axis.values.end() ? std::nullopt
+                                      : std::optional(static_cast<std::size_t>(found - axis.values.begin()));
+}
+
+void take(Session& session, const Axes& axes, std::size_t row, std::size_t column) {
+    Result<Scene> made = sheetScene(session.document.scene, axes.rows.axis, row, axes.columns.axis, column);
+    if (!made) {
+        session.window.notice = {describe(made.error()), {}};
+        return;
+    }
+    sealEdit(session);
+    session.document.scene = *std::move(made);
+    recordEdit(session, wordsOf(session, axes, row, column), axes.rows.axis.path);
+    sealEdit(session);
+    bringSelectionBack(session);
+}
+
+/// What the mouse does with a cell.
+void cellButton(Session& session, const Axes& axes, const SheetPictures::Cell& cell, const SheetPlan& plan,
+                std::size_t row, std::size_t column, bool own) {
+    const std::string& down = axes.rows.axis.values.at(row);
+    const std::string& across = axes.columns.axis.values.at(column);
+    const std::string name = fmt::format("{},{}", down, across);
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), plan.cell);
+    noteItem("sheet cell:" + name);
+    if (own)
+        noteItem("sheet:own");
+    const std::string words = wordsOf(session, axes, row, column);
+    helpTip(cell.problem.empty() ? words : words + "\n" + tr(cell.problem));
+    if (ImGui::IsItemHovered() && !own && cell.problem.empty())
+        preview(
+            session, fmt::format("{}={},{}={}", axes.rows.axis.path, down, axes.columns.axis.path, across),
+            words, [&](Scene& scene) {
+                if (Result<Scene> made = sheetScene(scene, axes.rows.axis, row, axes.columns.axis, column))
+                    scene = *std::move(made);
+            });
+    if (pressed && !own)
+        take(session, axes, row, column);
+}
+
+struct CellBox {
+    ImVec2 low, high;
+    bool own = false;
+    bool hovered = false;
+};
+
+void drawPictures(const std::vector<CellBox>& boxes, const SheetPictures::Cells& cells,
+                  const Pictures& pictures) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (const CellBox& box : boxes)
+        draw.AddRectFilled(box.low, box.high, color::ground);
+    if (pictures.setBlending)
+        draw.AddCallback(pictures.setBlending, nullptr);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const view::PictureHandle shown =
+            cells[i].image ? pictures.show(cells[i].image) : view::PictureHandle::None;
+        if (shown != view::PictureHandle::None)
+            draw.AddImage(textureId(shown), boxes[i].low, boxes[i].high, {0, 1}, {1, 0});
+    }
+    if (pictures.setBlending)
+        draw.AddCallback(pictures.setBlending, &draw);
+    const float em = ImGui::GetFontSize();
+    const float line = std::max(1.0F, std::floor(em / 8));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const CellBox& box = boxes[i];
+        if (!cells[i].problem.empty())
+            draw.AddText({box.low.x + em * 0.3F, box.low.y + em * 0.2F}, color::problem, "!");
+        if (box.own || box.hovered)
+            draw.AddRect({box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1},
+                         box.own ? color::accent : color::text, 0, 0, box.own ? 2 * line : line);
+    }
+}
+
+/// In smaller letters where it would have to be cut.
+void axisName(ImVec2 at, const std::string& name, float room, bool own) {
+    constexpr float small = 0.85F;
+    const float em = ImGui::GetFontSize();
+    const bool isLong = ImGui::CalcTextSize(name.c_str()).x > room;
+    const std::string shown = isLong ? fitted(name, room / small) : name;
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), isLong ? em * small : em,
+                                        {std::round(at.x), std::round(at.y)},
+                                        own ? color::accent : color::text, shown.c_str());
+}
+
+void drawNames(const Session& session, const NamedAxis& columns, const SheetPlan& plan,
+               std::optional<std::size_t> own) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    for (std::size_t i = 0; i < columns.count(); ++i) {
+        const float left = origin.x + plan.head + static_cast<float>(i) * (plan.cell.x + plan.gap);
+        const std::string name = columns.labelOf(session.window.settings, i);
+        axisName({left, origin.y}, name, plan.cell.x, own == i);
+        ImGui::SetCursorScreenPos({left, origin.y});
+        ImGui::Dummy({plan.cell.x, plan.line});
+        helpTip(name);
+    }
+    ImGui::SetCursorScreenPos({origin.x, origin.y + plan.line});
+}
+
+void drawCells(Session& session, const Axes& axes, const SheetPlan& plan, const SheetPictures::Cells& cells,
+               const Pictures& pictures, std::optional<std::size_t> ownRow,
+               std::optional<std::size_t> ownColumn) {
+    ImGui::BeginChild("cells");
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    std::vector<CellBox> boxes;
+    for (std::size_t row = 0; row < axes.rows.count(); ++row) {
+        const float top = origin.y + static_cast<float>(row) * (plan.cell.y + plan.gap) + 1;
+        const float em = ImGui::GetFontSize();
+        const std::string name = axes.rows.labelOf(session.window.settings, row);
+        axisName({origin.x, top + (plan.cell.y - em) / 2}, name, plan.head - em * 0.3F, ownRow == row);
+        for (std::size_t column = 0; column < axes.columns.count(); ++column) {
+            const ImVec2 low(origin.x + plan.head + static_cast<float>(column) * (plan.cell.x + plan.gap),
+                             top);
+            ImGui::SetCursorScreenPos(low);
+            const bool own = ownRow == row && ownColumn == column;
+            cellButton(session, axes, cells[row * axes.columns.count() + column], plan, row, column, own);
+            boxes.push_back({low, {low.x + plan.cell.x, low.y + plan.cell.y}, own, ImGui::IsItemHovered()});
+        }
+    }
+    drawPictures(boxes, cells, pictures);
+    ImGui::EndChild();
+}
+
+/// What there is to do, or what isn't shown.
+void sentence(const Axes& axes) {
+    for (const NamedAxis* axis : {&axes.rows, &axes.columns}) {
+        if (axis->all <= axis->count())
+            continue;
+        const std::string words =
+            fmt::format("{} has {} values, of which the first {} are shown: write those "
+                        "that you want to see.",
+                        tr(axis->row->label), axis->all, axis->count());
+        if (fittedText(words, color::problem))
+            helpTip(words);
+        return noteItem("sheet:too many");
+    }
+    constexpr const char* words =
+        "Every pair of values, drawn by the reference. Rest on a picture: the view shows it. Click: the scene "
+        "takes both values.";
+    (void)fittedText(words, color::dim);
+    helpTip("Each picture is drawn as small as it is here. A small picture minifies more than the view does: "
+            "of each texel there are fewer pixels.");
+}
+
+void problem(const std::string& words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(tr(words).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    noteItem("sheet:problem");
+}
+
+SheetPictures::Question questionOf(const Session& session, const Axes& axes, const SheetPlan& plan) {
+    const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
+    const auto pixels = [](float length, float scale) {
+        return std::max(1, static_cast<int>(std::lround(length * scale)));
+    };
+    // Whatever values the scene has on both axes, the pictures are the same.
+    Result<Scene> base = sheetScene(session.document.scene, axes.rows.axis, 0, axes.columns.axis, 0);
+    return {{base ? *std::move(base) : session.document.scene, session.document.images,
+             session.window.playback.time, pixels(plan.cell.x, density.x), pixels(plan.cell.y, density.y),
+             session.window.view.anisotropy},
+            axes.rows.axis,
+            axes.columns.axis};
+}
+
+} // namespace
+
+void drawSheet(Session& session, SheetState& state, const Pictures& pictures) {
+    const SheetAxes wanted = axesOf(session, state);
+    drawSheetAxes(session, state, wanted);
+    const Result<NamedAxis> rows = namedAxis(session, wanted[0]);
+    const Result<NamedAxis> columns = namedAxis(session, wanted[1]);
+    if (!rows || !columns)
+        return problem(describe(rows ? columns.error() : rows.error()));
+    if (rows->axis.path == columns->axis.path)
+        return problem("Rows and columns are the same parameter: choose another one for one of them.");
+    const Axes axes{*rows, *columns};
+    sentence(axes);
+    const view::Size view = pictures.frames.front().frame.size;
+    const float aspect =
+        static_cast<float>(std::max(1, view.width)) / static_cast<float>(std::max(1, view.height));
+    const SheetPlan plan = planSheet(session, axes.rows, axes.columns, aspect);
+    const SheetPictures::Cells& cells = session.services.sheet.cells(questionOf(session, axes, plan));
+    const std::optional<std::size_t> ownRow = ownValue(session, axes.rows.axis);
+    const std::optional<std::size_t> ownColumn = ownValue(session, axes.columns.axis);
+    drawNames(session, axes.columns, plan, ownColumn);
+    drawCells(session, axes, plan, cells, pictures, ownRow, ownColumn);
+}
 
 } // namespace texplorer::ui

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "app/ui/figures/sheet_axes.h"
 #include "app/ui/model/session.h"
 #include "app/ui/widgets/pictures.h"
 
 namespace texplorer::ui {
 
-struct SheetState {};
-
+/// The scene with every pair of values of two parameters, small, as the reference draws it. A click takes
+/// both values.
 void drawSheet(Session& session, SheetState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "app/ui/model/captures.h"
+#include "app/ui/model/environment_pictures.h"
 #include "app/ui/model/files.h"
 #include "app/ui/model/lesson_work.h"
 #include "app/ui/model/level_pictures.h"
 #include "app/ui/model/pattern_pictures.h"
 #include "app/ui/model/settings_file.h"
+#include "app/ui/model/sheet_pictures.h"
 #include "app/ui/model/unsaved_work.h"
 #include "core/reference/draw_worker.h"
 #include "core/reference/level_map_worker.h"
@@ -27,6 +29,9 @@ struct Services {
     PatternPictures& patterns;           ///< of the choice among them
     LevelPictures& levelPictures;        ///< of the level that texture space shows
     LessonWork& lessons;                 ///< of the lesson that is open
+    EnvironmentPictures& environments;   ///< of the table of environments
+    reference::ProbeWorker& plainProbe;  ///< of the same pixel for that table, whatever the texture's format
+    SheetPictures& sheet;                ///< of the sheet of variations
     UnsavedWork* unsaved = nullptr;      ///< nullptr: nothing is kept beyond the window
     SettingsFile* settings = nullptr;    ///< nullptr: settings end with the window
     Captures* captures = nullptr;        ///< nullptr: no pictures are written
@@ -45,11 +50,14 @@ public:
         , levelMap_(reference::LevelMapWorker::When::WhenReady, wake, {cache})
         , patterns_(When::WhenReady, wake)
         , levelPictures_(When::WhenReady, wake)
-        , lessons_(When::WhenReady, wake) {}
+        , lessons_(When::WhenReady, wake)
+        , environments_(When::WhenReady, wake)
+        , plainProbe_(When::WhenReady, wake, {cache})
+        , sheet_(When::WhenReady, wake, {cache}) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,    levels_,   reference_,     kept_,    probe_,
-                levelMap_, patterns_, levelPictures_, lessons_, unsaved};
+        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_, patterns_,
+                levelPictures_, lessons_, environments_, plainProbe_, sheet_, unsaved};
     }
 
 private:
@@ -62,6 +70,9 @@ private:
     PatternPictures patterns_;
     LevelPictures levelPictures_;
     LessonWork lessons_;
+    EnvironmentPictures environments_;
+    reference::ProbeWorker plainProbe_;
+    SheetPictures sheet_;
 };
 
 /// The same without a thread: every call waits. For programs without a user. `work`: how textures are
@@ -76,11 +87,14 @@ public:
         , levelMap_(reference::LevelMapWorker::When::AtOnce, {}, work)
         , patterns_(When::AtOnce)
         , levelPictures_(When::AtOnce)
-        , lessons_(When::AtOnce) {}
+        , lessons_(When::AtOnce)
+        , environments_(When::AtOnce)
+        , plainProbe_(When::AtOnce, {}, work)
+        , sheet_(When::AtOnce, {}, work) {}
 
     [[nodiscard]] Services lend(UnsavedWork* unsaved = nullptr) {
-        return {files_,    levels_,   reference_,     kept_,    probe_,
-                levelMap_, patterns_, levelPictures_, lessons_, unsaved};
+        return {files_,         levels_,  reference_,    kept_,       probe_, levelMap_, patterns_,
+                levelPictures_, lessons_, environments_, plainProbe_, sheet_, unsaved};
     }
 
 private:
@@ -93,6 +107,9 @@ private:
     PatternPictures patterns_;
     LevelPictures levelPictures_;
     LessonWork lessons_;
+    EnvironmentPictures environments_;
+    reference::ProbeWorker plainProbe_;
+    SheetPictures sheet_;
 };
 
 } // namespace texplorer::ui

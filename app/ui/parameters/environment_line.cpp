@@ -1,11 +1,13 @@
 #include "app/ui/parameters/environment_line.h"
 
 #include "app/ui/model/preview.h"
+#include "app/ui/model/table_colors.h"
 #include "app/ui/parameters/texture_thumbnail.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "core/image/mean_color.h"
 #include "core/reference/sampling/sampled_texture.h"
 #include "core/reference/shading/combine.h"
 #include "core/reference/shading/equation_text.h"
@@ -13,9 +15,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
 
 namespace texplorer::ui {
 namespace {
@@ -31,25 +31,6 @@ struct EnvironmentSample {
     glm::vec4 result{0};
     bool probed = false;
 };
-
-/// The mean of a small Rgba8 picture, which is that of the large one.
-glm::vec4 meanOf(const Image& image) {
-    std::array<std::uint64_t, 4> sums{};
-    for (std::size_t i = 0; i + 4 <= image.pixels.size(); i += 4) {
-        for (std::size_t c = 0; c < 4; ++c)
-            sums[c] += std::to_integer<std::uint64_t>(image.pixels[i + c]);
-    }
-    const auto most = 255 * static_cast<float>(std::max<std::size_t>(1, image.pixels.size() / 4));
-    return glm::vec4(sums[0], sums[1], sums[2], sums[3]) / most;
-}
-
-BaseFormat formatOf(const Texture& texture, const LevelsSummary* summary) {
-    if (summary && summary->compressed)
-        return baseFormat(*summary->compressed);
-    return isDepth(texture.internalFormat) || texture.source == SourceKind::LightDepth
-               ? baseFormat(texture.depthMode)
-               : baseFormat(texture.internalFormat);
-}
 
 /// The units of a pass up to the selected one, with glColor and the mean of each image.
 EnvironmentSample referenceSample(Session& session, const Scene& scene, const Pass& pass) {
@@ -68,9 +49,9 @@ EnvironmentSample referenceSample(Session& session, const Scene& scene, const Pa
             continue;
         const auto summary = summaryOf(session, *texture, pass.units[u].target);
         const bool isThere = summary && !summary->levels.empty();
-        formats[u] = formatOf(*texture, summary.get());
-        sources[u] = reference::sourceColor(formats[u],
-                                            isThere ? meanOf(*summary->levels.front().second) : glm::vec4(1));
+        formats[u] = baseFormatOf(*texture, summary.get());
+        sources[u] = reference::sourceColor(formats[u], isThere ? meanColor(*summary->levels.front().second)
+                                                                : glm::vec4(1));
         textures[u] = &sources[u];
     }
     glm::vec4 previous = primary;

@@ -1,17 +1,10 @@
 #pragma once
 
 #include "app/ui/model/session.h"
-#include "core/scene/params/params.h"
 
-#include <string>
 #include <string_view>
 
 namespace texplorer::ui {
-
-/// Whether a parameter is what somebody looks for who types this, in whatever case: by its label, its key,
-/// its GL call, its choices or its help. 2: by its name, 1: by what is said of it, 0: it isn't. All words
-/// must be found.
-[[nodiscard]] int matchOf(const ParamRow& row, std::string_view words);
 
 /// Every parameter that is looked for, with its tab and as one edits it there: first those with such a name.
 void searchResults(Session& session, std::string_view words);

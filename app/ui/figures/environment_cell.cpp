@@ -1,0 +1,243 @@
+#include "app/ui/figures/environment_cell.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/widgets/board.h"
+#include "app/ui/widgets/theme.h"
+
+#include <fmt/core.h>
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <vector>
+
+namespace texplorer::ui {
+namespace {
+
+using reference::EnvironmentEquations;
+using reference::tableFormats;
+using reference::tableModes;
+
+// Of the letters, in those of the window.
+constexpr float smallText = 0.85F;
+constexpr float smallerText = 0.78F;
+constexpr float smallestText = 0.72F;
+constexpr float lineHeight = 1.1F;
+
+float cellPad() {
+    return std::max(1.0F, std::floor(ImGui::GetFontSize() * 0.2F));
+}
+
+float widthOf(const std::string& words, float size) {
+    return ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, words.c_str()).x;
+}
+
+/// The two equations of a cell as they are printed: worked out once.
+struct PrintedCell {
+    std::string color;
+    std::string alpha;
+    bool undefined = false;
+};
+const PrintedCell& printedCell(std::size_t column, std::size_t row) {
+    using Row = std::array<PrintedCell, tableModes.size()>;
+    static const std::array<Row, tableFormats.size()> printed = [] {
+        std::array<Row, tableFormats.size()> all;
+        for (std::size_t y = 0; y < tableFormats.size(); ++y) {
+            for (std::size_t x = 0; x < tableModes.size(); ++x) {
+                const EnvironmentEquations equations =
+                    reference::equationsOf(tableModes.at(x), tableFormats.at(y), {});
+                all.at(y).at(x) = {reference::printedEquation(equations.color.symbols),
+                                   reference::printedEquation(equations.alpha.symbols), equations.undefined};
+            }
+        }
+        return all;
+    }();
+    return printed.at(row).at(column);
+}
+
+/// Without blanks, and in two lines where it is a sum of products.
+std::vector<std::string> tightLines(const std::string& equation) {
+    std::vector<std::string> lines(1);
+    for (std::size_t i = 0; i < equation.size(); ++i) {
+        if (equation[i] == ' ')
+            continue;
+        if (equation[i] == '+' && equation.size() > 12)
+            lines.emplace_back();
+        lines.back() += equation[i];
+    }
+    return lines;
+}
+
+constexpr const char* longest = "Cp (1 − Cs) + Cc Cs";
+constexpr const char* longestTight = "Cp(1−Cs)";
+constexpr const char* longestBytes = "255 255 255 255";
+
+/// How many lines of text a plan asks for.
+float linesOf(const CellPlan& plan) {
+    const float symbols = plan.symbols ? (plan.tight ? 3.0F : 2.0F) : 0;
+    const float numbers = plan.numbers ? (plan.tight ? 2.0F : 1.0F) : 0;
+    return symbols + numbers;
+}
+
+float textWidth(const CellPlan& plan) {
+    const float symbols = plan.symbols ? widthOf(plan.tight ? longestTight : longest, plan.text) : 0;
+    const float patch = plan.text * 1.2F + cellPad();
+    const float numbers =
+        plan.numbers ? widthOf(plan.tight ? "255 255" : longestBytes, plan.text) + patch : 0;
+    return std::max(symbols, numbers);
+}
+
+class CellWriter {
+public:
+    CellWriter(ImVec2 at, float size)
+        : at_(at)
+        , size_(size) {}
+
+    void line(const std::string& words, ImU32 ink) {
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size_, {std::round(at_.x), std::round(at_.y)},
+                                            ink, words.c_str());
+        at_.y += size_ * lineHeight;
+    }
+    void patchedLine(const std::string& words, glm::vec4 color) {
+        const float width = size_ * 1.2F;
+        const ImVec2 low(std::round(at_.x), std::round(at_.y + size_ * 0.1F));
+        colorPatch(*ImGui::GetWindowDrawList(), low, {low.x + width, low.y + std::round(size_ * 0.9F)},
+                   color);
+        at_.x += width + cellPad();
+        line(words, color::text);
+        at_.x -= width + cellPad();
+    }
+
+private:
+    ImVec2 at_;
+    float size_;
+};
+
+void writeSymbols(CellWriter& writer, const CellPlan& plan, const PrintedCell& printed) {
+    if (!plan.tight) {
+        writer.line(printed.color, color::text);
+        writer.line(printed.alpha, color::dim);
+        return;
+    }
+    for (const std::string& line : tightLines(printed.color))
+        writer.line(line, color::text);
+    for (const std::string& line : tightLines(printed.alpha))
+        writer.line(line, color::dim);
+}
+
+void writeNumbers(CellWriter& writer, const CellPlan& plan, glm::vec4 color) {
+    const std::string bytes = bytesText(color);
+    if (!plan.tight)
+        return writer.patchedLine(bytes, color);
+    const std::size_t middle = bytes.find(' ', bytes.find(' ') + 1);
+    writer.patchedLine(bytes.substr(0, middle), color);
+    writer.line(bytes.substr(middle + 1), color::text);
+}
+
+void drawPicture(const CellPlan& plan, ImVec2 low, std::size_t column, std::size_t row,
+                 const CellPictures& pictures) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float larger = std::max({pictures.width, pictures.height, 1.0F});
+    const ImVec2 size(std::max(1.0F, std::round(plan.side * pictures.width / larger)),
+                      std::max(1.0F, std::round(plan.side * pictures.height / larger)));
+    const ImVec2 at(std::round(low.x + (plan.side - size.x) / 2),
+                    std::round(low.y + (plan.side - size.y) / 2));
+    const ImVec2 end(at.x + size.x, at.y + size.y);
+    drawBoard(draw, at, end, std::max(2.0F, std::floor(plan.side / 6)));
+    if (pictures.all == view::PictureHandle::None)
+        return;
+    // Half a texel less: no neighbour shines through at the edges.
+    const auto columns = static_cast<float>(tableModes.size());
+    const auto rows = static_cast<float>(tableFormats.size());
+    const float halfU = 0.5F / (pictures.width * columns);
+    const float halfV = 0.5F / (pictures.height * rows);
+    const float left = static_cast<float>(column) / columns;
+    const float top = 1 - static_cast<float>(row) / rows;
+    draw.AddImage(textureId(pictures.all), at, end, {left + halfU, top - halfV},
+                  {left + 1 / columns - halfU, top - 1 / rows + halfV});
+}
+
+} // namespace
+
+std::string bytesText(glm::vec4 color) {
+    const auto byte = [&](int i) { return std::lround(std::clamp(color[i], 0.0F, 1.0F) * 255); };
+    return fmt::format("{} {} {} {}", byte(0), byte(1), byte(2), byte(3));
+}
+
+void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value) {
+    const glm::vec4 c = glm::clamp(value, 0.0F, 1.0F);
+    const float middle = std::round((low.x + high.x) / 2);
+    const auto ink = [&](float alpha) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, alpha}); };
+    drawBoard(draw, {middle, low.y}, high, std::max(2.0F, std::floor((high.y - low.y) / 3)));
+    draw.AddRectFilled(low, {middle, high.y}, ink(1));
+    draw.AddRectFilled({middle, low.y}, high, ink(c.a));
+    draw.AddRect(low, high, color::outline);
+}
+
+float leastCellHeight() {
+    return std::ceil(ImGui::GetFontSize() * smallerText * lineHeight * 2 + 2);
+}
+
+CellPlan planCells(ImVec2 size, CellText wanted) {
+    const float em = ImGui::GetFontSize();
+    const float pad = cellPad();
+    const ImVec2 room(size.x - 2 * pad, size.y - 2);
+    const auto planned = [&](float text, bool both, bool tight) {
+        return CellPlan{.size = size,
+                        .text = em * text,
+                        .tight = tight,
+                        .symbols = both || wanted == CellText::Symbols,
+                        .numbers = both || wanted == CellText::Numbers};
+    };
+    // From what one would like best to what there is room for even in a narrow panel.
+    const std::array plans{planned(smallText, true, false), planned(smallText, false, false),
+                           planned(smallerText, false, false), planned(smallestText, true, true),
+                           planned(smallestText, false, true)};
+    const auto found = std::ranges::find_if(plans, [&](const CellPlan& plan) {
+        return linesOf(plan) * plan.text * lineHeight <= room.y && textWidth(plan) <= room.x;
+    });
+    CellPlan plan = found == plans.end() ? plans.back() : *found;
+    // What the text leaves, beside it or above it, is for the picture.
+    const float beside = std::min(room.y, room.x - textWidth(plan) - 2 * pad);
+    const float above = std::min(room.x, room.y - linesOf(plan) * plan.text * lineHeight - pad);
+    plan.above = above > beside;
+    plan.side = std::floor(std::max(above, beside));
+    if (plan.side < em)
+        plan.side = 0;
+    return plan;
+}
+
+void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, std::size_t row,
+                         const reference::TableColors& colors, const CellPictures& pictures) {
+    const float pad = cellPad();
+    const PrintedCell& printed = printedCell(column, row);
+    ImVec2 at(low.x + pad, low.y + 1);
+    if (printed.undefined) {
+        const std::string word = tr("undefined");
+        const float width = std::min(plan.size.x, widthOf(word, plan.text));
+        CellWriter({low.x + (plan.size.x - width) / 2, low.y + (plan.size.y - plan.text) / 2}, plan.text)
+            .line(word, color::dim);
+        return;
+    }
+    if (plan.side > 0) {
+        const ImVec2 free(plan.size.x - 2 * pad - plan.side, plan.size.y - 2 - plan.side);
+        drawPicture(plan, plan.above ? ImVec2(at.x + free.x / 2, at.y) : ImVec2(at.x, at.y + free.y / 2),
+                    column, row, pictures);
+        (plan.above ? at.y : at.x) += plan.side + (plan.above ? pad : 2 * pad);
+    }
+    const float height = linesOf(plan) * plan.text * lineHeight;
+    at.y += std::max(0.0F, std::floor((low.y + plan.size.y - 1 - at.y - height) / 2));
+    CellWriter writer(at, plan.text);
+    if (plan.symbols)
+        writeSymbols(writer, plan, printed);
+    if (plan.numbers) {
+        const EnvMode mode = tableModes.at(column);
+        const BaseFormat format = tableFormats.at(row);
+        writeNumbers(writer, plan,
+                     reference::evaluate(mode, format, reference::inputsOf(format, colors)).color);
+    }
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,237 @@
+#include "app/ui/figures/sheet_axes.h"
+
+#include "app/ui/language/translate.h"
+#include "app/ui/model/param_match.h"
+#include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/param_names.h"
+#include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/text_field.h"
+#include "app/ui/widgets/theme.h"
+#include "core/reference/shading/environment_table.h"
+#include "core/scene/params/keys.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <ranges>
+#include <string_view>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+std::string texturePath(const Session& session, const std::string& key) {
+    const Selection& selection = session.window.selection;
+    const int bound = session.document.scene.passes.at(static_cast<std::size_t>(selection.pass))
+                          .units.at(static_cast<std::size_t>(selection.unit))
+                          .texture;
+    return elementOf<&Scene::textures>(static_cast<std::size_t>(std::max(0, bound))) + "." + key;
+}
+
+template<class Enums>
+std::string namesOf(const Enums& values) {
+    std::string names;
+    for (const auto value : values)
+        names += (names.empty() ? "" : ",") + std::string(texplorer::rowOf(value).name);
+    return names;
+}
+
+constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
+
+/// The label of the parameter at a path; the path where there is none.
+std::string labelAt(const Session& session, const std::string& path) {
+    const Result<ParamAt> at = paramAt(session.document.scene, path);
+    return at ? std::string(shownName(session.window.settings, *at->row)) : path;
+}
+
+void findOffers(const Session& session, SheetState& state) {
+    state.offers.clear();
+    const std::string texture = texturePath(session, "");
+    const std::string unit = selectedUnitPath(session) + ".";
+    // Those of what is selected come first.
+    std::vector<std::pair<int, SheetState::Offer>> found;
+    forEachParam(session.document.scene, [&](const std::string& path, const ParamRow& row, const Value&) {
+        const int match = state.search.empty() ? 1 : matchOf(row, state.search);
+        if (!canSweep(row) || match == 0)
+            return;
+        const bool selected = path.starts_with(texture) || path.starts_with(unit);
+        found.emplace_back((match == 2 ? 0 : 2) + (selected ? 0 : 1),
+                           SheetState::Offer{path, std::string(shownName(session.window.settings, row))});
+    });
+    std::ranges::stable_sort(found, {}, &std::pair<int, SheetState::Offer>::first);
+    for (auto& [rank, offer] : found)
+        state.offers.push_back(std::move(offer));
+    state.isOffered = true;
+}
+
+/// The list of parameters, which a search shortens. The path that was chosen.
+std::optional<std::string> choosePath(Session& session, SheetState& state, const std::string& current) {
+    const float em = ImGui::GetFontSize();
+    if (ImGui::IsWindowAppearing()) {
+        state.search.clear();
+        state.isOffered = false;
+        ImGui::SetKeyboardFocusHere();
+    }
+    ImGui::SetNextItemWidth(em * 24);
+    if (textField("##search", state.search, ImGuiInputTextFlags_AutoSelectAll, tr("Search")))
+        state.isOffered = false;
+    noteItem("sheet:search");
+    if (!state.isOffered)
+        findOffers(session, state);
+    std::optional<std::string> chosen;
+    ImGui::BeginChild("offers", {em * 24, em * 16});
+    if (state.offers.empty())
+        wrappedText("No choice, number or colour has such a name.");
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(state.offers.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const SheetState::Offer& offer = state.offers[static_cast<std::size_t>(i)];
+            if (ImGui::Selectable(fmt::format("{}##{}", tr(offer.label), offer.path).c_str(),
+                                  offer.path == current))
+                chosen = offer.path;
+            noteItem("sheet offer:" + offer.path);
+            ImGui::SameLine(em * 11);
+            dimText(offer.path);
+        }
+    }
+    ImGui::EndChild();
+    if (chosen)
+        ImGui::CloseCurrentPopup();
+    return chosen;
+}
+
+/// A button with a parameter's name, and the field of its values.
+void axisControls(Session& session, SheetState& state, const SheetAxes& shown, std::size_t side, float button,
+                  float field) {
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    const SheetAxis& axis = shown.at(side);
+    const auto own = [&]() -> SheetAxis& {
+        if (!state.own)
+            state.own = shown;
+        return state.own->at(side);
+    };
+    ImGui::PushID(sideNames.at(side));
+    const std::string name = fitted(labelAt(session, axis.path), button - ImGui::GetFontSize() * 0.6F);
+    if (ImGui::Button(fmt::format("{}###path", name).c_str(), {button, 0}))
+        ImGui::OpenPopup("paths");
+    noteItem(fmt::format("sheet:{}", sideNames.at(side)));
+    helpTip(fmt::format("{}\n{}", axis.path, tr("Press for another parameter.")));
+    if (ImGui::BeginPopup("paths")) {
+        if (std::optional<std::string> path = choosePath(session, state, axis.path))
+            own() = {*std::move(path), "*"};
+        ImGui::EndPopup();
+    }
+    ImGui::SameLine(0, inner);
+    ImGui::SetNextItemWidth(field);
+    if (state.typedOf.at(side) != axis) {
+        state.typedOf.at(side) = axis;
+        state.typed.at(side) = axis.values;
+    }
+    (void)textField("##values", state.typed.at(side), ImGuiInputTextFlags_AutoSelectAll, "*");
+    const bool ended = ImGui::IsItemDeactivatedAfterEdit();
+    noteItem(fmt::format("sheet values:{}", sideNames.at(side)));
+    helpTip("Its values: 1,2,4 or 0..4/5, five numbers from 0 to 4; * is all of them, of a number a few. "
+            "Colours have semicolons between them.");
+    if (ended && state.typed.at(side) != axis.values)
+        own().values = state.typed.at(side).empty() ? "*" : state.typed.at(side);
+    ImGui::PopID();
+}
+
+void pairChoice(SheetState& state, float width) {
+    const char* current = state.own ? "Your own pair" : sheetPairs().at(state.pair).label;
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##pair", tr(current), ImGuiComboFlags_HeightLargest);
+    noteItem("sheet:pair");
+    helpTip("Pairs of parameters that belong together; or choose any two beside it.");
+    if (!open)
+        return;
+    for (std::size_t i = 0; i < sheetPairs().size(); ++i) {
+        const SheetPair& pair = sheetPairs().at(i);
+        if (ImGui::Selectable(label(pair.label), !state.own && state.pair == i)) {
+            state.own.reset();
+            state.pair = i;
+        }
+        noteItem(fmt::format("sheet pair:{}", pair.name));
+        helpTip(pair.help);
+    }
+    ImGui::EndCombo();
+}
+
+} // namespace
+
+const std::array<SheetPair, 4>& sheetPairs() {
+    static const std::array<SheetPair, 4> pairs{
+        SheetPair{"filters", "Filter laboratory",
+                  "How the texture is made smaller: six filters, with one to sixteen probes.",
+                  [](const Session& session) {
+                      return SheetAxes{
+                          SheetAxis{texturePath(session, keyOf<&Texture::maxAnisotropy>()), "1,2,4,8,16"},
+                          SheetAxis{texturePath(session, keyOf<&Texture::minFilter>()), "*"}};
+                  }},
+        SheetPair{"magnification", "Both filters",
+                  "The filters of texels that are larger than pixels, and of smaller ones.",
+                  [](const Session& session) {
+                      return SheetAxes{SheetAxis{texturePath(session, keyOf<&Texture::magFilter>()), "*"},
+                                       SheetAxis{texturePath(session, keyOf<&Texture::minFilter>()), "*"}};
+                  }},
+        SheetPair{"wraps", "Both wraps", "What there is beyond the image's edges, in both directions.",
+                  [](const Session& session) {
+                      return SheetAxes{SheetAxis{texturePath(session, keyOf<&Texture::wrapT>()), "*"},
+                                       SheetAxis{texturePath(session, keyOf<&Texture::wrapS>()), "*"}};
+                  }},
+        SheetPair{"environments", "Environments",
+                  "What the unit makes of fragment and texel, for each base format.",
+                  [](const Session& session) {
+                      return SheetAxes{SheetAxis{selectedUnitPath(session) + "." + keyOf<&Unit::envMode>(),
+                                                 namesOf(reference::tableModes)},
+                                       SheetAxis{texturePath(session, keyOf<&Texture::internalFormat>()),
+                                                 namesOf(reference::tableFormats)}};
+                  }},
+    };
+    return pairs;
+}
+
+SheetAxes axesOf(const Session& session, const SheetState& state) {
+    if (state.own)
+        return *state.own;
+    SheetAxes axes = sheetPairs().at(state.pair).axes(session);
+    if (state.swapped)
+        std::swap(axes[0], axes[1]);
+    return axes;
+}
+
+void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown) {
+    const float em = ImGui::GetFontSize();
+    const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float gap = em * 0.8F;
+    const float names = ImGui::CalcTextSize(tr(sideNames[0])).x + ImGui::CalcTextSize(tr(sideNames[1])).x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    // All in one line where there is room for it.
+    const float spare = room - names - buttonWidth("Swap") - 5 * gap - 4 * inner;
+    const bool inLine = spare > em * 38;
+    const float pair = inLine ? spare * 0.23F : std::min(room, em * 14);
+    pairChoice(state, std::floor(pair));
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(label("Swap"))) {
+        if (state.own)
+            std::swap((*state.own)[0], (*state.own)[1]);
+        else
+            state.swapped = !state.swapped;
+    }
+    noteItem("sheet:swap");
+    helpTip("Rows become columns, and columns rows.");
+    for (std::size_t side = 0; side < shown.size(); ++side) {
+        if (inLine)
+            ImGui::SameLine(0, gap);
+        ImGui::AlignTextToFramePadding();
+        dimText(sideNames.at(side));
+        ImGui::SameLine(0, inner);
+        const float left = inLine ? spare * 0.385F : ImGui::GetContentRegionAvail().x - inner;
+        axisControls(session, state, shown, side, std::floor(left * 0.5F), std::floor(left * 0.5F));
+    }
+}
+
+} // namespace texplorer::ui

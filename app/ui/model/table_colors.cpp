@@ -1,0 +1,97 @@
+#include "app/ui/model/table_colors.h"
+
+#include "core/image/mean_color.h"
+#include "core/reference/probe.h"
+#include "core/scene/model_mesh.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace texplorer::ui {
+namespace {
+
+/// Where neither a pixel nor an image says one: a colour whose components differ.
+constexpr glm::vec4 exampleTexel{0.8F, 0.4F, 0.2F, 0.6F};
+
+/// The format with all components that means the same.
+InternalFormat wholeFormat(InternalFormat format) {
+    if (isDepth(format))
+        return format;
+    return isSrgb(format) ? InternalFormat::Srgb8Alpha8 : InternalFormat::Rgba;
+}
+
+const reference::EnvironmentInputs* inputsIn(const reference::Explanation& explanation,
+                                             const Selection& selection) {
+    for (std::size_t i = explanation.fragments.size(); i > 0; --i) {
+        const reference::FragmentExplanation& fragment = explanation.fragments[i - 1];
+        const auto unit =
+            std::ranges::find(fragment.units, selection.unit, &reference::UnitExplanation::unit);
+        if (fragment.pass == selection.pass && unit != fragment.units.end())
+            return &unit->inputs;
+    }
+    return nullptr;
+}
+
+/// Of the probed pixel; nothing: none is probed, it has no such fragment, or nothing is known yet.
+std::optional<reference::EnvironmentInputs> probedInputs(Session& session, view::Size picture) {
+    const std::optional<reference::PixelPlace>& pixel = session.window.explaining.pixel;
+    const bool isInside =
+        pixel && pixel->x < picture.width && pixel->y < picture.height && boundTexture(session);
+    if (!isInside) {
+        session.services.plainProbe.rest();
+        return std::nullopt;
+    }
+    Scene scene = session.document.scene;
+    Texture& texture = scene.textures[static_cast<std::size_t>(selectedUnit(session).texture)];
+    texture.internalFormat = wholeFormat(texture.internalFormat);
+    const auto answer = session.services.plainProbe.answer(
+        {{std::move(scene), session.document.images, session.window.playback.time, picture.width,
+          picture.height, session.window.view.anisotropy},
+         pixel,
+         std::nullopt});
+    if (!answer || !answer->explanation || !*answer->explanation)
+        return std::nullopt;
+    const reference::EnvironmentInputs* inputs = inputsIn(**answer->explanation, session.window.selection);
+    return inputs ? std::optional(*inputs) : std::nullopt;
+}
+
+} // namespace
+
+BaseFormat baseFormatOf(const Texture& texture, const LevelsSummary* summary) {
+    if (summary && summary->compressed)
+        return baseFormat(*summary->compressed);
+    return isDepth(texture.internalFormat) || texture.source == SourceKind::LightDepth
+               ? baseFormat(texture.depthMode)
+               : baseFormat(texture.internalFormat);
+}
+
+TableSubject tableSubject(Session& session, view::Size picture) {
+    TableSubject subject;
+    const Scene& scene = session.document.scene;
+    const Unit& unit = selectedUnit(session);
+    if (const Texture* texture = boundTexture(session)) {
+        const auto summary = session.services.levels.summary(
+            {session.document.images.picturesOf(*texture), imageSettings(*texture), unit.target});
+        if (summary && !summary->levels.empty())
+            subject.texels = summary->levels.front().second;
+        subject.format = baseFormatOf(*texture, summary.get());
+        subject.hasChoice = !(summary && summary->compressed) && !isDepth(texture->internalFormat) &&
+                            texture->source != SourceKind::LightDepth;
+    }
+    subject.colors.constant = glm::clamp(unit.envColor, 0.0F, 1.0F);
+    if (const auto inputs = probedInputs(session, picture)) {
+        subject.colors.fragment = inputs->previous;
+        subject.colors.texel = inputs->source;
+        subject.probed = true;
+        return subject;
+    }
+    const Model* model = selectedModel(session);
+    subject.colors.fragment =
+        glm::clamp(model ? materialOf(scene, *model).color : scene.material.color, 0.0F, 1.0F);
+    subject.colors.texel = subject.texels ? meanColor(*subject.texels) : exampleTexel;
+    return subject;
+}
+
+} // namespace texplorer::ui

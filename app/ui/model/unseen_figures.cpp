@@ -1,0 +1,21 @@
+#include "app/ui/model/unseen_figures.h"
+
+#include "app/ui/model/session.h"
+#include "app/ui/model/workspace.h"
+
+namespace texplorer::ui {
+
+void restUnseenFigures(Session& session) {
+    const auto isSeen = [&](Figure figure) {
+        return session.window.figure == figure && isShown(session.window.settings.workspace, Tab::Figures);
+    };
+    const Services& services = session.services;
+    if (!isSeen(Figure::Environments)) {
+        services.environments.rest();
+        services.plainProbe.rest();
+    }
+    if (!isSeen(Figure::Sheet))
+        services.sheet.rest();
+}
+
+} // namespace texplorer::ui

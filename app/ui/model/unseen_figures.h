@@ -1,0 +1,10 @@
+#pragma once
+
+namespace texplorer::ui {
+
+struct Session;
+
+/// To be called once a frame: what works for a figure that one doesn't see gives its memory back.
+void restUnseenFigures(Session& session);
+
+} // namespace texplorer::ui
