@@ -1,5 +1,6 @@
 // What the panels add to a frame of the window: the whole frame against the renderer alone, at the size of
-// the picture in the window; and a frame while coordinates are dragged.
+// the picture in the window; a frame while coordinates are dragged; and frames with figures that work beside
+// the window.
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/opengl/opengl_graphics.h"
@@ -10,6 +11,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 #include <imgui.h>
+
+#include <optional>
 
 namespace texplorer::bench {
 namespace {
@@ -73,6 +76,43 @@ void windowDrag(benchmark::State& state) {
         state.SkipWithError("the mouse moved no vertex");
 }
 
+/// A figure, and whether the scene moves meanwhile.
+enum class Moves { No, Yes };
+
+/// The default window with a figure below, or its plain one; what works for it does so beside it, as it does
+/// for a user. Where the scene moves, the probed pixel has other colours in each frame, and the pictures of
+/// the sheet follow.
+void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Moves moves) {
+    const auto context = offscreen::OsmesaContext::create(window);
+    const auto graphics = opengl::OpenGlGraphics::create();
+    if (!graphics)
+        return state.SkipWithError(describe(graphics.error()).c_str());
+    stage::Stage stage(**graphics, 1);
+    ui::ServicesBeside services;
+    ui::Session session(services.lend());
+    if (moves == Moves::Yes) {
+        for (Model& model : session.document.scene.models)
+            model.spin = {0, 30, 0};
+    }
+    if (figure) {
+        session.window.figure = *figure;
+        session.window.wantedTab = ui::Tab::Figures;
+    }
+    const auto draw = [&] {
+        ui::advance(session, 1.0 / 60);
+        stage.draw(session, {window, window, 1}, 1.0F / 60);
+        glFinish();
+    };
+    for (int i = 0; i < 3; ++i)
+        draw();
+    session.window.explaining.pixel = {150, 200};
+    draw();
+    if (moves == Moves::No) // until everything is drawn
+        session.services.sheet.wait();
+    for (auto _ : state)
+        draw();
+}
+
 /// A display's time for a picture.
 void windowLimit(benchmark::State& state) {
     for (auto _ : state)
@@ -81,6 +121,22 @@ void windowLimit(benchmark::State& state) {
 
 BENCHMARK(windowFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(windowDrag)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(figureFrame, none, std::nullopt, Moves::No)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(figureFrame, environments, ui::Figure::Environments, Moves::No)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(figureFrame, sheet, ui::Figure::Sheet, Moves::No)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(figureFrame, noneMoving, std::nullopt, Moves::Yes)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(figureFrame, environmentsMoving, ui::Figure::Environments, Moves::Yes)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(figureFrame, sheetMoving, ui::Figure::Sheet, Moves::Yes)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(windowLimit)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
