@@ -176,6 +176,8 @@ Result<void> LessonWriter::writeStep(std::size_t index) {
     section += fmt::format("<section class=\"step\" id=\"{}\">\n<h3>{}. {}</h3>\n"
                            "<figure class=\"shown\">{}{}</figure>\n<p>{}</p>\n",
                            place_, index + 1, escaped(title), *shown, mark, text(step_->text));
+    for (const std::string& note : imageNotes(start_))
+        section += fmt::format("<p class=\"source\">{}</p>\n", escaped(word(note)));
     if (const Result<void> task =
             std::visit([this](const auto& each) { return writeTask(each); }, step_->task);
         !task)

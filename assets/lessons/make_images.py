@@ -133,10 +133,12 @@ def bitmaps():
 
 
 def surfaces():
+    write("textured-cube/uv.dds", cut(dds(grid(96, 6), "dxt1", 7), 96, 8, 6))  # down to 3 x 3
     picture = grid(128, 4)
     write("dds/dxt1.dds", dds(picture, "dxt1", 8))
     write("dds/dxt3.dds", dxt3(disc(picture), 8))
     write("dds/dxt5.dds", dds(disc(picture), "dxt5", 8))
+    write("dds/turned.dds", dds(picture.transpose(Image.FLIP_TOP_BOTTOM), "dxt1", 8))
     write("dds/no-mipmaps.dds", cut(dds(picture, "dxt1", 8), 128, 8, 1))
     write("sizes/short-chain.dds", cut(dds(picture, "dxt1", 8), 128, 8, 4))
     # 8 x 2 texels: 16 bytes, then three blocks of 8 for 4 x 1, 2 x 1 and 1 x 1.

@@ -135,6 +135,8 @@ def collect():
 def texts_of_lesson(lesson):
     """What a reader sees of a lesson.json, in order."""
     yield from (lesson["title"], lesson["about"])
+    if "source" in lesson:
+        yield lesson["source"]
     for step in lesson["steps"]:
         yield from (step["title"], step["text"])
         if "try" in step:

@@ -319,6 +319,8 @@ Result<Lesson> parseLesson(std::string_view text) {
 
 std::vector<std::string> textsOf(const Lesson& lesson) {
     std::vector<std::string> texts{lesson.title, lesson.about};
+    if (!lesson.source.empty())
+        texts.push_back(lesson.source);
     for (const Step& step : lesson.steps) {
         texts.insert(texts.end(), {step.title, step.text});
         if (const auto* task = std::get_if<Try>(&step.task))

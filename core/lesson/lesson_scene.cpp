@@ -45,23 +45,27 @@ Result<Scene> sceneNamed(const LessonFolder& folder, const std::string& name) {
 }
 
 /// A photograph where it is installed, a pattern where it isn't. One that can't be read is as good as none.
-void takeInstalled(const LessonFolder& folder, LessonScene& step) {
+void takeInstalled(const LessonFolder& folder, LessonScene& step, StepImages images) {
     for (Texture& texture : step.scene.textures) {
         const std::string name = texture.file;
         if (texture.source != SourceKind::File || folder.has(name) ||
             std::ranges::find(installedImages, name) == installedImages.end())
             continue;
         const std::filesystem::path path = folder.installed(name);
-        Result<TextureImage> image =
-            path.empty() ? Result<TextureImage>(fail(ErrorCode::NotFound, "it is in no folder"))
-                         : readFile(path, maxLessonFileBytes).and_then([](const Bytes& bytes) {
-                               return decodeTexture(bytes);
-                           });
-        step.installed.push_back({name, image ? path : std::filesystem::path()});
-        if (image) {
+        std::error_code ignored;
+        bool isThere = !path.empty() && std::filesystem::is_regular_file(path, ignored);
+        if (isThere && images == StepImages::Read) {
+            Result<TextureImage> image = readFile(path, maxLessonFileBytes).and_then([](const Bytes& bytes) {
+                return decodeTexture(bytes);
+            });
+            isThere = image.has_value();
+            if (image)
+                step.images.put(path.string(), *std::move(image));
+        }
+        step.installed.push_back({name, isThere ? path : std::filesystem::path()});
+        if (isThere) {
             texture.file = path.string();
             texture.preparation.clear();
-            step.images.put(texture.file, *std::move(image));
         } else {
             texture.source = SourceKind::Pattern;
             texture.file.clear();
@@ -72,7 +76,9 @@ void takeInstalled(const LessonFolder& folder, LessonScene& step) {
 /// Files of the program's own lesson.
 Result<void> takeEmbedded(const LessonFolder& folder, LessonScene& step) {
     for (const std::string& file : filesOf(step.scene)) {
-        if (step.images.holds(file))
+        const bool isInstalled = std::ranges::any_of(
+            step.installed, [&](const InstalledImage& each) { return each.path == file; });
+        if (isInstalled)
             continue;
         Result<Bytes> bytes = folder.read(file);
         if (!bytes)
@@ -88,7 +94,7 @@ Result<void> takeEmbedded(const LessonFolder& folder, LessonScene& step) {
 
 /// Files that stand in the folder, of the program's own lessons and of a teacher's. None may lie elsewhere.
 Result<void> loadImages(const LessonFolder& folder, LessonScene& step, StepImages images) {
-    takeInstalled(folder, step);
+    takeInstalled(folder, step, images);
     if (folder.path().empty())
         return takeEmbedded(folder, step);
     for (const std::string& file : filesOf(step.scene)) {
@@ -219,6 +225,26 @@ void checkTask(const Try&, const LessonScene&, const std::string&, Problems&) {}
 void checkTask(const std::monostate&, const LessonScene&, const std::string&, Problems&) {}
 
 } // namespace
+
+std::vector<std::string> imageNotes(const LessonScene& step) {
+    std::string folder;
+    std::string found;
+    std::string missing;
+    for (const InstalledImage& each : step.installed) {
+        std::string& names = each.path.empty() ? missing : found;
+        if (names.find(each.name) == std::string::npos)
+            names += (names.empty() ? "" : ", ") + each.name;
+        if (!each.path.empty())
+            folder = each.path.parent_path().string();
+    }
+    std::vector<std::string> notes;
+    if (!found.empty())
+        notes.push_back(fmt::format("Photographs of {}: {}.", folder, found));
+    if (!missing.empty())
+        notes.push_back(fmt::format(
+            "Computed pictures stand for {}, which Debian's package xplanet-images would have.", missing));
+    return notes;
+}
 
 Result<void> makeEdits(Scene& scene, const std::vector<Edit>& edits) {
     Scene edited = scene;

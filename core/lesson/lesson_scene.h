@@ -25,13 +25,16 @@ struct LessonScene {
     std::vector<InstalledImage> installed = {};
 };
 
+/// Where its photographs are from, or that others stand for them: a sentence each.
+[[nodiscard]] std::vector<std::string> imageNotes(const LessonScene& step);
+
 enum class StepImages : bool { Read, Leave };
 
 /// What a step begins with: the scene that it names, or the step before it begins with, with its edits. A
 /// texture whose file is one of installedImages has it where it is installed, without a preparation;
 /// elsewhere it has its pattern instead, with its preparation. Errors are about lesson.json, by its JSON
-/// pointer, or the files that it names. Images of a folder on disk may be left to be read later; they are
-/// inside, then.
+/// pointer, or the files that it names. Images on the disk may be left to be read later: they are where they
+/// may be, then, and are perhaps not there.
 [[nodiscard]] Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, std::size_t step,
                                           StepImages images = StepImages::Read);
 

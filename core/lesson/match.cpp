@@ -40,14 +40,21 @@ Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSou
     const Result<Image> given = drawSmall({scene, images}, stop);
     if (!given)
         return fail(given.error());
-    Grade grade;
-    grade.passed = areAlike(*given, *wanted);
-    const double now = distance(*given, *wanted);
-    grade.share = grade.passed ? 0 : now;
-    if (grade.passed)
-        return grade;
+    const bool passed = areAlike(*given, *wanted);
+    return Grade{passed, passed ? 0 : distance(*given, *wanted)};
+}
+
+Result<std::optional<SceneChange>> hintFor(const Scene& scene, const Scene& target, const ImageSource& images,
+                                           std::stop_token stop) {
+    const Result<Image> wanted = drawSmall({target, images}, stop);
+    if (!wanted)
+        return fail(wanted.error());
+    const Result<Image> given = drawSmall({scene, images}, stop);
+    if (!given)
+        return fail(given.error());
     const std::vector<SceneChange> changes = changesBetween(scene, target);
-    double best = now;
+    double best = distance(*given, *wanted);
+    std::optional<SceneChange> hint;
     for (std::size_t i = 0; i < std::min(changes.size(), mostHints); ++i) {
         Scene nearer = scene;
         if (!takeOver(nearer, target, changes[i].path))
@@ -57,13 +64,13 @@ Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSou
             return fail(picture.error());
         if (const double left = distance(*picture, *wanted); left < best) {
             best = left;
-            grade.hint = changes[i];
+            hint = changes[i];
         }
     }
     // Where it takes two at once, any of them is a beginning.
-    if (!grade.hint && !changes.empty())
-        grade.hint = changes.front();
-    return grade;
+    if (!hint && !changes.empty())
+        hint = changes.front();
+    return hint;
 }
 
 } // namespace texplorer::lesson

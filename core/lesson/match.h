@@ -24,13 +24,16 @@ inline constexpr int smallHeight = 144;
 struct Grade {
     bool passed = false;
     double share = 0; ///< of the pixels that still differ, 0 to 1
-    /// The one parameter whose change brings the picture nearest, where it has not been reached; none: no
-    /// single one does. Its `to` is the value that is looked for.
-    std::optional<SceneChange> hint;
 };
 
 /// Errors: those of the drawing.
 [[nodiscard]] Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSource& images,
                                        std::stop_token stop = {});
+
+/// The one parameter whose change brings the picture nearest to that of the target; where no single one does,
+/// the first that differs; none: the scenes are the same. Its `to` is the value that is looked for. A picture
+/// is drawn for each parameter that differs. Errors: those of the drawing.
+[[nodiscard]] Result<std::optional<SceneChange>>
+hintFor(const Scene& scene, const Scene& target, const ImageSource& images, std::stop_token stop = {});
 
 } // namespace texplorer::lesson

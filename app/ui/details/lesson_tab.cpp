@@ -58,7 +58,7 @@ void stepMarks(Session& session, const LessonRun& run) {
         const ImVec2 middle(low.x + width / 2, low.y + em / 2);
         const float radius = width * 0.3F;
         const bool isHere = i == run.step;
-        if (isStepDone(session, run.folder.name(), i))
+        if (isStepDone(session, run.key, i))
             draw.AddCircleFilled(middle, radius, isHere ? color::chosen : color::accent);
         else
             draw.AddCircle(middle, radius, isHere ? color::chosen : color::dim, 0, em * 0.1F);
@@ -192,6 +192,8 @@ void drawTask(Session& session, const LessonRun& run, const Predict& predict, co
     if (*run.answer != predict.right)
         return lessonTextIn(color::problem,
                             tr(std::string("Not this one. Look again, or try it in the window.")));
+    if (run.reason.empty())
+        return dimText("Working out the numbers…");
     lessonTextIn(color::text, run.reason);
     noteItem("reason");
 }
@@ -216,18 +218,19 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
     }
     dimWrappedText(
         fmt::format("{} % of the pixels differ still.", std::max(1L, std::lround(run.grade->share * 100))));
-    if (!run.grade->hint)
-        return;
     if (ImGui::SmallButton(label("Hint")))
         session.window.lesson->wantsHint = true;
     noteItem("hint");
-    if (run.wantsHint) {
-        const std::string& path = run.grade->hint->path;
-        ImGui::SameLine();
-        wrappedText(fmt::format("Change {}.", tr(run.grade->hint->label)));
-        if (session.window.shownParam != path)
-            session.window.shownParam = path;
-    }
+    if (!run.wantsHint)
+        return;
+    ImGui::SameLine();
+    if (!run.hint)
+        return dimText("Looking for one…");
+    if (!run.hint->hint)
+        return;
+    wrappedText(fmt::format("Change {}.", tr(run.hint->hint->label)));
+    if (session.window.shownParam != run.hint->hint->path)
+        session.window.shownParam = run.hint->hint->path;
 }
 
 /// Where one is, and the ways on.
@@ -261,10 +264,14 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     const float buttons = ImGui::GetFrameHeightWithSpacing();
     ImGui::BeginChild("step", {0, -buttons});
     lessonTextIn(color::dim, run.text(run.lesson.title));
+    if (run.step == 0 && !run.lesson.source.empty())
+        lessonTextIn(color::dim, run.text(run.lesson.source));
     stepMarks(session, run);
     lessonTextIn(color::chosen, fmt::format("{}. {}", run.step + 1, run.text(step.title)));
     noteItem("lesson title");
     lessonText(run, step.text);
+    for (const std::string& note : imageNotes(run.start))
+        dimWrappedText(note);
     space();
     drawLessonKeys(session, run);
     std::visit([&](const auto& task) { drawTask(session, run, task, pictures); }, step.task);

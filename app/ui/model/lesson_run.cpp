@@ -5,7 +5,6 @@
 #include "app/ui/model/scene_files.h"
 #include "app/ui/model/session.h"
 #include "core/base/file_io.h"
-#include "core/lesson/reason.h"
 #include "core/reference/false_colors.h"
 
 #include <fmt/core.h>
@@ -25,8 +24,29 @@ const lesson::Step& stepOf(const LessonRun& run) {
     return run.lesson.steps[run.step];
 }
 
+bool isBuiltIn(const std::string& key) {
+    return lesson::LessonFolder::builtIn(key).has_value();
+}
+
+/// Room for one more: of folders that are nowhere any more nothing is missed, then of any.
+void makeRoom(std::map<std::string, std::vector<StepRecord>>& lessons) {
+    const auto isGone = [](const auto& each) {
+        std::error_code ignored;
+        return !isBuiltIn(each.first) && !std::filesystem::is_directory(each.first, ignored);
+    };
+    while (lessons.size() >= mostLessonsKept) {
+        auto found = std::ranges::find_if(lessons, isGone);
+        if (found == lessons.end())
+            found = std::ranges::find_if(lessons, [](const auto& each) { return !isBuiltIn(each.first); });
+        lessons.erase(found == lessons.end() ? lessons.begin() : found);
+    }
+}
+
 StepRecord& recordOf(Session& session, const LessonRun& run) {
-    std::vector<StepRecord>& records = session.window.settings.lessons[run.folder.name()];
+    auto& lessons = session.window.settings.lessons;
+    if (!lessons.contains(run.key))
+        makeRoom(lessons);
+    std::vector<StepRecord>& records = lessons[run.key];
     records.resize(std::max(records.size(), run.lesson.steps.size()));
     return records[run.step];
 }
@@ -86,10 +106,35 @@ void look(Session& session, const lesson::Look& wanted) {
         showRenderers(window.view, wanted.renderer);
 }
 
-/// The scene takes the place of the document's, whose history ends with it.
+/// Settings of before kept a folder's steps by its name alone.
+void takeOldRecords(Settings& settings, const lesson::LessonFolder& folder, const std::string& key) {
+    if (folder.path().empty() || settings.lessons.contains(key) || isBuiltIn(folder.name()))
+        return;
+    if (auto old = settings.lessons.extract(folder.name())) {
+        old.key() = key;
+        settings.lessons.insert(std::move(old));
+    }
+}
+
+/// What the step before has read needs no reading.
+void shareImages(lesson::LessonScene& step, const Document& before) {
+    if (!before.isLessons || before.images.directory() != step.images.directory())
+        return;
+    for (const std::string& file : filesOf(step.scene)) {
+        if (!step.images.holds(file) && !before.images.fileInMemory(file))
+            step.images.share(file, before.images, file);
+    }
+}
+
+bool holdsAll(const ImageSource& images, const Scene& scene) {
+    return std::ranges::all_of(filesOf(scene), [&](const std::string& file) { return images.holds(file); });
+}
+
+/// The scene takes the place of the document's, whose history ends with it. Its images may come later.
 void showScene(Session& session, const lesson::LessonScene& scene) {
     Document document(scene.scene, scene.images);
     document.isLessons = true;
+    document.used.clear();     // what isn't there is read
     document.needsFit = false; // pictures are compared, and pixels named, as the step's camera sees them
     replaceDocument(session, std::move(document));
     session.window.playback.time = 0;
@@ -113,6 +158,10 @@ void followKeys(Session& session, LessonRun& run) {
     run.keyed = session.document.scene;
 }
 
+void askPictures(Session& session, const LessonRun& run) {
+    session.services.lessons.askPictures(picturedScenes(run));
+}
+
 void begin(Session& session) {
     LessonRun& run = *session.window.lesson;
     readyKeys(run);
@@ -122,13 +171,19 @@ void begin(Session& session) {
     run.grade.reset();
     run.asked.reset();
     run.wantsHint = false;
+    run.hintAsked.reset();
+    run.hint.reset();
     session.services.lessons.rest();
-    std::vector<LessonWork::Pictured> pictured = picturedScenes(run);
     run.target.reset();
-    if (std::holds_alternative<Match>(stepOf(run).task) && pictured.front())
-        run.target = pictured.front()->scene;
-    session.services.lessons.askPictures(std::move(pictured));
+    if (const auto* match = std::get_if<Match>(&stepOf(run).task)) {
+        if (const Result<lesson::LessonScene> target = withEdits(run.start, match->edits))
+            run.target = target->scene;
+    }
+    shareImages(run.start, session.document);
+    run.awaitsImages = !holdsAll(run.start.images, run.start.scene);
     showScene(session, run.start);
+    if (!run.awaitsImages)
+        askPictures(session, run);
     look(session, stepOf(run).look);
     const lesson::Step& step = stepOf(run);
     const bool asks = std::holds_alternative<Predict>(step.task) || std::holds_alternative<Match>(step.task);
@@ -192,7 +247,46 @@ Scene comparedScene(const LessonRun& run, const Scene& target, Scene scene) {
     return scene;
 }
 
+/// The images that the step's scene was shown without, once they are there, or can't be read.
+void receiveImages(Session& session, LessonRun& run) {
+    const Document& document = session.document;
+    if (!run.awaitsImages || !document.loads.empty() || document.used.empty())
+        return; // or not even asked for
+    run.awaitsImages = false;
+    for (const std::string& file : filesOf(run.start.scene))
+        run.start.images.share(file, document.images, file);
+    askPictures(session, run);
+}
+
+void followMatch(Session& session, LessonRun& run) {
+    LessonWork& work = session.services.lessons;
+    Scene compared = comparedScene(run, *run.target, session.document.scene);
+    if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
+        run.grade = std::move(graded->grade);
+        if (run.grade->passed && graded->scene == compared)
+            recordOf(session, run).done = true;
+    }
+    if (std::optional<LessonWork::Hinted> hint = work.takeHint())
+        run.hint = std::move(hint);
+    if (run.wantsHint && run.grade && !run.grade->passed && run.hintAsked != compared) {
+        run.hintAsked = compared;
+        work.askHint(compared, *run.target, session.document.images);
+    }
+    if (run.asked == compared)
+        return;
+    run.asked = std::move(compared);
+    work.askGrade(*run.asked, *run.target, session.document.images);
+}
+
 } // namespace
+
+std::string progressKey(const lesson::LessonFolder& folder) {
+    if (folder.path().empty())
+        return folder.name();
+    std::error_code failed;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(folder.path(), failed);
+    return (failed ? folder.path() : whole.has_filename() ? whole : whole.parent_path()).generic_string();
+}
 
 std::string LessonRun::text(const std::string& english) const {
     return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(english);
@@ -203,14 +297,16 @@ Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
     Result<lesson::Lesson> lesson = readLesson(folder);
     if (!lesson)
         return fail(lesson.error());
-    const auto records = session.window.settings.lessons.find(folder.name());
+    const std::string key = progressKey(folder);
+    takeOldRecords(session.window.settings, folder, key);
+    const auto records = session.window.settings.lessons.find(key);
     if (!step && records != session.window.settings.lessons.end()) {
         const auto open = std::ranges::find(records->second, false, &StepRecord::done);
         step = static_cast<std::size_t>(open - records->second.begin());
     }
     const std::size_t last = lesson->steps.size() - 1;
     const std::size_t first = step.value_or(0) > last ? 0 : step.value_or(0);
-    Result<lesson::LessonScene> start = startOf(folder, *lesson, first);
+    Result<lesson::LessonScene> start = startOf(folder, *lesson, first, lesson::StepImages::Leave);
     if (!start)
         return fail(start.error());
     session.window.lesson = std::make_shared<LessonRun>(folder, *std::move(lesson), first, *std::move(start));
@@ -242,7 +338,7 @@ void goToLessonStep(Session& session, std::size_t step) {
     const std::shared_ptr<LessonRun> run = session.window.lesson;
     if (!run || step >= run->lesson.steps.size())
         return;
-    Result<lesson::LessonScene> start = startOf(run->folder, run->lesson, step);
+    Result<lesson::LessonScene> start = startOf(run->folder, run->lesson, step, lesson::StepImages::Leave);
     if (!start)
         return say(session, start.error());
     run->step = step;
@@ -268,8 +364,7 @@ void answerQuestion(Session& session, std::size_t answer) {
     const lesson::LessonScene scene =
         withEdits(run.start, predict->answers[answer].edits).value_or(run.start);
     const lesson::Look& place = stepOf(run).look;
-    const Result<std::string> reason = reasonOf(run.text(predict->reason), scene, place.probeX, place.probeY);
-    run.reason = reason ? *reason : describe(reason.error());
+    session.services.lessons.askReason(run.text(predict->reason), scene, place.probeX, place.probeY);
     if (!predict->answers[answer].edits.empty()) {
         session.document.scene = scene.scene;
         sealEdit(session);
@@ -289,18 +384,11 @@ void followLesson(Session& session) {
     LessonWork& work = session.services.lessons;
     if (auto pictures = work.takePictures())
         run->pictures = std::move(pictures);
-    if (!run->target)
-        return;
-    Scene compared = comparedScene(*run, *run->target, session.document.scene);
-    if (std::optional<LessonWork::Graded> graded = work.takeGrade()) {
-        run->grade = std::move(graded->grade);
-        if (run->grade->passed && graded->scene == compared)
-            recordOf(session, *run).done = true;
-    }
-    if (run->asked == compared)
-        return;
-    run->asked = std::move(compared);
-    work.askGrade(*run->asked, *run->target, session.document.images);
+    if (std::optional<std::string> reason = work.takeReason())
+        run->reason = *std::move(reason);
+    receiveImages(session, *run);
+    if (run->target && !run->awaitsImages)
+        followMatch(session, *run);
 }
 
 void reloadLesson(Session& session) {
@@ -311,7 +399,7 @@ void reloadLesson(Session& session) {
         return tellProblem(session, lesson.error());
     run.files = filesOfLesson(run.folder, *lesson, run.language);
     const std::size_t step = std::min(run.step, lesson->steps.size() - 1);
-    Result<lesson::LessonScene> start = startOf(run.folder, *lesson, step);
+    Result<lesson::LessonScene> start = startOf(run.folder, *lesson, step, lesson::StepImages::Leave);
     const std::string file = (run.folder.path() / lesson::lessonFileName).string();
     if (!start)
         return tellProblem(session, {start.error().code, describe(start.error()), file});
@@ -326,6 +414,10 @@ void reloadLesson(Session& session) {
         step == run.step && start->scene == run.start.scene && isSameStep(lesson->steps[step], stepOf(run));
     run.lesson = *std::move(lesson);
     run.step = step;
+    if (goesOn) {
+        for (const std::string& file : filesOf(start->scene))
+            start->images.share(file, session.document.images, file);
+    }
     run.start = *std::move(start);
     if (!goesOn)
         begin(session);
@@ -333,24 +425,24 @@ void reloadLesson(Session& session) {
         readyKeys(run);
 }
 
-bool isStepDone(const Session& session, const std::string& lesson, std::size_t step) {
-    const auto found = session.window.settings.lessons.find(lesson);
+bool isStepDone(const Session& session, const std::string& key, std::size_t step) {
+    const auto found = session.window.settings.lessons.find(key);
     return found != session.window.settings.lessons.end() && step < found->second.size() &&
            found->second[step].done;
 }
 
-LessonProgress progressOf(const Session& session, const std::string& lesson, std::size_t steps) {
+LessonProgress progressOf(const Session& session, const std::string& key, std::size_t steps) {
     LessonProgress progress{0, steps};
     for (std::size_t i = 0; i < steps; ++i)
-        progress.done += isStepDone(session, lesson, i) ? 1U : 0U;
+        progress.done += isStepDone(session, key, i) ? 1U : 0U;
     return progress;
 }
 
 std::string answersText(const Session& session) {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
-    for (const auto& [name, records] : session.window.settings.lessons) {
-        const Result<lesson::Lesson> lesson = lesson::LessonFolder::builtIn(name).and_then(
+    for (const auto& [key, records] : session.window.settings.lessons) {
+        const Result<lesson::Lesson> lesson = lesson::LessonFolder::builtIn(key).and_then(
             [](const auto& folder) { return readLesson(folder); });
         Json steps = Json::array();
         for (std::size_t i = 0; i < records.size(); ++i) {
@@ -361,7 +453,11 @@ std::string answersText(const Session& session) {
                 step["title"] = lesson->steps[i].title;
             steps.push_back(std::move(step));
         }
-        list.push_back({{"lesson", name}, {"steps", std::move(steps)}});
+        Json one{{"lesson", lesson ? key : std::filesystem::path(key).filename().string()}};
+        if (!lesson)
+            one["folder"] = key;
+        one["steps"] = std::move(steps);
+        list.push_back(std::move(one));
     }
     return Json{{"answers", std::move(list)}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -17,25 +17,34 @@ namespace texplorer::ui {
 
 struct Session;
 
+/// Under which name Settings::lessons keeps what was done: the program's own by theirs, a folder by where it
+/// is, so that two of the same name are two.
+[[nodiscard]] std::string progressKey(const lesson::LessonFolder& folder);
+
 /// A lesson that is open. What was done in which step outlives it: Settings::lessons.
 struct LessonRun {
     LessonRun(lesson::LessonFolder from, lesson::Lesson what, std::size_t first, lesson::LessonScene scene)
         : folder(std::move(from))
+        , key(progressKey(folder))
         , lesson(std::move(what))
         , step(first)
         , start(std::move(scene)) {}
 
     lesson::LessonFolder folder;
+    std::string key; ///< of Settings::lessons
     lesson::Lesson lesson;
     std::size_t step = 0;
     lesson::LessonScene start;                            ///< what the step begins with
     std::optional<Scene> target;                          ///< to be reached; none: the step has no such task
     std::optional<std::size_t> answer;                    ///< the one that was chosen
-    std::string reason;                                   ///< with its numbers, once the right one was
+    std::string reason;                                   ///< with its numbers, soon after the right one was
+    bool awaitsImages = false;                            ///< those of `start` are still being read
     std::shared_ptr<const LessonWork::Pictures> pictures; ///< of the answers, or the one to be reached
     std::optional<lesson::Grade> grade;                   ///< of the scene that was last compared
     std::optional<Scene> asked;                           ///< the one that is, or was last
-    bool wantsHint = false;
+    bool wantsHint = false;                               ///< somebody has asked for it
+    std::optional<Scene> hintAsked;             ///< the scene for which it is, or was last, looked for
+    std::optional<LessonWork::Hinted> hint;     ///< what came of it
     Language language = Language::English;      ///< of the catalogue
     std::shared_ptr<const Catalogue> catalogue; ///< of the lesson's own texts; nullptr: English
     std::vector<std::filesystem::path> files;   ///< that it is written in; none: it is the program's own
@@ -52,7 +61,7 @@ struct LessonRun {
 };
 
 /// Opens it at the step where one was, in place of the scene, which is lost: see askLesson. Errors: those of
-/// readLesson and startOf; nothing has changed then.
+/// readLesson and startOf; nothing has changed then. Images of a folder come later, as those of any scene.
 [[nodiscard]] Result<void> openLesson(Session& session, const lesson::LessonFolder& folder,
                                       std::optional<std::size_t> step = {});
 
@@ -67,11 +76,11 @@ void closeLesson(Session& session, KeepsTab tab = KeepsTab::No);
 /// Another step, or the same one from its start.
 void goToLessonStep(Session& session, std::size_t step);
 
-/// What the student thinks. The right answer shows its picture's scene, and why.
+/// What the student thinks. The right answer shows its picture's scene, and soon why.
 void answerQuestion(Session& session, std::size_t answer);
 
-/// To be called once a frame: takes pictures and grades that are ready, and asks for those of a scene that
-/// has changed.
+/// To be called once a frame: takes what is ready, asks for the grade of a scene that has changed, and for a
+/// hint where one is wanted.
 void followLesson(Session& session);
 
 /// Whether every step with a question or a picture was done; how many of them were.
@@ -79,8 +88,8 @@ struct LessonProgress {
     std::size_t done = 0;
     std::size_t steps = 0;
 };
-[[nodiscard]] LessonProgress progressOf(const Session& session, const std::string& lesson, std::size_t steps);
-[[nodiscard]] bool isStepDone(const Session& session, const std::string& lesson, std::size_t step);
+[[nodiscard]] LessonProgress progressOf(const Session& session, const std::string& key, std::size_t steps);
+[[nodiscard]] bool isStepDone(const Session& session, const std::string& key, std::size_t step);
 
 /// The files of a lesson's folder have changed: it is read again, and the step that is shown stays where it
 /// was; where one can't be read or says something wrong, everything stays, and the user is told.

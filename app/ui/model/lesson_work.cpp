@@ -1,5 +1,7 @@
 #include "app/ui/model/lesson_work.h"
 
+#include "core/lesson/reason.h"
+
 #include <utility>
 
 namespace texplorer::ui {
@@ -26,7 +28,7 @@ LessonWork::LessonWork(When when, std::function<void()> wake)
               return std::make_shared<const Pictures>(scenes.size());
           })
     , grades_(
-          {.when = when, .order = JobOrder::NewestWins, .wake = std::move(wake)},
+          {.when = when, .order = JobOrder::NewestWins, .wake = wake},
           [](const GradeWorker::Task& task) {
               const Question& question = task.job();
               Result<lesson::Grade> grade =
@@ -34,7 +36,25 @@ LessonWork::LessonWork(When when, std::function<void()> wake)
               return std::optional(grade ? std::optional(Graded{question.scene, *std::move(grade)})
                                          : std::nullopt);
           },
-          [](const Question& /*question*/, const Error& /*error*/) { return std::optional<Graded>(); }) {}
+          [](const Question& /*question*/, const Error& /*error*/) { return std::optional<Graded>(); })
+    , hints_(
+          {.when = when, .order = JobOrder::NewestWins, .wake = wake},
+          [](const HintWorker::Task& task) {
+              const Question& question = task.job();
+              auto hint =
+                  lesson::hintFor(question.scene, question.target, question.images, task.superseded());
+              return std::optional(hint ? std::optional(Hinted{question.scene, *std::move(hint)})
+                                        : std::nullopt);
+          },
+          [](const Question& /*question*/, const Error& /*error*/) { return std::optional<Hinted>(); })
+    , reasons_(
+          {.when = when, .order = JobOrder::NewestWins, .wake = std::move(wake)},
+          [](const ReasonWorker::Task& task) {
+              const Reason& job = task.job();
+              const Result<std::string> reason = lesson::reasonOf(job.text, job.scene, job.x, job.y);
+              return std::optional(reason ? *reason : describe(reason.error()));
+          },
+          [](const Reason& /*job*/, const Error& error) { return describe(error); }) {}
 
 void LessonWork::askPictures(std::vector<Pictured> scenes) {
     pictures_.clear();
@@ -44,6 +64,15 @@ void LessonWork::askPictures(std::vector<Pictured> scenes) {
 
 void LessonWork::askGrade(Scene scene, Scene target, ImageSource images) {
     grades_.ask({std::move(scene), std::move(target), std::move(images)});
+}
+
+void LessonWork::askHint(Scene scene, Scene target, ImageSource images) {
+    hints_.ask({std::move(scene), std::move(target), std::move(images)});
+}
+
+void LessonWork::askReason(std::string reason, lesson::LessonScene scene, int x, int y) {
+    reasons_.clear();
+    reasons_.ask({std::move(reason), std::move(scene), x, y});
 }
 
 std::shared_ptr<const LessonWork::Pictures> LessonWork::takePictures() {
@@ -56,9 +85,21 @@ std::optional<LessonWork::Graded> LessonWork::takeGrade() {
     return made.empty() ? std::nullopt : std::move(made.back());
 }
 
+std::optional<LessonWork::Hinted> LessonWork::takeHint() {
+    std::vector<std::optional<Hinted>> made = hints_.take();
+    return made.empty() ? std::nullopt : std::move(made.back());
+}
+
+std::optional<std::string> LessonWork::takeReason() {
+    std::vector<std::string> made = reasons_.take();
+    return made.empty() ? std::nullopt : std::optional(std::move(made.back()));
+}
+
 void LessonWork::rest() {
     pictures_.clear();
     grades_.clear();
+    hints_.clear();
+    reasons_.clear();
 }
 
 } // namespace texplorer::ui

@@ -13,8 +13,8 @@
 
 namespace texplorer::ui {
 
-/// Draws the small pictures of a lesson and compares them, for a window that must not wait. All functions are
-/// to be called from one thread.
+/// Draws the small pictures of a lesson, compares them, looks for hints and for a reason's numbers, for a
+/// window that must not wait. All functions are to be called from one thread.
 class LessonWork {
 public:
     /// `wake` is called on the thread that works whenever there is something new.
@@ -31,12 +31,24 @@ public:
     /// The scene is compared with the one to be reached. An earlier question that waits is forgotten.
     void askGrade(Scene scene, Scene target, ImageSource images);
 
+    /// Which parameter brings the scene nearest.
+    void askHint(Scene scene, Scene target, ImageSource images);
+
+    /// The numbers of a pixel are put into a text, as lesson::reasonOf does it.
+    void askReason(std::string reason, lesson::LessonScene scene, int x, int y);
+
     struct Graded {
         Scene scene;
         lesson::Grade grade;
     };
+    struct Hinted {
+        Scene scene;
+        std::optional<SceneChange> hint;
+    };
     [[nodiscard]] std::shared_ptr<const Pictures> takePictures();
     [[nodiscard]] std::optional<Graded> takeGrade();
+    [[nodiscard]] std::optional<Hinted> takeHint();
+    [[nodiscard]] std::optional<std::string> takeReason();
 
     void rest();
 
@@ -48,9 +60,19 @@ private:
         ImageSource images;
     };
     using GradeWorker = Worker<Question, std::optional<Graded>>;
+    using HintWorker = Worker<Question, std::optional<Hinted>>;
+    struct Reason {
+        std::string text;
+        lesson::LessonScene scene;
+        int x;
+        int y;
+    };
+    using ReasonWorker = Worker<Reason, std::string>;
 
     PictureWorker pictures_;
     GradeWorker grades_;
+    HintWorker hints_;
+    ReasonWorker reasons_;
 };
 
 } // namespace texplorer::ui

@@ -240,7 +240,7 @@ void drawLessonsMenu(Session& session) {
     std::string wanted;
     for (const LessonTitle& each : lessonTitles(language)) {
         const LessonProgress progress = progressOf(session, each.name, each.steps);
-        const bool isOpen = session.window.lesson && session.window.lesson->folder.name() == each.name;
+        const bool isOpen = session.window.lesson && session.window.lesson->key == each.name;
         const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
         if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
             wanted = each.name;

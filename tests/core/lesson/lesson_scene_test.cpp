@@ -1,6 +1,7 @@
 #include "core/base/file_io.h"
 #include "core/example/example.h"
 #include "core/lesson/lesson_scene.h"
+#include "core/lesson/match.h"
 #include "core/scene/params/json.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
@@ -146,6 +147,118 @@ TEST_F(LessonScenes, HaveNoImagesOfOtherFolders) {
         ASSERT_FALSE(start());
         EXPECT_EQ(start().error().code, ErrorCode::OutOfRange);
     }
+}
+
+/// Those of the program, by a decoder that has seen none of their files as files.
+TEST(BuiltInScenes, HaveTheImagesOfTheirLesson) {
+    const LessonFolder folder = LessonFolder::builtIn("dds").value();
+    const Lesson lesson = readLesson(folder).value();
+    const LessonScene start = startOf(folder, lesson, 0).value();
+    const auto image = start.images.contentOf("dxt1.dds");
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->levels, 8);
+    const auto bytes = start.images.fileInMemory("dxt1.dds");
+    ASSERT_TRUE(bytes);
+    EXPECT_EQ(bytes->size(), 11064U) << "128 of header, and 8192 + 2048 + 512 + 128 + 32 + 8 + 8 + 8";
+    EXPECT_FALSE(start.images.fileInMemory("dxt3.dds")) << "no step before has it";
+}
+
+/// Each of the tutorial's three remedies brings the picture back, and nothing else that is near does.
+TEST(BuiltInScenes, AcceptEveryRemedyForMissingMipmaps) {
+    const LessonFolder folder = LessonFolder::builtIn("dds").value();
+    const Lesson lesson = readLesson(folder).value();
+    const auto step = static_cast<std::size_t>(
+        std::ranges::find(lesson.steps, "no-mipmaps.json", &Step::scene) - lesson.steps.begin());
+    ASSERT_LT(step, lesson.steps.size());
+    const LessonScene start = startOf(folder, lesson, step).value();
+    const LessonScene target = withEdits(start, std::get<Match>(lesson.steps[step].task).edits).value();
+    const auto passes = [&](const Edit& edit) {
+        return gradeMatch(withEdits(start, {edit})->scene, target.scene, start.images)->passed;
+    };
+    EXPECT_TRUE(passes({"textures[0].minFilter", "GL_LINEAR"}));
+    EXPECT_TRUE(passes({"textures[0].maxLevel", "0"}));
+    EXPECT_TRUE(passes({"textures[0].mipmaps", "generated"}));
+    EXPECT_FALSE(passes({"textures[0].magFilter", "GL_NEAREST"}));
+    EXPECT_FALSE(passes({"textures[0].maxLevel", "1"}));
+}
+
+/// The same picture by each way of turning it, and not by none.
+TEST(BuiltInScenes, AreTurnedByEachCure) {
+    const LessonFolder folder = LessonFolder::builtIn("dds").value();
+    const Lesson lesson = readLesson(folder).value();
+    const LessonScene start = startOf(folder, lesson, 0).value();
+    const auto drawn = [&](const std::vector<Edit>& edits) {
+        return drawSmall(withEdits(start, edits).value()).value();
+    };
+    const Image upright = drawn({{"textures[0].flip", "blocks"}});
+    EXPECT_TRUE(areAlike(drawn({{"textures[0].flip", "pixels"}}), upright));
+    EXPECT_TRUE(areAlike(drawn({{"textures[0].flip", "coordinates"}}), upright));
+    EXPECT_TRUE(areAlike(drawn({{"passes[0].units[0].matrix[0].amount", "1,-1,1"}}), upright));
+    EXPECT_FALSE(areAlike(drawn({}), upright));
+}
+
+class Photographs : public testing::Test {
+protected:
+    [[nodiscard]] LessonScene night() const {
+        const LessonFolder folder = LessonFolder::builtIn("earth", installed.path()).value();
+        const Lesson lesson = readLesson(folder).value();
+        const auto step = static_cast<std::size_t>(
+            std::ranges::find(lesson.steps, "night.json", &Step::scene) - lesson.steps.begin());
+        return startOf(folder, lesson, step).value();
+    }
+    void install(const char* name, std::string_view bytes) const {
+        ASSERT_TRUE(writeFileAtomically(installed / name, viewBytes(bytes)));
+    }
+
+    texplorer::test::TempDir installed;
+};
+
+TEST_F(Photographs, AreReadWhereTheyAreInstalled) {
+    install("earth.jpg", texplorer::test::onePixelBmp({'\0', '\0', '\xff'})); // by its content
+    install("night.jpg", texplorer::test::onePixelBmp({'\xff', '\0', '\0'}));
+    const LessonScene step = night();
+    EXPECT_EQ(step.scene.textures[0].file, (installed / "earth.jpg").string());
+    EXPECT_TRUE(step.images.holds(step.scene.textures[0].file));
+    EXPECT_THAT(step.scene.textures[1].preparation, IsEmpty()) << "that makes lights of the pattern";
+    EXPECT_THAT(imageNotes(step),
+                ElementsAre(AllOf(HasSubstr(installed.path().string()), HasSubstr("earth.jpg, night.jpg"))));
+}
+
+TEST_F(Photographs, AreReplacedByPatternsWhereThereAreNone) {
+    install("earth.jpg", "no image");
+    const LessonScene step = night();
+    for (const Texture& texture : step.scene.textures) {
+        EXPECT_EQ(texture.source, SourceKind::Pattern);
+        EXPECT_EQ(texture.pattern, Pattern::Planet);
+    }
+    EXPECT_EQ(step.scene.textures[1].preparation.size(), 3U);
+    EXPECT_THAT(imageNotes(step), ElementsAre(HasSubstr("Computed pictures stand for earth.jpg, night.jpg")));
+}
+
+TEST_F(LessonScenes, TakeNoPhotographsForAFolderOfTheirOwn) {
+    Scene scene = defaultScene();
+    scene.textures[0].source = SourceKind::File;
+    scene.textures[0].file = "earth.jpg";
+    write("s.json", writeScene(scene));
+    lesson.steps = {stepOf("s.json")};
+    EXPECT_EQ(folder.installed("earth.jpg"), "");
+    ASSERT_TRUE(start());
+    EXPECT_EQ(start()->scene.textures[0].source, SourceKind::Pattern);
+    write("earth.jpg", texplorer::test::onePixelBmp({'\0', '\0', '\xff'}));
+    EXPECT_EQ(start()->scene.textures[0].file, "earth.jpg") << "but it may have one itself";
+    fs::remove(path / "earth.jpg");
+    ASSERT_TRUE(writeFileAtomically(parent / "earth.jpg", viewBytes("x")));
+    fs::create_symlink("../earth.jpg", path / "earth.jpg");
+    EXPECT_EQ(start().error().code, ErrorCode::OutOfRange);
+}
+
+TEST_F(LessonScenes, LeaveImagesThatAreReadLater) {
+    writePictured("s.json", "red.bmp");
+    lesson.steps = {stepOf("s.json")};
+    EXPECT_TRUE(startOf(folder, lesson, 0, StepImages::Leave));
+    EXPECT_FALSE(start());
+    writePictured("s.json", "../red.bmp");
+    EXPECT_FALSE(startOf(folder, lesson, 0, StepImages::Leave));
 }
 
 TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {

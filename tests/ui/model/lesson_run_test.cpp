@@ -9,6 +9,7 @@
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <cctype>
@@ -48,7 +49,7 @@ protected:
         frames(3);
     }
     [[nodiscard]] LessonRun& run() { return *session->window.lesson; }
-    [[nodiscard]] std::vector<StepRecord>& records() { return session->window.settings.lessons["small"]; }
+    [[nodiscard]] std::vector<StepRecord>& records() { return session->window.settings.lessons[run().key]; }
     void edit(glm::vec4 background) {
         scene().view.background = background;
         recordEdit(*session, "Background");
@@ -88,6 +89,8 @@ TEST_F(LessonRuns, CountAnswersUntilTheRightOne) {
     answerQuestion(*session, 7); // there is none
     answerQuestion(*session, 1);
     EXPECT_EQ(records()[1], (StepRecord{true, 2, 1}));
+    EXPECT_EQ(run().reason, "") << "its numbers take their time";
+    frames();
     EXPECT_EQ(run().reason, "It is (0, 1, 0, 1).");
     EXPECT_EQ(scene().material.color, glm::vec4(0, 1, 0, 1)) << "what was right is shown";
     EXPECT_EQ(session->document.history.undoName(), "Answer");
@@ -99,17 +102,21 @@ TEST_F(LessonRuns, MatchIsDoneByThePictureAlone) {
     openSmall(2);
     ASSERT_TRUE(run().grade);
     EXPECT_FALSE(run().grade->passed);
-    ASSERT_TRUE(run().grade->hint);
-    EXPECT_EQ(run().grade->hint->path, "view.background");
-    EXPECT_FALSE(isStepDone(*session, "small", 2));
+    EXPECT_FALSE(run().hintAsked) << "nobody has asked for one";
+    EXPECT_FALSE(isStepDone(*session, run().key, 2));
     edit({0.5F, 0.5F, 0.5F, 1});
     EXPECT_FALSE(run().grade->passed);
+    run().wantsHint = true;
+    frames(2);
+    ASSERT_TRUE(run().hint && run().hint->hint);
+    EXPECT_EQ(run().hint->hint->path, "view.background");
+    EXPECT_EQ(run().hint->scene.view.background.r, 0.5F);
     edit({1, 1, 1, 1});
     EXPECT_TRUE(run().grade->passed);
-    EXPECT_TRUE(isStepDone(*session, "small", 2));
+    EXPECT_TRUE(isStepDone(*session, run().key, 2));
     edit({0, 0, 0, 1});
     EXPECT_FALSE(run().grade->passed);
-    EXPECT_TRUE(isStepDone(*session, "small", 2)) << "what is done stays done";
+    EXPECT_TRUE(isStepDone(*session, run().key, 2)) << "what is done stays done";
 }
 
 TEST_F(LessonRuns, MatchMayBeLookedAtFromAnywhere) {
@@ -118,7 +125,9 @@ TEST_F(LessonRuns, MatchMayBeLookedAtFromAnywhere) {
     scene().view.azimuth += 40;
     scene().view.distance *= 2;
     frames(2);
-    EXPECT_EQ(run().grade->hint->path, "view.background");
+    run().wantsHint = true;
+    frames(2);
+    EXPECT_EQ(run().hint->hint->path, "view.background");
     edit({1, 1, 1, 1});
     EXPECT_TRUE(run().grade->passed);
 }
@@ -147,7 +156,7 @@ TEST_F(LessonRuns, GoOnWhereOneWas) {
     EXPECT_FALSE(isOpen(session->window.settings.workspace, Tab::Lesson));
     openSmall();
     EXPECT_EQ(run().step, 2U) << "the first that isn't done";
-    EXPECT_EQ(progressOf(*session, "small", 3).done, 2U);
+    EXPECT_EQ(progressOf(*session, run().key, 3).done, 2U);
     records().assign(3, {true, 1, 0});
     openSmall();
     EXPECT_EQ(run().step, 0U) << "all are: from the beginning";
@@ -192,6 +201,44 @@ TEST_F(LessonRuns, AreKeptAsOneFile) {
     EXPECT_EQ(step["tries"], 2);
     EXPECT_EQ(step["done"], true);
     EXPECT_EQ(answers[0]["steps"][2]["done"], false);
+}
+
+/// What was done in the program's lesson is not done in a teacher's of the same name.
+TEST_F(LessonRuns, KeepFoldersApartByWhereTheyAre) {
+    fs::create_directories(parent / "wrap");
+    ASSERT_TRUE(writeFileAtomically(parent / "wrap" / "lesson.json", viewBytes(small)));
+    ASSERT_TRUE(openLessonNamed(*session, "wrap", 1));
+    answerQuestion(*session, 0);
+    ASSERT_TRUE(openLessonNamed(*session, (parent / "wrap").string()));
+    EXPECT_EQ(run().step, 0U);
+    EXPECT_FALSE(isStepDone(*session, run().key, 1));
+    EXPECT_TRUE(isStepDone(*session, "wrap", 1));
+    fs::create_directory_symlink("wrap", parent / "linked");
+    EXPECT_EQ(progressKey(lesson::LessonFolder::onDisk(parent / "linked")), run().key);
+    EXPECT_EQ(progressKey(lesson::LessonFolder::onDisk(parent / "wrap" / "")), run().key);
+    const nlohmann::json answers = nlohmann::json::parse(answersText(*session))["answers"];
+    ASSERT_EQ(answers.size(), 2U);
+    for (const nlohmann::json& each : answers)
+        EXPECT_EQ(each["lesson"], "wrap");
+}
+
+TEST_F(LessonRuns, TakeOverWhatWasKeptByAFoldersNameAlone) {
+    session->window.settings.lessons["small"] = {{true, 0, -1}, {true, 2, 1}, {}};
+    openSmall();
+    EXPECT_EQ(run().step, 2U);
+    EXPECT_FALSE(session->window.settings.lessons.contains("small"));
+    EXPECT_EQ(session->window.settings.lessons.size(), 1U);
+}
+
+TEST_F(LessonRuns, AreKeptOfSoManyLessonsAsSettingsHold) {
+    for (std::size_t i = 0; i < mostLessonsKept; ++i)
+        session->window.settings.lessons[fmt::format("/gone/{}", i)] = {{true, 0, -1}};
+    ASSERT_TRUE(openLessonNamed(*session, "wrap", 0));
+    openSmall();
+    EXPECT_EQ(session->window.settings.lessons.size(), mostLessonsKept);
+    EXPECT_TRUE(session->window.settings.lessons.contains("wrap"));
+    EXPECT_TRUE(session->window.settings.lessons.contains(run().key));
+    EXPECT_TRUE(parseSettings(writeSettings(session->window.settings)));
 }
 
 TEST(LessonTabs, AreThoseOfTheWindow) {

@@ -40,8 +40,8 @@ protected:
             draw(2);
         }
         session->window.refused = {{ErrorCode::NotFound, "is not there", "a.bmp"}};
-        for (const Dialog dialog :
-             {Dialog::OpenScene, Dialog::SaveScene, Dialog::Discard, Dialog::Help, Dialog::Refused}) {
+        for (const Dialog dialog : {Dialog::OpenScene, Dialog::OpenImage, Dialog::SaveScene,
+                                    Dialog::SaveAnswers, Dialog::Discard, Dialog::Help, Dialog::Refused}) {
             session->window.dialog = dialog;
             draw(2);
         }
