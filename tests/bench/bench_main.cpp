@@ -10,6 +10,7 @@
 #include <malloc.h>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::bench {
@@ -47,6 +48,7 @@ public:
             if (ours != seconds_.end() && peer != seconds_.end())
                 print(row, ours->second, peer->second);
         }
+        printSlowestLesson();
     }
 
 private:
@@ -64,6 +66,22 @@ private:
         std::printf("%s: %.2fx %s %s (target %s %gx)%s\n", row.name, ratio,
                     faster ? "as fast as" : "the time of", row.peerName, faster ? "at least" : "at most",
                     row.target, reached ? "" : "  MISSED");
+    }
+
+    void printSlowestLesson() const {
+        constexpr std::string_view prefix = "lessonOpens/";
+        constexpr double goal = 0.3;
+        std::string slowest;
+        double longest = 0;
+        for (const auto& [name, seconds] : seconds_) {
+            if (name.starts_with(prefix) && seconds > longest) {
+                longest = seconds;
+                slowest = name.substr(prefix.size(), name.find('/', prefix.size()) - prefix.size());
+            }
+        }
+        if (longest > 0)
+            std::printf("Slowest lesson to open: %s, %.0f ms (target at most %.0f ms)%s\n", slowest.c_str(),
+                        longest * 1000, goal * 1000, longest <= goal ? "" : "  MISSED");
     }
 
     std::map<std::string, double> seconds_;

@@ -262,7 +262,8 @@ void stepButtons(Session& session, const LessonRun& run) {
 void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) {
     const Step& step = run.lesson.steps[run.step];
     const float buttons = ImGui::GetFrameHeightWithSpacing();
-    ImGui::BeginChild("step", {0, -buttons});
+    // Flattened: the keyboard walks on from its answers to the buttons below, and back.
+    ImGui::BeginChild("step", {0, -buttons}, false, ImGuiWindowFlags_NavFlattened);
     lessonTextIn(color::dim, run.text(run.lesson.title));
     if (run.step == 0 && !run.lesson.source.empty())
         lessonTextIn(color::dim, run.text(run.lesson.source));
@@ -280,7 +281,7 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
 }
 
 void drawList(Session& session) {
-    ImGui::BeginChild("lessons");
+    ImGui::BeginChild("lessons", {}, false, ImGuiWindowFlags_NavFlattened);
     std::string wanted;
     for (const LessonTitle& each :
          lessonTitles(catalogueInUse() ? catalogueInUse()->language() : Language::English)) {

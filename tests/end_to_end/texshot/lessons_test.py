@@ -3,9 +3,10 @@
 import io
 import json
 import os
+import pathlib
 import unittest
 
-from PIL import Image
+from PIL import Image, ImageChops
 from texshot import Texshot, bmp
 
 STEP = {"title": "S", "text": "T", "scene": "cube"}
@@ -106,6 +107,33 @@ class Checking(Lessons):
     def test_wrong_calls(self):
         self.complains(2, "--check", "lessons", "--check")
         self.complains(2, "--json", "lessons", "--check", self.path, "--json")
+
+
+class Files(Lessons):
+    """The images of the program's lessons, as Pillow reads them."""
+    FOLDER = pathlib.Path(__file__).parents[3] / "assets/lessons"
+
+    def shown(self, name):
+        return Image.open(io.BytesIO(self.succeeds("convert", self.FOLDER / name, "-"))).convert("RGBA")
+
+    def test_they_are_what_another_decoder_says(self):
+        files = sorted(path.relative_to(self.FOLDER) for kind in ("tga", "dds") for path in self.FOLDER.glob(f"*/*.{kind}"))
+        self.assertGreaterEqual(len(files), 9)
+        for name in files:
+            with self.subTest(name=str(name)):
+                self.assertLess((self.FOLDER / name).stat().st_size, 40_000)
+                theirs = Image.open(self.FOLDER / name).convert("RGBA")
+                worst = max(high for _, high in ImageChops.difference(self.shown(name), theirs).getextrema())
+                self.assertLessEqual(worst, 2, "DXT's thirds may be rounded either way")
+
+    def test_the_tutorials_fields_are_0(self):
+        file = (self.FOLDER / "textured-cube/uv.bmp").read_bytes()
+        self.assertEqual((file[:2], file[10:14], file[34:38]), (b"BM", bytes(4), bytes(4)))
+        self.assertEqual(len(file), 54 + 96 * 96 * 3)
+
+    def test_a_lesson_has_them_without_its_folder(self):
+        embedded = self.small("--lesson", "dds", "--step", "2")
+        self.assertIsNone(self.difference(embedded, self.small("--lesson", self.FOLDER / "dds", "--step", "2")))
 
 
 class Drawing(Lessons):

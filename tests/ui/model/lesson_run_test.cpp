@@ -2,10 +2,14 @@
 
 #include "app/ui/model/asking.h"
 #include "app/ui/model/details_tabs.h"
+#include "app/ui/model/inspected_file.h"
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/model/scene_files.h"
 #include "app/ui/model/settings_file.h"
 #include "core/base/file_io.h"
+#include "core/scene/params/json.h"
+#include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
 #include "tests/ui/workbench.h"
 
@@ -201,6 +205,60 @@ TEST_F(LessonRuns, AreKeptAsOneFile) {
     EXPECT_EQ(step["tries"], 2);
     EXPECT_EQ(step["done"], true);
     EXPECT_EQ(answers[0]["steps"][2]["done"], false);
+}
+
+TEST_F(LessonRuns, OfTheProgramHaveTheirFilesInTheTabFileAndBesideASavedScene) {
+    ASSERT_TRUE(openLessonNamed(*session, "dds", 0));
+    EXPECT_FALSE(run().awaitsImages) << "they are in the program";
+    frames(2);
+    followFile(*session);
+    const InspectedFile& inspected = session->window.fileView;
+    ASSERT_TRUE(inspected.content) << inspected.problem;
+    EXPECT_EQ(inspected.shown, "dxt1.dds");
+    EXPECT_EQ(inspected.content->fileBytes, 11064U);
+    fs::create_directory(parent / "other");
+    ASSERT_TRUE(writeFileAtomically(parent / "other" / "dxt1.dds", viewBytes("mine")));
+    EXPECT_FALSE(saveScene(*session, parent / "other" / "scene.json")) << "that is another file";
+    EXPECT_FALSE(fs::exists(parent / "other" / "scene.json"));
+    EXPECT_EQ(fs::file_size(parent / "other" / "dxt1.dds"), 4U);
+    ASSERT_TRUE(saveScene(*session, parent / "scene.json"));
+    EXPECT_EQ(fs::file_size(parent / "dxt1.dds"), 11064U);
+    EXPECT_EQ(texture().file, "dxt1.dds");
+    ASSERT_TRUE(openScene(*session, parent / "scene.json"));
+    frames(2);
+    EXPECT_TRUE(session->document.images.holds("dxt1.dds"));
+}
+
+/// The window doesn't wait for images on the disk.
+TEST_F(LessonRuns, ReceiveTheirFoldersImagesLater) {
+    Scene pictured = defaultScene();
+    pictured.textures[0].source = SourceKind::File;
+    pictured.textures[0].file = "red.bmp";
+    ASSERT_TRUE(writeFileAtomically(folder / "s.json", viewBytes(writeScene(pictured))));
+    ASSERT_TRUE(writeFileAtomically(folder / "red.bmp", viewBytes(onePixelBmp({'\0', '\0', '\xff'}))));
+    write(R"({"lesson": 1, "title": "Small", "about": "A", "steps": [
+        {"title": "S", "text": "T", "scene": "s.json",
+         "match": {"task": "M", "edits": ["view.background=1,1,1,1"]}},
+        {"title": "S", "text": "T", "edits": ["material.shininess=3"]}]})");
+    ASSERT_TRUE(openLessonNamed(*session, folder.string()));
+    EXPECT_TRUE(run().awaitsImages);
+    EXPECT_FALSE(run().start.images.holds("red.bmp"));
+    frames(2);
+    EXPECT_FALSE(run().awaitsImages);
+    EXPECT_TRUE(session->document.images.holds("red.bmp"));
+    ASSERT_TRUE(run().pictures);
+    EXPECT_TRUE(run().pictures->front());
+    EXPECT_TRUE(run().grade);
+    goToLessonStep(*session, 1);
+    EXPECT_FALSE(run().awaitsImages) << "the step before has read it";
+    fs::remove(folder / "red.bmp");
+    closeLesson(*session);
+    newScene(*session);
+    ASSERT_TRUE(openLessonNamed(*session, folder.string(), 0));
+    frames(2);
+    EXPECT_THAT(session->window.notice.text, HasSubstr("red.bmp"));
+    EXPECT_FALSE(run().awaitsImages) << "one goes on without";
+    EXPECT_TRUE(run().grade);
 }
 
 /// What was done in the program's lesson is not done in a teacher's of the same name.
