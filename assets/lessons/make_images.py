@@ -84,6 +84,19 @@ def cut(file, side, size, levels):
     return file[:HEADER + sum(block_bytes(side >> level, size) for level in range(levels))]
 
 
+def chain(image, levels):
+    """DXT1 with levels of any size: ImageMagick makes those of powers of two alone."""
+    file = dds(image, "dxt1", 1)
+    for level in range(1, levels):
+        side = image.width >> level
+        file += dds(image.resize((side, side), Image.BOX), "dxt1", 1)[HEADER:]
+    struct.pack_into("<I", file, 28, levels)
+    flags, = struct.unpack_from("<I", file, 8)
+    struct.pack_into("<I", file, 8, flags | 0x20000)  # DDSD_MIPMAPCOUNT
+    struct.pack_into("<I", file, 108, 0x401008)  # DDSCAPS_COMPLEX, TEXTURE, MIPMAP
+    return file
+
+
 def dxt3(image, levels):
     """DXT5's colours with 4 bits of alpha for each texel, two a byte, the left one in the low bits."""
     file = dds(image, "dxt5", levels)
@@ -133,7 +146,7 @@ def bitmaps():
 
 
 def surfaces():
-    write("textured-cube/uv.dds", cut(dds(grid(96, 6), "dxt1", 7), 96, 8, 6))  # down to 3 x 3
+    write("textured-cube/uv.dds", chain(grid(96, 6), 6))  # down to 3 x 3
     picture = grid(128, 4)
     write("dds/dxt1.dds", dds(picture, "dxt1", 8))
     write("dds/dxt3.dds", dxt3(disc(picture), 8))

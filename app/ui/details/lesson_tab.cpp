@@ -6,6 +6,7 @@
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/button_width.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -209,19 +210,23 @@ void drawTask(Session& session, const LessonRun& run, const Match& match, const 
     smallPicture(pictures, run.pictures && !run.pictures->empty() ? run.pictures->front() : nullptr, low,
                  {width, width * pictureShape}, passed ? color::accent : color::dim);
     noteItem("picture to reach");
-    if (!run.grade)
-        return dimText("Comparing…");
     if (passed) {
         lessonTextIn(color::accent, "● " + tr(std::string("Reached: your picture is this one.")));
         noteItem("reached");
-        return;
+    } else if (run.grade) {
+        dimWrappedText(fmt::format("{} % of the pixels differ still.",
+                                   std::max(1L, std::lround(run.grade->share * 100))));
+    } else {
+        dimText("Comparing…");
     }
-    dimWrappedText(
-        fmt::format("{} % of the pixels differ still.", std::max(1L, std::lround(run.grade->share * 100))));
+    // It stays where it is when it is of no use any more: the keyboard may be on it.
+    ImGui::BeginDisabled(passed);
     if (ImGui::SmallButton(label("Hint")))
         session.window.lesson->wantsHint = true;
-    noteItem("hint");
-    if (!run.wantsHint)
+    if (!passed)
+        noteItem("match:hint");
+    ImGui::EndDisabled();
+    if (passed || !run.wantsHint)
         return;
     ImGui::SameLine();
     if (!run.hint)
@@ -249,7 +254,9 @@ void stepButtons(Session& session, const LessonRun& run) {
     noteItem("lesson:Restart step");
     ImGui::SameLine(0, gap);
     const bool atEnd = run.step == last;
-    if (ImGui::Button(label(atEnd ? "All lessons" : "Next"))) {
+    // One button, so that the keyboard stays on it.
+    const std::string on = tr(std::string(atEnd ? "All lessons" : "Next")) + "###next";
+    if (ImGui::Button(on.c_str())) {
         if (atEnd)
             return closeLesson(session, KeepsTab::Yes);
         wanted = run.step + 1;
@@ -257,6 +264,17 @@ void stepButtons(Session& session, const LessonRun& run) {
     noteItem("lesson:Next");
     if (wanted)
         goToLessonStep(session, *wanted);
+}
+
+/// A text is read by keyboard, too, where nothing in it takes the focus.
+void scrollByPages() {
+    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput)
+        return;
+    const float page = ImGui::GetWindowHeight() - ImGui::GetTextLineHeight() * 2;
+    if (ImGui::IsKeyPressed(key::pageDown))
+        ImGui::SetScrollY(std::min(ImGui::GetScrollY() + page, ImGui::GetScrollMaxY()));
+    if (ImGui::IsKeyPressed(key::pageUp))
+        ImGui::SetScrollY(std::max(ImGui::GetScrollY() - page, 0.0F));
 }
 
 void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) {
@@ -276,6 +294,7 @@ void drawStep(Session& session, const LessonRun& run, const Pictures& pictures) 
     space();
     drawLessonKeys(session, run);
     std::visit([&](const auto& task) { drawTask(session, run, task, pictures); }, step.task);
+    scrollByPages();
     ImGui::EndChild();
     stepButtons(session, run);
 }

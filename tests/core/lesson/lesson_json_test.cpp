@@ -52,8 +52,8 @@ TEST(LessonJson, IsReadAsItIsWritten) {
     lesson.steps.push_back({"S3", "T3", "other.json", {}, {}, Match{"M", {{"x", "1"}}}});
     lesson.steps.push_back({"S4", "T4", "", {}, {}, {}});
     EXPECT_EQ(*read, lesson);
-    EXPECT_THAT(textsOf(lesson), ElementsAre("L", "A", "S1", "T1", "Turn it.", "S2", "T2", "Q", "one", "two",
-                                             "R", "S3", "T3", "M", "S4", "T4"));
+    EXPECT_THAT(textsOf(lesson), ElementsAre("L", "A", "Chapter 2", "S1", "T1", "Turn it.", "S2", "T2", "Q",
+                                             "one", "two", "R", "S3", "T3", "M", "S4", "T4"));
 }
 
 struct Refused {

@@ -107,9 +107,9 @@ TEST_F(LessonTab, HintsAtWhatIsMissingAndSaysWhenItIsReached) {
     openWrap();
     next(2);
     ASSERT_EQ(run().step, 2U);
-    wheelTo("hint");
+    wheelTo("match:hint");
     EXPECT_FALSE(has("reached"));
-    click("hint");
+    click("match:hint");
     EXPECT_TRUE(run().wantsHint);
     frames(2);
     const std::string first = session->window.shownParam;
@@ -121,7 +121,7 @@ TEST_F(LessonTab, HintsAtWhatIsMissingAndSaysWhenItIsReached) {
     texture().wrapT = Wrap::ClampToBorder;
     frames(3);
     EXPECT_TRUE(has("reached"));
-    EXPECT_FALSE(has("hint"));
+    EXPECT_FALSE(has("match:hint"));
     EXPECT_TRUE(record(2).done);
 }
 

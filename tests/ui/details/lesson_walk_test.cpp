@@ -40,11 +40,12 @@ protected:
     void expectUncut() {
         const ImGuiWindow* step = childNamed("/step_");
         ASSERT_TRUE(step);
-        EXPECT_EQ(step->ScrollMax.x, 0);
+        EXPECT_LE(step->ScrollMax.x, 1) << "a pixel may be rounded";
         EXPECT_LE(step->ContentSize.x, step->InnerRect.GetWidth() + 1);
         for (const auto& [name, item] : places.items) {
-            if (name.starts_with("answer:") || name.starts_with("lesson:") || name == "hint")
+            if (name.starts_with("answer:") || name.starts_with("lesson:") || name == "match:hint") {
                 EXPECT_LE(item.right, step->OuterRectClipped.Max.x + 1) << name;
+            }
         }
     }
 
@@ -63,11 +64,11 @@ protected:
     /// Where the keyboard is.
     [[nodiscard]] static std::optional<ImRect> focused() {
         const ImGuiContext& context = *ImGui::GetCurrentContext();
-        if (!context.NavWindow || context.NavId == 0)
+        if (!context.NavWindow || context.NavId == 0 || !context.NavIdIsAlive)
             return std::nullopt;
         return ImGui::WindowRectRelToAbs(context.NavWindow, context.NavWindow->NavRectRel[context.NavLayer]);
     }
-    /// By F6 to the panel, then by arrows; fails the test where they don't lead there.
+    /// By F6 to the panel, then by pages and arrows; fails the test where they don't lead there.
     void walkTo(std::string_view name) {
         const auto isInPanel = [&] {
             const ImGuiWindow* now = ImGui::GetCurrentContext()->NavWindow;
@@ -84,7 +85,9 @@ protected:
             const std::optional<ImRect> here = focused();
             if (here && here->Contains(middle))
                 return;
-            if (here && middle.y < here->Min.y)
+            if (!item.visible)
+                key(middle.y < childNamed("/step_")->InnerRect.Min.y ? ui::key::pageUp : ui::key::pageDown);
+            else if (here && middle.y < here->Min.y)
                 key(ui::key::up);
             else if (!here || middle.y > here->Max.y)
                 key(ui::key::down);
@@ -120,7 +123,7 @@ protected:
     }
     void doTask(const lesson::Match& /*match*/) {
         EXPECT_FALSE(isDone());
-        press("hint");
+        press("match:hint");
         frames(2);
         ASSERT_TRUE(run().hint && run().hint->hint);
         EXPECT_EQ(session->window.shownParam, run().hint->hint->path);
@@ -155,23 +158,25 @@ protected:
         EXPECT_EQ(progressOf(*session, name, steps).done, steps);
     }
 
+    /// The first lesson, and one in three, others in each language: together all of them.
+    void walkThird(std::size_t shift) {
+        const std::vector<std::string> names = lesson::builtInLessons();
+        for (std::size_t i = 0; i < names.size() && !HasFatalFailure(); ++i) {
+            if (i == 0 || i % 3 == (static_cast<std::size_t>(GetParam()) + shift) % 3)
+                walk(names[i]);
+        }
+    }
+
     bool byKeyboard = false;
 };
 
-/// One lesson in three a language, so that each is done once, and the first one in all of them.
 TEST_P(LessonWalk, LeadsThroughEveryStepByMouse) {
-    const std::vector<std::string> names = lesson::builtInLessons();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i == 0 || i % 3 == static_cast<std::size_t>(GetParam()) % 3)
-            walk(names[i]);
-    }
+    walkThird(0);
 }
 
 TEST_P(LessonWalk, LeadsThroughEveryStepByKeyboard) {
     byKeyboard = true;
-    const std::vector<std::string> names = lesson::builtInLessons();
-    walk(names.front());
-    walk(names[names.size() / 4 * static_cast<std::size_t>(GetParam())]);
+    walkThird(1);
 }
 
 /// Every step of every lesson, only looked at, in a narrow panel.
@@ -189,7 +194,7 @@ TEST_P(LessonWalk, CutsNoWordsInASmallWindow) {
         for (std::size_t i = 0; i < run().lesson.steps.size(); ++i) {
             SCOPED_TRACE(fmt::format("step {}", i + 1));
             goToLessonStep(*session, i);
-            frames(2);
+            frames(4); // until there is a bar to scroll with, and its words are wrapped beside it
             expectUncut();
         }
     }
