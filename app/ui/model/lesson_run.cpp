@@ -29,7 +29,7 @@ bool isBuiltIn(const std::string& key) {
 }
 
 /// Room for one more: of folders that are nowhere any more nothing is missed, then of any.
-void makeRoom(std::map<std::string, std::vector<StepRecord>>& lessons) {
+void makeRoomForLesson(std::map<std::string, std::vector<StepRecord>>& lessons) {
     const auto isGone = [](const auto& each) {
         std::error_code ignored;
         return !isBuiltIn(each.first) && !std::filesystem::is_directory(each.first, ignored);
@@ -45,7 +45,7 @@ void makeRoom(std::map<std::string, std::vector<StepRecord>>& lessons) {
 StepRecord& recordOf(Session& session, const LessonRun& run) {
     auto& lessons = session.window.settings.lessons;
     if (!lessons.contains(run.key))
-        makeRoom(lessons);
+        makeRoomForLesson(lessons);
     std::vector<StepRecord>& records = lessons[run.key];
     records.resize(std::max(records.size(), run.lesson.steps.size()));
     return records[run.step];
@@ -415,8 +415,8 @@ void reloadLesson(Session& session) {
     run.lesson = *std::move(lesson);
     run.step = step;
     if (goesOn) {
-        for (const std::string& file : filesOf(start->scene))
-            start->images.share(file, session.document.images, file);
+        for (const std::string& image : filesOf(start->scene))
+            start->images.share(image, session.document.images, image);
     }
     run.start = *std::move(start);
     if (!goesOn)
