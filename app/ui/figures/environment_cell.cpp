@@ -22,9 +22,9 @@ using reference::tableModes;
 
 // Of the letters, in those of the window.
 constexpr float smallText = 0.85F;
-constexpr float smallerText = 0.78F;
+constexpr float smallerText = 0.75F;
 constexpr float smallestText = 0.72F;
-constexpr float lineHeight = 1.1F;
+constexpr float lineHeight = 1.02F;
 
 float cellPad() {
     return std::max(1.0F, std::floor(ImGui::GetFontSize() * 0.2F));
@@ -57,20 +57,21 @@ const PrintedCell& printedCell(std::size_t column, std::size_t row) {
     return printed.at(row).at(column);
 }
 
-/// Without blanks, and in two lines where it is a sum of products.
+std::string withoutBlanks(std::string equation) {
+    std::erase(equation, ' ');
+    return equation;
+}
+
+/// In two lines where it is a sum of products.
 std::vector<std::string> tightLines(const std::string& equation) {
-    std::vector<std::string> lines(1);
-    for (std::size_t i = 0; i < equation.size(); ++i) {
-        if (equation[i] == ' ')
-            continue;
-        if (equation[i] == '+' && equation.size() > 12)
-            lines.emplace_back();
-        lines.back() += equation[i];
-    }
-    return lines;
+    const std::size_t sign = equation.find(" + ");
+    if (sign == std::string::npos || equation.find('(') == std::string::npos)
+        return {withoutBlanks(equation)};
+    return {withoutBlanks(equation.substr(0, sign)), withoutBlanks(equation.substr(sign))};
 }
 
 constexpr const char* longest = "Cp (1 − Cs) + Cc Cs";
+constexpr const char* longestDense = "Cp(1−Cs)+CcCs";
 constexpr const char* longestTight = "Cp(1−Cs)";
 constexpr const char* longestBytes = "255 255 255 255";
 
@@ -82,7 +83,8 @@ float linesOf(const CellPlan& plan) {
 }
 
 float textWidth(const CellPlan& plan) {
-    const float symbols = plan.symbols ? widthOf(plan.tight ? longestTight : longest, plan.text) : 0;
+    const char* widest = plan.tight ? longestTight : plan.dense ? longestDense : longest;
+    const float symbols = plan.symbols ? widthOf(widest, plan.text) : 0;
     const float patch = plan.text * 1.2F + cellPad();
     const float numbers =
         plan.numbers ? widthOf(plan.tight ? "255 255" : longestBytes, plan.text) + patch : 0;
@@ -117,8 +119,8 @@ private:
 
 void writeSymbols(CellWriter& writer, const CellPlan& plan, const PrintedCell& printed) {
     if (!plan.tight) {
-        writer.line(printed.color, color::text);
-        writer.line(printed.alpha, color::dim);
+        writer.line(plan.dense ? withoutBlanks(printed.color) : printed.color, color::text);
+        writer.line(plan.dense ? withoutBlanks(printed.alpha) : printed.alpha, color::dim);
         return;
     }
     for (const std::string& line : tightLines(printed.color))
@@ -157,6 +159,7 @@ void drawPicture(const CellPlan& plan, ImVec2 low, std::size_t column, std::size
     const float top = 1 - static_cast<float>(row) / rows;
     draw.AddImage(textureId(pictures.all), at, end, {left + halfU, top - halfV},
                   {left + 1 / columns - halfU, top - 1 / rows + halfV});
+    draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
 } // namespace
@@ -184,29 +187,37 @@ CellPlan planCells(ImVec2 size, CellText wanted) {
     const float em = ImGui::GetFontSize();
     const float pad = cellPad();
     const ImVec2 room(size.x - 2 * pad, size.y - 2);
-    const auto planned = [&](float text, bool both, bool tight) {
-        return CellPlan{.size = size,
-                        .text = em * text,
-                        .tight = tight,
-                        .symbols = both || wanted == CellText::Symbols,
-                        .numbers = both || wanted == CellText::Numbers};
+    enum class Shape { Loose, Dense, Tight };
+    const auto planned = [&](float text, bool both, Shape shape) {
+        CellPlan plan{.size = size,
+                      .text = em * text,
+                      .dense = shape == Shape::Dense,
+                      .tight = shape == Shape::Tight,
+                      .symbols = both || wanted == CellText::Symbols,
+                      .numbers = both || wanted == CellText::Numbers};
+        // What the text leaves, beside it or above it, is for the picture.
+        const float beside = std::min(room.y, room.x - textWidth(plan) - 2 * pad);
+        const float above = std::min(room.x, room.y - linesOf(plan) * plan.text * lineHeight - pad);
+        plan.above = above > beside;
+        plan.side = std::floor(std::max(above, beside));
+        if (plan.side < em)
+            plan.side = 0;
+        return plan;
     };
     // From what one would like best to what there is room for even in a narrow panel.
-    const std::array plans{planned(smallText, true, false), planned(smallText, false, false),
-                           planned(smallerText, false, false), planned(smallestText, true, true),
-                           planned(smallestText, false, true)};
-    const auto found = std::ranges::find_if(plans, [&](const CellPlan& plan) {
+    const std::array plans{
+        planned(smallText, true, Shape::Loose),    planned(smallText, false, Shape::Loose),
+        planned(smallerText, false, Shape::Loose), planned(smallerText, false, Shape::Dense),
+        planned(smallestText, true, Shape::Tight), planned(smallestText, false, Shape::Tight)};
+    const auto fits = [&](const CellPlan& plan) {
         return linesOf(plan) * plan.text * lineHeight <= room.y && textWidth(plan) <= room.x;
-    });
-    CellPlan plan = found == plans.end() ? plans.back() : *found;
-    // What the text leaves, beside it or above it, is for the picture.
-    const float beside = std::min(room.y, room.x - textWidth(plan) - 2 * pad);
-    const float above = std::min(room.x, room.y - linesOf(plan) * plan.text * lineHeight - pad);
-    plan.above = above > beside;
-    plan.side = std::floor(std::max(above, beside));
-    if (plan.side < em)
-        plan.side = 0;
-    return plan;
+    };
+    const auto pictured =
+        std::ranges::find_if(plans, [&](const CellPlan& plan) { return fits(plan) && plan.side > 0; });
+    if (pictured != plans.end())
+        return *pictured;
+    const auto written = std::ranges::find_if(plans, fits);
+    return written == plans.end() ? plans.back() : *written;
 }
 
 void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, std::size_t row,

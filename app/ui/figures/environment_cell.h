@@ -20,7 +20,8 @@ struct CellPlan {
     float text = 0;     ///< the size of its letters
     float side = 0;     ///< of its picture; 0: there is none
     bool above = false; ///< the picture is above the text
-    bool tight = false; ///< equations have two lines each, without blanks
+    bool dense = false; ///< equations are without blanks
+    bool tight = false; ///< and those of sums have two lines
     bool symbols = true;
     bool numbers = true;
 

@@ -118,7 +118,7 @@ std::optional<std::size_t> pair(const char* name, const std::array<const char*, 
 void tools(EnvironmentTableState& state, const TableSubject& subject, const CellPlan& plan) {
     if (!plan.hasBoth()) {
         if (const auto shown =
-                pair("table text", {"Symbols", "Numbers"},
+                pair("table text", {"In symbols", "In numbers"},
                      {"Each cell's equations: of the colour, and below it of alpha.",
                       "Each cell's result for the colours above: red, green, blue and alpha, 0 to 255."},
                      static_cast<std::size_t>(state.shows)))
@@ -151,6 +151,11 @@ void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
             ? "Colours of the probed pixel. Rest on a cell: the view shows it. Click: the unit takes it."
             : "glColor and the image's mean; hold E over a pixel for its own. Rest on a cell: the view shows "
               "it. Click: the unit takes it.";
+    ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
+    if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 16)
+        ImGui::NewLine();
+    else
+        ImGui::AlignTextToFramePadding();
     if (fittedText(words, color::dim))
         helpTip(words);
     noteItem("table:sentence");
@@ -218,6 +223,7 @@ void drawCell(Session& session, const TableSubject& subject, const TableColors& 
     const bool own = unit.envMode == cell.mode() && subject.format == cell.format();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
+    draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border));
     ImGui::PushClipRect(low, high, true);
     drawEnvironmentCell(plan, low, cell.column, cell.row, colors, pictures);
     ImGui::PopClipRect();
@@ -251,18 +257,24 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     const float em = ImGui::GetFontSize();
     const EnumRow& row = texplorer::rowOf(format);
     const auto [source, alpha] = reference::sourceSymbols(format);
-    const float small = em * 0.8F;
+    const float large = std::floor(std::min(em, size.y * 0.53F));
+    const float small = std::floor(std::min(em * 0.8F, size.y * 0.44F));
     const float gap = em * 0.4F;
-    const float patch = em * 1.2F;
-    const std::string name = fitted(shownName(session.window.settings, row), size.x - gap);
-    const float top = low.y + std::max(0.0F, (size.y - em - small * 1.1F) / 2);
-    headText({low.x, top}, name, em, color::text);
-    const ImVec2 at(low.x, top + em * 1.05F);
+    const float patch = std::round(small * 1.5F);
+    const std::string name = fitted(shownName(session.window.settings, row), (size.x - gap) * em / large);
+    const float top = std::round(low.y + std::max(0.0F, (size.y - large - small) / 2));
+    headText({low.x, top}, name, large, color::text);
+    const ImVec2 at(low.x, top + large);
     colorPatch(*ImGui::GetWindowDrawList(), {at.x, at.y + 1}, {at.x + patch, at.y + small},
                reference::inputsOf(format, colors).source);
     headText({at.x + patch + gap, at.y}, fmt::format("Cs {}, As {}", source, alpha), small, color::dim);
     ImGui::Dummy(size);
     helpTip(row.help);
+}
+
+/// Of the modes' names.
+float columnHeadHeight() {
+    return std::ceil(ImGui::GetFontSize() * 1.12F);
 }
 
 float headWidth(const Session& session) {
@@ -286,12 +298,12 @@ void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap)
         const EnumRow& row = texplorer::rowOf(tableModes.at(column));
         const float left = origin.x + head + static_cast<float>(column) * (cell.x + gap);
         ImGui::SetCursorScreenPos({left, origin.y});
-        ImGui::Dummy({cell.x, em * 1.2F});
+        ImGui::Dummy({cell.x, columnHeadHeight()});
         helpTip(row.help);
         const std::string name = fitted(shownName(session.window.settings, row), cell.x);
         headText({left, origin.y}, name, em, tableModes.at(column) == own ? color::accent : color::text);
     }
-    ImGui::SetCursorScreenPos({origin.x, origin.y + em * 1.2F});
+    ImGui::SetCursorScreenPos({origin.x, origin.y + columnHeadHeight()});
 }
 
 /// Of `height` there is what the lines above the cells leave.
@@ -299,7 +311,7 @@ ImVec2 cellSize(float head, float height, float gap) {
     const float width = ImGui::GetContentRegionAvail().x - head;
     const auto columns = static_cast<float>(tableModes.size());
     const auto rows = static_cast<float>(tableFormats.size());
-    const float all = height - ImGui::GetFontSize() * 1.2F;
+    const float all = height - columnHeadHeight();
     return {std::max(1.0F, std::floor((width + gap) / columns) - gap),
             std::max(leastCellHeight(), std::floor((all + gap) / rows) - gap)};
 }
@@ -323,9 +335,12 @@ void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const 
     const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
     const CellPlan first =
         planCells(cellSize(head, ImGui::GetContentRegionAvail().y - above, gap), state.shows);
+    // Close together: all rows are to be in sight.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, gap});
     colorEditors(state, colors);
     tools(state, subject, first);
     sentence(state, subject);
+    ImGui::PopStyleVar();
     const ImVec2 cell = cellSize(head, ImGui::GetContentRegionAvail().y, gap);
     const CellPlan plan = planCells(cell, state.shows);
     drawColumnHeads(session, head, cell, gap);

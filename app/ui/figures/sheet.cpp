@@ -189,7 +189,7 @@ void drawNames(const Session& session, const NamedAxis& columns, const SheetPlan
     for (std::size_t i = 0; i < columns.count(); ++i) {
         const float left = origin.x + plan.head + static_cast<float>(i) * (plan.cell.x + plan.gap);
         const std::string name = columns.labelOf(session.window.settings, i);
-        axisName({left, origin.y}, name, plan.cell.x, own == i);
+        axisName({left, origin.y}, name, plan.cell.x - ImGui::GetFontSize() * 0.4F, own == i);
         ImGui::SetCursorScreenPos({left, origin.y});
         ImGui::Dummy({plan.cell.x, plan.line});
         helpTip(name);
@@ -269,24 +269,31 @@ SheetPictures::Question questionOf(const Session& session, const Axes& axes, con
 
 void drawSheet(Session& session, SheetState& state, const Pictures& pictures) {
     const SheetAxes wanted = axesOf(session, state);
-    drawSheetAxes(session, state, wanted);
-    const Result<NamedAxis> rows = namedAxis(session, wanted[0]);
-    const Result<NamedAxis> columns = namedAxis(session, wanted[1]);
-    if (!rows || !columns)
-        return problem(describe(rows ? columns.error() : rows.error()));
-    if (rows->axis.path == columns->axis.path)
-        return problem("Rows and columns are the same parameter: choose another one for one of them.");
-    const Axes axes{*rows, *columns};
-    sentence(axes);
+    Result<NamedAxis> rows = namedAxis(session, wanted[0]);
+    Result<NamedAxis> columns = namedAxis(session, wanted[1]);
+    if (rows && columns && rows->axis.path == columns->axis.path)
+        columns = fail(ErrorCode::Unsupported,
+                       "Rows and columns are the same parameter: choose another one for one of them.");
+    std::optional<Axes> axes;
+    if (rows && columns)
+        axes = Axes{*std::move(rows), *std::move(columns)};
+    drawSheetAxes(session, state, wanted, [&] {
+        if (axes)
+            sentence(*axes);
+        else
+            problem(describe(rows ? columns.error() : rows.error()));
+    });
+    if (!axes)
+        return;
     const view::Size view = pictures.frames.front().frame.size;
     const float aspect =
         static_cast<float>(std::max(1, view.width)) / static_cast<float>(std::max(1, view.height));
-    const SheetPlan plan = planSheet(session, axes.rows, axes.columns, aspect);
-    const SheetPictures::Cells& cells = session.services.sheet.cells(questionOf(session, axes, plan));
-    const std::optional<std::size_t> ownRow = ownValue(session, axes.rows.axis);
-    const std::optional<std::size_t> ownColumn = ownValue(session, axes.columns.axis);
-    drawNames(session, axes.columns, plan, ownColumn);
-    drawCells(session, axes, plan, cells, pictures, ownRow, ownColumn);
+    const SheetPlan plan = planSheet(session, axes->rows, axes->columns, aspect);
+    const SheetPictures::Cells& cells = session.services.sheet.cells(questionOf(session, *axes, plan));
+    const std::optional<std::size_t> ownRow = ownValue(session, axes->rows.axis);
+    const std::optional<std::size_t> ownColumn = ownValue(session, axes->columns.axis);
+    drawNames(session, axes->columns, plan, ownColumn);
+    drawCells(session, *axes, plan, cells, pictures, ownRow, ownColumn);
 }
 
 } // namespace texplorer::ui

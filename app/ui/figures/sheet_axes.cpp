@@ -203,17 +203,21 @@ SheetAxes axesOf(const Session& session, const SheetState& state) {
     return axes;
 }
 
-void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown) {
+void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown,
+                   const std::function<void()>& sentence) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float gap = em * 0.8F;
     const float names = ImGui::CalcTextSize(tr(sideNames[0])).x + ImGui::CalcTextSize(tr(sideNames[1])).x;
     const float room = ImGui::GetContentRegionAvail().x;
-    // All in one line where there is room for it.
+    // All in one line where there is room for it, or both parameters in one.
     const float spare = room - names - buttonWidth("Swap") - 5 * gap - 4 * inner;
     const bool inLine = spare > em * 38;
-    const float pair = inLine ? spare * 0.23F : std::min(room, em * 14);
-    pairChoice(state, std::floor(pair));
+    const float both = room - names - gap - 4 * inner;
+    const bool inTwo = !inLine && both > em * 20;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, std::max(1.0F, std::floor(em / 8))});
+    pairChoice(state, std::floor(inLine ? spare * 0.23F : std::min(room * 0.5F, em * 14)));
     ImGui::SameLine(0, gap);
     if (ImGui::Button(label("Swap"))) {
         if (state.own)
@@ -223,15 +227,25 @@ void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown) 
     }
     noteItem("sheet:swap");
     helpTip("Rows become columns, and columns rows.");
+    if (inTwo) {
+        ImGui::SameLine(0, gap);
+        ImGui::AlignTextToFramePadding();
+        sentence();
+    }
     for (std::size_t side = 0; side < shown.size(); ++side) {
-        if (inLine)
+        if (inLine || (inTwo && side > 0))
             ImGui::SameLine(0, gap);
         ImGui::AlignTextToFramePadding();
         dimText(sideNames.at(side));
         ImGui::SameLine(0, inner);
-        const float left = inLine ? spare * 0.385F : ImGui::GetContentRegionAvail().x - inner;
-        axisControls(session, state, shown, side, std::floor(left * 0.5F), std::floor(left * 0.5F));
+        const float width = inLine  ? spare * 0.385F
+                            : inTwo ? both / 2
+                                    : ImGui::GetContentRegionAvail().x - inner;
+        axisControls(session, state, shown, side, std::floor(width * 0.5F), std::floor(width * 0.5F));
     }
+    if (!inTwo)
+        sentence();
+    ImGui::PopStyleVar();
 }
 
 } // namespace texplorer::ui

@@ -4,6 +4,7 @@
 #include "core/scene/params/sweep_axis.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +51,8 @@ struct SheetState {
 /// What the sheet shows now.
 [[nodiscard]] SheetAxes axesOf(const Session& session, const SheetState& state);
 
-/// The choice of both parameters and their values.
-void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown);
+/// The choice of both parameters and their values; and, where there is room for it, a sentence of one line.
+void drawSheetAxes(Session& session, SheetState& state, const SheetAxes& shown,
+                   const std::function<void()>& sentence);
 
 } // namespace texplorer::ui

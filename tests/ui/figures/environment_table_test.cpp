@@ -86,14 +86,14 @@ TEST_F(EnvironmentTable, ColoursCanBeSetAndGivenBack) {
 }
 
 TEST_F(EnvironmentTable, SaysInNumbersOrInSymbols) {
-    ASSERT_TRUE(has("table text:Numbers"));
-    click("table text:Numbers");
+    ASSERT_TRUE(has("table text:In numbers"));
+    click("table text:In numbers");
     EXPECT_EQ(table().shows, CellText::Numbers);
     click("table picture:Gradient");
     EXPECT_TRUE(table().gradient);
     toggleMaximised(session->window.settings.workspace, Maximised::Below);
     frames(3);
-    EXPECT_FALSE(has("table text:Numbers")) << "there is room for both";
+    EXPECT_FALSE(has("table text:In numbers")) << "there is room for both";
 }
 
 TEST_F(EnvironmentTable, StandsInEverySizeAndWithoutATexture) {

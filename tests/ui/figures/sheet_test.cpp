@@ -11,7 +11,11 @@ using namespace test;
 
 class Sheet : public Workbench {
 protected:
-    Sheet() { open(); }
+    Sheet() {
+        start(defaultScene(), 1920, 1600);
+        session->window.settings.workspace.seams.below = 0.7F; // no cell has to be scrolled to
+        open();
+    }
 
     void open() {
         session->window.wantedTab = Tab::Figures;
