@@ -237,9 +237,9 @@ void sentence(const Axes& axes) {
     constexpr const char* words =
         "Every pair of values, drawn by the reference. Rest on a picture: the view shows it. Click: the scene "
         "takes both values.";
-    (void)fittedText(words, color::dim);
-    helpTip("Each picture is drawn as small as it is here. A small picture minifies more than the view does: "
-            "of each texel there are fewer pixels.");
+    const std::string more =
+        tr("Each picture is drawn as small as it is here, and so minifies more than the view.");
+    helpTip(fittedText(words, color::dim) ? fmt::format("{}\n{}", tr(words), more) : more);
 }
 
 void problem(const std::string& words) {

@@ -1,5 +1,6 @@
 #include "app/ui/model/sheet_pictures.h"
 
+#include "core/base/background_thread.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -103,6 +104,8 @@ std::optional<SheetPictures::State::Answer> SheetPictures::State::work(const Dra
         made.clear();
         return std::nullopt;
     }
+    if (!task.atOnce())
+        giveWay(); // the pictures may be late, the window may not
     if (!drawn || !sameCells(*drawn, *question)) {
         made.assign(question->cells(), {});
         next = 0;

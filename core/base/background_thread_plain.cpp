@@ -1,0 +1,7 @@
+#include "core/base/background_thread.h"
+
+namespace texplorer {
+
+void giveWay() {}
+
+} // namespace texplorer
