@@ -35,7 +35,7 @@ CATALOGUES = {
                "app/screenshot/lesson_page"],
     "figures": ["app/ui/figures/"],
     "messages": ["core/base/", "core/autosave/", "core/codec/", "core/image/", "core/link/", "core/s3tc/",
-                 "core/texture/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
+                 "core/texture/", "core/objects/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
 }
 
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P<text>(?:[^"\\\n]|\\.)*)"'
@@ -90,6 +90,8 @@ def is_text(text):
     if re.match(r'^gl[A-Z]\w*[({]', text):
         return False
     if re.match(r'^[\w./*\[\]{}-]*(\.\w+|\[\]\.\w+)$', text):  # a path of a parameter, a file's name
+        return False
+    if re.match(r'^[a-z][a-z ]*:[^ ]', text):  # what tests call a widget
         return False
     if re.match(r'^https?:|^/usr|^\{\}$|^##|^</?!?[a-z]', text):  # and HTML
         return False
