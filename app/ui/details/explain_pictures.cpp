@@ -1,7 +1,7 @@
 #include "app/ui/details/explain_pictures.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/widgets/checkered.h"
+#include "app/ui/widgets/board.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/theme.h"
 #include "core/base/word.h"

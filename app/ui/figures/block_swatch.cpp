@@ -1,5 +1,6 @@
 #include "app/ui/figures/block_swatch.h"
 
+#include "app/ui/widgets/board.h"
 #include "app/ui/widgets/theme.h"
 
 #include <algorithm>
@@ -8,16 +9,8 @@
 namespace texplorer::ui {
 
 void drawSwatch(ImDrawList& draw, ImVec2 low, ImVec2 high, const BlockColor& color) {
-    if (color[3] < 255) {
-        const float cell = std::max(2.0F, std::floor((high.y - low.y) / 4));
-        draw.AddRectFilled(low, high, color::board);
-        for (int row = 0; low.y + static_cast<float>(row) * cell < high.y; ++row) {
-            const float y = low.y + static_cast<float>(row) * cell;
-            for (float x = low.x + (row % 2 == 0 ? 0 : cell); x < high.x; x += 2 * cell)
-                draw.AddRectFilled({x, y}, {std::min(x + cell, high.x), std::min(y + cell, high.y)},
-                                   color::boardLight);
-        }
-    }
+    if (color[3] < 255)
+        drawBoard(draw, low, high, std::max(2.0F, std::floor((high.y - low.y) / 4)));
     draw.AddRectFilled(low, high, IM_COL32(color[0], color[1], color[2], color[3]));
 }
 

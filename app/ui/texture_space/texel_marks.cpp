@@ -2,7 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/texture_space/texel_insets.h"
-#include "app/ui/widgets/checkered.h"
+#include "app/ui/widgets/board.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "core/reference/sampling/ellipse.h"

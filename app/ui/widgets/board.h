@@ -1,10 +1,14 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <imgui.h>
 
 namespace texplorer::ui {
 
 /// A board behind what is transparent, of squares this large.
 void drawBoard(ImDrawList& draw, ImVec2 low, ImVec2 high, float cell);
+
+/// A rectangle of a colour, over two by two squares of that board.
+void drawCheckered(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 color);
 
 } // namespace texplorer::ui
