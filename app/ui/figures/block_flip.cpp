@@ -66,13 +66,13 @@ void chooseHeight(BlockFlipState& state) {
     }
 }
 
-/// Back, the steps by their numbers, and Next.
+/// Previous, the steps by their numbers, and Next.
 void chooseStep(BlockFlipState& state) {
     std::vector<Segment> names;
     for (std::size_t i = 0; i < state.steps.size(); ++i)
         names.push_back({std::to_string(i)});
     ImGui::BeginDisabled(state.step == 0);
-    const bool back = ImGui::Button(label("Back"));
+    const bool back = ImGui::Button(label("Previous"));
     ImGui::EndDisabled();
     noteItem("flip:back");
     ImGui::SameLine();

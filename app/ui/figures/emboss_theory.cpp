@@ -346,7 +346,7 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
                                              : "It is flat: the heights cancel each other, and 0.5 is left.";
     wrappedText(seen);
     dimWrappedText(
-        "The lesson's text calls m = H1 - H0 the slope, but its formula, Fd + (H0 - H1), and its program "
+        "NeHe's text calls m = H1 - H0 the slope, but its formula, Fd + (H0 - H1), and its program "
         "have the other sign.");
 }
 
