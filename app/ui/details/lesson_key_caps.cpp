@@ -3,13 +3,13 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -17,15 +17,8 @@
 namespace texplorer::ui {
 namespace {
 
-/// The sign of a key where it has one.
-std::string signOfKey(const std::string& name) {
-    struct Sign {
-        const char* name;
-        const char* sign;
-    };
-    constexpr std::array signs{Sign{"Up", "↑"}, Sign{"Down", "↓"}, Sign{"Left", "←"}, Sign{"Right", "→"}};
-    const auto* found = std::ranges::find(signs, name, &Sign::name);
-    return found != signs.end() ? std::string(found->sign) : tr(name);
+std::string capText(std::string_view name) {
+    return tr(std::string(signOfKey(name)));
 }
 
 float capHeight() {
@@ -41,7 +34,7 @@ float capWidth(const std::string& sign) {
 void keyCap(Session& session, const LessonRun& run, std::size_t number) {
     const float em = ImGui::GetFontSize();
     const lesson::LessonKey& each = run.lesson.keys[number];
-    const std::string sign = signOfKey(each.key);
+    const std::string sign = capText(each.key);
     const bool usable = isUsable(run, number);
     const ImVec2 size(capWidth(sign), capHeight());
     ImGui::PushID(static_cast<int>(number));
@@ -91,10 +84,10 @@ void drawLessonKeys(Session& session, const LessonRun& run) {
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     for (std::size_t first = 0; first < keys.size();) {
         std::size_t last = first;
-        float width = capWidth(signOfKey(keys[first].key));
+        float width = capWidth(capText(keys[first].key));
         while (isWithNext(keys, last)) {
             ++last;
-            width += em * 0.15F + capWidth(signOfKey(keys[last].key));
+            width += em * 0.15F + capWidth(capText(keys[last].key));
         }
         const std::string words = run.text(keys[first].label);
         const bool usable = isUsable(run, first);
