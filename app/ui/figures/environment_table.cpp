@@ -201,7 +201,7 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
                        tr("The specification leaves this undefined. Here the colour that comes in stays; a "
                           "driver may do anything else."));
     const auto [source, alpha] = reference::sourceSymbols(cell.format());
-    words += fmt::format("\nCs = {}, As = {}", source, alpha);
+    words += "\n" + fmt::format("Cs = {}, As = {}", source, alpha);
     constexpr std::array names{"red", "green", "blue"};
     words += "\n" + equations.color.symbols;
     for (std::size_t i = 0; i < names.size(); ++i)
