@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
+#include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
@@ -73,6 +74,22 @@ bool isWithNext(const std::vector<lesson::LessonKey>& keys, std::size_t number) 
     return one && other && one->path == other->path && one->component == other->component;
 }
 
+/// What a key does and what it has led to, in one line, or in two where that has no room.
+void drawEffect(const std::string& words, const std::string& state, bool usable, float room) {
+    const float em = ImGui::GetFontSize();
+    const float wordsWidth = ImGui::CalcTextSize(words.c_str()).x + em * 0.35F;
+    const float stateWidth = ImGui::CalcTextSize(state.c_str()).x;
+    const bool below = wordsWidth + stateWidth > room;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 at(low.x, low.y + (capHeight() - em) / 2);
+    const float width = below ? std::max(wordsWidth, stateWidth) : wordsWidth + stateWidth;
+    ImGui::Dummy({std::min(width, room), capHeight() + (below ? em * 1.2F : 0)});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddText(at, usable ? color::dim : color::faint, fitted(words, room).c_str());
+    draw.AddText(below ? ImVec2(at.x, at.y + em * 1.2F) : ImVec2(at.x + wordsWidth, at.y),
+                 usable ? color::text : color::faint, fitted(state, room).c_str());
+}
+
 } // namespace
 
 void drawLessonKeys(Session& session, const LessonRun& run) {
@@ -81,7 +98,7 @@ void drawLessonKeys(Session& session, const LessonRun& run) {
         return;
     const float em = ImGui::GetFontSize();
     const float gap = em * 0.35F;
-    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t first = 0; first < keys.size();) {
         std::size_t last = first;
         float width = capWidth(capText(keys[first].key));
@@ -93,22 +110,13 @@ void drawLessonKeys(Session& session, const LessonRun& run) {
         const bool usable = isUsable(run, first);
         const std::string state = usable ? stateOfKey(session, run, first) : std::string("–");
         width += 2 * gap + ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(state.c_str()).x;
-        if (first > 0) {
+        if (first > 0 && ImGui::GetItemRectMax().x + em + width <= right)
             ImGui::SameLine(0, em);
-            if (ImGui::GetCursorPosX() + width > right)
-                ImGui::NewLine();
-        }
         for (std::size_t key = first; key <= last; ++key) {
             keyCap(session, run, key);
             ImGui::SameLine(0, key < last ? em * 0.15F : gap);
         }
-        const ImVec2 at(ImGui::GetCursorScreenPos().x,
-                        ImGui::GetCursorScreenPos().y + (capHeight() - em) / 2);
-        const float wordsWidth = ImGui::CalcTextSize(words.c_str()).x;
-        ImGui::Dummy({wordsWidth + gap + ImGui::CalcTextSize(state.c_str()).x, capHeight()});
-        ImDrawList& draw = *ImGui::GetWindowDrawList();
-        draw.AddText(at, usable ? color::dim : color::faint, words.c_str());
-        draw.AddText({at.x + wordsWidth + gap, at.y}, usable ? color::text : color::faint, state.c_str());
+        drawEffect(words, state, usable, right - ImGui::GetCursorScreenPos().x);
         if (usable)
             noteItem(fmt::format("lesson key:{}={}", keys[first].key, state));
         first = last + 1;
