@@ -77,15 +77,15 @@ constexpr const char* longestBytes = "255 255 255 255";
 
 /// How many lines of text a plan asks for.
 float linesOf(const CellPlan& plan) {
-    const float symbols = plan.symbols ? (plan.tight ? 3.0F : 2.0F) : 0;
-    const float numbers = plan.numbers ? (plan.tight ? 2.0F : 1.0F) : 0;
+    const float symbols = plan.symbols ? (plan.tight ? 4.0F : 2.0F) : 0;
+    const float numbers = plan.numbers ? (plan.tight ? 3.0F : 1.0F) : 0;
     return symbols + numbers;
 }
 
 float textWidth(const CellPlan& plan) {
     const char* widest = plan.tight ? longestTight : plan.dense ? longestDense : longest;
     const float symbols = plan.symbols ? widthOf(widest, plan.text) : 0;
-    const float patch = plan.text * 1.2F + cellPad();
+    const float patch = plan.tight ? 0 : plan.text * 1.2F + cellPad();
     const float numbers =
         plan.numbers ? widthOf(plan.tight ? "255 255" : longestBytes, plan.text) + patch : 0;
     return std::max(symbols, numbers);
@@ -102,14 +102,21 @@ public:
                                             ink, words.c_str());
         at_.y += size_ * lineHeight;
     }
-    void patchedLine(const std::string& words, glm::vec4 color) {
-        const float width = size_ * 1.2F;
+    void patch(float width, glm::vec4 color) {
         const ImVec2 low(std::round(at_.x), std::round(at_.y + size_ * 0.1F));
         colorPatch(*ImGui::GetWindowDrawList(), low, {low.x + width, low.y + std::round(size_ * 0.9F)},
                    color);
+    }
+    void patchedLine(const std::string& words, glm::vec4 color) {
+        const float width = size_ * 1.2F;
+        patch(width, color);
         at_.x += width + cellPad();
         line(words, color::text);
         at_.x -= width + cellPad();
+    }
+    void patchLine(float width, glm::vec4 color) {
+        patch(width, color);
+        at_.y += size_ * lineHeight;
     }
 
 private:
@@ -134,7 +141,8 @@ void writeNumbers(CellWriter& writer, const CellPlan& plan, glm::vec4 color) {
     if (!plan.tight)
         return writer.patchedLine(bytes, color);
     const std::size_t middle = bytes.find(' ', bytes.find(' ') + 1);
-    writer.patchedLine(bytes.substr(0, middle), color);
+    writer.patchLine(textWidth(plan), color);
+    writer.line(bytes.substr(0, middle), color::text);
     writer.line(bytes.substr(middle + 1), color::text);
 }
 
@@ -162,28 +170,8 @@ void drawPicture(const CellPlan& plan, ImVec2 low, std::size_t column, std::size
     draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
-} // namespace
-
-std::string bytesText(glm::vec4 color) {
-    const auto byte = [&](int i) { return std::lround(std::clamp(color[i], 0.0F, 1.0F) * 255); };
-    return fmt::format("{} {} {} {}", byte(0), byte(1), byte(2), byte(3));
-}
-
-void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value) {
-    const glm::vec4 c = glm::clamp(value, 0.0F, 1.0F);
-    const float middle = std::round((low.x + high.x) / 2);
-    const auto ink = [&](float alpha) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, alpha}); };
-    drawBoard(draw, {middle, low.y}, high, std::max(2.0F, std::floor((high.y - low.y) / 3)));
-    draw.AddRectFilled(low, {middle, high.y}, ink(1));
-    draw.AddRectFilled({middle, low.y}, high, ink(c.a));
-    draw.AddRect(low, high, color::outline);
-}
-
-float leastCellHeight() {
-    return std::ceil(ImGui::GetFontSize() * smallerText * lineHeight * 2 + 2);
-}
-
-CellPlan planCells(ImVec2 size, CellText wanted) {
+/// With one of the two texts, or both.
+CellPlan planTexts(ImVec2 size, CellText wanted) {
     const float em = ImGui::GetFontSize();
     const float pad = cellPad();
     const ImVec2 room(size.x - 2 * pad, size.y - 2);
@@ -218,6 +206,51 @@ CellPlan planCells(ImVec2 size, CellText wanted) {
         return *pictured;
     const auto written = std::ranges::find_if(plans, fits);
     return written == plans.end() ? plans.back() : *written;
+}
+
+} // namespace
+
+std::string bytesText(glm::vec4 color) {
+    const auto byte = [&](int i) { return std::lround(std::clamp(color[i], 0.0F, 1.0F) * 255); };
+    return fmt::format("{} {} {} {}", byte(0), byte(1), byte(2), byte(3));
+}
+
+void colorPatch(ImDrawList& draw, ImVec2 low, ImVec2 high, glm::vec4 value) {
+    const glm::vec4 c = glm::clamp(value, 0.0F, 1.0F);
+    const float middle = std::round((low.x + high.x) / 2);
+    const auto ink = [&](float alpha) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, alpha}); };
+    drawBoard(draw, {middle, low.y}, high, std::max(2.0F, std::floor((high.y - low.y) / 3)));
+    draw.AddRectFilled(low, {middle, high.y}, ink(1));
+    draw.AddRectFilled({middle, low.y}, high, ink(c.a));
+    draw.AddRect(low, high, color::outline);
+}
+
+float leastCellHeight(float width, CellText wanted) {
+    const float em = ImGui::GetFontSize();
+    CellPlan plan{.text = em * smallerText,
+                  .dense = true,
+                  .symbols = wanted != CellText::Numbers,
+                  .numbers = wanted == CellText::Numbers};
+    float lines = 2; // as the row's name has
+    if (wanted != CellText::Pictures && textWidth(plan) > width - 2 * cellPad()) {
+        plan.text = em * smallestText;
+        plan.tight = true;
+        lines = linesOf(plan);
+    }
+    return std::ceil(plan.text * lineHeight * lines + 2);
+}
+
+CellPlan planCells(ImVec2 size, CellText wanted) {
+    const CellPlan symbols = planTexts(size, CellText::Symbols);
+    const bool apart = symbols.side == 0;
+    CellPlan plan = wanted == CellText::Numbers ? planTexts(size, wanted) : symbols;
+    plan.apart = apart;
+    if (wanted != CellText::Pictures || !apart)
+        return plan;
+    plan.symbols = plan.numbers = false;
+    plan.above = true;
+    plan.side = std::floor(std::max(1.0F, std::min(size.x - 2 * cellPad(), size.y - 2)));
+    return plan;
 }
 
 void drawEnvironmentCell(const CellPlan& plan, ImVec2 low, std::size_t column, std::size_t row,

@@ -11,7 +11,7 @@
 namespace texplorer::ui {
 
 /// What a cell of the table says where it has no room for all.
-enum class CellText { Symbols, Numbers };
+enum class CellText { Symbols, Numbers, Pictures };
 
 /// How the cells of the table share their room: a picture at the left or above, and beside or below it one or
 /// both texts.
@@ -24,15 +24,16 @@ struct CellPlan {
     bool tight = false; ///< and those of sums have two lines
     bool symbols = true;
     bool numbers = true;
+    bool apart = false; ///< there is no room for symbols and a picture
 
     [[nodiscard]] bool hasBoth() const { return symbols && numbers; }
 };
 
-/// What suits cells of this size; `wanted` where there is no room for both.
+/// What suits cells of this size; `wanted` where there is no room for all of it.
 [[nodiscard]] CellPlan planCells(ImVec2 size, CellText wanted);
 
-/// The least height of a row.
-[[nodiscard]] float leastCellHeight();
+/// The least height of a row of cells that are so wide.
+[[nodiscard]] float leastCellHeight(float width, CellText wanted);
 
 /// All the pictures in one, see reference::environmentPictures, and how they are shown.
 struct CellPictures {

@@ -1,5 +1,6 @@
 #include "app/ui/figures/environment_table.h"
 
+#include "app/ui/figures/shrunk_text.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/table_colors.h"
@@ -10,6 +11,7 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
+#include "core/reference/shading/equation_text.h"
 #include "core/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -17,7 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -95,41 +99,54 @@ void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
     }
 }
 
-/// Two choices side by side. The one that was pressed.
-std::optional<std::size_t> pair(const char* name, const std::array<const char*, 2>& words,
-                                const std::array<const char*, 2>& tips, std::size_t chosen) {
-    const std::array segments{Segment{words[0]}, Segment{words[1]}};
+struct ChoiceWords {
+    const char* words;
+    const char* tip;
+};
+
+/// Choices side by side. The one that was pressed.
+std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords> choices,
+                                   std::size_t chosen) {
     const float em = ImGui::GetFontSize();
-    const float room = ImGui::CalcTextSize(tr(words[0])).x + ImGui::CalcTextSize(tr(words[1])).x + em * 1.6F;
+    std::vector<Segment> segments;
+    float room = 0;
+    for (const ChoiceWords& choice : choices) {
+        segments.push_back({choice.words});
+        room += ImGui::CalcTextSize(tr(choice.words)).x + em * 0.8F;
+    }
     goOn(room, em * 0.8F);
     const std::optional<SegmentPlan> plan =
-        planSegments(segments, std::min(room, ImGui::GetContentRegionAvail().x), 2);
+        planSegments(segments, std::min(room, ImGui::GetContentRegionAvail().x), choices.size());
     if (!plan)
         return std::nullopt;
     ImGui::PushID(name);
     const auto pressed = drawSegments(segments, *plan, chosen, [&](std::size_t i) {
-        noteItem(fmt::format("{}:{}", name, words.at(i)));
-        helpTip(tips.at(i));
+        noteItem(fmt::format("{}:{}", name, choices[i].words));
+        helpTip(choices[i].tip);
     });
     ImGui::PopID();
     return pressed;
 }
 
 void tools(EnvironmentTableState& state, const TableSubject& subject, const CellPlan& plan) {
+    constexpr std::array texts{
+        ChoiceWords{"In symbols", "Each cell's equations: of the colour, and below it of alpha."},
+        ChoiceWords{"In numbers",
+                    "Each cell's result for the colours above: red, green, blue and alpha, 0 to 255."},
+        ChoiceWords{"Pictures", "What each cell makes of a small picture."}};
+    constexpr std::array pictures{
+        ChoiceWords{"Texture", "The pictures are of the bound texture."},
+        ChoiceWords{"Gradient", "The pictures are of every hue, and of every alpha from bottom to top."}};
     if (!plan.hasBoth()) {
-        if (const auto shown =
-                pair("table text", {"In symbols", "In numbers"},
-                     {"Each cell's equations: of the colour, and below it of alpha.",
-                      "Each cell's result for the colours above: red, green, blue and alpha, 0 to 255."},
-                     static_cast<std::size_t>(state.shows)))
-            state.shows = static_cast<CellText>(*shown);
+        const std::span<const ChoiceWords> offered = std::span(texts).first(plan.apart ? 3 : 2);
+        const CellText shown =
+            plan.apart || state.shows != CellText::Pictures ? state.shows : CellText::Symbols;
+        if (const auto pressed = buttons("table text", offered, static_cast<std::size_t>(shown)))
+            state.shows = static_cast<CellText>(*pressed);
     }
     if (subject.texels) {
-        if (const auto shown = pair("table picture", {"Texture", "Gradient"},
-                                    {"The pictures are of the bound texture.",
-                                     "The pictures are of every hue, and of every alpha from bottom to top."},
-                                    state.gradient ? 1 : 0))
-            state.gradient = *shown == 1;
+        if (const auto pressed = buttons("table picture", pictures, state.gradient ? 1 : 0))
+            state.gradient = *pressed == 1;
     }
     const float em = ImGui::GetFontSize();
     if (hasOwnColors(state)) {
@@ -146,11 +163,12 @@ void tools(EnvironmentTableState& state, const TableSubject& subject, const Cell
 void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
     const char* words =
         hasOwnColors(state)
-            ? "Colours of your own. Rest on a cell: the view shows it. Click: the unit takes it."
+            ? "Rest on a cell: the view shows it; click: the unit takes it. The colours are yours."
         : subject.probed
-            ? "Colours of the probed pixel. Rest on a cell: the view shows it. Click: the unit takes it."
-            : "glColor and the image's mean; hold E over a pixel for its own. Rest on a cell: the view shows "
-              "it. Click: the unit takes it.";
+            ? "Rest on a cell: the view shows it; click: the unit takes it. The colours are those "
+              "of the probed pixel."
+            : "Rest on a cell: the view shows it; click: the unit takes it. Hold E over a pixel: the "
+              "colours are its own.";
     ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 16)
         ImGui::NewLine();
@@ -203,10 +221,12 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
     const auto [source, alpha] = reference::sourceSymbols(cell.format());
     words += "\n" + fmt::format("Cs = {}, As = {}", source, alpha);
     constexpr std::array names{"red", "green", "blue"};
-    words += "\n" + equations.color.symbols;
+    using reference::withHandSigns;
+    words += "\n" + withHandSigns(equations.color.symbols);
     for (std::size_t i = 0; i < names.size(); ++i)
-        words += fmt::format("\n  {}: {}", tr(names.at(i)), equations.color.numbers.at(i));
-    words += fmt::format("\n{}: {}", equations.alpha.symbols, equations.alpha.numbers.at(0));
+        words += fmt::format("\n  {}: {}", tr(names.at(i)), withHandSigns(equations.color.numbers.at(i)));
+    words += fmt::format("\n{}: {}", withHandSigns(equations.alpha.symbols),
+                         withHandSigns(equations.alpha.numbers.at(0)));
     helpTip(words);
 }
 
@@ -245,12 +265,6 @@ void drawCell(Session& session, const TableSubject& subject, const TableColors& 
     sealEdit(session);
 }
 
-/// A small line of text where it fits.
-void headText(ImVec2 at, const std::string& words, float size, ImU32 ink) {
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size, {std::round(at.x), std::round(at.y)}, ink,
-                                        words.c_str());
-}
-
 /// The format's name, and what it makes of the texel.
 void drawRowHead(const Session& session, const TableColors& colors, BaseFormat format, ImVec2 low,
                  ImVec2 size) {
@@ -261,15 +275,15 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     const float small = std::floor(std::min(em * 0.8F, size.y * 0.44F));
     const float gap = em * 0.4F;
     const float patch = std::round(small * 1.5F);
-    const std::string name = fitted(shownName(session.window.settings, row), (size.x - gap) * em / large);
     const float top = std::round(low.y + std::max(0.0F, (size.y - large - small) / 2));
-    headText({low.x, top}, name, large, color::text);
+    shrunkText({low.x, top}, tr(shownName(session.window.settings, row)), large, size.x - gap, color::text);
     const ImVec2 at(low.x, top + large);
     colorPatch(*ImGui::GetWindowDrawList(), {at.x, at.y + 1}, {at.x + patch, at.y + small},
                reference::inputsOf(format, colors).source);
-    headText({at.x + patch + gap, at.y}, fmt::format("Cs {}, As {}", source, alpha), small, color::dim);
+    shrunkText({at.x + patch + gap, at.y}, fmt::format("Cs {}, As {}", source, alpha), small,
+               size.x - patch - 2 * gap, color::dim);
     ImGui::Dummy(size);
-    helpTip(row.help);
+    choiceTip(row);
 }
 
 /// Of the modes' names.
@@ -299,21 +313,21 @@ void drawColumnHeads(const Session& session, float head, ImVec2 cell, float gap)
         const float left = origin.x + head + static_cast<float>(column) * (cell.x + gap);
         ImGui::SetCursorScreenPos({left, origin.y});
         ImGui::Dummy({cell.x, columnHeadHeight()});
-        helpTip(row.help);
-        const std::string name = fitted(shownName(session.window.settings, row), cell.x);
-        headText({left, origin.y}, name, em, tableModes.at(column) == own ? color::accent : color::text);
+        choiceTip(row);
+        shrunkText({left, origin.y}, tr(shownName(session.window.settings, row)), em, cell.x,
+                   tableModes.at(column) == own ? color::accent : color::text);
     }
     ImGui::SetCursorScreenPos({origin.x, origin.y + columnHeadHeight()});
 }
 
 /// Of `height` there is what the lines above the cells leave.
-ImVec2 cellSize(float head, float height, float gap) {
+ImVec2 cellSize(float head, float height, float gap, CellText wanted) {
     const float width = ImGui::GetContentRegionAvail().x - head;
     const auto columns = static_cast<float>(tableModes.size());
     const auto rows = static_cast<float>(tableFormats.size());
     const float all = height - columnHeadHeight();
-    return {std::max(1.0F, std::floor((width + gap) / columns) - gap),
-            std::max(leastCellHeight(), std::floor((all + gap) / rows) - gap)};
+    const float wide = std::max(1.0F, std::floor((width + gap) / columns) - gap);
+    return {wide, std::max(leastCellHeight(wide, wanted), std::floor((all + gap) / rows) - gap)};
 }
 
 } // namespace
@@ -334,14 +348,14 @@ void drawEnvironmentTable(Session& session, EnvironmentTableState& state, const 
     // The switch is there where the cells are small, and they are planned before it is drawn.
     const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
     const CellPlan first =
-        planCells(cellSize(head, ImGui::GetContentRegionAvail().y - above, gap), state.shows);
+        planCells(cellSize(head, ImGui::GetContentRegionAvail().y - above, gap, state.shows), state.shows);
     // Close together: all rows are to be in sight.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, gap});
     colorEditors(state, colors);
     tools(state, subject, first);
     sentence(state, subject);
     ImGui::PopStyleVar();
-    const ImVec2 cell = cellSize(head, ImGui::GetContentRegionAvail().y, gap);
+    const ImVec2 cell = cellSize(head, ImGui::GetContentRegionAvail().y, gap, state.shows);
     const CellPlan plan = planCells(cell, state.shows);
     drawColumnHeads(session, head, cell, gap);
     const ImVec2 origin = ImGui::GetCursorScreenPos();

@@ -1,5 +1,6 @@
 #include "app/ui/figures/sheet.h"
 
+#include "app/ui/figures/shrunk_text.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/widgets/fitted_text.h"
@@ -172,15 +173,8 @@ void drawPictures(const std::vector<CellBox>& boxes, const SheetPictures::Cells&
     }
 }
 
-/// In smaller letters where it would have to be cut.
 void axisName(ImVec2 at, const std::string& name, float room, bool own) {
-    constexpr float small = 0.85F;
-    const float em = ImGui::GetFontSize();
-    const bool isLong = ImGui::CalcTextSize(name.c_str()).x > room;
-    const std::string shown = isLong ? fitted(name, room / small) : name;
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), isLong ? em * small : em,
-                                        {std::round(at.x), std::round(at.y)},
-                                        own ? color::accent : color::text, shown.c_str());
+    shrunkText(at, name, ImGui::GetFontSize(), room, own ? color::accent : color::text);
 }
 
 void drawNames(const Session& session, const NamedAxis& columns, const SheetPlan& plan,

@@ -74,14 +74,15 @@ std::optional<std::string> choosePath(Session& session, SheetState& state, const
         state.isOffered = false;
         ImGui::SetKeyboardFocusHere();
     }
-    ImGui::SetNextItemWidth(em * 24);
+    const float width = em * 28;
+    ImGui::SetNextItemWidth(width);
     if (textField("##search", state.search, ImGuiInputTextFlags_AutoSelectAll, tr("Search")))
         state.isOffered = false;
     noteItem("sheet:search");
     if (!state.isOffered)
         findOffers(session, state);
     std::optional<std::string> chosen;
-    ImGui::BeginChild("offers", {em * 24, em * 16});
+    ImGui::BeginChild("offers", {width, em * 16});
     if (state.offers.empty())
         wrappedText("No choice, number or colour has such a name.");
     ImGuiListClipper clipper;

@@ -80,16 +80,6 @@ EnvironmentSample sampleOf(Session& session, const Scene& scene, const Pass& pas
     return referenceSample(session, scene, pass);
 }
 
-/// With the signs that one writes by hand.
-std::string written(std::string symbols) {
-    constexpr std::array<std::array<std::string_view, 2>, 2> signs{{{" * ", " × "}, {" - ", " − "}}};
-    for (const auto& [from, to] : signs) {
-        for (std::size_t at = symbols.find(from); at != std::string::npos; at = symbols.find(from, at))
-            symbols.replace(at, from.size(), to);
-    }
-    return symbols;
-}
-
 std::string numbersOf(glm::vec4 color) {
     using reference::shortNumber;
     return fmt::format("({}, {}, {}), alpha {}", shortNumber(color.r), shortNumber(color.g),
@@ -97,7 +87,7 @@ std::string numbersOf(glm::vec4 color) {
 }
 
 void equationLine(const reference::Equation& equation, std::string_view name) {
-    const std::string line = written(equation.symbols);
+    const std::string line = reference::withHandSigns(equation.symbols);
     ImGui::PushFont(codeFont());
     const bool isCut = fittedText(line, color::text);
     ImGui::PopFont();
@@ -105,7 +95,7 @@ void equationLine(const reference::Equation& equation, std::string_view name) {
     noteItem(fmt::format("environment:{}", line));
     std::string tip = isCut ? line : std::string();
     for (const std::string& numbers : equation.numbers)
-        tip += (tip.empty() ? "" : "\n") + written(numbers);
+        tip += (tip.empty() ? "" : "\n") + reference::withHandSigns(numbers);
     helpTip(tip);
 }
 

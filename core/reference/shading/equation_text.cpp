@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace texplorer::reference {
@@ -15,6 +16,15 @@ std::string shortNumber(float value) {
     if (number.back() == '.')
         number.pop_back();
     return number == "-0" ? "0" : number;
+}
+
+std::string withHandSigns(std::string equation) {
+    constexpr std::array<std::array<std::string_view, 2>, 2> signs{{{" * ", " × "}, {" - ", " − "}}};
+    for (const auto& [from, to] : signs) {
+        for (std::size_t at = equation.find(from); at != std::string::npos; at = equation.find(from, at))
+            equation.replace(at, from.size(), to);
+    }
+    return equation;
 }
 
 std::string withResult(std::string_view numbers, float result) {

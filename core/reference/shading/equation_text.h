@@ -18,6 +18,9 @@ struct Operand {
 /// "0.5 * 0.4 = 0.2", with the clamp to 0 … 1 where it takes effect.
 [[nodiscard]] std::string withResult(std::string_view numbers, float result);
 
+/// With the signs that one writes by hand: "Cp × (1 − Cs)".
+[[nodiscard]] std::string withHandSigns(std::string equation);
+
 /// "0.25", "1", "0.3333": at most four digits after the point.
 [[nodiscard]] std::string shortNumber(float value);
 

@@ -96,6 +96,17 @@ TEST_F(EnvironmentTable, SaysInNumbersOrInSymbols) {
     EXPECT_FALSE(has("table text:In numbers")) << "there is room for both";
 }
 
+TEST_F(EnvironmentTable, ShowsPicturesAloneWhereCellsAreNarrow) {
+    EXPECT_FALSE(has("table text:Pictures")) << "they stand beside the text";
+    session->window.settings.workspace.textureSpace = false;
+    moveTab(session->window.settings.workspace, Tab::Figures, Dock::Right);
+    frames(3);
+    click("table text:Pictures");
+    EXPECT_EQ(table().shows, CellText::Pictures);
+    frames(2);
+    expectSoundFrame();
+}
+
 TEST_F(EnvironmentTable, StandsInEverySizeAndWithoutATexture) {
     for (const float scale : {0.75F, 1.0F, 2.5F}) {
         start(defaultScene(), 1024, 700, scale);

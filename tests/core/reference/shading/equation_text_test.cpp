@@ -18,5 +18,9 @@ TEST(EquationText, ReplacesSymbolsThatStandAlone) {
     EXPECT_EQ(inNumbers("Cp * (1 - Cs) + Cs0", {{"Cp", 0.5F}, {"Cs", 0.25F}}), "0.5 * (1 - 0.25) + Cs0");
 }
 
+TEST(EquationText, IsWrittenWithTheSignsOfHand) {
+    EXPECT_EQ(withHandSigns("Cv = Cp * (1 - Cs) + Cc * Cs"), "Cv = Cp × (1 − Cs) + Cc × Cs");
+}
+
 } // namespace
 } // namespace texplorer::reference::equation_text_test
