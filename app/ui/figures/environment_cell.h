@@ -16,7 +16,7 @@ enum class CellText { Symbols, Numbers, Pictures };
 /// How the cells of the table share their room: a picture at the left or above, and beside or below it one or
 /// both texts.
 struct CellPlan {
-    ImVec2 size;        ///< of a cell
+    ImVec2 size{};      ///< of a cell
     float text = 0;     ///< the size of its letters
     float side = 0;     ///< of its picture; 0: there is none
     bool above = false; ///< the picture is above the text
