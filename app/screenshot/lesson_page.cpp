@@ -1,10 +1,12 @@
 #include "app/screenshot/lesson_page.h"
 
 #include "app/ui/language/lesson_catalogue.h"
+#include "app/ui/model/figures.h"
 #include "core/base/file_io.h"
 #include "core/base/html.h"
 #include "core/base/printable.h"
 #include "core/codec/png/png.h"
+#include "core/image/convert.h"
 #include "core/lesson/match.h"
 #include "core/lesson/reason.h"
 #include "core/reference/draw.h"
@@ -37,6 +39,7 @@ img { display: block; max-width: 100%; height: auto; background: var(--soft); }
 .mark { position: absolute; width: 9px; height: 9px; margin: -6px; border: 2px solid #fff; border-radius: 50%;
   outline: 1px solid #000; }
 .task { border-inline-start: 4px solid #27a; padding-inline-start: .7rem; }
+kbd { border: 1px solid var(--line); border-bottom-width: 2px; border-radius: 4px; padding: 0 .35em; }
 .answers { list-style: upper-alpha; }
 .pictured { display: flex; flex-wrap: wrap; gap: .3rem 2.2rem; }
 .pictured li { width: 192px; }
@@ -104,6 +107,7 @@ private:
         return escaped(translated(texts_.get(), english));
     }
 
+    void writeKeys(const std::vector<lesson::LessonKey>& keys);
     Result<void> writeStep(std::size_t index);
     Result<void> writeTask(const std::monostate& /*task*/) { return {}; }
     Result<void> writeTask(const lesson::Try& task);
@@ -142,6 +146,7 @@ Result<void> LessonWriter::write() {
                           number_, title, text(found->about));
     if (!found->source.empty())
         section += fmt::format("<p class=\"source\">{}</p>\n", text(found->source));
+    writeKeys(found->keys);
     for (std::size_t i = 0; i < found->steps.size(); ++i) {
         Result<LessonScene> start = startOf(folder_, *found, i);
         if (!start)
@@ -161,6 +166,16 @@ Result<void> LessonWriter::write() {
     return {};
 }
 
+void LessonWriter::writeKeys(const std::vector<lesson::LessonKey>& keys) {
+    if (keys.empty())
+        return;
+    section += fmt::format("<p class=\"source\">{}", escaped(word("Keys in the window:")));
+    for (const lesson::LessonKey& key : keys)
+        section += fmt::format(" <kbd>{}</kbd>&nbsp;{}",
+                               escaped(word(std::string(lesson::signOfKey(key.key)))), text(key.label));
+    section += "</p>\n";
+}
+
 Result<void> LessonWriter::writeStep(std::size_t index) {
     place_ = fmt::format("{}-{}", anchor_, index + 1);
     const std::string title = translated(texts_.get(), step_->title);
@@ -176,6 +191,11 @@ Result<void> LessonWriter::writeStep(std::size_t index) {
     section += fmt::format("<section class=\"step\" id=\"{}\">\n<h3>{}. {}</h3>\n"
                            "<figure class=\"shown\">{}{}</figure>\n<p>{}</p>\n",
                            place_, index + 1, escaped(title), *shown, mark, text(step_->text));
+    const auto* const figure = std::ranges::find(ui::figureRows, look.figure, &ui::FigureRow::name);
+    if (figure != ui::figureRows.end())
+        section += fmt::format(
+            "<p class=\"source\">{}</p>\n",
+            escaped(word(fmt::format("In the window this step opens the figure {}.", word(figure->label)))));
     for (const std::string& note : imageNotes(start_))
         section += fmt::format("<p class=\"source\">{}</p>\n", escaped(word(note)));
     if (const Result<void> task =
@@ -264,7 +284,7 @@ Result<Image> LessonWriter::shownPicture(const lesson::Look& look) const {
     const auto shown = row ? static_cast<reference::Shown>(row->value) : reference::Shown::Picture;
     if (shown == reference::Shown::Picture)
         return reference::drawReference(request, drawing).map([](Frame frame) {
-            return std::move(frame.image);
+            return withoutAlpha(std::move(frame.image)); // the page must not shine through it
         });
     return reference::levelMap(request, {}, drawing).map([shown](const reference::LevelMap& map) {
         return reference::falseColors(map, shown);

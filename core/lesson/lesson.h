@@ -137,6 +137,9 @@ inline constexpr std::array<std::string_view, 11> keyNames{
 
 [[nodiscard]] bool isKeyName(std::string_view name);
 
+/// What stands on a key: an arrow, or its name.
+[[nodiscard]] std::string_view signOfKey(std::string_view name);
+
 struct Lesson {
     std::string title;
     std::string source;      ///< what it is about: a book's chapter

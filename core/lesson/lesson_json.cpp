@@ -342,6 +342,16 @@ std::vector<std::string> textsOf(const Lesson& lesson) {
     return texts;
 }
 
+std::string_view signOfKey(std::string_view name) {
+    struct Sign {
+        std::string_view name;
+        std::string_view sign;
+    };
+    constexpr std::array signs{Sign{"Up", "↑"}, Sign{"Down", "↓"}, Sign{"Left", "←"}, Sign{"Right", "→"}};
+    const auto* found = std::ranges::find(signs, name, &Sign::name);
+    return found != signs.end() ? found->sign : name;
+}
+
 bool isKeyName(std::string_view name) {
     const bool isLetter =
         name.size() == 1 && ((name[0] >= 'A' && name[0] <= 'Z') || (name[0] >= '0' && name[0] <= '9'));

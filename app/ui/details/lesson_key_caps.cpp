@@ -4,7 +4,6 @@
 #include "app/ui/model/lesson_key_edits.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/fitted_text.h"
-#include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 
@@ -19,7 +18,7 @@ namespace texplorer::ui {
 namespace {
 
 std::string capText(std::string_view name) {
-    return tr(std::string(signOfKey(name)));
+    return tr(std::string(lesson::signOfKey(name)));
 }
 
 float capHeight() {

@@ -2,20 +2,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-
 namespace texplorer::ui {
-
-std::string_view signOfKey(std::string_view name) {
-    struct Sign {
-        std::string_view name;
-        std::string_view sign;
-    };
-    constexpr std::array signs{Sign{"Up", "↑"}, Sign{"Down", "↓"}, Sign{"Left", "←"}, Sign{"Right", "→"}};
-    const auto* found = std::ranges::find(signs, name, &Sign::name);
-    return found != signs.end() ? found->sign : name;
-}
 
 void mapKeys() {
     int* map = ImGui::GetIO().KeyMap;

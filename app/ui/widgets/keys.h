@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 namespace texplorer::ui {
 
 // Dear ImGui 1.86 leaves key codes to the host. Ours are GLFW's: letters are their capitals in ASCII, the
@@ -32,9 +30,6 @@ inline constexpr int keypadEnter = 335;
 inline constexpr int firstModifier = 340; ///< Shift, Control, Alt, Super: left, then right
 inline constexpr int lastModifier = 347;
 } // namespace key
-
-/// What stands on a key that lessons name: an arrow, or its name.
-[[nodiscard]] std::string_view signOfKey(std::string_view name);
 
 /// Tells Dear ImGui which of the codes are its own editing keys.
 void mapKeys();

@@ -104,7 +104,7 @@ void addLessonKeys(const Session& session, HelpRows& help) {
         return;
     help.push_back({"Keys of this lesson, which go first", "", color::dim});
     for (const lesson::LessonKey& key : run->lesson.keys)
-        help.push_back({std::string(signOfKey(key.key)), run->text(key.label)});
+        help.push_back({std::string(lesson::signOfKey(key.key)), run->text(key.label)});
 }
 
 HelpRows helpRows(const Session& session) {

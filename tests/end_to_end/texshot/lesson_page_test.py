@@ -83,6 +83,15 @@ class LessonPage(Texshot):
         self.assertEqual([each["src"] for each in page.images],
                          ["mine-1.png", "mine-1-answer-1.png", "mine-1-answer-2.png", "mine-2.png", "mine-2-reached.png"])
 
+    def test_a_lesson_s_keys_and_a_step_s_figure_are_told(self):
+        text = self.page("--lesson", "bumps")
+        self.assertIn("Keys in the window: <kbd>E</kbd>", text)
+        self.assertIn("<kbd>↑</kbd>", text)
+        with Image.open(self.path / "out" / "bumps-1.png") as picture:  # its background has an alpha of 0
+            self.assertEqual(picture.convert("RGBA").getextrema()[3][0], 255)
+        self.assertIn("<kbd>Page Up</kbd>", text)
+        self.assertIn("In the window this step opens the figure Emboss.", text)
+
     def test_the_page_is_in_other_languages(self):
         for language, tag, word in (("ru", "ru", "За краем"), ("zh_CN", "zh-CN", "课程")):
             text = self.page("--lesson", "wrap", "--language", language)
