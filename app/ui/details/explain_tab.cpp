@@ -8,6 +8,7 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
@@ -36,20 +37,11 @@ void offerEllipse(Session& session) {
                 color::text);
     noteItem("explain:ellipse");
     const float button = buttonWidth(offer);
-    ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < button)
-        ImGui::NewLine();
+    sameLineFor(button, ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::SmallButton(label(offer)))
         session.window.view.anisotropy = reference::AnisotropyMethod::Ellipse;
     noteItem("explain:use ellipse");
     helpTip(texplorer::rowOf(reference::AnisotropyMethod::Ellipse).help);
-}
-
-/// Goes on in the line where this has room, else in the next one.
-void sameLineFor(float width) {
-    ImGui::SameLine(0, ImGui::GetFontSize() * 1.2F);
-    if (ImGui::GetContentRegionAvail().x < width)
-        ImGui::NewLine();
 }
 
 /// The same as drawRows, in one line.
@@ -59,7 +51,7 @@ void drawInLine(const std::vector<StepRow>& rows, float reserved) {
         float width = ImGui::GetTextLineHeight() + ImGui::CalcTextSize(tr(row.label).c_str()).x;
         for (const reference::StepCell& cell : row.cells)
             width += gap + ImGui::CalcTextSize(tr(cell.text).c_str()).x;
-        sameLineFor(width + reserved);
+        sameLineFor(width + reserved, ImGui::GetFontSize() * 1.2F);
         swatch(*row.swatch);
         ImGui::SameLine(0, gap);
         inkText(row.label, color::dim);
@@ -95,8 +87,7 @@ void pixelButtons(Session& session) {
     helpTip(pinned ? "Lets go of the pixel that stays for comparison."
                    : "Keeps this pixel as it is now. The next one, or the same one after a change, is shown "
                      "beside it, with what differs marked.");
-    if (lineEnd() + gap + buttonWidth("Clear") <= ImGui::GetContentRegionMax().x)
-        ImGui::SameLine(0, gap);
+    sameLineFor(buttonWidth("Clear"), gap);
     if (ImGui::SmallButton(label("Clear"))) {
         session.window.explaining.pixel.reset();
         session.window.explaining.pinned.reset();

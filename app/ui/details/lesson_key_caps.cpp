@@ -5,6 +5,7 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
@@ -109,8 +110,8 @@ void drawLessonKeys(Session& session, const LessonRun& run) {
         const bool usable = isUsable(run, first);
         const std::string state = usable ? stateOfKey(session, run, first) : std::string("–");
         width += 2 * gap + ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(state.c_str()).x;
-        if (first > 0 && ImGui::GetItemRectMax().x + em + width <= right)
-            ImGui::SameLine(0, em);
+        if (first > 0)
+            sameLineFor(width, em);
         for (std::size_t key = first; key <= last; ++key) {
             keyCap(session, run, key);
             ImGui::SameLine(0, key < last ? em * 0.15F : gap);

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
 #include "core/scene/mesh_edits.h"
 #include "core/scene/model_mesh.h"
@@ -67,11 +68,8 @@ public:
 
 private:
     void place(float width) {
-        if (!first_) {
-            ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-            if (ImGui::GetContentRegionAvail().x < width)
-                ImGui::NewLine();
-        }
+        if (!first_)
+            sameLineFor(width, ImGui::GetStyle().ItemInnerSpacing.x);
         first_ = false;
     }
 

@@ -8,6 +8,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
 #include "core/reference/sampling/row_weights.h"
@@ -243,9 +244,7 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
                                        : fmt::format("{:.2f} of texel {}", tap.weight, tap.index));
         if (i > 0) {
             const float needed = em * 1.5F + ImGui::CalcTextSize(words.c_str()).x + em;
-            ImGui::SameLine(0, em * 0.8F);
-            if (ImGui::GetContentRegionAvail().x < needed)
-                ImGui::NewLine();
+            sameLineFor(needed, em * 0.8F);
         }
         lensSwatch(row, tap.index);
         ImGui::SameLine(0, em * 0.3F);
@@ -316,9 +315,7 @@ void drawLensChoices(Session& session, EdgeLensState& state, const ParamPlace& f
         if (pressed)
             state.size = lensSizes.at(*pressed);
     }
-    ImGui::SameLine(0, em);
-    if (ImGui::GetContentRegionAvail().x < em * 11)
-        ImGui::NewLine();
+    sameLineFor(em * 11, em);
     ImGui::AlignTextToFramePadding();
     dimText("Filter");
     ImGui::SameLine();

@@ -5,6 +5,7 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
 #include "core/image/patterns/pattern.h"
@@ -263,9 +264,7 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
 /// A line of the calculation.
 void embossLine(const std::string& words, ImU32 ink, std::string_view name) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::PushTextWrapPos(0);
-    text(words);
-    ImGui::PopTextWrapPos();
+    wrappedText(words);
     ImGui::PopStyleColor();
     noteItem(name);
 }
@@ -300,9 +299,7 @@ void drawEmbossChoices(Session& session, EmbossTheoryState& state, std::optional
     dragNumber("##light", state.angle, angleRange, -1);
     noteItem("emboss:light");
     helpTip("The light's angle from the normal, towards growing s.");
-    ImGui::SameLine(0, em * 0.7F);
-    if (ImGui::GetContentRegionAvail().x < em * 11)
-        ImGui::NewLine();
+    sameLineFor(em * 11, em * 0.7F);
     numberLine("MAX_EMBOSS", color::text);
     float shift = depth ? numberAt(*depth, 0) : state.depth;
     const Range range = depth ? rangeOf(*depth) : Range{0, 0.2F, 0.001F, {}};

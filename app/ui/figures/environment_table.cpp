@@ -9,6 +9,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
 #include "core/reference/shading/equation_text.h"
@@ -63,13 +64,6 @@ TableColors colorsOf(const EnvironmentTableState& state, const TableSubject& sub
     return colors;
 }
 
-/// In the line where this has room, else in the next one.
-void goOn(float width, float gap) {
-    ImGui::SameLine(0, gap);
-    if (ImGui::GetContentRegionAvail().x < width)
-        ImGui::NewLine();
-}
-
 void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
     const float em = ImGui::GetFontSize();
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -78,7 +72,7 @@ void colorEditors(EnvironmentTableState& state, const TableColors& colors) {
     for (const ColorRow& row : colorRows) {
         const float width = ImGui::CalcTextSize(row.symbol).x + inner + editor;
         if (!first)
-            goOn(width, em * 0.8F);
+            sameLineFor(width, em * 0.8F);
         first = false;
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, state.*row.own ? color::changed : color::text);
@@ -114,7 +108,7 @@ std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords
         segments.push_back({choice.words});
         room += ImGui::CalcTextSize(tr(choice.words)).x + em * 0.8F;
     }
-    goOn(room, em * 0.8F);
+    sameLineFor(room, em * 0.8F);
     const std::optional<SegmentPlan> plan =
         planSegments(segments, std::min(room, ImGui::GetContentRegionAvail().x), choices.size());
     if (!plan)
@@ -151,7 +145,7 @@ void tools(EnvironmentTableState& state, const TableSubject& subject, const Cell
     const float em = ImGui::GetFontSize();
     if (hasOwnColors(state)) {
         const char* words = subject.probed ? "Back to the pixel" : "Back to the scene";
-        goOn(buttonWidth(words), em * 0.8F);
+        sameLineFor(buttonWidth(words), em * 0.8F);
         if (ImGui::Button(label(words)))
             state.fragment = state.texel = state.constant = std::nullopt;
         noteItem("table:reset");
@@ -169,10 +163,7 @@ void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
               "of the probed pixel."
             : "Rest on a cell: the view shows it; click: the unit takes it. Hold E over a pixel: the "
               "colours are its own.";
-    ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
-    if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 16)
-        ImGui::NewLine();
-    else
+    if (sameLineFor(ImGui::GetFontSize() * 16, ImGui::GetFontSize() * 0.8F))
         ImGui::AlignTextToFramePadding();
     if (fittedText(words, color::dim))
         helpTip(words);

@@ -238,9 +238,7 @@ void sentence(const Axes& axes) {
 
 void problem(const std::string& words) {
     ImGui::PushStyleColor(ImGuiCol_Text, color::problem);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(tr(words).c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(words);
     ImGui::PopStyleColor();
     noteItem("sheet:problem");
 }

@@ -9,6 +9,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/theme.h"
 
@@ -141,7 +142,7 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
     ImGui::BeginDisabled(!isActive);
     const objects::EnableTexture toggle{!unit.enabled};
     bool on = unit.enabled;
-    if (ImGui::Checkbox("GL_TEXTURE_2D", &on))
+    if (ImGui::Checkbox(rowOf(Target::Texture2D).name.data(), &on))
         wanted(toggle);
     noteItem(fmt::format("objects:enable {}", number));
     callTip(toggle);
@@ -372,12 +373,9 @@ void drawProgram(TextureObjectsState& state, Wanted& wanted) {
 void drawParameters(const Session& session, const TextureObjectsState& state, Wanted& wanted) {
     const float em = ImGui::GetFontSize();
     const TextureObject& object = state.names.objectOf(state.names.active);
-    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     const auto group = [&](const char* words, float width) {
-        const float needed = ImGui::CalcTextSize(tr(words)).x + width + em * 1.5F;
-        ImGui::SameLine(0, em * 0.8F);
-        if (ImGui::GetCursorPosX() + needed > right + em)
-            ImGui::NewLine();
+        const float needed = ImGui::CalcTextSize(tr(words)).x + width + em * 0.5F;
+        sameLineFor(needed, em * 0.8F);
         ImGui::AlignTextToFramePadding();
         dimText(words);
         ImGui::SameLine();
