@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/language/lesson_catalogue.h"
+#include "app/ui/model/lesson_progress.h"
 #include "app/ui/model/lesson_work.h"
 #include "core/lesson/lesson_keys.h"
 #include "core/lesson/lesson_scene.h"
@@ -17,11 +18,7 @@ namespace texplorer::ui {
 
 struct Session;
 
-/// Under which name Settings::lessons keeps what was done: the program's own by theirs, a folder by where it
-/// is, so that two of the same name are two.
-[[nodiscard]] std::string progressKey(const lesson::LessonFolder& folder);
-
-/// A lesson that is open. What was done in which step outlives it: Settings::lessons.
+/// A lesson that is open. What was done in which step outlives it: see lesson_progress.h.
 struct LessonRun {
     LessonRun(lesson::LessonFolder from, lesson::Lesson what, std::size_t first, lesson::LessonScene scene)
         : folder(std::move(from))
@@ -31,7 +28,7 @@ struct LessonRun {
         , start(std::move(scene)) {}
 
     lesson::LessonFolder folder;
-    std::string key; ///< of Settings::lessons
+    std::string key; ///< see progressKey
     lesson::Lesson lesson;
     std::size_t step = 0;
     lesson::LessonScene start;                            ///< what the step begins with
@@ -83,22 +80,8 @@ void answerQuestion(Session& session, std::size_t answer);
 /// hint where one is wanted.
 void followLesson(Session& session);
 
-/// Whether every step with a question or a picture was done; how many of them were.
-struct LessonProgress {
-    std::size_t done = 0;
-    std::size_t steps = 0;
-};
-[[nodiscard]] LessonProgress progressOf(const Session& session, const std::string& key, std::size_t steps);
-[[nodiscard]] bool isStepDone(const Session& session, const std::string& key, std::size_t step);
-
 /// The files of a lesson's folder have changed: it is read again, and the step that is shown stays where it
 /// was; where one can't be read or says something wrong, everything stays, and the user is told.
 void reloadLesson(Session& session);
-
-/// What the student answered in which lesson, as JSON, to be kept or handed in.
-[[nodiscard]] std::string answersText(const Session& session);
-
-/// The same as a file. Errors: those of writeFileAtomically.
-[[nodiscard]] Result<void> saveAnswers(const Session& session, const std::filesystem::path& file);
 
 } // namespace texplorer::ui
