@@ -32,28 +32,41 @@ bool areAlike(const Image& a, const Image& b) {
     return difference && difference->shareOver() <= mostOver;
 }
 
-Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSource& images,
-                         std::stop_token stop) {
-    const Result<Image> wanted = drawSmall({target, images}, stop);
+namespace {
+
+struct BothPictures {
+    Image given;
+    Image wanted;
+};
+
+Result<BothPictures> drawBoth(const Scene& scene, const Scene& target, const ImageSource& images,
+                              const std::stop_token& stop) {
+    Result<Image> wanted = drawSmall({target, images}, stop);
     if (!wanted)
         return fail(wanted.error());
-    const Result<Image> given = drawSmall({scene, images}, stop);
-    if (!given)
-        return fail(given.error());
-    const bool passed = areAlike(*given, *wanted);
-    return Grade{passed, passed ? 0 : distance(*given, *wanted)};
+    return drawSmall({scene, images}, stop).map([&](Image given) {
+        return BothPictures{std::move(given), *std::move(wanted)};
+    });
+}
+
+} // namespace
+
+Result<Grade> gradeMatch(const Scene& scene, const Scene& target, const ImageSource& images,
+                         std::stop_token stop) {
+    const Result<BothPictures> both = drawBoth(scene, target, images, stop);
+    if (!both)
+        return fail(both.error());
+    const bool passed = areAlike(both->given, both->wanted);
+    return Grade{passed, passed ? 0 : distance(both->given, both->wanted)};
 }
 
 Result<std::optional<SceneChange>> hintFor(const Scene& scene, const Scene& target, const ImageSource& images,
                                            std::stop_token stop) {
-    const Result<Image> wanted = drawSmall({target, images}, stop);
-    if (!wanted)
-        return fail(wanted.error());
-    const Result<Image> given = drawSmall({scene, images}, stop);
-    if (!given)
-        return fail(given.error());
+    const Result<BothPictures> both = drawBoth(scene, target, images, stop);
+    if (!both)
+        return fail(both.error());
     const std::vector<SceneChange> changes = changesBetween(scene, target);
-    double best = distance(*given, *wanted);
+    double best = distance(both->given, both->wanted);
     std::optional<SceneChange> hint;
     for (std::size_t i = 0; i < std::min(changes.size(), mostHints); ++i) {
         Scene nearer = scene;
@@ -62,7 +75,7 @@ Result<std::optional<SceneChange>> hintFor(const Scene& scene, const Scene& targ
         const Result<Image> picture = drawSmall({nearer, images}, stop);
         if (!picture)
             return fail(picture.error());
-        if (const double left = distance(*picture, *wanted); left < best) {
+        if (const double left = distance(*picture, both->wanted); left < best) {
             best = left;
             hint = changes[i];
         }

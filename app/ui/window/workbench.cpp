@@ -111,7 +111,8 @@ DriverFacts factsFor(const Session& session, const view::Capabilities& capabilit
 Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pictures,
                        const view::Capabilities& capabilities, const Layout& layout) {
     forgetPlaces();
-    keepNames(namesIn(session.document));
+    if (catalogueInUse())
+        keepNames(namesIn(session.document));
     session.window.keyTaken = false;
     session.window.movesVertices = false;
     // A key that ends it is not a shortcut as well; Dear ImGui may have ended it before this frame began.

@@ -89,13 +89,6 @@ std::string printedEquation(std::string_view symbols) {
     return printed;
 }
 
-Image environmentPicture(EnvMode mode, BaseFormat format, const Image& texels, const TableColors& colors) {
-    Image picture = emptyPicture(texels.width, texels.height);
-    if (!isUndefined(mode, format))
-        drawCell(picture, 0, 0, mode, format, texels, colors);
-    return picture;
-}
-
 Image environmentPictures(const Image& texels, const TableColors& colors) {
     constexpr auto columns = static_cast<int>(tableModes.size());
     constexpr auto rows = static_cast<int>(tableFormats.size());

@@ -45,13 +45,9 @@ struct SourceSymbols {
 /// "Cp (1 − Cs) + Cc Cs".
 [[nodiscard]] std::string printedEquation(std::string_view symbols);
 
-/// An Rgba8 image of the size of `texels` (Rgba8), each of which is a texel in turn. Where the cell is
-/// undefined, it is transparent.
-[[nodiscard]] Image environmentPicture(EnvMode mode, BaseFormat format, const Image& texels,
-                                       const TableColors& colors);
-
-/// All cells in one image: tableModes from left to right, tableFormats from top to bottom, which is the last
-/// row of an image.
+/// What each cell makes of `texels` (Rgba8), each of which is a texel in turn: all of these pictures in one
+/// image, Rgba8, tableModes from left to right, tableFormats from top to bottom, which is the last row of an
+/// image. Where a cell is undefined, it is transparent.
 [[nodiscard]] Image environmentPictures(const Image& texels, const TableColors& colors);
 
 /// So many pixels a side: from left to right every hue, from bottom to top alpha from 0 to 1.
