@@ -2,7 +2,7 @@
 
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/interrupts.h"
+#include "app/screenshot/output/interrupts.h"
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 

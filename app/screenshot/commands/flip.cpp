@@ -1,8 +1,8 @@
+#include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/interrupts.h"
-#include "app/screenshot/long_work.h"
-#include "app/screenshot/output.h"
-#include "app/screenshot/texture_input.h"
+#include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/long_work.h"
+#include "app/screenshot/output/output.h"
 #include "core/s3tc/texture_flip.h"
 
 #include <fmt/core.h>

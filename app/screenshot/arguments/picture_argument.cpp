@@ -1,6 +1,6 @@
-#include "app/screenshot/picture_argument.h"
+#include "app/screenshot/arguments/picture_argument.h"
 
-#include "app/screenshot/choice_argument.h"
+#include "app/screenshot/arguments/choice_argument.h"
 
 #include <fmt/core.h>
 

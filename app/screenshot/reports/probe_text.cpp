@@ -1,5 +1,5 @@
-#include "app/screenshot/columns.h"
-#include "app/screenshot/probe_report.h"
+#include "app/screenshot/output/columns.h"
+#include "app/screenshot/reports/probe_report.h"
 #include "core/reference/explain/explanation_steps.h"
 
 #include <fmt/core.h>

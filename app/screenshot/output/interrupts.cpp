@@ -1,4 +1,4 @@
-#include "app/screenshot/interrupts.h"
+#include "app/screenshot/output/interrupts.h"
 
 #include <csignal>
 #include <pthread.h>

@@ -1,4 +1,4 @@
-#include "app/screenshot/scene_argument.h"
+#include "app/screenshot/arguments/scene_argument.h"
 #include "core/base/printable.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/initial_like.h"

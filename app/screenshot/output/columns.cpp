@@ -1,4 +1,4 @@
-#include "app/screenshot/columns.h"
+#include "app/screenshot/output/columns.h"
 
 #include <algorithm>
 

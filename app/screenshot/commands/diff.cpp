@@ -1,5 +1,5 @@
+#include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/scene_argument.h"
 #include "core/base/printable.h"
 #include "core/scene/params/scene_diff.h"
 

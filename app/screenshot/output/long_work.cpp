@@ -1,6 +1,6 @@
-#include "app/screenshot/long_work.h"
+#include "app/screenshot/output/long_work.h"
 
-#include "app/screenshot/interrupts.h"
+#include "app/screenshot/output/interrupts.h"
 
 #include <chrono>
 #include <cstdio>

@@ -1,5 +1,5 @@
-#include "app/screenshot/columns.h"
 #include "app/screenshot/command.h"
+#include "app/screenshot/output/columns.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"

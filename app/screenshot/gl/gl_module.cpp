@@ -1,6 +1,6 @@
 // The GL half of texshot: OSMesa, the renderer and, for --ui, the panels.
 
-#include "app/screenshot/gl_module.h"
+#include "app/screenshot/gl/gl_module.h"
 
 #include "app/offscreen/osmesa_context.h"
 #include "app/opengl/opengl_graphics.h"

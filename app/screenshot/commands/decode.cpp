@@ -1,6 +1,6 @@
+#include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/output.h"
-#include "app/screenshot/texture_input.h"
+#include "app/screenshot/output/output.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/surface_pixels.h"
 

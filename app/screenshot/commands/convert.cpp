@@ -1,7 +1,7 @@
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/option_use.h"
-#include "app/screenshot/output.h"
-#include "app/screenshot/texture_input.h"
+#include "app/screenshot/output/output.h"
 
 #include <fmt/core.h>
 

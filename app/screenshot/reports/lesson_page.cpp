@@ -1,4 +1,4 @@
-#include "app/screenshot/lesson_page.h"
+#include "app/screenshot/reports/lesson_page.h"
 
 #include "app/ui/language/lesson_catalogue.h"
 #include "app/ui/model/figures.h"

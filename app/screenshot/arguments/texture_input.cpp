@@ -1,4 +1,4 @@
-#include "app/screenshot/texture_input.h"
+#include "app/screenshot/arguments/texture_input.h"
 
 #include "app/screenshot/command.h"
 #include "core/codec/texture_file.h"

@@ -1,11 +1,11 @@
 #include "core/reference/probe.h"
 
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/picture_argument.h"
+#include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/gl_module.h"
-#include "app/screenshot/option_use.h"
-#include "app/screenshot/picture_argument.h"
-#include "app/screenshot/probe_report.h"
-#include "app/screenshot/scene_argument.h"
+#include "app/screenshot/gl/gl_module.h"
+#include "app/screenshot/reports/probe_report.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "app/screenshot/probe_report.h"
+#include "app/screenshot/reports/probe_report.h"
 #include "core/reference/explain/explanation_steps.h"
 #include "core/reference/explain/sampling_steps.h"
 #include "core/reference/explain/stored_texel.h"

@@ -1,6 +1,6 @@
-#include "app/screenshot/scene_argument.h"
+#include "app/screenshot/arguments/scene_argument.h"
 
-#include "app/screenshot/choice_argument.h"
+#include "app/screenshot/arguments/choice_argument.h"
 #include "core/base/file_io.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/preset/preset.h"

@@ -1,4 +1,4 @@
-#include "app/screenshot/gl_module.h"
+#include "app/screenshot/gl/gl_module.h"
 
 #include <dlfcn.h>
 #include <filesystem>

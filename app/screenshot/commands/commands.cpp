@@ -1,4 +1,4 @@
-#include "app/screenshot/scene_argument.h"
+#include "app/screenshot/arguments/scene_argument.h"
 #include "core/emit/emit.h"
 
 #include <fmt/core.h>

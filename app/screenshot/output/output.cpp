@@ -1,7 +1,7 @@
-#include "app/screenshot/output.h"
+#include "app/screenshot/output/output.h"
 
 #include "app/command_line/standard_streams.h"
-#include "app/screenshot/interrupts.h"
+#include "app/screenshot/output/interrupts.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
