@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/compare/difference.h"
 #include "core/conform/renderer.h"
 #include "core/conform/rule.h"
-#include "core/image/compare.h"
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 #include "core/base/html.h"
 #include "core/base/printable.h"
 #include "core/codec/png/png.h"
+#include "core/compare/heat_map.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/conform/report_words.h"

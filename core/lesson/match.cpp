@@ -1,6 +1,6 @@
 #include "core/lesson/match.h"
 
-#include "core/image/compare.h"
+#include "core/compare/difference.h"
 #include "core/reference/draw.h"
 
 #include <algorithm>

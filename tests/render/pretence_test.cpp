@@ -3,7 +3,7 @@
 #include "app/render/shader_renderer.h"
 #include "app/view/driver_facts.h"
 #include "app/view/pretence.h"
-#include "core/image/compare.h"
+#include "core/compare/difference.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 

@@ -2,7 +2,8 @@
 
 #include "app/view/frame.h"
 #include "app/view/side.h"
-#include "core/image/compare.h"
+#include "core/compare/difference.h"
+#include "core/compare/heat_map.h"
 #include "core/image/image.h"
 #include "core/scene/renderer.h"
 

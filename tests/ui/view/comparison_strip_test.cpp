@@ -1,6 +1,6 @@
 #include "app/ui/view/pane_drawing.h"
 #include "app/ui/view/panes.h"
-#include "core/image/compare.h"
+#include "core/compare/heat_map.h"
 #include "tests/ui/workbench.h"
 
 #include <gmock/gmock.h>

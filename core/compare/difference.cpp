@@ -1,0 +1,64 @@
+#include "core/compare/difference.h"
+
+#include "core/compare/pixel_difference.h"
+
+#include <fmt/core.h>
+
+#include <string>
+
+namespace texplorer {
+
+namespace {
+
+std::string extentsOf(const Image& image) {
+    const std::string extents = image.depth == 1
+                                    ? fmt::format("{} x {}", image.width, image.height)
+                                    : fmt::format("{} x {} x {}", image.width, image.height, image.depth);
+    return fmt::format("{} pixels ({})", extents, rowOf(image.format).name);
+}
+
+} // namespace
+
+Result<void> checkComparable(const Image& a, const Image& b) {
+    const bool rgba = a.format == PixelFormat::Rgba8 && b.format == PixelFormat::Rgba8;
+    if (rgba && a.width == b.width && a.height == b.height && a.depth == 1 && b.depth == 1)
+        return {};
+    return fail(rgba ? ErrorCode::OutOfRange : ErrorCode::Unsupported,
+                fmt::format("expected two pictures of the same size ({}), found {} and {}",
+                            rowOf(PixelFormat::Rgba8).name, extentsOf(a), extentsOf(b)));
+}
+
+std::size_t Difference::countOver(int tolerance) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i)
+        count += static_cast<int>(i) > tolerance ? histogram[i] : 0;
+    return count;
+}
+
+Result<Difference> compare(const Image& a, const Image& b, int tolerance, Compared compared) {
+    if (const Result<void> comparable = checkComparable(a, b); !comparable)
+        return fail(comparable.error());
+    const int components = componentsOf(compared);
+    Difference difference;
+    difference.pixels = a.pixels.size() / 4;
+    std::size_t sum = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < difference.pixels; ++i) {
+        const PixelDifference here = differenceAt(a, b, i, components);
+        sum += static_cast<std::size_t>(here.sum);
+        ++difference.histogram[static_cast<std::size_t>(here.worst)];
+        if (here.worst > difference.max) {
+            difference.max = here.worst;
+            worst = i;
+        }
+    }
+    difference.over = difference.countOver(tolerance);
+    if (difference.pixels > 0) {
+        difference.mean = static_cast<double>(sum) / static_cast<double>(difference.pixels) / components;
+        const auto width = static_cast<std::size_t>(a.width);
+        difference.worst = {static_cast<int>(worst % width), static_cast<int>(worst / width)};
+    }
+    return difference;
+}
+
+} // namespace texplorer
