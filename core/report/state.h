@@ -4,6 +4,7 @@
 
 #include "core/gl/enum_row.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -27,14 +28,39 @@ enum class State : std::uint8_t {
 };
 
 /// Which of the page's colours a state has. It is never told by colour alone: its label stands beside it.
-enum class Tone : std::uint8_t {
-    Bad,   ///< something is wrong
-    Look,  ///< somebody has to look at it
-    Quiet, ///< nothing was found out
-    Good,
+enum class Tone : std::uint8_t { Bad, Look, Quiet, Good };
+
+inline constexpr std::array stateRows{
+    row(State::Crashed, "crashed", "Crashed", "The process that drew it ended by a signal."),
+    row(State::TimedOut, "timed-out", "Timed out", "It took longer than it may."),
+    row(State::Error, "error", "Error", "It could not be drawn or compared."),
+    row(State::Failed, "failed", "Failed", "The picture differs from the expected one by more than it may."),
+    row(State::Differ, "differ", "Differ", "The two pictures differ by more than they may."),
+    row(State::Resized, "resized", "Other size", "The picture has another size than the expected one."),
+    row(State::Missing, "missing", "Missing", "There is no picture for what is expected."),
+    row(State::Extra, "extra", "Extra", "There is a picture that nobody expects."),
+    row(State::New, "new", "New", "There is nothing yet to compare the picture with."),
+    row(State::NotRun, "not-run", "Not run", "The run ended before it."),
+    row(State::Skipped, "skipped", "Skipped", "It was not compared, for a reason that is given."),
+    row(State::Passed, "passed", "Passed", "The picture is as expected."),
+    row(State::Agree, "agree", "Agree", "The two pictures are alike."),
 };
 
-[[nodiscard]] Tone toneOf(State state);
+/// Their names are classes of the page's style sheet.
+inline constexpr std::array toneRows{
+    row(Tone::Bad, "bad", "Wrong", "Something is wrong."),
+    row(Tone::Look, "look", "To be looked at", "Somebody has to look at it."),
+    row(Tone::Quiet, "quiet", "Nothing found", "Nothing was found out."),
+    row(Tone::Good, "good", "Good", "All is as it should be."),
+};
+
+[[nodiscard]] constexpr Tone toneOf(State state) {
+    if (state <= State::Extra)
+        return Tone::Bad;
+    if (state == State::New)
+        return Tone::Look;
+    return state <= State::Skipped ? Tone::Quiet : Tone::Good;
+}
 
 } // namespace texplorer::report
 
@@ -42,13 +68,14 @@ namespace texplorer {
 
 template<>
 struct EnumTable<report::State> {
-    static const std::span<const EnumRow> rows;
+    static constexpr std::span<const EnumRow> rows = report::stateRows;
 };
+static_assert(report::stateRows.size() == 13);
 
-/// Their names are the classes of the page's style sheet.
 template<>
 struct EnumTable<report::Tone> {
-    static const std::span<const EnumRow> rows;
+    static constexpr std::span<const EnumRow> rows = report::toneRows;
 };
+static_assert(report::toneRows.size() == 4);
 
 } // namespace texplorer

@@ -1,0 +1,81 @@
+// One case: its pictures first, then what is said of it.
+
+class Detail {
+  #stage = new Stage();
+  #list;
+  #accepted;
+  #go;
+  #case = null;
+  element = make("article", { class: "detail", "aria-labelledby": "case-name" });
+
+  constructor(list, accepted, go) {
+    this.#list = list;
+    this.#accepted = accepted;
+    this.#go = go;
+  }
+
+  get stage() { return this.#stage; }
+  get shown() { return this.#case; }
+
+  show(each) {
+    this.#case = each;
+    const rows = [...(each.facts ?? [])];
+    if (each.worst && !rows.some(([name]) => /worst pixel/i.test(name))) rows.push(["Worst pixel", `${each.worst[0]}, ${each.worst[1]}`]);
+    if (each.size) rows.push(["Size", `${each.size[0]} × ${each.size[1]}`]);
+    if (each.seconds !== undefined && each.seconds !== null) rows.push(["Time", secondsText(each.seconds)]);
+    this.element.replaceChildren(...present([
+      make("header", { class: "detail-top" },
+        make("div", { class: "detail-name" },
+          make("h2", { id: "case-name" }, each.name),
+          make("p", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted" }, each.group)),
+          each.message && make("p", { class: "message" }, each.message)),
+        make("div", { class: "detail-tools" }, this.#accept(), this.#steps())),
+      this.#stage.element,
+      each.pictures.length === 0 && make("p", { class: "muted" }, "This case has no pictures."),
+      each.legend && make("div", { class: "legend", "aria-label": "Colours of the difference" }, each.legend.map(swatch)),
+      make("div", { class: "said-of-it" },
+        make("section", {}, facts(rows), this.#links(each), each.command && [make("h3", {}, "To repeat it"), commandLine(each.command)]),
+        each.explanation && make("section", {}, make("h3", {}, "Explanation"), make("pre", { tabIndex: 0 }, each.explanation))),
+    ]));
+    this.#stage.show(each);
+  }
+
+  hide() {
+    this.#case = null;
+    this.#stage.hide();
+  }
+
+  /** After the list has changed, or what is accepted. */
+  refresh() {
+    if (!this.#case) return;
+    const focused = this.element.contains(document.activeElement) ? document.activeElement.id : "";
+    this.element.querySelector(".detail-tools").replaceChildren(...present([this.#accept(), this.#steps()]));
+    if (focused) document.getElementById(focused)?.focus();
+  }
+
+  #accept() {
+    if (!this.#case.acceptable) return null;
+    const accepted = this.#accepted.has(this.#case.name);
+    return button(accepted ? "✓ Accepted" : "Accept", () => this.#accepted.toggle(this.#case.name),
+      { id: "accept", class: accepted ? "strong" : "", "aria-pressed": accepted, title: "Key a" });
+  }
+
+  #steps() {
+    const place = this.#list.placeOf(this.#case);
+    const count = this.#list.shown.length;
+    return make("div", { class: "steps" },
+      button("‹", () => this.#go(-1), { id: "previous", "aria-label": "Previous case", title: "Key k", disabled: place <= 1 }),
+      make("span", { class: "muted" }, place > 0 ? `${place.toLocaleString("en")} of ${count.toLocaleString("en")}` : "not in the list"),
+      button("›", () => this.#go(1), { id: "next", "aria-label": "Next case", title: "Key j", disabled: place === count || count === 0 }));
+  }
+
+  #links(each) {
+    return each.links && make("p", { class: "links" }, each.links.map(({ label, file }) => make("a", { href: urlOf(file) }, label)));
+  }
+}
+
+function swatch({ label, color }) {
+  const [r, g, b] = color;
+  const light = 0.2126 * r + 0.7152 * g + 0.0722 * b > 110;
+  return make("span", { style: `background: rgb(${r} ${g} ${b}); color: ${light ? "#000" : "#fff"}` }, label);
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/base/bytes.h"
+
+#include <string>
+
+namespace texplorer {
+
+/// RFC 4648, section 4, with '=' at the end.
+[[nodiscard]] std::string base64(ByteView bytes);
+
+} // namespace texplorer

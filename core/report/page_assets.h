@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace texplorer::report {
+
+/// A file of assets/report, which is part of the program: "index.html".
+struct Asset {
+    std::string_view name;
+    std::string_view text;
+};
+[[nodiscard]] const std::vector<Asset>& pageAssets();
+
+} // namespace texplorer::report
