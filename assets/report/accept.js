@@ -60,7 +60,7 @@ function acceptTray(accepted, report, shownCases) {
   const some = accepted.size > 0;
   return present([
     make("div", { class: "tray-line" },
-      make("b", {}, some ? `${accepted.size.toLocaleString("en")} accepted` : "Nothing accepted"),
+      some && make("b", {}, `${accepted.size.toLocaleString("en")} accepted`),
       button(`Accept all shown (${open.length.toLocaleString("en")})`, () => accepted.addAll(open.map((each) => each.name)),
         { disabled: open.length === 0, id: "accept-all" }),
       button("Undo", () => accepted.undo(), { disabled: !accepted.canUndo, title: "Key u", id: "undo" }),

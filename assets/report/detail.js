@@ -26,15 +26,14 @@ class Detail {
     this.element.replaceChildren(...present([
       make("header", { class: "detail-top" },
         make("div", { class: "detail-name" },
-          make("h2", { id: "case-name" }, each.name),
+          make("h2", { id: "case-name" }, breakable(each.name)),
           make("p", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted" }, each.group)),
           each.message && make("p", { class: "message" }, each.message)),
         make("div", { class: "detail-tools" }, this.#accept(), this.#steps())),
       this.#stage.element,
       each.pictures.length === 0 && make("p", { class: "muted" }, "This case has no pictures."),
-      each.legend && make("div", { class: "legend", "aria-label": "Colours of the difference" }, each.legend.map(swatch)),
       make("div", { class: "said-of-it" },
-        make("section", {}, facts(rows), this.#links(each), each.command && [make("h3", {}, "To repeat it"), commandLine(each.command)]),
+        make("section", {}, rows.length > 0 && make("h3", {}, "Facts"), facts(rows), this.#links(each), each.command && [make("h3", {}, "To repeat it"), commandLine(each.command)]),
         each.explanation && make("section", {}, make("h3", {}, "Explanation"), make("pre", { tabIndex: 0 }, each.explanation))),
     ]));
     this.#stage.show(each);
@@ -72,10 +71,4 @@ class Detail {
   #links(each) {
     return each.links && make("p", { class: "links" }, each.links.map(({ label, file }) => make("a", { href: urlOf(file) }, label)));
   }
-}
-
-function swatch({ label, color }) {
-  const [r, g, b] = color;
-  const light = 0.2126 * r + 0.7152 * g + 0.0722 * b > 110;
-  return make("span", { style: `background: rgb(${r} ${g} ${b}); color: ${light ? "#000" : "#fff"}` }, label);
 }

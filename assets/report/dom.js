@@ -19,6 +19,11 @@ function present(children) {
   return children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false);
 }
 
+/** A name that may go on in the next line after what divides it. */
+function breakable(name) {
+  return name.split(/(?<=[/_.,:=-])(?=[^/_.,:=-])/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
+}
+
 function button(text, action, settings = {}) {
   return make("button", { type: "button", on: { click: action }, ...settings }, text);
 }

@@ -140,7 +140,7 @@ class CaseList {
     const row = make("li", { class: "row" }, make("a", { href: each.address, title: each.name, "aria-current": each === this.#current ? "true" : null },
       make("span", { class: "thumbnails" }, small.filter(Boolean).map(thumbnail)),
       make("span", { class: "row-text" },
-        make("span", { class: "name" }, each.name),
+        make("span", { class: "name" }, breakable(each.name)),
         make("span", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted" }, each.group),
           each.seconds !== undefined && each.seconds !== null && make("span", { class: "muted" }, secondsText(each.seconds)),
           make("span", { class: "accepted", hidden: true }, "✓ accepted")))));

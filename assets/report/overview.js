@@ -34,7 +34,7 @@ function shares(report) {
 function card(each) {
   return make("a", { class: "card", href: each.address },
     make("span", { class: "card-pictures" }, each.pictures.map((picture) => make("span", {}, thumbnail(picture), make("span", { class: "caption muted" }, picture.label)))),
-    make("span", { class: "name" }, each.name),
+    make("span", { class: "name" }, breakable(each.name)),
     make("span", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted" }, each.group)),
     each.message && make("span", { class: "muted message" }, each.message));
 }

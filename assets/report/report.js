@@ -19,7 +19,7 @@ function preparedReport(data) {
   return data;
 }
 
-const themes = [["", "Theme: as the system"], ["light", "Theme: light"], ["dark", "Theme: dark"]];
+const themes = [["", "Theme: auto"], ["light", "Theme: light"], ["dark", "Theme: dark"]];
 
 function applyTheme(name) {
   document.documentElement.dataset.theme = name;
@@ -76,6 +76,7 @@ class ReportPage {
       each = this.#report.cases.find((one) => one.id === id) ?? null;
     }
     // Where there is room for one of them only: the list comes first.
+    document.body.dataset.looked = each ? "case" : "overview";
     document.body.dataset.show = each || hash === "overview" ? "main" : "list";
     document.getElementById("to-overview").toggleAttribute("aria-current", !each);
     this.#list.select(each);

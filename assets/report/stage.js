@@ -189,6 +189,7 @@ class Stage {
   }
 
   #pane(label, layers, picture = null) {
+    const legend = picture?.role === "difference" && this.#case.legend;
     const pane = make("div", { class: "pane" }, layers,
       make("div", { class: "grid" }), make("div", { class: "mark worst", title: "The worst pixel" }), make("div", { class: "mark pin" }));
     steerViewport(pane, this.#viewport, {
@@ -197,7 +198,8 @@ class Stage {
     });
     return make("figure", { class: "figure" },
       make("figcaption", {}, make("span", { class: "caption" }, label), picture && make("a", { href: urlOf(picture.file), target: "_blank", "aria-label": `${label} as a file of its own` }, "file")),
-      pane);
+      pane,
+      legend && make("div", { class: "legend", role: "group", "aria-label": "What the colours of the difference mean" }, legend.map(legendEntry)));
   }
 
   #sliderPane() {
@@ -205,7 +207,8 @@ class Stage {
     const front = make("div", { class: "front" }, this.#layer(this.#image(actual)));
     const handle = make("div", { class: "divider", tabIndex: 0, role: "slider", "aria-label": `${expected.label} on the left, ${actual.label} on the right`,
       "aria-valuemin": 0, "aria-valuemax": 100 });
-    const figure = this.#pane(`${expected.label} | ${actual.label}`, [this.#layer(this.#image(expected)), front, handle]);
+    const figure = this.#pane(expected.label, [this.#layer(this.#image(expected)), front, handle]);
+    figure.querySelector("figcaption").append(make("span", { class: "caption right" }, actual.label));
     const move = (to) => {
       this.#divider = Math.min(Math.max(to, 0), 1);
       front.style.clipPath = `inset(0 0 0 ${this.#divider * 100}%)`;
@@ -326,12 +329,14 @@ class Stage {
     }
     for (const grid of this.#panes.querySelectorAll(".grid")) {
       grid.hidden = scale < gridScale;
+      const { width, height } = this.#viewport.picture;
       grid.style.backgroundSize = `${scale}px ${scale}px`;
-      grid.style.backgroundPosition = `${x}px ${y}px`;
+      Object.assign(grid.style, { left: `${x}px`, top: `${y}px`, width: `${width * scale}px`, height: `${height * scale}px` });
     }
     const worst = this.#case.worst;
     this.#mark("worst", worst ? { x: worst[0], y: worst[1] } : null);
-    this.#mark("pin", this.#pin);
+    // The ring alone hides less of the pixel that it is about.
+    this.#mark("pin", this.#pin && !(scale < gridScale && worst && this.#pin.x === worst[0] && this.#pin.y === worst[1]) ? this.#pin : null);
     for (const pane of this.#panes.querySelectorAll(".pane")) pane.classList.toggle("moved", !this.#viewport.fitted);
     const text = this.#tools.querySelector(".scale");
     if (text) text.textContent = `${scale >= 0.1 ? Math.round(scale * 100) : (scale * 100).toFixed(1)} %`;
@@ -365,9 +370,9 @@ class Stage {
         tool("in", "+", () => this.zoomIn(), { "aria-label": "Larger", title: "Key +" }),
         tool("fit", "Fit", () => this.fit(), { title: "Key 0" }),
         tool("one", "1:1", () => this.oneToOne(), { title: "Key z", "aria-label": "One to one" }),
-        this.#case.worst && tool("worst", "Worst pixel", () => this.toWorst(), { title: "Key w" })),
+        this.#case.worst && tool("worst", "Worst", () => this.toWorst(), { title: "Key w", "aria-label": "To the worst pixel" })),
       chosen.name === "flicker" && group("Flicker",
-        tool("flip", "Other picture", () => this.flip(), { title: "Key f" }),
+        tool("flip", "Swap", () => this.flip(), { title: "Key f", "aria-label": "The other picture" }),
         tool("play", this.#timer ? "Stop" : "Play", () => this.togglePlay(), { title: "Key p", "aria-pressed": this.#timer !== 0 }),
         this.#rateChoice()),
       chosen.name === "difference" && group("Gain", this.#gainChoice()),
@@ -376,4 +381,10 @@ class Stage {
     const text = this.#tools.querySelector(".scale");
     if (text) text.textContent = `${Math.round(this.#viewport.scale * 100)} %`;
   }
+}
+
+function legendEntry({ label, color }) {
+  const [r, g, b] = color;
+  const light = 0.2126 * r + 0.7152 * g + 0.0722 * b > 110;
+  return make("span", { style: `background: rgb(${r} ${g} ${b}); color: ${light ? "#000" : "#fff"}` }, label);
 }
