@@ -2,8 +2,8 @@
 
 // A sweep's report for people, for programs, and as a folder to look around in.
 
-#include "core/base/bytes.h"
 #include "core/conform/sweep.h"
+#include "core/report/report_files.h"
 
 #include <string>
 #include <vector>
@@ -23,15 +23,14 @@ namespace texplorer::conform {
 /// was compared".
 [[nodiscard]] std::string summary(const Report& report);
 
-struct ReportFile {
-    std::string name; ///< within the folder
-    Bytes bytes;
-};
+/// A case for each feature and pair, with its worst scene: its pictures, where it is worst, the rule and what
+/// is allowed. Errors: those of the PNG encoder.
+[[nodiscard]] Result<report::Page> asPage(const Report& report);
 
-/// report.json, index.html that holds everything one looks at, and for each feature and pair its worst scene
-/// ("wrap-reference-fixed.json", to open in the window), both pictures and the heat map as PNG. Errors: those
-/// of the PNG encoder.
-[[nodiscard]] Result<std::vector<ReportFile>> asFolder(const Report& report);
+/// That page (core/report) with its pictures, report.json, and for each feature and pair its worst scene
+/// ("wrap-reference-fixed.json", to open in the window) with the files that scenes name. Errors: those of
+/// asPage.
+[[nodiscard]] Result<std::vector<report::File>> asFolder(const Report& report);
 
 /// "wrap-reference-fixed": what a worst scene's files are called before their extension.
 [[nodiscard]] std::string worstName(const PairReport& pair, const Outcome& outcome);

@@ -1,6 +1,5 @@
 #include "core/base/count.h"
-#include "core/base/html.h"
-#include "core/base/printable.h"
+#include "core/base/file_io.h"
 #include "core/codec/png/png.h"
 #include "core/compare/heat_map.h"
 #include "core/conform/made_files.h"
@@ -12,201 +11,207 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cctype>
 
 namespace texplorer::conform {
 
 namespace {
 
-constexpr std::string_view head = R"(<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>Do the renderers agree?</title>
-<style>
-:root { color-scheme: light dark; --line: #8884; --soft: #8882; --bad: #d33; --good: #2a8; }
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin-bottom: .2rem; }
-h2 { margin-top: 2.5rem; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; }
-th:first-child, td:first-child, th:nth-last-child(-n+2), td:nth-last-child(-n+2) { text-align: left; }
-.agree { color: var(--good); }
-.differ { color: var(--bad); font-weight: 600; }
-article { border-top: 1px solid var(--line); padding: 1rem 0; }
-article h3 { margin: 0 0 .3rem; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1rem; }
-figure { margin: .5rem 0; }
-figcaption { font-size: .85rem; opacity: .8; }
-img { width: 256px; height: 256px; image-rendering: pixelated; background: var(--soft); }
-.legend { display: flex; flex-wrap: wrap; font-size: .8rem; }
-.legend span { padding: .1rem .45rem; min-width: 1.6rem; text-align: center; }
-p { margin: .3rem 0; }
-</style>
-)";
-
-std::string escaped(std::string_view text) {
-    return escapedHtml(printable(text));
-}
-
-std::string base64(ByteView bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        // Three bytes are four digits of six bits; what is missing at the end is '='.
-        std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            bits = bits << 8U | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? digits[(bits >> (18 - 6 * k)) & 63U] : '=';
-    }
-    return text;
-}
-
-std::string figure(ByteView png, std::string_view caption) {
-    return fmt::format(
-        "<figure><img alt=\"\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-        base64(png), escaped(caption));
-}
-
-std::string legend(const HeatScale& scale) {
-    std::string text = "<div class=\"legend\">";
+std::vector<report::Swatch> legend(const HeatScale& scale) {
+    std::vector<report::Swatch> swatches;
     for (const int value : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
         const auto color = heatColor(static_cast<float>(value), scale);
-        const bool dark = color[0] + color[1] < 260;
-        text += fmt::format("<span style=\"background:rgb({},{},{});color:{}\">{}</span>", color[0], color[1],
-                            color[2], dark ? "#fff" : "#000", value);
+        swatches.push_back({std::to_string(value), {color[0], color[1], color[2]}});
     }
-    return text + "</div>\n";
+    return swatches;
 }
 
-struct Pictures {
-    Bytes subject;
-    Bytes against;
-    Bytes difference;
-};
+report::State stateOf(const Outcome& outcome) {
+    if (!outcome.agrees())
+        return report::State::Differ;
+    return outcome.all.scenes == 0 ? report::State::Skipped : report::State::Agree;
+}
 
-Result<Pictures> picturesOf(const Outcome& outcome) {
+std::string againstWords(const Pair& pair) {
+    return fmt::format("{} against {}", rowOf(pair.subject).label, rowOf(pair.against).label);
+}
+
+std::vector<report::Fact> factsOf(const Outcome& outcome) {
+    const Tally& all = outcome.all;
+    const Rule& rule = *outcome.rule;
+    std::vector<report::Fact> facts{{"Scenes", fmt::format("{}: {}", all.scenes, outcome.feature->sweeps)},
+                                    {"OpenGL 2.1", std::string(outcome.feature->section)},
+                                    {"Pixels", std::to_string(all.pixels)},
+                                    {fmt::format("Over {}", rule.bound), percent(all.shareOver())}};
+    if (rule.tolerance != Tolerance::None)
+        facts.push_back({"Unexplained", percent(all.shareUnexplained())});
+    facts.push_back({"Worst", std::to_string(all.max)});
+    facts.push_back({"Mean", fmt::format("{:.3f}", all.mean())});
+    facts.push_back({"Allowed", allowed(rule)});
+    facts.push_back({fmt::format("Rule {}", rule.name), std::string(rule.reason)});
+    for (const auto& [skip, count] : outcome.skipped)
+        facts.push_back({fmt::format("Skipped, {}", skip->name),
+                         fmt::format("{}: {}", countOf(count, "scene"), skip->reason)});
+    return facts;
+}
+
+/// What the worst scene of a feature shows.
+Result<void> addWorst(report::Case& each, const PairReport& pair, const Outcome& outcome) {
     const Worst& worst = *outcome.worst;
-    const Result<Image> heat = heatMap(worst.subject, worst.against, {outcome.rule->bound, 255});
+    const HeatScale scale{outcome.rule->bound, 255};
+    const Result<Image> heat = heatMap(worst.subject, worst.against, scale);
     if (!heat)
         return fail(heat.error());
-    Result<Bytes> subject = encodePng(worst.subject);
-    Result<Bytes> against = encodePng(worst.against);
     Result<Bytes> difference = encodePng(withoutAlpha(*heat));
-    for (const Result<Bytes>* each : {&subject, &against, &difference}) {
-        if (!*each)
-            return fail(each->error());
+    if (!difference)
+        return fail(difference.error());
+    each.difference = {"Difference", each.name + "-difference.png", std::move(*difference)};
+    each.legend = legend(scale);
+    for (const auto& [kind, image, picture] :
+         {std::tuple{pair.pair.subject, &worst.subject, &each.actual},
+          std::tuple{pair.pair.against, &worst.against, &each.expected}}) {
+        Result<Bytes> png = encodePng(*image);
+        if (!png)
+            return fail(png.error());
+        *picture = {std::string(rowOf(kind).label), fmt::format("{}-{}.png", each.name, rowOf(kind).name),
+                    std::move(*png)};
     }
-    return Pictures{std::move(*subject), std::move(*against), std::move(*difference)};
-}
+    each.size = {extent, extent};
+    each.links = {{"The worst scene", each.name + ".json"}};
 
-std::string article(const PairReport& pair, const Outcome& outcome, const Pictures& pictures) {
-    const std::string name = worstName(pair, outcome);
-    const Judgement& judgement = outcome.worst->judgement;
-    const auto [x, y] = placeOfWorst(judgement);
-    const std::string at = fmt::format("{},{}", x, y);
-    std::string text =
-        fmt::format("<article id=\"{0}\"><h3>{1}</h3>\n"
-                    "<p>{2} (OpenGL 2.1, {3})</p>\n"
-                    "<p>Its worst scene, <a href=\"{0}.json\">{0}.json</a>: {4} pixels over {5}",
-                    name, outcome.feature->name, escaped(outcome.feature->sweeps),
-                    escaped(outcome.feature->section), judgement.difference.over, outcome.rule->bound);
+    const Judgement& judgement = worst.judgement;
+    each.message = fmt::format("Its worst scene has {} over {}", countOf(judgement.difference.over, "pixel"),
+                               outcome.rule->bound);
     if (outcome.rule->tolerance != Tolerance::None)
-        text += fmt::format(", {} of them unexplained", judgement.unexplained);
-    if (judgement.difference.max > 0)
-        text += fmt::format("; the worst by {0} at {1}, counted from the upper left: "
-                            "<code>texshot probe {2}.json --size {3}x{3} --at {1}</code>",
-                            judgement.difference.max, at, name, extent);
-    text += fmt::format(".</p>\n<div class=\"pictures\">{}{}{}</div>\n{}",
-                        figure(pictures.subject, rowOf(pair.pair.subject).label),
-                        figure(pictures.against, rowOf(pair.pair.against).label),
-                        figure(pictures.difference, "Difference"), legend({outcome.rule->bound, 255}));
-    return fmt::format("{}<p>Rule <b>{}</b>, {}: {}</p></article>\n", text, outcome.rule->name,
-                       allowed(*outcome.rule), escaped(outcome.rule->reason));
-}
-
-std::string rowOfTable(const PairReport& pair, const Outcome& outcome) {
-    const Tally& all = outcome.all;
-    const std::string feature(outcome.feature->name);
-    const std::string verdict(conform::verdict(outcome));
-    std::string text = "<tr><td>";
-    text +=
-        outcome.worst ? fmt::format("<a href=\"#{}\">{}</a>", worstName(pair, outcome), feature) : feature;
-    for (const std::string& cell :
-         {std::to_string(all.scenes), std::to_string(skippedOf(outcome)), std::to_string(all.pixels),
-          escaped(percent(all.shareOver())),
-          outcome.rule->tolerance == Tolerance::None ? "–" : escaped(percent(all.shareUnexplained())),
-          std::to_string(all.max), fmt::format("{:.3f}", all.mean())})
-        text += "<td>" + cell;
-    return fmt::format("{0}<td class=\"{1}\">{1}<td>{2}</tr>\n", text, verdict,
-                       escaped(allowed(*outcome.rule)));
-}
-
-std::string table(const PairReport& pair) {
-    std::string text =
-        "<table><tr><th>feature<th>scenes<th>skipped<th>pixels<th>over the bound<th>unexplained"
-        "<th>worst<th>mean<th>verdict<th>allowed</tr>\n";
-    std::string notes;
-    for (const Outcome& outcome : pair.outcomes) {
-        text += rowOfTable(pair, outcome);
-        const std::string feature(outcome.feature->name);
-        for (const auto& [skip, count] : outcome.skipped)
-            notes += fmt::format("<p>{}: {} skipped ({}): {}.</p>\n", feature, countOf(count, "scene"),
-                                 skip->name, escaped(skip->reason));
-        if (!outcome.problem.empty())
-            notes += fmt::format("<p class=\"differ\">{}: {}</p>\n", feature, escaped(outcome.problem));
+        each.message += fmt::format(", {} of them unexplained", judgement.unexplained);
+    if (judgement.difference.max > 0) {
+        const auto [x, y] = placeOfWorst(judgement);
+        each.worst = {{x, y}};
+        each.message += fmt::format("; the worst by {} at {},{}, counted from the upper left",
+                                    judgement.difference.max, x, y);
+        each.command =
+            fmt::format("texshot probe {}.json --size {}x{} --at {},{}", each.name, extent, extent, x, y);
     }
-    return fmt::format("{}</table>\n{}", text, notes);
+    each.message += ".";
+    return {};
 }
 
-std::string introduction(const Report& report) {
+Result<report::Case> caseOf(const PairReport& pair, const Outcome& outcome) {
+    report::Case each;
+    each.name = worstName(pair, outcome);
+    each.group = againstWords(pair.pair);
+    each.state = stateOf(outcome);
+    each.distance = outcome.all.shareOver();
+    each.facts = factsOf(outcome);
+    if (outcome.worst) {
+        if (const Result<void> added = addWorst(each, pair, outcome); !added)
+            return fail(added.error());
+    }
+    if (!outcome.problem.empty())
+        each.message += (each.message.empty() ? "" : " ") + outcome.problem;
+    return each;
+}
+
+std::vector<report::Cell> rowOfTable(const Outcome& outcome, std::size_t number) {
+    const Tally& all = outcome.all;
+    return {{std::string(outcome.feature->name), {}, number},
+            {std::to_string(all.scenes)},
+            {std::to_string(skippedOf(outcome))},
+            {std::to_string(all.pixels)},
+            {percent(all.shareOver())},
+            {outcome.rule->tolerance == Tolerance::None ? "–" : percent(all.shareUnexplained())},
+            {std::to_string(all.max)},
+            {fmt::format("{:.3f}", all.mean())},
+            {std::string(verdict(outcome)), stateOf(outcome)},
+            {allowed(*outcome.rule)}};
+}
+
+/// `first` is the number of the case of its first row.
+report::Table tableOf(const PairReport& pair, std::size_t first) {
+    report::Table table;
+    table.title = againstWords(pair.pair);
+    for (const char* label : {"feature", "scenes", "skipped", "pixels", "over the bound", "unexplained",
+                              "worst", "mean", "verdict", "allowed"}) {
+        const std::size_t column = table.columns.size();
+        table.columns.push_back({label, column > 0 && column < 8});
+    }
+    for (const Outcome& outcome : pair.outcomes) {
+        table.rows.push_back(rowOfTable(outcome, first + table.rows.size()));
+        for (const auto& [skip, count] : outcome.skipped)
+            table.notes.push_back(fmt::format("{}: {} skipped ({}): {}.", outcome.feature->name,
+                                              countOf(count, "scene"), skip->name, skip->reason));
+        if (!outcome.problem.empty())
+            table.notes.push_back(fmt::format("{}: {}", outcome.feature->name, outcome.problem));
+    }
+    return table;
+}
+
+report::Page introductionOf(const Report& report) {
+    report::Page page;
+    page.title = "Do the renderers agree?";
+    page.verdict = summary(report);
+    page.verdict.front() = static_cast<char>(std::toupper(page.verdict.front()));
+    page.tone = report.agrees()     ? report::Tone::Good
+                : report.compared() ? report::Tone::Bad
+                                    : report::Tone::Quiet;
+    page.introduction = {
+        whatWasDrawn(report) + ". Of each feature and pair there is the worst of its scenes.",
+        "A pixel is over the bound when a component differs by more than its rule allows, and unexplained when what "
+        "the rule grants a driver's arithmetic does not explain it either. Differences are in 255ths. Open a scene "
+        "with texplorer FILE."};
     const Origin& origin = report.origin;
-    std::string text = fmt::format(
-        "<h1>Do the renderers agree?</h1>\n<p>{},{}: <b class=\"{}\">{}</b>.</p>\n<p>", whatWasDrawn(report),
-        escaped(onWhat(report.driver)), report.agrees() ? "agree" : "differ", summary(report));
-    if (!origin.program.empty())
-        text += fmt::format("Made by {}{} in {:.1f} s; again: <code>{}</code>.</p>\n<p>",
-                            escaped(origin.program), origin.made.empty() ? "" : " on " + escaped(origin.made),
-                            report.seconds, escaped(origin.command));
-    return text +
-           "A pixel is over the bound when a component differs by more than its rule allows, and unexplained "
-           "when what the rule grants a driver's arithmetic does not explain it either. Differences are in "
-           "255ths. Open a scene with <code>texplorer FILE</code>.</p>\n";
+    if (!origin.program.empty()) {
+        page.madeBy = fmt::format("{}{} in {:.1f} s", origin.program,
+                                  origin.made.empty() ? "" : " on " + origin.made, report.seconds);
+        page.command = origin.command;
+    }
+    for (const auto& [name, value] :
+         {std::pair{"Driver", report.driver.name}, std::pair{"Version", report.driver.version},
+          std::pair{"Settings", report.driver.settings}}) {
+        if (!value.empty())
+            page.environment.push_back({name, value});
+    }
+    return page;
 }
 
 Bytes bytesOf(std::string_view text) {
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {data, data + text.size()};
+    const ByteView view = viewBytes(text);
+    return {view.begin(), view.end()};
 }
 
 } // namespace
 
-Result<std::vector<ReportFile>> asFolder(const Report& report) {
-    std::vector<ReportFile> files;
-    std::string page = std::string(head) + introduction(report);
+Result<report::Page> asPage(const Report& report) {
+    report::Page page = introductionOf(report);
     for (const PairReport& pair : report.pairs) {
-        page += fmt::format("<h2>{} against {}</h2>\n{}", rowOf(pair.pair.subject).label,
-                            rowOf(pair.pair.against).label, table(pair));
+        page.tables.push_back(tableOf(pair, page.cases.size()));
         for (const Outcome& outcome : pair.outcomes) {
-            if (!outcome.worst)
-                continue;
-            Result<Pictures> pictures = picturesOf(outcome);
-            if (!pictures)
-                return fail(pictures.error());
-            page += article(pair, outcome, *pictures);
-            const std::string name = worstName(pair, outcome);
-            files.push_back({name + ".json", bytesOf(writeScene(outcome.worst->scene))});
-            files.push_back({fmt::format("{}-{}.png", name, rowOf(pair.pair.subject).name),
-                             std::move(pictures->subject)});
-            files.push_back({fmt::format("{}-{}.png", name, rowOf(pair.pair.against).name),
-                             std::move(pictures->against)});
-            files.push_back({name + "-difference.png", std::move(pictures->difference)});
+            Result<report::Case> each = caseOf(pair, outcome);
+            if (!each)
+                return fail(each.error());
+            page.cases.push_back(std::move(*each));
+        }
+    }
+    return page;
+}
+
+Result<std::vector<report::File>> asFolder(const Report& report) {
+    const Result<report::Page> page = asPage(report);
+    if (!page)
+        return fail(page.error());
+    Result<std::vector<report::File>> files = report::filesOf(*page);
+    if (!files)
+        return files;
+    for (const PairReport& pair : report.pairs) {
+        for (const Outcome& outcome : pair.outcomes) {
+            if (outcome.worst)
+                files->push_back(
+                    {worstName(pair, outcome) + ".json", bytesOf(writeScene(outcome.worst->scene))});
         }
     }
     for (const MadeFile& file : madeFiles)
-        files.push_back({std::string(file.name), bytesOf(file)});
-    files.push_back({"report.json", bytesOf(asJson(report))});
-    files.push_back({"index.html", bytesOf(page + "</html>\n")});
+        files->push_back({std::string(file.name), bytesOf(file)});
+    files->push_back({"report.json", bytesOf(asJson(report))});
     return files;
 }
 

@@ -17,10 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a script holds of outside texts is JSON in ASCII: nothing in it ends the script, a line of it or a
-// string.
+// What a script holds of outside texts is JSON in ASCII without '<': nothing in it ends a string, a line or a
+// script.
 std::string asScript(const Json& json) {
-    return json.dump(-1, ' ', true);
+    std::string text = json.dump(-1, ' ', true);
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+        text.replace(at, 1, "\\u003c"); // it stands in strings alone
+    return text;
 }
 
 Bytes bytesOf(std::string_view text) {

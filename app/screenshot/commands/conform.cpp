@@ -174,11 +174,11 @@ Result<conform::Selection> selectionOf(const ConformOptions& options) {
 }
 
 Result<void> writeFolder(const std::filesystem::path& folder, const conform::Report& report) {
-    const Result<std::vector<conform::ReportFile>> files = conform::asFolder(report);
+    const Result<std::vector<report::File>> files = conform::asFolder(report);
     if (!files)
         return fail(files.error());
     std::vector<FileContent> contents;
-    for (const conform::ReportFile& file : *files)
+    for (const report::File& file : *files)
         contents.push_back({file.name, file.bytes});
     std::optional<Uninterrupted> placing;
     return writeFolderAtomically(folder, contents, [&placing] { placing.emplace(); });

@@ -14,8 +14,9 @@
 namespace texplorer::conform::report_test {
 namespace {
 
+using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 
 /// The reference, with wrap modes of s and t exchanged.
 class Swapped : public Renderer {
@@ -65,16 +66,19 @@ TEST(Report, IsATableWhoseColumnsStandBelowEachOther) {
     }
 }
 
-std::string pageOf(const Report& report) {
-    const std::vector<ReportFile> files = *asFolder(report);
-    const Bytes& page = std::ranges::find(files, "index.html", &ReportFile::name)->bytes;
-    return {reinterpret_cast<const char*>(page.data()), page.size()};
+report::Page pageOf(const Report& report) {
+    return *asPage(report);
+}
+
+MATCHER_P2(IsFact, name, value, "") {
+    return arg.name == name && arg.value == value;
 }
 
 TEST(Report, SaysTheSameOfAllInEachForm) {
     struct Row {
         const char* words;
         const char* inPage;
+        report::Tone tone;
         bool compared;
         Report report;
     };
@@ -85,13 +89,15 @@ TEST(Report, SaysTheSameOfAllInEachForm) {
     most.pairs[0].outcomes[0].skipped[&skips()[0]] = 4;
     const std::string sum = std::to_string(some.scenes + 4);
     const std::string skipped = "all agree, 4 of " + sum + " comparisons skipped";
-    for (const auto& [words, inPage, compared, report] :
-         {Row{": nothing was compared\n", ">nothing was compared<", false, none},
-          Row{": all agree\n", ">all agree<", true, some},
-          Row{": not all agree\n", ">not all agree<", true, reportOf({findFeature("wrap")})},
-          Row{skipped.c_str(), skipped.c_str(), true, most}}) {
+    const std::string skippedInPage = "All agree, 4 of " + sum + " comparisons skipped";
+    for (const auto& [words, inPage, tone, compared, report] :
+         {Row{": nothing was compared\n", "Nothing was compared", report::Tone::Quiet, false, none},
+          Row{": all agree\n", "All agree", report::Tone::Good, true, some},
+          Row{": not all agree\n", "Not all agree", report::Tone::Bad, true, reportOf({findFeature("wrap")})},
+          Row{skipped.c_str(), skippedInPage.c_str(), report::Tone::Good, true, most}}) {
         EXPECT_THAT(asText(report), HasSubstr(words));
-        EXPECT_THAT(pageOf(report), HasSubstr(inPage));
+        EXPECT_EQ(pageOf(report).verdict, inPage);
+        EXPECT_EQ(pageOf(report).tone, tone);
         EXPECT_EQ(nlohmann::json::parse(asJson(report))["compared"], compared) << words;
     }
 }
@@ -107,13 +113,26 @@ TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     outcome.all.over = 20;
     outcome.worst->judgement.difference.worst = {3, 0};
     outcome.worst->judgement.difference.max = 7;
-    const std::string page = pageOf(report);
-    for (const char* expected :
-         {"<td>&lt;0.01 %", "<th>allowed", "<td>4 % over 2, 0.05 % unexplained", "texshot 9.9",
-          "2026-01-02 03:04 UTC", "12.3 s", "<code>A=b texshot conform --seed 1</code>",
-          "llvmpipe &lt;&amp;&gt;, 4.5", "by 7 at 3,63, counted from the upper left",
-          "<code>texshot probe trilinear-reference-fixed.json --size 64x64 --at 3,63</code>"})
-        EXPECT_THAT(page, HasSubstr(expected));
+    const report::Page page = pageOf(report);
+    EXPECT_EQ(page.madeBy, "texshot 9.9 on 2026-01-02 03:04 UTC in 12.3 s");
+    EXPECT_EQ(page.command, "A=b texshot conform --seed 1");
+    EXPECT_THAT(page.environment, ElementsAre(IsFact("Driver", "llvmpipe <&>"), IsFact("Version", "4.5"),
+                                              IsFact("Settings", "A=b")));
+    EXPECT_EQ(page.tables[0].title, "Reference against Fixed function");
+    std::vector<std::string> cells;
+    for (const report::Cell& cell : page.tables[0].rows[0])
+        cells.push_back(cell.text);
+    EXPECT_THAT(cells, ElementsAre("trilinear", "20", "0", "1000000", "<0.01 %", testing::_, testing::_,
+                                   testing::_, testing::_, "4 % over 2, 0.05 % unexplained"));
+    EXPECT_EQ(page.tables[0].rows[0][0].leadsTo, 0U);
+    const report::Case& each = page.cases[0];
+    EXPECT_EQ(each.name, "trilinear-reference-fixed");
+    EXPECT_EQ(each.group, "Reference against Fixed function");
+    EXPECT_THAT(each.message, HasSubstr("; the worst by 7 at 3,63, counted from the upper left."));
+    EXPECT_EQ(each.worst, (std::array{3, 63}));
+    EXPECT_EQ(each.command, "texshot probe trilinear-reference-fixed.json --size 64x64 --at 3,63");
+    EXPECT_THAT(each.facts, Contains(IsFact("Over 2", "<0.01 %")));
+    EXPECT_THAT(each.facts, Contains(IsFact("Rule level-blend", std::string(rules::levelBlend.reason))));
     const std::string text = asText(report);
     for (const char* expected : {"  <0.01 %", "in 12.3 s on llvmpipe <&>, 4.5, with A=b",
                                  "texshot 9.9, to draw them again: A=b texshot conform --seed 1\n"})
@@ -139,10 +158,10 @@ TEST(Report, IsJsonForPrograms) {
 }
 
 TEST(Report, IsAFolderWithTheWorstScenes) {
-    const Result<std::vector<ReportFile>> files = asFolder(reportOf({findFeature("wrap")}));
+    const Result<std::vector<report::File>> files = asFolder(reportOf({findFeature("wrap")}));
     ASSERT_TRUE(files);
     const auto file = [&](std::string_view name) {
-        const auto found = std::ranges::find(*files, name, &ReportFile::name);
+        const auto found = std::ranges::find(*files, name, &report::File::name);
         EXPECT_NE(found, files->end()) << name;
         return found == files->end() ? Bytes() : found->bytes;
     };
@@ -159,11 +178,31 @@ TEST(Report, IsAFolderWithTheWorstScenes) {
         EXPECT_TRUE(decodeDds(file(made.name)));
     EXPECT_TRUE(decodePng(file("wrap-reference-fixed-difference.png"), {}));
     EXPECT_FALSE(file("report.json").empty());
-    const Bytes page = file("index.html");
-    const std::string text(reinterpret_cast<const char*>(page.data()), page.size());
-    EXPECT_THAT(text, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
-    EXPECT_THAT(text, HasSubstr("llvmpipe &lt;&amp;&gt;\\u001b"));
-    EXPECT_THAT(text, Not(HasSubstr("src=\"http")));
+    // The page names them.
+    const Bytes data = file("report-data.js");
+    const std::string text(reinterpret_cast<const char*>(data.data()), data.size());
+    for (const char* expected : {"\"wrap-reference-fixed-reference.png\"", "\"wrap-reference-fixed.json\"",
+                                 "llvmpipe \\u003c&>\\\\u001b"})
+        EXPECT_THAT(text, HasSubstr(expected));
+    EXPECT_FALSE(file("index.html").empty());
+    EXPECT_FALSE(file("wrap-reference-fixed-fixed.png.js").empty());
+}
+
+// The yardstick is what is expected.
+TEST(Report, IsAPageOfCases) {
+    const report::Page page =
+        pageOf(reportOf({findFeature("wrap"), findFeature("incomplete"), findFeature("compression")}));
+    ASSERT_EQ(page.cases.size(), 3U);
+    EXPECT_EQ(page.cases[0].state, report::State::Differ);
+    EXPECT_EQ(page.cases[1].state, report::State::Agree);
+    EXPECT_EQ(page.cases[0].expected->label, "Fixed function");
+    EXPECT_EQ(page.cases[0].actual->label, "Reference");
+    EXPECT_EQ(page.cases[0].legend.size(), 10U);
+    EXPECT_GT(page.cases[0].distance, page.cases[1].distance);
+    EXPECT_THAT(page.cases[2].facts.back().name, HasSubstr("Skipped, driver-compression"));
+    EXPECT_THAT(page.tables[0].notes, Contains(HasSubstr("skipped (driver-compression): ")));
+    for (const report::Case& each : page.cases)
+        EXPECT_FALSE(each.acceptable) << each.name; // there is no golden
 }
 
 TEST(Report, ListsEveryFeatureRuleAndSkip) {

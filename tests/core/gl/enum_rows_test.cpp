@@ -4,6 +4,7 @@
 #include "core/gl/error.h"
 #include "core/gl/fragment.h"
 #include "core/gl/sampling.h"
+#include "core/report/state.h"
 #include "core/scene/scene.h"
 
 #include <gmock/gmock.h>
@@ -79,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
         Table{"CompressedFormat", EnumTable<CompressedFormat>::rows},
         Table{"BlockFormat", EnumTable<BlockFormat>::rows}, Table{"Shape", EnumTable<Shape>::rows},
         Table{"Projection", EnumTable<Projection>::rows}, Table{"SourceKind", EnumTable<SourceKind>::rows},
-        Table{"MatrixOp", EnumTable<MatrixOp>::rows}),
+        Table{"MatrixOp", EnumTable<MatrixOp>::rows}, Table{"State", EnumTable<report::State>::rows},
+        Table{"Tone", EnumTable<report::Tone>::rows}),
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
