@@ -1,15 +1,13 @@
 // The static libGLEW.a finds GL functions through GLX. There is no GLX here: what it calls is answered by
-// OSMesa, or by "no such thing", so that nothing needs libGL. glewInit() then loads every GL function and
-// ends with a GLX error, which loadCapabilities() knows.
+// OSMesa or EGL, or by "no such thing", so that nothing needs libGL. glewInit() then loads every GL function
+// and ends with a GLX error, which loadCapabilities() knows.
 
-#include <GL/osmesa.h>
+#include "app/offscreen/gl_lookup.h"
 
 extern "C" {
 
-using AnyFunction = void (*)();
-
-AnyFunction glXGetProcAddressARB(const unsigned char* name) {
-    return OSMesaGetProcAddress(reinterpret_cast<const char*>(name));
+texplorer::offscreen::AnyFunction glXGetProcAddressARB(const unsigned char* name) {
+    return texplorer::offscreen::findGlFunction(reinterpret_cast<const char*>(name));
 }
 
 const char* glXGetClientString(void* /*display*/, int /*name*/) {

@@ -2,7 +2,7 @@
 // the window does beside it, the small pictures of answers, isn't waited for. Each time in a new context, in
 // which the default scene was drawn: filters that the lesson brings are compiled by llvmpipe anew.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
 #include "app/ui/model/lesson_run.h"
@@ -22,7 +22,7 @@ void lessonOpens(benchmark::State& state, const std::string& name) {
     for (auto _ : state) {
         state.PauseTiming();
         {
-            const auto context = offscreen::OsmesaContext::create(lessonWindow);
+            const auto context = offscreen::Context::create(lessonWindow);
             const auto graphics = opengl::OpenGlGraphics::create();
             if (!graphics)
                 return state.SkipWithError(describe(graphics.error()).c_str());

@@ -1,7 +1,7 @@
 // The peers of the mip chain that need OpenGL: the driver's own (llvmpipe) and GLU's. The driver works on
 // many threads and we on one: what counts is the time of all of them together.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/capabilities.h"
 #include "core/image/image.h"
 
@@ -20,7 +20,7 @@ constexpr int extent = 2048;
 class MipTexture {
 public:
     MipTexture()
-        : context_(offscreen::OsmesaContext::create({16, 16})) {
+        : context_(offscreen::Context::create({16, 16})) {
         if (!context_ || !render::loadCapabilities())
             std::abort();
         for (std::size_t i = 0; i < base_.pixels.size(); ++i)
@@ -35,7 +35,7 @@ public:
 
 private:
     Image base_ = Image::uninitialised(PixelFormat::Rgba8, extent, extent);
-    Result<offscreen::OsmesaContext> context_;
+    Result<offscreen::Context> context_;
 };
 
 void mipChainDriver(benchmark::State& state) {

@@ -2,7 +2,7 @@
 // nothing but the clear, the matrices and the draw calls in every frame. Both draw the same picture, or the
 // benchmark fails.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/fixed_renderer.h"
 #include "app/render/shader_renderer.h"
 #include "core/image/mipmaps.h"
@@ -145,7 +145,7 @@ private:
 
 /// What the two benchmarks share: a context, and the renderer whose picture is the right one.
 struct Stage {
-    Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+    Result<offscreen::Context> context = offscreen::Context::create({1, 1});
     Result<render::FixedRenderer> renderer =
         render::loadCapabilities().and_then(&render::FixedRenderer::create);
     ImageSource images;

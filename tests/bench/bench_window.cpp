@@ -2,7 +2,7 @@
 // the picture in the window; a frame while coordinates are dragged; and frames with figures that work beside
 // the window.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/stage.h"
 #include "app/ui/widgets/widget_places.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr view::Size window{1280, 800};
 
 void windowFrame(benchmark::State& state) {
-    const auto context = offscreen::OsmesaContext::create(window);
+    const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
     if (!graphics)
         return state.SkipWithError(describe(graphics.error()).c_str());
@@ -36,7 +36,7 @@ void windowFrame(benchmark::State& state) {
 /// The default window with a sphere of 128 x 64 alone, of which the mouse drags a vertex to and fro in
 /// texture space: each frame has other coordinates, an edit in the history and a diagnosis.
 void windowDrag(benchmark::State& state) {
-    const auto context = offscreen::OsmesaContext::create(window);
+    const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
     if (!graphics)
         return state.SkipWithError(describe(graphics.error()).c_str());
@@ -83,7 +83,7 @@ enum class Moves { No, Yes };
 /// for a user. Where the scene moves, the probed pixel has other colours in each frame, and the pictures of
 /// the sheet follow.
 void figureFrame(benchmark::State& state, std::optional<ui::Figure> figure, Moves moves) {
-    const auto context = offscreen::OsmesaContext::create(window);
+    const auto context = offscreen::Context::create(window);
     const auto graphics = opengl::OpenGlGraphics::create();
     if (!graphics)
         return state.SkipWithError(describe(graphics.error()).c_str());

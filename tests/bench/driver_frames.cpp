@@ -2,7 +2,7 @@
 // process. Says which driver it got; then, for every line with the names of a scene and of a filter, draws a
 // frame and says how many seconds of the processor's time it took, all threads together.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/fixed_renderer.h"
 #include "core/texture/image_source.h"
 #include "tests/bench/frame_scenes.h"
@@ -26,7 +26,7 @@ double processorSeconds() {
 } // namespace
 
 int main() {
-    const auto context = offscreen::OsmesaContext::create({1, 1});
+    const auto context = offscreen::Context::create({1, 1});
     auto renderer = render::loadCapabilities().and_then(&render::FixedRenderer::create);
     if (!context || !renderer)
         return 1;

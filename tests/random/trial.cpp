@@ -1,6 +1,6 @@
 #include "tests/random/trial.h"
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/scene_renderer.h"
 #include "app/render/shader_renderer.h"
 #include "app/view/driver_facts.h"
@@ -53,7 +53,7 @@ bool isOneSentence(std::string_view text) {
 struct Trial::State {
     Precision precision;
     std::filesystem::path files;
-    offscreen::OsmesaContext context;
+    offscreen::Context context;
     view::Capabilities capabilities;
     std::map<RendererKind, render::SceneRenderer> renderers{}; // goes before its context
 
@@ -215,7 +215,7 @@ Result<Trial> Trial::open(Precision precision, const std::filesystem::path& file
         ::setenv("GALLIVM_PERF", "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling", 1);
         ::setenv("LP_NUM_THREADS", "0", 1); // a picture is one tile
     }
-    Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+    Result<offscreen::Context> context = offscreen::Context::create({1, 1});
     if (!context)
         return fail(context.error());
     const Result<view::Capabilities> capabilities = render::loadCapabilities();

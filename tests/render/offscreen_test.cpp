@@ -1,6 +1,6 @@
 // The off-screen context by itself: what OSMesa promises, and which sizes are refused.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/capabilities.h"
 
 #include <gmock/gmock.h>
@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(OsmesaContext, GivesEverythingThatTexplorerNeeds) {
-    const auto context = offscreen::OsmesaContext::create({16, 8});
+TEST(OffscreenContext, GivesEverythingThatTexplorerNeeds) {
+    const auto context = offscreen::Context::create({16, 8});
     ASSERT_TRUE(context) << describe(context.error());
     const auto capabilities = render::loadCapabilities();
     ASSERT_TRUE(capabilities) << describe(capabilities.error());
@@ -24,20 +24,20 @@ TEST(OsmesaContext, GivesEverythingThatTexplorerNeeds) {
     EXPECT_TRUE(capabilities->s3tc);
 }
 
-TEST(OsmesaContext, WithoutAContextCapabilitiesSayWhatIsNeeded) {
-    { const auto context = offscreen::OsmesaContext::create({4, 4}); }
+TEST(OffscreenContext, WithoutAContextCapabilitiesSayWhatIsNeeded) {
+    { const auto context = offscreen::Context::create({4, 4}); }
     const auto capabilities = render::loadCapabilities();
     ASSERT_FALSE(capabilities);
     EXPECT_EQ(capabilities.error().code, ErrorCode::Driver);
     EXPECT_THAT(capabilities.error().message, HasSubstr("OpenGL 2.1"));
 }
 
-TEST(OsmesaContext, CanBeMovedAndMadeAgain) {
-    auto first = offscreen::OsmesaContext::create({4, 4});
+TEST(OffscreenContext, CanBeMovedAndMadeAgain) {
+    auto first = offscreen::Context::create({4, 4});
     ASSERT_TRUE(first);
-    offscreen::OsmesaContext moved = std::move(*first);
+    offscreen::Context moved = std::move(*first);
     EXPECT_TRUE(render::loadCapabilities());
-    auto second = offscreen::OsmesaContext::create({4, 4});
+    auto second = offscreen::Context::create({4, 4});
     ASSERT_TRUE(second);
     moved = std::move(*second); // destroys the first while the second is current
     EXPECT_TRUE(render::loadCapabilities());
@@ -52,7 +52,7 @@ class RefusedSize : public testing::TestWithParam<SizeCase> {};
 
 TEST_P(RefusedSize, IsNamedWithTheLimit) {
     const auto [width, height] = GetParam().size;
-    const auto context = offscreen::OsmesaContext::create({width, height});
+    const auto context = offscreen::Context::create({width, height});
     ASSERT_FALSE(context);
     EXPECT_EQ(context.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(context.error().message, "an off-screen framebuffer has 1 x 1 to 16384 x 16384 pixels, not " +

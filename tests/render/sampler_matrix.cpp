@@ -2,7 +2,7 @@
 // processes that are started again where one of them ended by a signal. A child is forked before anything
 // here has touched OpenGL. Every combination of a few settings; --all takes more of each.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/shader_renderer.h"
 #include "core/gl/sampling.h"
 #include "core/texture/image_source.h"
@@ -118,7 +118,7 @@ std::vector<Case> levelCases(bool all) {
 /// Draws the cases from `first` on and writes the index of each before it does. In a child.
 [[noreturn]] void drawFrom(std::span<const Case> cases, std::size_t first, std::size_t last, int progress) {
     constexpr view::Size size{48, 48};
-    const auto context = offscreen::OsmesaContext::create({1, 1});
+    const auto context = offscreen::Context::create({1, 1});
     const auto capabilities = context ? render::loadCapabilities() : fail(context.error());
     if (!capabilities) {
         std::fprintf(stderr, "%s\n", texplorer::describe(capabilities.error()).c_str());

@@ -1,7 +1,7 @@
 // The picture of the texture-space panel is uploaded as the texture is: read back, it has the values that
 // OpenGL 2.1, table 3.11 and section 3.8.1, give to each base internal format.
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/capabilities.h"
 #include "app/render/texture_preview.h"
 
@@ -25,7 +25,7 @@ struct Case {
 class Preview : public testing::TestWithParam<Case> {};
 
 TEST_P(Preview, HasTheComponentsOfItsInternalFormat) {
-    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    const auto context = offscreen::Context::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
     Image image = Image::uninitialised(PixelFormat::Rgba8, 1, 1);
     constexpr std::array<int, 4> pixel{200, 100, 50, 128};
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
-    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    const auto context = offscreen::Context::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
     TextureImage file;
     file.faces = 6;
@@ -107,7 +107,7 @@ TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
 }
 
 TEST(TexturePreview, LeavesTexelsOutOfALargeImage) {
-    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    const auto context = offscreen::Context::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
     Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * PreviewPicture::mostTexels + 1, 5);
     for (int y = 0; y < image.height; ++y) {
@@ -136,7 +136,7 @@ TEST(TexturePreview, LeavesTexelsOutOfALargeImage) {
 }
 
 TEST(TexturePreview, ShowsNothingWhereTheImageIsNotLoaded) {
-    const auto context = offscreen::OsmesaContext::create({4, 4}).value();
+    const auto context = offscreen::Context::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
     Texture texture;
     texture.source = SourceKind::File;

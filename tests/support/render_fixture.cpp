@@ -16,7 +16,7 @@ Result<render::SceneRenderer> makeRenderer(const view::Capabilities& capabilitie
 }
 
 void RenderTest::SetUp() {
-    Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+    Result<offscreen::Context> context = offscreen::Context::create({1, 1});
     ASSERT_TRUE(context) << describe(context.error());
     context_ = std::move(*context);
     Result<view::Capabilities> loaded = render::loadCapabilities();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/render/scene_renderer.h"
 #include "core/scene/renderer.h"
 #include "core/scene/scene.h"
@@ -40,7 +40,7 @@ protected:
     std::optional<render::SceneRenderer> renderer;
 
 private:
-    std::optional<offscreen::OsmesaContext> context_;
+    std::optional<offscreen::Context> context_;
 };
 
 /// The colour of one pixel, 0 to 1; (0, 0) is at the bottom left.

@@ -1,6 +1,6 @@
 #include "tests/ui/workbench.h"
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/stage/view_frames.h"
 #include "app/ui/model/loads.h"
@@ -50,7 +50,7 @@ void complain(void* /*data*/, const char* format, ...) {
 
 struct Workbench::Drawing {
     Drawing(view::Size size, const std::filesystem::path& shaders)
-        : context(offscreen::OsmesaContext::create(size).value())
+        : context(offscreen::Context::create(size).value())
         , graphics(opengl::OpenGlGraphics::create({shaders, {}}).value())
         , frames(*graphics) {
         graphics->startPanels();
@@ -59,7 +59,7 @@ struct Workbench::Drawing {
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    offscreen::OsmesaContext context;
+    offscreen::Context context;
     std::unique_ptr<opengl::OpenGlGraphics> graphics;
     stage::ViewFrames frames;
 };

@@ -1,8 +1,8 @@
-// The GL half of texshot: OSMesa, the renderer and, for --ui, the panels.
+// The GL half of texshot: a context, the renderer and, for --ui, the panels.
 
 #include "app/screenshot/gl/gl_module.h"
 
-#include "app/offscreen/osmesa_context.h"
+#include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/render/capabilities.h"
 #include "app/render/driver_cache.h"
@@ -40,7 +40,7 @@ Result<Shot> drawScene(const ShotRequest& request) {
         !readable)
         return fail(readable.error());
     // The scene is drawn into a framebuffer object: the context's own one is never seen.
-    const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+    const Result<offscreen::Context> context = offscreen::Context::create({1, 1}, request.context);
     if (!context)
         return fail(context.error());
     const Result<view::Capabilities> capabilities =
@@ -67,7 +67,7 @@ constexpr int settlingFrames = 4; // until Dear ImGui has given every window its
 Result<Shot> drawWindow(const ShotRequest& request) {
     if (const Result<void> readable = checkShaders(request.shaders); !readable)
         return fail(readable.error());
-    const Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create(request.size);
+    const Result<offscreen::Context> context = offscreen::Context::create(request.size, request.context);
     if (!context)
         return fail(context.error());
     const auto graphics = opengl::OpenGlGraphics::create({request.shaders, {}}, request.pretence);
@@ -135,10 +135,9 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     return Shot{{std::move(image), loop.problems()}, view::driverFacts((*graphics)->capabilities())};
 }
 
-class OsmesaStudio : public Studio {
+class ContextStudio : public Studio {
 public:
-    OsmesaStudio(offscreen::OsmesaContext context, view::Capabilities capabilities,
-                 std::filesystem::path shaders)
+    ContextStudio(offscreen::Context context, view::Capabilities capabilities, std::filesystem::path shaders)
         : context_(std::move(context))
         , capabilities_(std::move(capabilities))
         , shaders_(std::move(shaders)) {}
@@ -174,22 +173,23 @@ public:
     }
 
 private:
-    offscreen::OsmesaContext context_; // goes last
+    offscreen::Context context_; // goes last
     view::Capabilities capabilities_;
     std::filesystem::path shaders_;
     std::map<RendererKind, render::SceneRenderer> renderers_;
 };
 
-Result<std::unique_ptr<Studio>> openOsmesaStudio(const std::filesystem::path& shaders,
-                                                 const view::Pretence& pretence) {
-    Result<offscreen::OsmesaContext> context = offscreen::OsmesaContext::create({1, 1});
+Result<std::unique_ptr<Studio>> openContextStudio(const std::filesystem::path& shaders,
+                                                  const view::Pretence& pretence,
+                                                  const view::ContextChoice& choice) {
+    Result<offscreen::Context> context = offscreen::Context::create({1, 1}, choice);
     if (!context)
         return fail(context.error());
     Result<view::Capabilities> capabilities = render::loadCapabilities();
     if (!capabilities)
         return fail(capabilities.error());
-    return std::make_unique<OsmesaStudio>(std::move(*context), pretence.of(std::move(*capabilities)),
-                                          shaders);
+    return std::make_unique<ContextStudio>(std::move(*context), pretence.of(std::move(*capabilities)),
+                                           shaders);
 }
 
 } // namespace
@@ -205,7 +205,8 @@ texshotDraw(const texplorer::screenshot::ShotRequest& request,
 
 extern "C" [[gnu::visibility("default")]] void
 texshotStudio(const std::filesystem::path& shaders, const texplorer::view::Pretence& pretence,
+              const texplorer::view::ContextChoice& context,
               texplorer::Result<std::unique_ptr<texplorer::screenshot::Studio>>& studio) {
     texplorer::render::setUpDriverCache();
-    studio = texplorer::screenshot::openOsmesaStudio(shaders, pretence);
+    studio = texplorer::screenshot::openContextStudio(shaders, pretence, context);
 }

@@ -1,12 +1,15 @@
 #pragma once
 
 // The seam between texshot and its GL half. Loading OSMesa costs a process about 17 ms of relocation, so
-// everything that needs GL lives in a module that is loaded only when something is drawn.
+// everything that needs GL lives in a module that is loaded only when something is drawn. There is one for
+// OSMesa and one for EGL, of the same sources: both libraries define gl* functions, and each module sees its
+// own.
 
 #include "app/ui/model/details_tabs.h"
 #include "app/ui/model/figures.h"
 #include "app/ui/model/sections.h"
 #include "app/ui/model/settings.h"
+#include "app/view/context_choice.h"
 #include "app/view/offered_renderers.h"
 #include "app/view/pretence.h"
 #include "app/view/size.h"
@@ -57,6 +60,7 @@ struct ShotRequest {
     std::size_t lessonStep = 0;                    ///< from 0
     int tour = 0;                                  ///< the step of the tour over the window, from 1; 0: none
     float scale = 1;                               ///< of the window's text and lengths
+    view::ContextChoice context{};                 ///< where OpenGL draws
 
     /// Of the reference.
     [[nodiscard]] reference::DrawRequest drawRequest() const {
@@ -88,14 +92,16 @@ public:
 using DrawEntry = void (*)(const ShotRequest& request, Result<Shot>& shot);
 inline constexpr const char* drawEntryName = "texshotDraw";
 using StudioEntry = void (*)(const std::filesystem::path& shaders, const view::Pretence& pretence,
-                             Result<std::unique_ptr<Studio>>& studio);
+                             const view::ContextChoice& context, Result<std::unique_ptr<Studio>>& studio);
 inline constexpr const char* studioEntryName = "texshotStudio";
 
-/// Loads the module beside this program and draws. The error says where the module was looked for.
+/// Loads the module of the request's context beside this program and draws. The error says where the module
+/// was looked for.
 [[nodiscard]] Result<Shot> draw(const ShotRequest& request);
 
-/// Loads the module and opens a studio. `shaders` and `pretence` as in ShotRequest.
+/// Loads the module and opens a studio. `shaders`, `pretence` and `context` as in ShotRequest.
 [[nodiscard]] Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders,
-                                                         const view::Pretence& pretence);
+                                                         const view::Pretence& pretence,
+                                                         const view::ContextChoice& context = {});
 
 } // namespace texplorer::screenshot

@@ -1,5 +1,5 @@
-#include "app/offscreen/osmesa_context.h"
-
+#include "app/offscreen/context.h"
+#include "app/offscreen/gl_lookup.h"
 #include "core/base/bytes.h"
 
 #include <GL/osmesa.h>
@@ -34,7 +34,7 @@ Result<void> checkDriverName() {
 
 } // namespace
 
-struct OsmesaContext::State {
+struct Context::State {
     std::unique_ptr<std::remove_pointer_t<OSMesaContext>, void (*)(OSMesaContext)> context{
         nullptr, OSMesaDestroyContext};
     Bytes pixels; // Mesa draws into this for as long as the context is current
@@ -48,13 +48,20 @@ struct OsmesaContext::State {
     }
 };
 
-OsmesaContext::OsmesaContext(std::unique_ptr<State> state)
+Context::Context(std::unique_ptr<State> state)
     : state_(std::move(state)) {}
-OsmesaContext::OsmesaContext(OsmesaContext&&) noexcept = default;
-OsmesaContext& OsmesaContext::operator=(OsmesaContext&&) noexcept = default;
-OsmesaContext::~OsmesaContext() = default;
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+Context::~Context() = default;
 
-Result<OsmesaContext> OsmesaContext::create(view::Size size) {
+std::vector<view::ContextChoice> Context::all() {
+    return {{view::ContextChoice::Kind::Osmesa, 0}};
+}
+
+Result<Context> Context::create(view::Size size, const view::ContextChoice& choice) {
+    using Kind = view::ContextChoice::Kind;
+    if (choice.kind != Kind::Auto && choice.kind != Kind::Osmesa)
+        return fail(ErrorCode::Unsupported, fmt::format("OSMesa has no context {}", choice.text()));
     if (const Result<void> known = checkDriverName(); !known)
         return fail(known.error());
     GLint limit = 0;
@@ -83,7 +90,11 @@ Result<OsmesaContext> OsmesaContext::create(view::Size size) {
                            size.height))
         return fail(ErrorCode::Driver,
                     fmt::format("OSMesa refused to draw into a framebuffer of {} pixels", asText(size)));
-    return OsmesaContext(std::move(state));
+    return Context(std::move(state));
+}
+
+AnyFunction findGlFunction(const char* name) {
+    return OSMesaGetProcAddress(name);
 }
 
 } // namespace texplorer::offscreen
