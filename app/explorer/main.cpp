@@ -30,20 +30,40 @@ int complain(const std::string& sentence) {
     return failure;
 }
 
-int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& paths,
-         const std::string& lesson, const std::string& shaders, const view::Pretence& pretence) {
+/// What a call asks for beside its files.
+struct Wanted {
+    std::string lesson;
+    std::string shaders;
+    view::Pretence pretence{};
+    explorer::ContextApi context{};
+};
+
+/// Of "native" or "egl".
+Result<explorer::ContextApi> parseContext(const std::string& word) {
+    if (word == "native")
+        return explorer::ContextApi::Native;
+    if (word == "egl")
+        return explorer::ContextApi::Egl;
+    return fail(ErrorCode::OutOfRange,
+                word == "osmesa"
+                    ? "OSMesa draws into memory, which no window shows: texshot --context osmesa does"
+                    : fmt::format("expected native or egl, found \"{}\"", word),
+                "--context");
+}
+
+int show(explorer::Signals& signals, const std::vector<std::filesystem::path>& paths, const Wanted& wanted) {
     const std::string title = ui::windowTitle({defaultScene(), ImageSource{}});
-    Result<explorer::Window> window = explorer::Window::open(startSize, title);
+    Result<explorer::Window> window = explorer::Window::open(startSize, title, wanted.context);
     if (!window)
         return complain(describe(window.error()) + "; " + withoutWindow);
-    const Result<void> ended = explorer::runLoop(*window, signals, paths, lesson, shaders, pretence);
+    const Result<void> ended =
+        explorer::runLoop(*window, signals, paths, wanted.lesson, wanted.shaders, wanted.pretence);
     if (!ended)
         return complain(describe(ended.error()) + "; " + withoutWindow);
     return 0;
 }
 
-int run(const std::vector<std::string>& files, const std::string& lesson, const std::string& shaders,
-        const view::Pretence& pretence) {
+int run(const std::vector<std::string>& files, const Wanted& wanted) {
     const std::vector<std::filesystem::path> paths(files.begin(), files.end());
     const std::vector<Error> refused = ui::checkArguments(paths);
     for (const Error& each : refused)
@@ -51,7 +71,7 @@ int run(const std::vector<std::string>& files, const std::string& lesson, const 
     if (!paths.empty() && refused.size() == paths.size())
         return failure;
     explorer::Signals signals; // before any other thread
-    const int status = show(signals, paths, lesson, shaders, pretence);
+    const int status = show(signals, paths, wanted);
     if (signals.received() != 0)
         explorer::endBy(signals.received());
     return status;
@@ -78,18 +98,23 @@ int main(int argc, char** argv) {
         "Exit status: 0 the window was closed, 1 it could not be opened, 2 a wrong call; a signal ends it as "
         "usual, with the unsaved work kept.",
         sceneImageBytesText()));
-    std::string shaders;
+    Wanted wanted;
     line.option(
-        "--shaders", shaders,
+        "--shaders", wanted.shaders,
         "The folder of the shader renderer's files, a copy of shaders/: what you change there is drawn "
         "at once. Without it: those that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
-    std::string lesson;
-    line.option("--lesson", lesson,
+    line.option("--lesson", wanted.lesson,
                 "Opens a lesson, by its name, which \"texshot lessons\" lists, or its folder.",
                 {.value = "NAME"});
     std::vector<std::string> pretended;
     line.option("--pretend", pretended, view::pretenceHelp(), {.value = "WORDS", .oneEach = true});
+    std::string context = "native";
+    line.option(
+        "--context", context,
+        "How the window gets its OpenGL. native: as the display has it, GLX on X11 and EGL on Wayland. "
+        "egl: by EGL on both.",
+        {.value = "CONTEXT", .showsDefault = true});
     try {
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);
         if (!answer) {
@@ -98,10 +123,14 @@ int main(int argc, char** argv) {
         }
         if (!*answer) {
             const Result<view::Pretence> pretence = view::Pretence::parse(pretended);
-            if (pretence)
-                return run(files, lesson, shaders, *pretence);
-            complain(describe(pretence.error()));
-            return wrongCall;
+            const Result<explorer::ContextApi> api = parseContext(context);
+            if (!pretence || !api) {
+                complain(describe(pretence ? api.error() : pretence.error()));
+                return wrongCall;
+            }
+            wanted.pretence = *pretence;
+            wanted.context = *api;
+            return run(files, wanted);
         }
         const Result<void> printed = writeStandardOutput(viewBytes(**answer));
         return printed ? 0 : complain(describe(printed.error()));

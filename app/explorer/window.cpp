@@ -154,7 +154,7 @@ void Window::Callbacks::install(GLFWwindow* window) {
     });
 }
 
-Result<Window> Window::open(view::Size size, const std::string& title) {
+Result<Window> Window::open(view::Size size, const std::string& title, ContextApi context) {
     render::setUpDriverCache();
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
@@ -175,6 +175,8 @@ Result<Window> Window::open(view::Size size, const std::string& title) {
         }
     }
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    if (context == ContextApi::Egl)
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
     const auto create = [&] {
         state->window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     };
@@ -188,7 +190,8 @@ Result<Window> Window::open(view::Size size, const std::string& title) {
     }
     if (!state->window)
         return fail(ErrorCode::Driver,
-                    fmt::format("no window with OpenGL can be opened ({})", lastGlfwError));
+                    fmt::format("no window with OpenGL{} can be opened ({})",
+                                context == ContextApi::Egl ? " by EGL" : "", lastGlfwError));
     glfwSetWindowSizeLimits(state->window, ui::smallestWindow.width, ui::smallestWindow.height,
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->window, state.get());

@@ -6,17 +6,25 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace texplorer::explorer {
 
+/// How a window gets its OpenGL.
+enum class ContextApi : std::uint8_t {
+    Native, ///< as the display has it: GLX on X11, EGL on Wayland
+    Egl,
+};
+
 /// The one window of the program, with an OpenGL context that is current on the thread that made it.
 class Window {
 public:
     /// The error says that there is no display, or what the display lacks.
-    [[nodiscard]] static Result<Window> open(view::Size size, const std::string& title);
+    [[nodiscard]] static Result<Window> open(view::Size size, const std::string& title,
+                                             ContextApi context = ContextApi::Native);
     Window(Window&&) noexcept;
     Window& operator=(Window&&) noexcept;
     Window(const Window&) = delete;

@@ -7,6 +7,7 @@
 
 #include <EGL/eglext.h>
 #include <array>
+#include <cstdlib>
 #include <string>
 
 namespace texplorer::offscreen {
@@ -40,7 +41,6 @@ constexpr std::array configAttributes{EGL_SURFACE_TYPE,
                                       EGL_ALPHA_SIZE,
                                       8,
                                       EGL_NONE};
-constexpr std::array smallestSurface{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
 
 tl::unexpected<Error> refusal(const char* function) {
     return fail(ErrorCode::Driver, fmt::format("{} says {}", function, eglError()));
@@ -67,7 +67,8 @@ struct Context::State {
     }
 
     /// Makes the context current.
-    Result<void> open(Profile profile) {
+    Result<void> open(Profile profile, view::Size size) {
+        const std::array wanted{EGL_WIDTH, size.width, EGL_HEIGHT, size.height, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         if (!eglBindAPI(EGL_OPENGL_API))
@@ -81,8 +82,9 @@ struct Context::State {
                                    profile == Profile::Core ? coreAttributes.data() : nullptr);
         if (context == EGL_NO_CONTEXT)
             return refusal("eglCreateContext");
-        if (!hasExtension(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-            surface = eglCreatePbufferSurface(display, config, smallestSurface.data());
+        if (getenv("PB") ||
+            !hasExtension(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+            surface = eglCreatePbufferSurface(display, config, wanted.data());
             if (surface == EGL_NO_SURFACE)
                 return refusal("eglCreatePbufferSurface");
         }
@@ -110,9 +112,10 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
         for (const view::ContextChoice& place : places) {
             const Result<EGLDisplay> display = openEglDisplay(place);
             auto state = std::make_unique<State>(display.value_or(EGL_NO_DISPLAY));
-            const Result<void> opened = display ? state->open(profile) : fail(display.error());
+            const Result<void> opened = display ? state->open(profile, size) : fail(display.error());
             if (opened) {
-                if (const Result<void> bound = bindOwnFramebuffer(size); !bound)
+                if (const Result<void> bound = getenv("PB") ? Result<void>() : bindOwnFramebuffer(size);
+                    !bound)
                     return fail(bound.error());
                 return Context(std::move(state));
             }

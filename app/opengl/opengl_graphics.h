@@ -11,8 +11,9 @@
 namespace texplorer::opengl {
 
 /// Paints with OpenGL: the fixed function and the shaders, pictures as textures, the panels with Dear ImGui's
-/// OpenGL2 backend, which draws on a window's context and on OSMesa alike. Belongs to the context that is
-/// current, on its thread, and must be destroyed before that. A renderer is made when it is first asked for.
+/// OpenGL2 backend, which draws on a window's context and without a display alike. Belongs to the context
+/// that is current, on its thread, and must be destroyed before that. A renderer is made when it is first
+/// asked for.
 class OpenGlGraphics final : public ContextGraphics {
 public:
     /// `shaders` are for the shader renderer, `pretence` is taken from what the driver has. The error says

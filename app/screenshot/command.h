@@ -25,6 +25,7 @@ void addCommands(CommandLine& line);
 void addParams(CommandLine& line);
 void addPresets(CommandLine& line);
 void addDiff(CommandLine& line);
+void addDrivers(CommandLine& line);
 void addLessons(CommandLine& line);
 void addDecode(CommandLine& line);
 void addInfo(CommandLine& line);

@@ -2,6 +2,7 @@
 
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/command.h"
+#include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/interrupts.h"
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
@@ -25,6 +26,8 @@ int main(int argc, char** argv) {
     using namespace texplorer::screenshot;
 
     prepareStandardStreams();
+    if (const std::optional<int> answered = answerQuestions(argc, argv))
+        return *answered;
     watchInterrupts();
     CommandLine line("texshot", TEXPLORER_VERSION,
                      "Texplorer without a display: draw scenes, look into texture files.");
@@ -38,7 +41,7 @@ int main(int argc, char** argv) {
         sceneImageBytesText()));
     for (const auto add :
          {addShot, addProbe, addCheck, addCommands, addConform, addParams, addPresets, addLessons, addDiff,
-          addDecode, addInfo, addConvert, addFlip, addCompress, addTexture})
+          addDrivers, addDecode, addInfo, addConvert, addFlip, addCompress, addTexture})
         add(line);
 
     try {

@@ -1,4 +1,4 @@
-// What core/emit writes, compiled by the C compiler and run on OSMesa, against what the fixed renderer draws.
+// What core/emit writes, compiled by the C compiler and run, against what the fixed renderer draws.
 
 #include "app/render/render_target.h"
 #include "core/base/file_io.h"

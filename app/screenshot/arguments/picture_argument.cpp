@@ -10,7 +10,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr int maxExtent = 16384; // what OSMesa's llvmpipe can draw into
+constexpr int maxExtent = 16384; // what Mesa's llvmpipe can draw into
 
 std::string asArgument(view::Size size) {
     return fmt::format("{}x{}", size.width, size.height);

@@ -1,4 +1,5 @@
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
@@ -27,6 +28,7 @@ struct ConformOptions {
     std::string folder;
     std::string shaders;
     std::vector<std::string> pretended;
+    ContextArgument context;
     unsigned seed = 1;
     int scenes = 0; // 0: as many as the features have
     bool json = false;
@@ -90,6 +92,8 @@ std::string commandOf(const ConformOptions& options, const view::Pretence& prete
     add("--against", options.against);
     add("--shaders", options.shaders);
     add("--pretend", pretence.text());
+    if (options.context.text != ContextArgument().text)
+        add("--context", options.context.text);
     return command;
 }
 
@@ -203,6 +207,9 @@ ExitCode conformTo(const ConformOptions& options) {
     const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
     if (!pretence)
         return complain(pretence.error(), wrongCall);
+    const Result<view::ContextChoice> context = parseContext(options.context);
+    if (!context)
+        return complain(context.error(), wrongCall);
     const Result<conform::Selection> selection = selectionOf(options);
     if (!selection)
         return complain(selection.error(), wrongCall);
@@ -212,7 +219,7 @@ ExitCode conformTo(const ConformOptions& options) {
     }
 
     const std::string settings = askMesaForPrecision();
-    const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders, *pretence);
+    const Result<std::unique_ptr<Studio>> studio = openStudio(options.shaders, *pretence, *context);
     if (!studio)
         return complain(studio.error());
     const Result<std::vector<conform::Pair>> possible = drawable(*pairs, (*studio)->renderers());
@@ -279,6 +286,7 @@ void addConform(CommandLine& line) {
         "The folder of the shader renderer's files. Without it: those that the program was built "
         "with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    addContextArgument(command, options->context);
     command.option("--pretend", options->pretended,
                    view::pretenceHelp() + " What can't be compared then is skipped, and counted.",
                    {.value = "WORDS", .oneEach = true});

@@ -1,5 +1,6 @@
 #include "core/reference/probe.h"
 
+#include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
@@ -18,6 +19,7 @@ namespace {
 struct ProbeOptions {
     SceneArgument scene;
     PictureArgument picture;
+    ContextArgument context;
     std::string at;
     std::string texel;
     int pass = 0;
@@ -121,6 +123,11 @@ ExitCode probe(const ProbeOptions& options) {
         return complain(pretence.error(), wrongCall);
     if (!options.pretended.empty() && (options.withoutGl || options.at.empty()))
         return refuseUnused("--pretend", "it is about the driver, which only --at asks, without --no-gl");
+    const Result<view::ContextChoice> context = parseContext(options.context);
+    if (!context)
+        return complain(context.error(), wrongCall);
+    if (options.context.option->isGiven() && (options.withoutGl || options.at.empty()))
+        return refuseUnused("--context", "it is about OpenGL, which only --at asks, without --no-gl");
     const Result<view::Size> size = parsePictureSize(options.picture.size);
     if (!size)
         return complain(size.error(), wrongCall);
@@ -141,6 +148,7 @@ ExitCode probe(const ProbeOptions& options) {
     request.size = *size;
     request.anisotropy = *anisotropy;
     request.pretence = *pretence;
+    request.context = *context;
     request.levels.cache = BlockCache::ofUser();
     if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(options.scene, loaded.error()));
@@ -172,6 +180,7 @@ void addProbe(CommandLine& line) {
     command.flag(
         "--no-gl", options->withoutGl,
         "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
+    addContextArgument(command, options->context);
     command.option("--pretend", options->pretended, view::pretenceHelp(),
                    {.value = "WORDS", .oneEach = true});
     command.onCall([options] { return probe(*options); });

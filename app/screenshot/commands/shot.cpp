@@ -1,4 +1,5 @@
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/picture_argument.h"
 #include "app/screenshot/arguments/scene_argument.h"
@@ -28,6 +29,7 @@ using reference::AnisotropyMethod;
 struct ShotOptions {
     SceneArgument scene;
     PictureArgument picture;
+    ContextArgument context;
     bool window = false;
     std::string tab;
     std::string figure;
@@ -230,6 +232,11 @@ ExitCode shoot(const ShotOptions& options) {
         return complain(pretence.error(), wrongCall);
     if (!options.pretended.empty() && !options.window && *renderer == RendererKind::Reference)
         return refuseUnused("--pretend", "it is about OpenGL's driver, which the reference doesn't ask");
+    const Result<view::ContextChoice> context = parseContext(options.context);
+    if (!context)
+        return complain(context.error(), wrongCall);
+    if (options.context.option->isGiven() && !options.window && *renderer == RendererKind::Reference)
+        return refuseUnused("--context", "it is about OpenGL, which the reference doesn't ask");
     if (options.rendererOption->isGiven() && !options.compared.empty())
         return refuseUnused("--renderer", "--compare names the renderers");
 
@@ -271,6 +278,7 @@ ExitCode shoot(const ShotOptions& options) {
         return complain(inScene(options.scene, loaded.error()));
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
     request.pretence = *pretence;
+    request.context = *context;
     request.shown = *shown;
     request.shownUnit = options.shownUnit;
     request.figure = *figure;
@@ -378,6 +386,7 @@ void addShot(CommandLine& line) {
                         "With --renderer shader or --ui: the folder of the shader renderer's files, a copy "
                         "of shaders/. Without it: those that the program was built with.",
                         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
+    addContextArgument(command, options->context);
     command.option("--pretend", options->pretended, view::pretenceHelp(),
                    {.value = "WORDS", .oneEach = true});
     command.option(

@@ -1,8 +1,11 @@
+#include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/gl/gl_module.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <string>
@@ -11,26 +14,27 @@ namespace texplorer::screenshot {
 
 namespace {
 
+using ContextKind = view::ContextChoice::Kind;
+
 /// What draws in which kind of context. The first that can be loaded is Auto's.
 struct ModuleRow {
     const char* file;
     const char* name;
-    bool isEgl;
+    ContextKind kind;
 };
 
 constexpr std::array moduleRows{
 #ifdef TEXPLORER_OSMESA
-    ModuleRow{"texshot_osmesa.so", "OSMesa", false},
+    ModuleRow{"texshot_osmesa.so", "OSMesa", ContextKind::Osmesa},
 #endif
 #ifdef TEXPLORER_EGL
-    ModuleRow{"texshot_egl.so", "EGL", true},
+    ModuleRow{"texshot_egl.so", "EGL", ContextKind::Egl},
 #endif
 };
 
-using ContextKind = view::ContextChoice::Kind;
-
 bool serves(const ModuleRow& row, const view::ContextChoice& choice) {
-    return choice.kind == ContextKind::Auto || (choice.kind != ContextKind::Osmesa) == row.isEgl;
+    return choice.kind == ContextKind::Auto ||
+           (choice.kind == ContextKind::Osmesa) == (row.kind == ContextKind::Osmesa);
 }
 
 /// The module beside this program. Never unloaded: Mesa leaves threads and exit handlers behind. What it
@@ -45,9 +49,15 @@ Result<void*> loadModule(const ModuleRow& row) {
                 fmt::format("can't load the part that draws by {}: {}", row.name, dlerror()));
 }
 
+template<class Entry>
+struct FoundEntry {
+    Entry call;
+    ContextKind kind; ///< Osmesa or Egl: whose it is
+};
+
 /// An entry point of the module that serves the choice.
 template<class Entry>
-Result<Entry> findEntry(const view::ContextChoice& choice, const char* name) {
+Result<FoundEntry<Entry>> findEntry(const view::ContextChoice& choice, const char* name) {
     std::string reasons;
     for (const ModuleRow& row : moduleRows) {
         if (!serves(row, choice))
@@ -58,7 +68,7 @@ Result<Entry> findEntry(const view::ContextChoice& choice, const char* name) {
             continue;
         }
         if (const auto entry = reinterpret_cast<Entry>(dlsym(*module, name)))
-            return entry;
+            return FoundEntry<Entry>{entry, row.kind};
         return fail(ErrorCode::Driver, fmt::format("it has no entry point {}", name), row.file);
     }
     if (!reasons.empty())
@@ -69,10 +79,35 @@ Result<Entry> findEntry(const view::ContextChoice& choice, const char* name) {
                 "--context");
 }
 
+/// With which one names a driver other than the usual one.
+constexpr std::array driverVariables{"GALLIUM_DRIVER", "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_FILENAMES",
+                                     "MESA_LOADER_DRIVER_OVERRIDE", "__EGL_VENDOR_LIBRARY_DIRS"};
+
+bool isDriverNamed() {
+    return std::ranges::any_of(driverVariables, [](const char* variable) {
+        const char* value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody changes it
+        return value && *value != '\0';
+    });
+}
+
+/// An entry point to draw with. A driver that somebody named, and that may be none or not get along with this
+/// machine, is asked in another process first. OSMesa's are known by name.
+template<class Entry>
+Result<Entry> findTriedEntry(const view::ContextChoice& choice, const char* name) {
+    const Result<FoundEntry<Entry>> entry = findEntry<Entry>(choice, name);
+    if (!entry)
+        return fail(entry.error());
+    if (entry->kind == ContextKind::Egl && isDriverNamed()) {
+        if (const Result<DriverReport> answer = askDriver(choice); !answer)
+            return fail(answer.error());
+    }
+    return entry->call;
+}
+
 } // namespace
 
 Result<Shot> draw(const ShotRequest& request) {
-    const Result<DrawEntry> entry = findEntry<DrawEntry>(request.context, drawEntryName);
+    const Result<DrawEntry> entry = findTriedEntry<DrawEntry>(request.context, drawEntryName);
     if (!entry)
         return fail(entry.error());
     Result<Shot> shot;
@@ -83,12 +118,37 @@ Result<Shot> draw(const ShotRequest& request) {
 Result<std::unique_ptr<Studio>> openStudio(const std::filesystem::path& shaders,
                                            const view::Pretence& pretence,
                                            const view::ContextChoice& context) {
-    const Result<StudioEntry> entry = findEntry<StudioEntry>(context, studioEntryName);
+    const Result<StudioEntry> entry = findTriedEntry<StudioEntry>(context, studioEntryName);
     if (!entry)
         return fail(entry.error());
     Result<std::unique_ptr<Studio>> studio;
     (*entry)(shaders, pretence, context, studio);
     return studio;
+}
+
+Result<std::vector<view::ContextChoice>> contextsOf(const view::ContextChoice& choice) {
+    const Result<FoundEntry<ContextsEntry>> entry = findEntry<ContextsEntry>(choice, contextsEntryName);
+    if (!entry)
+        return fail(entry.error());
+    std::vector<view::ContextChoice> contexts;
+    entry->call(contexts);
+    return contexts;
+}
+
+Result<DriverReport> reportDriver(const view::ContextChoice& choice) {
+    const Result<FoundEntry<DriverEntry>> entry = findEntry<DriverEntry>(choice, driverEntryName);
+    if (!entry)
+        return fail(entry.error());
+    Result<DriverReport> report;
+    entry->call(choice, report);
+    return report;
+}
+
+std::vector<view::ContextChoice> builtContexts() {
+    std::vector<view::ContextChoice> built;
+    for (const ModuleRow& row : moduleRows)
+        built.push_back({row.kind, 0});
+    return built;
 }
 
 } // namespace texplorer::screenshot

@@ -28,6 +28,8 @@ class Command(unittest.TestCase):
         self.one_sentence(run("--nonsense"), 2, "texplorer: there is no option --nonsense; see texplorer --help")
         self.one_sentence(run("--pretend", "no-unit"), 2, 'texplorer: --pretend: no driver lacks "no-unit"')
         self.one_sentence(run("--pretend", "units=0"), 2, "a whole number from 1 to 4")
+        self.one_sentence(run("--context", "glx"), 2, 'texplorer: --context: expected native or egl, found "glx"')
+        self.one_sentence(run("--context", "osmesa"), 2, "texplorer: --context: OSMesa", "texshot --context osmesa")
 
     def test_without_a_display_it_names_texshot(self):
         self.one_sentence(run(), 1, "display", "texshot")
@@ -39,6 +41,13 @@ class Command(unittest.TestCase):
                 display = Display(*options)
                 self.addCleanup(display.close)
                 self.one_sentence(run(display=display.name, **variables), 1, "OpenGL", "texshot shot --ui")
+
+    def test_without_egl_it_names_it(self):
+        display = Display()
+        self.addCleanup(display.close)
+        nowhere = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
+        self.one_sentence(run("--context", "egl", display=display.name, **nowhere), 1, "OpenGL by EGL",
+                          "texshot shot --ui")
 
     def test_says_each_file_of_several_that_are_all_bad(self):
         done = run("/nowhere/a.bmp", "/nowhere/b.json")

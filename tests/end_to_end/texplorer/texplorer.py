@@ -95,13 +95,15 @@ class Window(unittest.TestCase):
     """Each test begins with a window that has shown its first picture of the scene in the file `scene`."""
 
     VARIABLES = {}  # of the environment
+    OPTIONS = ()  # of the program
+    DISPLAY = ()  # options of its server
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.scene = pathlib.Path(folder.name) / "scene.json"
         self.scene.write_text('{"version": 1}')
-        self.display = Display()
+        self.display = Display(*self.DISPLAY)
         self.addCleanup(self.display.close)
         self.state = pathlib.Path(folder.name) / "state"
         self.config = pathlib.Path(folder.name) / "config"
@@ -118,7 +120,7 @@ class Window(unittest.TestCase):
         self.begin(self.scene)
 
     def begin(self, *files):
-        self.program = subprocess.Popen([PROGRAM, *map(str, files)], env=self.display.environment,
+        self.program = subprocess.Popen([PROGRAM, *self.OPTIONS, *map(str, files)], env=self.display.environment,
                                         stderr=subprocess.PIPE, text=True)
         self.window = int(wait_for(lambda: self.running() and self.display.xdotool("search", "--name", "Texplorer"), "the window").split()[0])
         wait_for(lambda: len(set(self.display.screenshot().getdata())) > 100, "the first picture")

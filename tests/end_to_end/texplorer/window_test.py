@@ -146,5 +146,32 @@ class CoreProfile(AtTheWindow):
     test_the_reference_draws_beside_the_window = None  # it draws always
 
 
+class ByEgl(Window):
+    """Where the display has no GLX, which the window asks unless it is told otherwise."""
+
+    OPTIONS = ("--context", "egl")
+    DISPLAY = ("-extension", "GLX")
+
+    def test_shows_edits_and_saves(self):
+        self.assertGreater(len(set(self.display.screenshot().crop((400, 200, 850, 600)).getdata())), 50)
+        before = self.save()
+        self.orbit()
+        wait_for(lambda: "•" in self.title(), "the mark of unsaved changes")
+        self.assertNotEqual(self.save()["view"]["azimuth"], before["view"]["azimuth"])
+
+    def test_looks_as_by_glx(self):
+        self.display.xdotool("mousemove", 2, 798)  # where there is no tooltip
+        self.wait_until_it_rests()
+        by_egl = self.display.screenshot()
+        self.end_program()
+        self.display.close()
+        self.OPTIONS, self.DISPLAY = (), ()
+        self.setUp()
+        self.display.xdotool("mousemove", 2, 798)
+        self.wait_until_it_rests()
+        views = (330, 70, 900, 460)
+        self.assertEqual(self.display.screenshot().crop(views).tobytes(), by_egl.crop(views).tobytes())
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -1,0 +1,24 @@
+#include "app/screenshot/arguments/context_argument.h"
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr const char* contextVariable = "TEXPLORER_CONTEXT";
+
+} // namespace
+
+void addContextArgument(Command& command, ContextArgument& argument) {
+    argument.option = &command.option(
+        "--context", argument.text,
+        "Where OpenGL draws, as \"texshot drivers\" lists it. auto: OSMesa where this texshot was built with it, "
+        "else egl. osmesa: into memory. egl: the first of EGL's that gives a context. egl:surfaceless: EGL's "
+        "surfaceless platform. egl:N: its device N, from 0.",
+        {.value = "CONTEXT", .environment = contextVariable, .showsDefault = true});
+}
+
+Result<view::ContextChoice> parseContext(const ContextArgument& argument) {
+    return view::ContextChoice::parse(argument.text,
+                                      argument.option->isGiven() ? "--context" : contextVariable);
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,135 @@
+#include "app/screenshot/command.h"
+#include "app/screenshot/gl/driver_question.h"
+#include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <span>
+
+namespace texplorer::screenshot {
+namespace {
+
+struct DriversOptions {
+    bool json = false;
+    bool extensions = false;
+    int seconds = defaultDriverSeconds;
+};
+
+bool canDraw(const DriverAnswer& answer) {
+    return answer.report && answer.report->lack.empty();
+}
+
+std::string line(std::string_view name, std::string_view value) {
+    return fmt::format("  {:16}{}\n", name, printable(value));
+}
+
+std::string asText(const DriverReport& report, bool extensions) {
+    std::string text = line("renderer", report.renderer) + line("vendor", report.vendor) +
+                       line("version", report.version) +
+                       line("GLSL", report.shadingLanguage.empty() ? "none" : report.shadingLanguage) +
+                       line("profile", report.isCore ? "core" : "compatibility") +
+                       line("largest texture", fmt::format("{0} x {0}", report.maxTextureSize));
+    if (report.lack.empty()) // else nobody has asked
+        text += line("anisotropy", report.maxAnisotropy > 1
+                                       ? fmt::format("up to {}", formatNumber(report.maxAnisotropy))
+                                       : "none") +
+                line("S3TC", report.s3tc ? "yes" : "no") +
+                line("texture borders", report.textureBorders ? "yes" : "no: the driver takes them away");
+    text += line("extensions", fmt::format("{}", report.extensions.size()));
+    for (const std::string& name : extensions ? report.extensions : std::vector<std::string>())
+        text += fmt::format("    {}\n", printable(name));
+    if (!report.lack.empty())
+        text += line("not usable", report.lack);
+    return text;
+}
+
+std::string asText(std::span<const DriverAnswer> answers, bool extensions) {
+    std::string text;
+    for (const DriverAnswer& each : answers) {
+        text += fmt::format("{}{}\n", text.empty() ? "" : "\n", each.context.text());
+        text +=
+            each.report ? asText(*each.report, extensions) : line("not usable", each.report.error().message);
+    }
+    return text;
+}
+
+std::string asJson(std::span<const DriverAnswer> answers, bool extensions) {
+    nlohmann::ordered_json contexts = nlohmann::ordered_json::array();
+    for (const DriverAnswer& each : answers) {
+        nlohmann::ordered_json context{{"context", each.context.text()}, {"usable", canDraw(each)}};
+        if (!each.report) {
+            context["error"] = each.report.error().message;
+        } else {
+            const DriverReport& report = *each.report;
+            if (!report.lack.empty())
+                context["error"] = report.lack;
+            context["renderer"] = report.renderer;
+            context["vendor"] = report.vendor;
+            context["version"] = report.version;
+            context["shadingLanguage"] = report.shadingLanguage;
+            context["profile"] = report.isCore ? "core" : "compatibility";
+            context["maxTextureSize"] = report.maxTextureSize;
+            if (report.lack.empty()) {
+                context["maxAnisotropy"] = report.maxAnisotropy;
+                context["s3tc"] = report.s3tc;
+                context["textureBorders"] = report.textureBorders;
+            }
+            context["extensionCount"] = report.extensions.size();
+            if (extensions)
+                context["extensions"] = report.extensions;
+        }
+        contexts.push_back(std::move(context));
+    }
+    return nlohmann::ordered_json{{"contexts", std::move(contexts)}}.dump(
+               2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+           "\n";
+}
+
+ExitCode listDrivers(const DriversOptions& options) {
+    const Result<std::vector<DriverAnswer>> answers = askDrivers(options.seconds);
+    if (!answers)
+        return complain(answers.error());
+    const std::string text =
+        options.json ? asJson(*answers, options.extensions) : asText(*answers, options.extensions);
+    if (const Result<void> printed = print(text); !printed)
+        return complain(printed.error());
+    if (std::ranges::any_of(*answers, canDraw))
+        return success;
+    return complain({ErrorCode::Driver, "Texplorer can draw in none of these contexts", {}});
+}
+
+} // namespace
+
+void addDrivers(CommandLine& line) {
+    Command& command = line.command(
+        "drivers", "The contexts of OpenGL that --context may name, and what each driver can do.");
+    auto options = std::make_shared<DriversOptions>();
+    command.flag("--extensions", options->extensions, "Name each driver's extensions.");
+    command.flag("--json", options->json, "As JSON, for programs.");
+    command.number("--time-limit", options->seconds, 1, 3600,
+                   "In seconds: a driver that hasn't answered by then hangs.", {.showsDefault = true});
+    command.footer(
+        "Each driver is asked in a process of its own: one that crashes or hangs is a line of the list. Exit "
+        "status: 0 Texplorer can draw in one of the contexts, 1 in none.\n"
+        "Mesa heeds these variables, here and wherever texshot draws:\n"
+        "GALLIUM_DRIVER=llvmpipe or softpipe: which of its drivers draws on the processor. With EGL also zink "
+        "or d3d12, which draw by Vulkan and Direct3D.\n"
+        "LP_NUM_THREADS=N: how many threads llvmpipe draws with, 0 to 32; pictures are the same.\n"
+        "GALLIVM_PERF=no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling: llvmpipe chooses and filters mip "
+        "levels without its shortcuts, as \"texshot conform\" has it do.\n"
+        "MESA_GL_VERSION_OVERRIDE=2.1 and MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_compression_s3tc: as an older "
+        "driver. --pretend takes more away, of any driver.\n"
+        "LIBGL_ALWAYS_SOFTWARE=1, with EGL: on the processor though there is a GPU. "
+        "MESA_LOADER_DRIVER_OVERRIDE=zink: another driver for the GPU. LIBGL_DRIVERS_PATH=DIR: where Mesa's "
+        "drivers lie.\n"
+        "__EGL_VENDOR_LIBRARY_FILENAMES=FILE.json: which EGL, where several are installed.\n"
+        "MESA_SHADER_CACHE_DIR=DIR: where Mesa keeps compiled shaders; MESA_SHADER_CACHE_DISABLE=true: "
+        "nowhere.\n"
+        "OSMesa has llvmpipe and softpipe alone.");
+    command.onCall([options] { return listDrivers(*options); });
+}
+
+} // namespace texplorer::screenshot
