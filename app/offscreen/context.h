@@ -14,7 +14,7 @@ namespace texplorer::offscreen {
 
 /// A context that is current on the thread that created it, until it is destroyed: of the compatibility
 /// profile, or where the driver has none of that, a core profile. It has its own framebuffer of `size`
-/// pixels, bottom row first, which is bound (by EGL it is a framebuffer object).
+/// pixels: eight bits of each of RGBA, 24 of depth.
 class Context {
 public:
     /// `choice`: Auto is whatever this library has. The error says what was tried and what went wrong.

@@ -1,14 +1,14 @@
 #include "app/offscreen/context.h"
 #include "app/offscreen/egl_display.h"
 #include "app/offscreen/gl_lookup.h"
-#include "app/offscreen/own_framebuffer.h"
 
+#include <GL/gl.h>
 #include <fmt/core.h>
 
 #include <EGL/eglext.h>
 #include <array>
-#include <cstdlib>
 #include <string>
+#include <utility>
 
 namespace texplorer::offscreen {
 
@@ -40,7 +40,10 @@ constexpr std::array configAttributes{EGL_SURFACE_TYPE,
                                       8,
                                       EGL_ALPHA_SIZE,
                                       8,
+                                      EGL_DEPTH_SIZE,
+                                      24,
                                       EGL_NONE};
+constexpr view::Size smallest{1, 1};
 
 tl::unexpected<Error> refusal(const char* function) {
     return fail(ErrorCode::Driver, fmt::format("{} says {}", function, eglError()));
@@ -50,8 +53,9 @@ tl::unexpected<Error> refusal(const char* function) {
 
 struct Context::State {
     EGLDisplay display;
+    EGLConfig config = nullptr;
     EGLContext context = EGL_NO_CONTEXT;
-    EGLSurface surface = EGL_NO_SURFACE; // where the driver wants one; nothing is drawn there
+    EGLSurface surface = EGL_NO_SURFACE; // a pbuffer
 
     explicit State(EGLDisplay opened)
         : display(opened) {}
@@ -66,10 +70,8 @@ struct Context::State {
             eglDestroyContext(display, context);
     }
 
-    /// Makes the context current.
-    Result<void> open(Profile profile, view::Size size) {
-        const std::array wanted{EGL_WIDTH, size.width, EGL_HEIGHT, size.height, EGL_NONE};
-        EGLConfig config = nullptr;
+    /// Makes the context, and makes it current with the smallest framebuffer.
+    Result<void> open(Profile profile) {
         EGLint count = 0;
         if (!eglBindAPI(EGL_OPENGL_API))
             return refusal("eglBindAPI(EGL_OPENGL_API)");
@@ -77,19 +79,42 @@ struct Context::State {
             return refusal("eglChooseConfig");
         if (count < 1)
             return fail(ErrorCode::Unsupported,
-                        "there is no configuration with OpenGL and eight bits of RGBA");
+                        "there is no configuration for OpenGL and pbuffers with 8 bits "
+                        "of each of RGBA and 24 of depth");
         context = eglCreateContext(display, config, EGL_NO_CONTEXT,
                                    profile == Profile::Core ? coreAttributes.data() : nullptr);
-        if (context == EGL_NO_CONTEXT)
-            return refusal("eglCreateContext");
-        if (getenv("PB") ||
-            !hasExtension(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-            surface = eglCreatePbufferSurface(display, config, wanted.data());
-            if (surface == EGL_NO_SURFACE)
-                return refusal("eglCreatePbufferSurface");
-        }
-        return eglMakeCurrent(display, surface, surface, context) ? Result<void>()
-                                                                  : refusal("eglMakeCurrent");
+        return context == EGL_NO_CONTEXT ? refusal("eglCreateContext") : bind(smallest);
+    }
+
+    /// Another framebuffer. Which sizes there are, the context knows once it is current.
+    Result<void> resize(view::Size size) {
+        if (size == smallest)
+            return {};
+        std::array<GLint, 2> limit{};
+        glGetIntegerv(GL_MAX_VIEWPORT_DIMS, limit.data());
+        if (size.width < 1 || size.height < 1 || size.width > limit[0] || size.height > limit[1])
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("an off-screen framebuffer has 1 x 1 to {} pixels, not {}",
+                                    asText(view::Size{limit[0], limit[1]}), asText(size)));
+        if (Result<void> bound = bind(size); !bound)
+            return bound;
+        glViewport(0, 0, size.width, size.height); // which the first framebuffer of a context sets
+        glScissor(0, 0, size.width, size.height);
+        return {};
+    }
+
+private:
+    Result<void> bind(view::Size size) {
+        const std::array attributes{EGL_WIDTH, size.width, EGL_HEIGHT, size.height, EGL_NONE};
+        EGLSurface made = eglCreatePbufferSurface(display, config, attributes.data());
+        if (made == EGL_NO_SURFACE)
+            return refusal("eglCreatePbufferSurface");
+        std::swap(made, surface);
+        const bool isCurrent = eglMakeCurrent(display, surface, surface, context) == EGL_TRUE;
+        const Result<void> result = isCurrent ? Result<void>() : refusal("eglMakeCurrent");
+        if (made != EGL_NO_SURFACE)
+            eglDestroySurface(display, made);
+        return result;
     }
 };
 
@@ -112,11 +137,10 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
         for (const view::ContextChoice& place : places) {
             const Result<EGLDisplay> display = openEglDisplay(place);
             auto state = std::make_unique<State>(display.value_or(EGL_NO_DISPLAY));
-            const Result<void> opened = display ? state->open(profile, size) : fail(display.error());
+            const Result<void> opened = display ? state->open(profile) : fail(display.error());
             if (opened) {
-                if (const Result<void> bound = getenv("PB") ? Result<void>() : bindOwnFramebuffer(size);
-                    !bound)
-                    return fail(bound.error());
+                if (const Result<void> resized = state->resize(size); !resized)
+                    return fail(resized.error());
                 return Context(std::move(state));
             }
             if (profile == Profile::Compatibility) // of a core profile the reasons are the same
