@@ -24,6 +24,9 @@ public:
     /// surfaceless platform and its devices.
     [[nodiscard]] static std::vector<view::ContextChoice> all();
 
+    /// What create() came by: Osmesa, EglSurfaceless or EglDevice.
+    [[nodiscard]] const view::ContextChoice& kind() const { return kind_; }
+
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
     Context(Context&&) noexcept;
@@ -32,8 +35,9 @@ public:
 
 private:
     struct State;
-    explicit Context(std::unique_ptr<State> state);
+    Context(std::unique_ptr<State> state, const view::ContextChoice& kind);
     std::unique_ptr<State> state_;
+    view::ContextChoice kind_;
 };
 
 } // namespace texplorer::offscreen

@@ -118,8 +118,9 @@ private:
     }
 };
 
-Context::Context(std::unique_ptr<State> state)
-    : state_(std::move(state)) {}
+Context::Context(std::unique_ptr<State> state, const view::ContextChoice& kind)
+    : state_(std::move(state))
+    , kind_(kind) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
@@ -141,7 +142,7 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
             if (opened) {
                 if (const Result<void> resized = state->resize(size); !resized)
                     return fail(resized.error());
-                return Context(std::move(state));
+                return Context(std::move(state), place);
             }
             if (profile == Profile::Compatibility) // of a core profile the reasons are the same
                 reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", place.text(),

@@ -48,8 +48,9 @@ struct Context::State {
     }
 };
 
-Context::Context(std::unique_ptr<State> state)
-    : state_(std::move(state)) {}
+Context::Context(std::unique_ptr<State> state, const view::ContextChoice& kind)
+    : state_(std::move(state))
+    , kind_(kind) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
@@ -90,7 +91,7 @@ Result<Context> Context::create(view::Size size, const view::ContextChoice& choi
                            size.height))
         return fail(ErrorCode::Driver,
                     fmt::format("OSMesa refused to draw into a framebuffer of {} pixels", asText(size)));
-    return Context(std::move(state));
+    return Context(std::move(state), {Kind::Osmesa, 0});
 }
 
 AnyFunction findGlFunction(const char* name) {

@@ -6,6 +6,7 @@
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "core/base/file_io.h"
+#include "core/conform/made_files.h"
 #include "core/conform/report.h"
 #include "core/scene/params/param_text.h"
 
@@ -44,7 +45,7 @@ public:
         : studio_(studio)
         , kind_(kind) {}
     Result<Frame> draw(const Scene& scene) override {
-        return studio_.draw(kind_, scene, {conform::extent, conform::extent});
+        return studio_.draw(kind_, {scene, conform::madeImages(), 0, conform::extent, conform::extent});
     }
 
 private:

@@ -14,8 +14,7 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/window/layout.h"
 #include "app/view/driver_facts.h"
-#include "core/conform/made_files.h"
-#include "core/texture/levels_worker.h"
+#include "core/texture/levels_source.h"
 
 #include <GL/glew.h>
 #include <fmt/core.h>
@@ -32,34 +31,6 @@ Result<void> checkShaders(const std::filesystem::path& folder) {
         return {};
     const Result<render::ShaderPieces> pieces = render::readShaderFolder(folder);
     return pieces ? Result<void>() : fail(pieces.error());
-}
-
-Result<Shot> drawScene(const ShotRequest& request) {
-    if (const Result<void> readable =
-            request.renderer == RendererKind::Shader ? checkShaders(request.shaders) : Result<void>();
-        !readable)
-        return fail(readable.error());
-    // The scene is drawn into a framebuffer object: the context's own one is never seen.
-    const Result<offscreen::Context> context = offscreen::Context::create({1, 1}, request.context);
-    if (!context)
-        return fail(context.error());
-    const Result<view::Capabilities> capabilities =
-        render::loadCapabilities().map([&](view::Capabilities found) { return request.pretence.of(found); });
-    if (!capabilities)
-        return fail(capabilities.error());
-    Result<render::SceneRenderer> renderer =
-        render::createRenderer(request.renderer, *capabilities, {request.shaders, {}});
-    if (!renderer)
-        return fail(renderer.error());
-    LevelsWorker levels(LevelsWorker::When::AtOnce, {}, request.levels);
-    Result<view::Frame> frame =
-        renderer->draw(request.scene, request.images, request.time, request.size, &levels);
-    if (!frame)
-        return fail(frame.error());
-    Result<Image> image = renderer->read();
-    if (!image)
-        return fail(image.error());
-    return Shot{{std::move(*image), std::move(frame->problems)}, view::driverFacts(*capabilities)};
 }
 
 constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
@@ -135,6 +106,23 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     return Shot{{std::move(image), loop.problems()}, view::driverFacts((*graphics)->capabilities())};
 }
 
+/// Levels for one who waits for the picture and looks at nothing else: no numbers, no small pictures of them.
+class LevelsAtOnce final : public LevelsSource {
+public:
+    explicit LevelsAtOnce(const LevelWork& work)
+        : work_(work) {}
+    std::shared_ptr<const PreparedLevels> prepare(const LevelsRequest& request) override {
+        return std::make_shared<const PreparedLevels>(
+            prepareLevels(request.settings, request.pictures, request.target, work_));
+    }
+    bool isLive() const override { return false; }
+    void uploaded(const LevelsRequest& /*request*/, std::shared_ptr<const PreparedLevels> /*levels*/,
+                  std::vector<TextureLevel> /*made*/) override {}
+
+private:
+    const LevelWork& work_;
+};
+
 class ContextStudio : public Studio {
 public:
     ContextStudio(offscreen::Context context, view::Capabilities capabilities, std::filesystem::path shaders)
@@ -151,7 +139,10 @@ public:
 
     view::OfferedRenderers renderers() const override { return render::offeredRenderers(capabilities_); }
 
-    Result<Frame> draw(RendererKind kind, const Scene& scene, view::Size size) override {
+    std::string context() const override { return context_.kind().text(); }
+
+    Result<Frame> draw(RendererKind kind, const reference::DrawRequest& request,
+                       const LevelWork& work) override {
         auto found = renderers_.find(kind);
         if (found == renderers_.end()) {
             if (const Result<void> readable =
@@ -163,7 +154,9 @@ public:
                 return fail(made.error());
             found = renderers_.emplace(kind, std::move(*made)).first;
         }
-        Result<view::Frame> frame = found->second.draw(scene, conform::madeImages(), 0, size);
+        LevelsAtOnce levels(work);
+        Result<view::Frame> frame = found->second.draw(request.scene, request.images, request.time,
+                                                       {request.width, request.height}, &levels);
         if (!frame)
             return fail(frame.error());
         Result<Image> image = found->second.read();
@@ -190,6 +183,16 @@ Result<std::unique_ptr<Studio>> openContextStudio(const std::filesystem::path& s
         return fail(capabilities.error());
     return std::make_unique<ContextStudio>(std::move(*context), pretence.of(std::move(*capabilities)),
                                            shaders);
+}
+
+Result<Shot> drawScene(const ShotRequest& request) {
+    const Result<std::unique_ptr<Studio>> studio = openContextStudio(request.shaders, request.pretence, request.context);
+    if (!studio)
+        return fail(studio.error());
+    Result<Frame> frame = (*studio)->draw(request.renderer, request.drawRequest(), request.levels);
+    if (!frame)
+        return fail(frame.error());
+    return Shot{std::move(*frame), (*studio)->driver().facts};
 }
 
 } // namespace

@@ -73,7 +73,9 @@ struct Shot {
     DriverFacts driver; ///< of the driver that drew it
 };
 
-/// A context that stays, and its renderers, for many small pictures. Used on the thread that opened it.
+/// A context that stays, and its renderers, for many pictures one after the other: programs, textures and
+/// buffers that the next scene has, too, are not made anew. What it keeps is bounded, however many scenes it
+/// draws. Used on the thread that opened it.
 class Studio {
 public:
     Studio() = default;
@@ -82,10 +84,14 @@ public:
     virtual ~Studio() = default;
 
     [[nodiscard]] virtual conform::Driver driver() const = 0;
+    /// How OpenGL is come by, as --context takes it: "osmesa", "egl:surfaceless".
+    [[nodiscard]] virtual std::string context() const = 0;
     [[nodiscard]] virtual view::OfferedRenderers renderers() const = 0;
-    /// Fixed function or the shaders, if it is offered, at time 0. No file is read: textures are patterns and
-    /// conform::madeFiles.
-    [[nodiscard]] virtual Result<Frame> draw(RendererKind renderer, const Scene& scene, view::Size size) = 0;
+    /// Fixed function or the shaders, if it is offered; a request's anisotropy is the reference's. No file is
+    /// read but those of shaders: the request's images hold what its textures name. `work`: how textures are
+    /// compressed at run time, its progress and its stop. After an error the next request may be drawn.
+    [[nodiscard]] virtual Result<Frame> draw(RendererKind renderer, const reference::DrawRequest& request,
+                                             const LevelWork& work = {}) = 0;
 };
 
 /// The module's entry points, found by these names.
