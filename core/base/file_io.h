@@ -38,12 +38,17 @@ using ReadObserver = std::function<bool(std::size_t done, std::size_t total)>;
 /// this call and the return may leave a file under a temporary name, until the next writing there.
 using BeforePlacing = std::function<void()>;
 
+/// Whether what killed programs have left in a folder is looked for: of many files that are written into one,
+/// with the first is enough.
+enum class Leftovers : bool { Keep, Remove };
+
 /// Replaces the file as a whole or leaves it as it was: writes a file without a name, flushes, puts it in its
 /// place. Where the file system has no nameless files, a temporary name beside it does instead. A symbolic
 /// link is followed, the permissions of an existing file are kept, and no partial file stays behind after a
 /// failure. What programs that were killed have left in the directory is removed.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& path, ByteView bytes,
-                                               const BeforePlacing& beforePlacing = {});
+                                               const BeforePlacing& beforePlacing = {},
+                                               Leftovers leftovers = Leftovers::Remove);
 
 /// The same within a directory that is open: `name` is no path, a link of that name is replaced and never
 /// followed. The permissions are 0600. Errors name `where`.

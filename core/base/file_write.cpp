@@ -128,11 +128,13 @@ bool writeFully(int file, ByteView bytes) {
     return true;
 }
 
-Result<void> writeFileAtomically(const fs::path& path, ByteView bytes, const BeforePlacing& beforePlacing) {
+Result<void> writeFileAtomically(const fs::path& path, ByteView bytes, const BeforePlacing& beforePlacing,
+                                 Leftovers leftovers) {
     const Result<Place> place = findPlace(path);
     if (!place)
         return fail(place.error());
-    sweepDrafts(place->directory.get());
+    if (leftovers == Leftovers::Remove)
+        sweepDrafts(place->directory.get());
     Draft draft(place->directory.get());
     if (!draft.write(bytes, place->replaced ? &*place->replaced : nullptr))
         return unwritable(errno, path.string());

@@ -4,8 +4,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <type_traits>
 
 namespace texplorer::screenshot {
 namespace {
@@ -16,12 +18,33 @@ std::string asArgument(view::Size size) {
     return fmt::format("{}x{}", size.width, size.height);
 }
 
+/// What `parse` makes of each part between commas.
+template<class Parse>
+auto parseEach(std::string_view text, const char* option, const Parse& parse)
+    -> Result<std::vector<typename std::invoke_result_t<Parse, std::string_view>::value_type>> {
+    std::vector<typename std::invoke_result_t<Parse, std::string_view>::value_type> values;
+    for (bool more = true; more;) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        more = end < text.size(); // a comma at the end asks for one more
+        const auto value = parse(text.substr(0, end));
+        if (!value)
+            return fail(value.error());
+        if (std::ranges::find(values, *value) != values.end())
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected each once, found \"{}\" twice", text.substr(0, end)), option);
+        values.push_back(*value);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return values;
+}
+
 } // namespace
 
-void addPictureArgument(Command& command, PictureArgument& argument) {
-    command.option("--size", argument.size, "Of the picture, in pixels.",
+void addPictureArgument(Command& command, PictureArgument& argument, Several several) {
+    const std::string each = several == Several::Yes ? " Of several, with commas: a picture for each." : "";
+    command.option("--size", argument.size, "Of the picture, in pixels." + each,
                    {.value = "WIDTHxHEIGHT", .showsDefault = true});
-    command.option("--time", argument.time, "On the scene's clock, for what moves.",
+    command.option("--time", argument.time, "On the scene's clock, for what moves." + each,
                    {.value = "SECONDS", .showsDefault = true});
     argument.anisotropyOption =
         &command.option("--anisotropy", argument.anisotropy,
@@ -55,6 +78,15 @@ Result<double> parseTime(std::string_view text) {
         return seconds;
     return fail(ErrorCode::OutOfRange, fmt::format("expected a finite number of seconds, found \"{}\"", text),
                 "--time");
+}
+
+Result<std::vector<view::Size>> parsePictureSizes(std::string_view text, view::Size smallest) {
+    return parseEach(text, "--size",
+                     [smallest](std::string_view each) { return parsePictureSize(each, smallest); });
+}
+
+Result<std::vector<double>> parseTimes(std::string_view text) {
+    return parseEach(text, "--time", parseTime);
 }
 
 Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text) {

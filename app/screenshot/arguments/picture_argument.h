@@ -5,6 +5,7 @@
 #include "core/reference/sampling/lod.h"
 
 #include <span>
+#include <vector>
 
 namespace texplorer::screenshot {
 
@@ -16,11 +17,19 @@ struct PictureArgument {
     const Option* anisotropyOption = nullptr;
 };
 
+/// Whether there may be several sizes and times, with commas between them.
+enum class Several : bool { No, Yes };
+
 /// Declares --size, --time and --anisotropy.
-void addPictureArgument(Command& command, PictureArgument& argument);
+void addPictureArgument(Command& command, PictureArgument& argument, Several several = Several::No);
 
 [[nodiscard]] Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest = {1, 1});
 [[nodiscard]] Result<double> parseTime(std::string_view text);
+
+/// With commas between them, each once.
+[[nodiscard]] Result<std::vector<view::Size>> parsePictureSizes(std::string_view text,
+                                                                view::Size smallest = {1, 1});
+[[nodiscard]] Result<std::vector<double>> parseTimes(std::string_view text);
 
 [[nodiscard]] Result<reference::AnisotropyMethod> parseAnisotropy(std::string_view text);
 

@@ -1,7 +1,9 @@
 #include "app/screenshot/arguments/scene_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/shots/picture_texts.h"
 #include "core/base/file_io.h"
+#include "core/codec/png/png_text.h"
 #include "core/lesson/lesson_scene.h"
 #include "core/preset/preset.h"
 #include "core/scene/params/json.h"
@@ -23,6 +25,26 @@ std::string checkAssignment(const std::string& text) {
     return text.find('=') != std::string::npos
                ? std::string()
                : fmt::format("expected PATH=VALUE, joined by = without a space, found \"{}\"", text);
+}
+
+/// Of a PNG: what texshot has written into it. The text is bounded as a scene's file is.
+Result<std::string> readSceneText(const std::string& path) {
+    const Result<Bytes> start = readFileStart(path, pngSignature.size());
+    if (!start)
+        return fail(start.error());
+    if (!hasPngSignature(*start))
+        return readText(path, maxSceneBytes);
+    const Result<Bytes> file = readFile(path);
+    if (!file)
+        return fail(file.error());
+    Result<std::optional<std::string>> text = findPngText(*file, sceneKeyword, maxSceneBytes);
+    if (!text)
+        return fail(text.error().code, text.error().message, path);
+    if (*text)
+        return **std::move(text);
+    return fail(ErrorCode::NotFound,
+                fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword),
+                path);
 }
 
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
@@ -84,10 +106,12 @@ Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
     return lesson::LessonFolder::builtIn(name);
 }
 
-const Option& addSceneArgument(Command& command, SceneArgument& argument) {
-    const Option& file = command.option(
-        "SCENE", argument.file,
-        "A scene file (JSON). Without one: the cube and the sphere that Texplorer starts with.");
+const Option& addSceneArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
+    constexpr const char* help =
+        "A scene file (JSON), or a PNG that texshot has drawn, which holds its scene. Without one: the cube "
+        "and the sphere that Texplorer starts with.";
+    const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
+                               : command.option("SCENE", argument.file, help);
     command.option("--set", argument.assignments,
                    "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
                    "\"texshot params\" lists every path.",
@@ -99,8 +123,8 @@ const Option& addSceneArgument(Command& command, SceneArgument& argument) {
     return file;
 }
 
-void addSceneOrLessonArgument(Command& command, SceneArgument& argument) {
-    const Option& file = addSceneArgument(command, argument);
+void addSceneOrLessonArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
+    const Option& file = addSceneArgument(command, argument, files);
     const Option& lesson =
         command.option("--lesson", argument.lesson,
                        "In the place of a scene: a step of a lesson, by its name, which \"texshot lessons\" "
@@ -124,7 +148,7 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
         opened = *std::move(step);
     }
     if (!argument.file.empty()) {
-        const Result<std::string> text = readText(argument.file, maxSceneBytes);
+        const Result<std::string> text = readSceneText(argument.file);
         if (!text)
             return tl::unexpected(SceneProblem{text.error(), failure});
         Result<Scene> scene = parseScene(*text);

@@ -22,10 +22,13 @@ struct SceneArgument {
 [[nodiscard]] Result<lesson::LessonFolder> lessonFolder(const std::string& name);
 
 /// Declares SCENE, --set and --preset; SCENE is what it returns.
-const Option& addSceneArgument(Command& command, SceneArgument& argument);
+const Option& addSceneArgument(Command& command, SceneArgument& argument,
+                               std::vector<std::string>* files = nullptr);
 
-/// The same with --lesson and its step, in the place of SCENE.
-void addSceneOrLessonArgument(Command& command, SceneArgument& argument);
+/// The same with --lesson and its step, in the place of SCENE. With `files` there may be several scenes,
+/// which go there; the argument's own file stays empty.
+void addSceneOrLessonArgument(Command& command, SceneArgument& argument,
+                              std::vector<std::string>* files = nullptr);
 
 struct OpenedScene {
     Scene scene;

@@ -7,6 +7,7 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/reports/probe_report.h"
+#include "app/screenshot/shots/shot_drawer.h"
 
 #include <fmt/core.h>
 
@@ -56,9 +57,10 @@ Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
 std::vector<ReadBack> readBack(ShotRequest request, const reference::PixelPlace& pixel,
                                std::vector<std::string>& problems) {
     std::vector<ReadBack> all;
+    ShotDrawer drawer;
     for (const RendererKind renderer : {RendererKind::Fixed, RendererKind::Shader}) {
         request.renderer = renderer;
-        const Result<Shot> shot = draw(request);
+        const Result<Shot> shot = drawer.draw(request);
         if (!shot) {
             all.push_back({renderer, fail(shot.error())});
             continue;

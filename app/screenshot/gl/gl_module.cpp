@@ -33,6 +33,14 @@ Result<void> checkShaders(const std::filesystem::path& folder) {
     return pieces ? Result<void>() : fail(pieces.error());
 }
 
+
+conform::Driver driverOf(const view::Capabilities& capabilities) {
+    std::string version = capabilities.version;
+    if (!capabilities.pretending.empty())
+        version += ", pretending " + capabilities.pretending;
+    return {capabilities.renderer, std::move(version), {}, view::driverFacts(capabilities)};
+}
+
 constexpr int settlingFrames = 4; // until Dear ImGui has given every window its size, and scrolled there
 
 Result<Shot> drawWindow(const ShotRequest& request) {
@@ -103,7 +111,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, request.size.width, request.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Shot{{std::move(image), loop.problems()}, view::driverFacts((*graphics)->capabilities())};
+    return Shot{{std::move(image), loop.problems()}, driverOf((*graphics)->capabilities()), context->kind().text()};
 }
 
 /// Levels for one who waits for the picture and looks at nothing else: no numbers, no small pictures of them.
@@ -130,12 +138,7 @@ public:
         , capabilities_(std::move(capabilities))
         , shaders_(std::move(shaders)) {}
 
-    conform::Driver driver() const override {
-        std::string version = capabilities_.version;
-        if (!capabilities_.pretending.empty())
-            version += ", pretending " + capabilities_.pretending;
-        return {capabilities_.renderer, std::move(version), {}, view::driverFacts(capabilities_)};
-    }
+    conform::Driver driver() const override { return driverOf(capabilities_); }
 
     view::OfferedRenderers renderers() const override { return render::offeredRenderers(capabilities_); }
 
@@ -185,16 +188,6 @@ Result<std::unique_ptr<Studio>> openContextStudio(const std::filesystem::path& s
                                            shaders);
 }
 
-Result<Shot> drawScene(const ShotRequest& request) {
-    const Result<std::unique_ptr<Studio>> studio = openContextStudio(request.shaders, request.pretence, request.context);
-    if (!studio)
-        return fail(studio.error());
-    Result<Frame> frame = (*studio)->draw(request.renderer, request.drawRequest(), request.levels);
-    if (!frame)
-        return fail(frame.error());
-    return Shot{std::move(*frame), (*studio)->driver().facts};
-}
-
 } // namespace
 } // namespace texplorer::screenshot
 
@@ -203,7 +196,7 @@ texshotDraw(const texplorer::screenshot::ShotRequest& request,
             texplorer::Result<texplorer::screenshot::Shot>& shot) {
     using namespace texplorer::screenshot;
     texplorer::render::setUpDriverCache();
-    shot = request.window ? drawWindow(request) : drawScene(request);
+    shot = drawWindow(request);
 }
 
 extern "C" [[gnu::visibility("default")]] void

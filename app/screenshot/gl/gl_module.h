@@ -69,8 +69,9 @@ struct ShotRequest {
 };
 
 struct Shot {
-    Frame frame;        ///< opaque where the window is drawn
-    DriverFacts driver; ///< of the driver that drew it
+    Frame frame;              ///< opaque where the window is drawn
+    conform::Driver driver;   ///< that drew it; of the reference it has no name
+    std::string context = {}; ///< see Studio; empty: none was needed
 };
 
 /// A context that stays, and its renderers, for many pictures one after the other: programs, textures and
@@ -101,8 +102,8 @@ using StudioEntry = void (*)(const std::filesystem::path& shaders, const view::P
                              const view::ContextChoice& context, Result<std::unique_ptr<Studio>>& studio);
 inline constexpr const char* studioEntryName = "texshotStudio";
 
-/// Loads the module of the request's context beside this program and draws. The error says where the module
-/// was looked for.
+/// Loads the module of the request's context beside this program and draws the window. The error says where
+/// the module was looked for. Pictures of scenes: ShotDrawer.
 [[nodiscard]] Result<Shot> draw(const ShotRequest& request);
 
 /// Loads the module and opens a studio. `shaders`, `pretence` and `context` as in ShotRequest.

@@ -51,8 +51,13 @@ void askToStop(std::stop_source* work) {
     asked = work;
 }
 
-ExitCode complainInterrupted() {
-    complain({ErrorCode::Cancelled, outputBegun ? "interrupted" : "interrupted; nothing was written", {}});
+ExitCode complainInterrupted(const std::string& written) {
+    std::string sentence = "interrupted";
+    if (!written.empty())
+        sentence += "; " + written;
+    else if (!outputBegun)
+        sentence += "; nothing was written";
+    complain({ErrorCode::Cancelled, sentence, {}});
     return static_cast<ExitCode>(128 + received);
 }
 

@@ -15,8 +15,9 @@ void watchInterrupts();
 /// Whom a signal asks to stop instead of ending the program; a second one ends it. nullptr: nobody.
 void askToStop(std::stop_source* work);
 
-/// What is said after the work was stopped, and the exit status of its signal.
-ExitCode complainInterrupted();
+/// What is said after the work was stopped, and the exit status of its signal. `written`: "3 of 8 pictures
+/// were written"; empty: that nothing was, if so.
+ExitCode complainInterrupted(const std::string& written = {});
 
 /// From here on the sentence doesn't say that nothing was written.
 void outputBegins();

@@ -26,11 +26,14 @@ LongWork::~LongWork() {
     finish();
 }
 
+void LongWork::clearLine() {
+    if (shownPercent_.exchange(-1) >= 0)
+        std::fprintf(stderr, "\r\033[K");
+}
+
 void LongWork::finish() {
     askToStop(nullptr);
-    if (shownPercent_ >= 0)
-        std::fprintf(stderr, "\r\033[K");
-    shownPercent_ = -1;
+    clearLine();
     terminal_ = false;
 }
 

@@ -19,7 +19,9 @@ public:
     [[nodiscard]] std::stop_token stopToken() const { return stop_.get_token(); }
     /// From any thread; `done` from 0 to 1.
     void report(float done);
-    /// Wipes the terminal's line; from here on nothing is reported, and Ctrl+C ends the program. Whether it
+    /// Wipes the terminal's line, so that a sentence may be said.
+    void clearLine();
+    /// The same; from here on nothing is reported, and Ctrl+C ends the program. Whether it
     /// came before is settled: stopToken knows it.
     void finish();
 

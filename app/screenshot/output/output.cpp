@@ -24,18 +24,6 @@ bool isStream(const std::string& path) {
            (::stat(path.c_str(), &info) == 0 && (S_ISFIFO(info.st_mode) || S_ISCHR(info.st_mode)));
 }
 
-Result<const CodecRow*> formatOf(const std::string& path, std::string_view streamFormat,
-                                 std::string_view only) {
-    const CodecRow* format = codecForExtension(path);
-    if (format == nullptr && isStream(path) && !std::filesystem::path(path).has_extension())
-        format = &*std::ranges::find(codecRows(), streamFormat, &CodecRow::name);
-    if (format != nullptr && format->encode && (only.empty() || format->name == only))
-        return format;
-    return fail(ErrorCode::Unsupported,
-                fmt::format("expected a name that ends in {}{}, found \"{}\"", only.empty() ? "one of " : "",
-                            writtenExtensions(", ", only), path));
-}
-
 } // namespace
 
 Result<Output> Output::open(const std::string& path) {
@@ -73,9 +61,21 @@ Result<void> ImageOutput::write(const TextureImage& texture, const WriteOptions&
     return bytes ? output.write(*bytes) : fail(bytes.error().code, bytes.error().message, path);
 }
 
+Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
+                                      std::string_view only) {
+    const CodecRow* format = codecForExtension(path);
+    if (format == nullptr && isStream(path) && !std::filesystem::path(path).has_extension())
+        format = &*std::ranges::find(codecRows(), streamFormat, &CodecRow::name);
+    if (format != nullptr && format->encode && (only.empty() || format->name == only))
+        return format;
+    return fail(ErrorCode::Unsupported,
+                fmt::format("expected a name that ends in {}{}, found \"{}\"", only.empty() ? "one of " : "",
+                            writtenExtensions(", ", only), path));
+}
+
 tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std::string_view streamFormat,
                                                     std::string_view only) {
-    const Result<const CodecRow*> format = formatOf(path, streamFormat, only);
+    const Result<const CodecRow*> format = imageFormatOf(path, streamFormat, only);
     if (!format)
         return tl::unexpected(complain(format.error(), wrongCall));
     Result<Output> output = Output::open(path);

@@ -32,6 +32,11 @@ struct ImageOutput {
     [[nodiscard]] Result<void> write(const TextureImage& texture, const WriteOptions& options = {}) const;
 };
 
+/// The format that a file's extension names; the error is about the path. `streamFormat` and `only`: see
+/// openImageOutput.
+[[nodiscard]] Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
+                                                    std::string_view only = {});
+
 /// Opens the output before the work that leads to it. Its extension is its format; what has none and is no
 /// file (-, a pipe, /dev/null) gets `streamFormat`. `only`: the one format that the command writes. What goes
 /// wrong is said on standard error; the error is the exit status.

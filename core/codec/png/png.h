@@ -23,13 +23,14 @@ namespace texplorer {
 /// - Memory: the image and a few rows. Text and profiles are skipped without being unpacked.
 [[nodiscard]] Result<TextureImage> decodePng(ByteView file, const DecodeLimits& limits = {});
 
-/// Signature and chunks: length, type, the fields of IHDR, checksums compared, order. Goes on to where the
-/// file ends; nothing is unpacked.
+/// Signature and chunks: length, type, the fields of IHDR, texts, checksums compared, order. Goes on to where
+/// the file ends; nothing is unpacked but the beginning of texts.
 [[nodiscard]] Anatomy dissectPng(ByteView file);
 
 /// A PNG of the first slice, upright (the bottom row is written last). The same image gives the same bytes.
 /// By default fast rather than small: each row has the Sub or the Up filter, and libdeflate packs them with
-/// little effort. `small` takes every filter and all of libdeflate's effort. Alpha8 is written as grey.
+/// little effort. `small` takes every filter and all of libdeflate's effort. Alpha8 is written as grey. Texts
+/// stand in front of the pixels.
 [[nodiscard]] Result<Bytes> encodePng(const Image& image, const WriteOptions& options = {});
 
 /// The same of level 0 of face 0.

@@ -2,6 +2,7 @@
 #include "core/base/word.h"
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
+#include "core/codec/png/png_text.h"
 
 #include <fmt/core.h>
 
@@ -14,7 +15,9 @@ namespace texplorer {
 
 namespace {
 
-constexpr std::size_t mostChunks = 400; // of at most ten fields each
+constexpr std::size_t mostChunks = 400;                         // of at most ten fields each
+constexpr std::size_t unpackedTextBytes = std::size_t{1} << 20; // of what is looked at
+constexpr std::size_t shownTextBytes = 60;
 
 struct ChunkMeaning {
     std::string_view type;
@@ -31,6 +34,8 @@ constexpr std::array chunkMeanings{
     ChunkMeaning{"sRGB", "the colours are sRGB"},
     ChunkMeaning{"pHYs", "size of a pixel"},
     ChunkMeaning{"tEXt", word("text")},
+    ChunkMeaning{"zTXt", "compressed text"},
+    ChunkMeaning{"iTXt", "text in UTF-8"},
     ChunkMeaning{"iCCP", "a colour profile"},
 };
 
@@ -78,12 +83,41 @@ void describeHeader(const PngChunk& chunk, std::vector<Field>& fields) {
         header.interlace < 2, "expected 0 or 1");
 }
 
+/// The beginning of a text, in one line.
+std::string shownText(std::string_view text) {
+    std::size_t end = std::min(shownTextBytes, text.size());
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+        --end; // a letter stays whole
+    return printable(text.substr(0, end)) + (end < text.size() ? " …" : "");
+}
+
+void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
+    const PngText text = readTextChunk(chunk, unpackedTextBytes);
+    const std::size_t at = chunk.offset + 8;
+    fields.push_back({at, text.keywordBytes, word("keyword"), shownText(text.keyword), {}, text.wrong, 1});
+    if (text.textOffset == 0)
+        return;
+    std::string meaning;
+    if (text.packed && text.wrong.empty())
+        meaning = text.tooLong ? fmt::format("more than {} bytes once they are unpacked", unpackedTextBytes)
+                               : fmt::format("{} bytes once they are unpacked", text.text.size());
+    fields.push_back({at + text.textOffset,
+                      chunk.length - text.textOffset,
+                      word("text"),
+                      shownText(text.text),
+                      std::move(meaning),
+                      {},
+                      1});
+}
+
 void describeChunk(const PngChunk& chunk, ByteView file, std::string wrong, std::vector<Field>& fields) {
     fields.push_back(
         {chunk.offset, chunk.size(), printable(chunk.type), {}, meaningOf(chunk), std::move(wrong), 0});
     fields.push_back({chunk.offset, 4, word("length"), std::to_string(chunk.length), "bytes of data", {}, 1});
     if (chunk.type == "IHDR")
         describeHeader(chunk, fields);
+    else if (isTextChunk(chunk) && chunk.length > 0)
+        describeText(chunk, fields);
     else if (chunk.length > 0)
         fields.push_back({chunk.offset + 8, chunk.length, word("data"), {}, {}, {}, 1});
     if (!chunk.complete())

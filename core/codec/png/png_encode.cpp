@@ -1,5 +1,6 @@
 #include "core/codec/png/png.h"
 #include "core/codec/png/png_chunks.h"
+#include "core/codec/png/png_text.h"
 #include "core/s3tc/surface_pixels.h"
 
 #include <fmt/core.h>
@@ -154,8 +155,21 @@ struct FreeCompressor {
 constexpr std::size_t chunkFrame = 12;
 constexpr std::size_t headBytes = 8 + chunkFrame + 13;
 
+using TextChunks = std::vector<std::pair<std::string, Bytes>>; // type and data
+
+Result<TextChunks> textChunks(const std::vector<PictureText>& texts) {
+    TextChunks chunks;
+    for (const PictureText& text : texts) {
+        Result<std::pair<std::string, Bytes>> chunk = textChunk(text);
+        if (!chunk)
+            return fail(chunk.error());
+        chunks.push_back(*std::move(chunk));
+    }
+    return chunks;
+}
+
 // Filtered rows as a whole file. The compressed data is written where it stays.
-Result<Bytes> assemble(const Image& image, const Bytes& rows, int level) {
+Result<Bytes> assemble(const Image& image, const Bytes& rows, int level, const TextChunks& texts) {
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(level));
     if (!compressor)
@@ -166,8 +180,11 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level) {
         return fail(
             ErrorCode::TooLarge,
             fmt::format("PNG: a chunk holds at most {} bytes, this picture may need {}", longest, bound));
+    std::size_t textBytes = 0;
+    for (const auto& [type, data] : texts)
+        textBytes += chunkFrame + data.size();
     Bytes file;
-    file.resize(headBytes + chunkFrame + bound + chunkFrame);
+    file.resize(headBytes + textBytes + chunkFrame + bound + chunkFrame);
     std::byte* at = file.data();
     std::memcpy(at, pngSignature.data(), pngSignature.size());
     at += pngSignature.size();
@@ -177,6 +194,10 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level) {
                           std::byte{0}, std::byte{0}};
     std::ranges::copy(last, at + 16);
     at = frameChunk(at, "IHDR", 13);
+    for (const auto& [type, data] : texts) {
+        std::ranges::copy(data, at + 8);
+        at = frameChunk(at, type.c_str(), data.size());
+    }
     const std::size_t packed =
         libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), at + 8, bound);
     at = frameChunk(at, "IDAT", packed);
@@ -185,12 +206,15 @@ Result<Bytes> assemble(const Image& image, const Bytes& rows, int level) {
     return file;
 }
 
-Result<Bytes> encode(const Image& image, bool small) {
-    if (!small)
-        return assemble(image, filterRows(image, Sub, Up), fastLevel);
+Result<Bytes> encode(const Image& image, const WriteOptions& options) {
+    const Result<TextChunks> texts = textChunks(options.texts);
+    if (!texts)
+        return fail(texts.error());
+    if (!options.small)
+        return assemble(image, filterRows(image, Sub, Up), fastLevel, *texts);
     // Which is smaller can't be told beforehand: flat drawings pack best as they are, photographs filtered.
-    Result<Bytes> plain = assemble(image, filterRows(image, None, None), smallLevel);
-    Result<Bytes> filtered = assemble(image, filterRows(image, None, Paeth), smallLevel);
+    Result<Bytes> plain = assemble(image, filterRows(image, None, None), smallLevel, *texts);
+    Result<Bytes> filtered = assemble(image, filterRows(image, None, Paeth), smallLevel, *texts);
     return plain && filtered && plain->size() < filtered->size() ? std::move(plain) : std::move(filtered);
 }
 
@@ -206,7 +230,7 @@ Result<Bytes> encodePng(const Image& image, const WriteOptions& options) {
         return fail(ErrorCode::Malformed,
                     fmt::format("PNG: the picture needs {} bytes, it has {}", slice, image.pixels.size()));
     try {
-        return encode(image, options.small);
+        return encode(image, options);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
                     fmt::format("PNG: there is no memory for {} bytes of pixels", slice));

@@ -1,0 +1,187 @@
+#include "app/screenshot/arguments/window_argument.h"
+
+#include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/picture_argument.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace texplorer::screenshot {
+namespace {
+
+/// "vertices, commands, …"
+template<class Rows>
+std::string namesOf(const Rows& rows) {
+    std::string names;
+    for (const auto& row : rows)
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    return names;
+}
+
+/// The row with this name; `option` is named in the error.
+template<class Rows>
+Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view name, const char* option) {
+    for (const auto& row : rows) {
+        if (row.name == name)
+            return row;
+    }
+    return fail(ErrorCode::OutOfRange, fmt::format("expected one of {}, found \"{}\"", namesOf(rows), name),
+                option);
+}
+
+Result<std::optional<ui::Tab>> parseTab(std::string_view name) {
+    if (name.empty())
+        return std::nullopt;
+    return parseRow(ui::tabRows, name, "--tab").map([](const ui::TabRow& row) {
+        return std::optional(row.tab);
+    });
+}
+
+Result<std::optional<ui::Figure>> parseFigure(std::string_view name) {
+    if (name.empty())
+        return std::nullopt;
+    return parseRow(ui::figureRows, name, "--figure").map([](const ui::FigureRow& row) {
+        return std::optional(row.figure);
+    });
+}
+
+Result<ui::LayoutRow> parseLayout(std::string_view name) {
+    if (name.empty())
+        return ui::layoutRows.front();
+    return parseRow(ui::layoutRows, name, "--layout");
+}
+
+Result<ui::Theme> parseTheme(std::string_view name) {
+    if (name.empty())
+        return ui::Settings{}.theme;
+    return parseRow(ui::themeRows, name, "--theme").map(&ui::ThemeRow::theme);
+}
+
+Result<ui::Language> parseLanguage(std::string_view name) {
+    if (name.empty())
+        return ui::Language::English;
+    return parseRow(ui::languageRows, name, "--language").map(&ui::LanguageRow::language);
+}
+
+constexpr float leastScale = 0.5F;
+constexpr float largestScale = 4;
+
+Result<float> parseScale(std::string_view text) {
+    if (text.empty())
+        return 1.0F;
+    float scale = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, scale);
+    if (error == std::errc() && stop == end && scale >= leastScale && scale <= largestScale)
+        return scale;
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("expected a number from {} to {}, found \"{}\"", leastScale, largestScale, text),
+                "--scale");
+}
+
+Result<std::optional<ui::Section>> parseSection(std::string_view name) {
+    if (name.empty())
+        return std::nullopt;
+    return parseRow(ui::sectionRows, name, "--section").map([](const ui::SectionRow& row) {
+        return std::optional(row.section);
+    });
+}
+
+Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
+    if (text.empty())
+        return std::nullopt;
+    std::array<int, 2> place{};
+    if (parseNumbers(text, place) && place[0] >= 0 && place[1] >= 0)
+        return reference::PixelPlace{place[0], place[1]};
+    return fail(ErrorCode::OutOfRange, fmt::format("expected X,Y, found \"{}\"", text), "--probe");
+}
+
+/// "fixed,reference"
+Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
+    constexpr const char* option = "--compare";
+    std::vector<RendererKind> renderers;
+    for (bool more = !text.empty(); more;) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        more = end < text.size(); // a comma at the end asks for one more
+        const Result<RendererKind> renderer = parseChoice<RendererKind>(text.substr(0, end), option);
+        if (!renderer)
+            return fail(renderer.error());
+        if (std::ranges::find(renderers, *renderer) != renderers.end())
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected each renderer once, found \"{}\" twice", text.substr(0, end)),
+                        option);
+        renderers.push_back(*renderer);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (renderers.size() == 1)
+        return fail(ErrorCode::OutOfRange, "expected two renderers or more, found one", option);
+    return renderers;
+}
+
+/// Into its place, or the error.
+template<class T>
+Result<void> take(Result<T> parsed, T& place) {
+    if (!parsed)
+        return fail(parsed.error());
+    place = *std::move(parsed);
+    return {};
+}
+
+} // namespace
+
+void addWindowArgument(Command& command, const Option& window, WindowArgument& argument) {
+    command.option(
+        "--tab", argument.tab,
+        fmt::format("With --ui: the tab that is in front where it lies, one of {}.", namesOf(ui::tabRows)),
+        {.value = "TAB", .needs = &window});
+    command.option("--figure", argument.figure,
+                   fmt::format("With --ui: the figure that is in front with its tab, one of {}.",
+                               namesOf(ui::figureRows)),
+                   {.value = "FIGURE", .needs = &window});
+    command.option("--layout", argument.layout,
+                   fmt::format("With --ui: which panels are open, one of {}.", namesOf(ui::layoutRows)),
+                   {.value = "LAYOUT", .needs = &window});
+    command.option("--theme", argument.theme,
+                   fmt::format("With --ui: the colours, one of {}.", namesOf(ui::themeRows)),
+                   {.value = "THEME", .needs = &window});
+    command.option(
+        "--language", argument.language,
+        fmt::format("With --ui: the language of the window's texts, one of {}.", namesOf(ui::languageRows)),
+        {.value = "LANGUAGE", .needs = &window});
+    command.option("--scale", argument.scale,
+                   "With --ui: the size of text and controls, 0.5 to 4, as of a monitor with that scale.",
+                   {.value = "S", .needs = &window});
+    command.number("--tour", argument.tour, 1, ui::tourSteps,
+                   "With --ui: a step of the tour over the window.", {.needs = &window});
+    command.option(
+        "--section", argument.section,
+        fmt::format("With --ui: the part of the parameters that is opened, at their top, one of {}.",
+                    namesOf(ui::sectionRows)),
+        {.value = "SECTION", .needs = &window});
+    command.option(
+        "--probe", argument.probe,
+        "With --ui: the pixel of the picture that is explained, counted from the picture's top left.",
+        {.value = "X,Y", .needs = &window});
+    command.option("--compare", argument.compared,
+                   "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
+                   "difference of the first two.",
+                   {.value = "A,B", .needs = &window});
+}
+
+Result<void> putWindow(const WindowArgument& argument, ShotRequest& request) {
+    return take(parseTab(argument.tab), request.tab)
+        .and_then([&] { return take(parseFigure(argument.figure), request.figure); })
+        .and_then([&] { return take(parseLayout(argument.layout), request.layout); })
+        .and_then([&] { return take(parseTheme(argument.theme), request.theme); })
+        .and_then([&] { return take(parseLanguage(argument.language), request.language); })
+        .and_then([&] { return take(parseScale(argument.scale), request.scale); })
+        .and_then([&] { return take(parseSection(argument.section), request.section); })
+        .and_then([&] { return take(parseProbe(argument.probe), request.probed); })
+        .and_then([&] { return take(parseCompared(argument.compared), request.compared); })
+        .map([&] { request.tour = argument.tour; });
+}
+
+} // namespace texplorer::screenshot

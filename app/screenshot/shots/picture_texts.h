@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/screenshot/gl/gl_module.h"
+#include "core/codec/common/write_options.h"
+
+#include <string>
+#include <vector>
+
+namespace texplorer::screenshot {
+
+/// The keyword of the complete scene: a picture that has it can be given as a scene.
+inline constexpr const char* sceneKeyword = "Texplorer scene";
+
+/// What a picture's file says of how it was drawn.
+struct PictureFacts {
+    Scene scene;
+    double time = 0; ///< seconds
+    view::Size size;
+    std::string renderer; ///< "fixed"; of a window that compares, several with commas
+    conform::Driver driver{};
+    std::string context{};
+};
+
+[[nodiscard]] PictureFacts factsOf(const ShotRequest& request, const Shot& shot);
+
+/// As texts for its file: the program, the renderer, the driver and its context where OpenGL drew it, time,
+/// size, and the complete scene as JSON. No clock, no names of machines or folders: the same call gives the
+/// same texts.
+[[nodiscard]] std::vector<PictureText> textsOf(const PictureFacts& facts);
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,157 @@
+#include "app/screenshot/shots/shot_list.h"
+
+#include "core/scene/params/params.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <unordered_map>
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr const char* option = "--out";
+constexpr std::array<std::string_view, 5> fixedPlaces{"scene", "number", "renderer", "time", "size"};
+
+/// "minFilter" of "textures[0].minFilter".
+std::string_view keyOfPath(std::string_view path) {
+    return path.substr(path.rfind('.') + 1);
+}
+
+/// Their product, or something above `most` where that is larger.
+std::size_t boundedProduct(std::size_t a, std::size_t b, std::size_t most) {
+    return b != 0 && a > most / b ? most + 1 : a * b;
+}
+
+bool standsFor(std::string_view place, const SweepAxis& axis) {
+    return place == axis.path || place == keyOfPath(axis.path);
+}
+
+std::string inBraces(std::string_view place) {
+    return fmt::format("{{{}}}", place);
+}
+
+} // namespace
+
+ShotList::ShotList(std::vector<Entry> entries, std::vector<view::Size> sizes, std::vector<double> times)
+    : entries_(std::move(entries))
+    , sizes_(std::move(sizes))
+    , times_(std::move(times)) {
+    for (const Entry& entry : entries_) {
+        std::size_t cases = boundedProduct(sizes_.size(), times_.size(), maxShots);
+        for (const SweepAxis& axis : entry.axes)
+            cases = boundedProduct(cases, axis.values.size(), maxShots);
+        count_ = std::min(count_ + cases, maxShots + 1);
+        ends_.push_back(count_);
+    }
+}
+
+ShotList::Case ShotList::at(std::size_t index) const {
+    const auto end = std::ranges::upper_bound(ends_, index);
+    Case shot;
+    shot.entry = static_cast<std::size_t>(end - ends_.begin());
+    std::size_t left = index - (shot.entry == 0 ? 0 : ends_[shot.entry - 1]);
+    const auto next = [&left](std::size_t count) {
+        const std::size_t digit = left % count;
+        left /= count;
+        return digit;
+    };
+    const std::vector<SweepAxis>& axes = entries_[shot.entry].axes;
+    shot.values.resize(axes.size());
+    for (std::size_t i = axes.size(); i-- > 0;)
+        shot.values[i] = next(axes[i].values.size());
+    shot.time = times_[next(times_.size())];
+    shot.size = sizes_[left];
+    return shot;
+}
+
+Result<Scene> ShotList::sceneOf(const Case& shot) const {
+    const Entry& entry = entryOf(shot);
+    Scene scene = entry.opened.scene;
+    for (std::size_t i = 0; i < entry.axes.size(); ++i) {
+        const SweepAxis& axis = entry.axes[i];
+        if (const auto set = setParam(scene, axis.path, axis.values[shot.values[i]]); !set)
+            return fail(set.error());
+    }
+    return scene;
+}
+
+Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
+    static const std::vector<SweepAxis> none;
+    const std::vector<SweepAxis>& axes = entries_.empty() ? none : entries_.front().axes;
+    for (const std::string& place : pattern.places()) {
+        std::vector<std::string_view> meant;
+        for (const SweepAxis& axis : axes) {
+            if (standsFor(place, axis))
+                meant.push_back(axis.path);
+        }
+        const bool isFixed = std::ranges::find(fixedPlaces, place) != fixedPlaces.end();
+        if (meant.size() > 1)
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("{} may be {} or {}: expected one of them as a whole", inBraces(place),
+                                    meant[0], meant[1]),
+                        option);
+        if (isFixed || meant.size() == 1)
+            continue;
+        std::string known;
+        for (const std::string_view each : fixedPlaces)
+            known.append(known.empty() ? "" : ", ").append(inBraces(each));
+        for (const SweepAxis& axis : axes)
+            known.append(", ").append(inBraces(keyOfPath(axis.path)));
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected one of {}; found {}", known, inBraces(place)), option);
+    }
+    return {};
+}
+
+Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern,
+                                                 const std::string& renderer) const {
+    if (count_ > maxShots)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("one call draws at most {} pictures, these are more", maxShots));
+    if (const Result<void> known = checkPlaces(pattern); !known)
+        return fail(known.error());
+    const std::size_t digits = std::to_string(count_).size();
+    std::vector<std::string> names;
+    std::unordered_map<std::string, std::size_t> numbers;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Case shot = at(i);
+        const Entry& entry = entryOf(shot);
+        std::string name = pattern.fill([&](const std::string& place) {
+            for (std::size_t axis = 0; axis < entry.axes.size(); ++axis) {
+                if (standsFor(place, entry.axes[axis]))
+                    return entry.axes[axis].values[shot.values[axis]];
+            }
+            if (place == "scene")
+                return entry.name;
+            if (place == "number")
+                return fmt::format("{:0{}}", i + 1, digits);
+            if (place == "renderer")
+                return renderer;
+            return place == "time" ? fmt::format("{}", shot.time)
+                                   : fmt::format("{}x{}", shot.size.width, shot.size.height);
+        });
+        const auto [other, isNew] = numbers.try_emplace(name, i + 1);
+        if (!isNew)
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("expected a name for each of {} pictures, found \"{}\" for number {} and "
+                                    "number {}; {{number}} in it would tell them apart",
+                                    count_, name, other->second, i + 1),
+                        option);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+std::string sceneName(const std::string& file) {
+    if (file.empty())
+        return "scene";
+    std::filesystem::path name = std::filesystem::path(file).stem();
+    if (name.extension() == ".texplorer")
+        name = name.stem();
+    return name.string();
+}
+
+} // namespace texplorer::screenshot
