@@ -90,6 +90,16 @@ inline constexpr std::array comparisons{
                8},
     Comparison{"texshot shot", "processTexshotShot/real_time", "processMinimalOsmesa/real_time",
                "a minimal OSMesa program", Goal::CostsUpTo, 1.5},
+    Comparison{"36 shots in one call, Mesa's cache cold", "shots/inOneCall/cold/iterations:1/manual_time",
+               "shots/oneByOne/cold/iterations:1/manual_time", "one process per shot", Goal::FasterBy, 4},
+    Comparison{"36 shots in one call, Mesa's cache warm", "shots/inOneCall/warm/iterations:1/manual_time",
+               "shots/oneByOne/warm/iterations:1/manual_time", "one process per shot", Goal::FasterBy, 9},
+    Comparison{"36 shots in one call, Mesa's cache cold", "shots/inOneCall/cold/iterations:1/manual_time",
+               "shots/bare/cold/iterations:1/manual_time", "a bare program without PNG", Goal::CostsUpTo,
+               1.25},
+    Comparison{"36 shots in one call, Mesa's cache warm", "shots/inOneCall/warm/iterations:1/manual_time",
+               "shots/bare/warm/iterations:1/manual_time", "a bare program without PNG", Goal::CostsUpTo,
+               1.25},
 };
 
 /// The rows of bench_reference.cpp: one for each scene and filter.

@@ -64,7 +64,8 @@ Result<void> ImageOutput::write(const TextureImage& texture, const WriteOptions&
 Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
                                       std::string_view only) {
     const CodecRow* format = codecForExtension(path);
-    if (format == nullptr && isStream(path) && !std::filesystem::path(path).has_extension())
+    if (format == nullptr && !streamFormat.empty() && isStream(path) &&
+        !std::filesystem::path(path).has_extension())
         format = &*std::ranges::find(codecRows(), streamFormat, &CodecRow::name);
     if (format != nullptr && format->encode && (only.empty() || format->name == only))
         return format;

@@ -32,8 +32,8 @@ struct ImageOutput {
     [[nodiscard]] Result<void> write(const TextureImage& texture, const WriteOptions& options = {}) const;
 };
 
-/// The format that a file's extension names; the error is about the path. `streamFormat` and `only`: see
-/// openImageOutput.
+/// The format that a file's extension names; the error is about the path. `streamFormat` (empty: only files
+/// are meant) and `only`: see openImageOutput.
 [[nodiscard]] Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
                                                     std::string_view only = {});
 

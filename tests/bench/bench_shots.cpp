@@ -1,0 +1,160 @@
+// Many shots in one call against one process for each, and against the bare drawing: whole programs, with
+// nothing in Mesa's cache and with everything. A cold cache is a folder of its own for each process.
+
+#include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/image/convert.h"
+#include "tests/bench/shot_states.h"
+#include "tests/support/temp_dir.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <variant>
+#include <vector>
+
+extern char** environ;
+
+namespace texplorer::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+/// Programs with a cache folder of their own, and a folder for what they write.
+class Caller {
+public:
+    explicit Caller(bool cold)
+        : cold_(cold) {
+        fs::create_directories(pictures());
+    }
+
+    [[nodiscard]] fs::path pictures() const { return folder_ / "pictures"; }
+
+    /// Seconds; none where it fails.
+    std::optional<double> run(const Words& words) {
+        const fs::path cache = folder_ / "cache";
+        if (cold_)
+            fs::remove_all(cache);
+        fs::create_directories(cache);
+        const std::string cacheVariable = "XDG_CACHE_HOME=" + cache.string();
+        std::vector<char*> environment{const_cast<char*>(cacheVariable.c_str())};
+        for (char** each = environ; *each != nullptr; ++each) {
+            if (!std::string_view(*each).starts_with("XDG_CACHE_HOME="))
+                environment.push_back(*each);
+        }
+        environment.push_back(nullptr);
+        Words copy = words;
+        std::vector<char*> arguments;
+        for (std::string& word : copy)
+            arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        const auto begin = std::chrono::steady_clock::now();
+        pid_t child = 0;
+        int status = 0;
+        if (posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environment.data()) != 0 ||
+            waitpid(child, &status, 0) != child || status != 0)
+            return std::nullopt;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
+private:
+    bool cold_;
+    test::TempDir folder_;
+};
+
+std::string sizeText() {
+    return fmt::format("{0}x{0}", statesExtent);
+}
+
+std::string assignment(std::string_view path, const EnumRow& row) {
+    return fmt::format("{}={}", path, row.glName);
+}
+
+constexpr std::string_view filterPath = "textures[0].minFilter";
+constexpr std::string_view modePath = "passes[0].units[0].envMode";
+
+std::optional<double> inOneCall(Caller& caller) {
+    return caller.run({TEXSHOT, "shot", "--size", sizeText(), "--axis", fmt::format("{}=*", filterPath),
+                       "--axis", fmt::format("{}=*", modePath), "-o",
+                       (caller.pictures() / "{number}.png").string()});
+}
+
+std::optional<double> oneByOne(Caller& caller) {
+    std::optional<double> sum = 0;
+    int number = 0;
+    eachState([&](const EnumRow& filter, const EnumRow& mode) {
+        const std::optional<double> seconds =
+            caller.run({TEXSHOT, "shot", "--size", sizeText(), "--set", assignment(filterPath, filter),
+                        "--set", assignment(modePath, mode), "-o",
+                        (caller.pictures() / fmt::format("{:02}.png", ++number)).string()});
+        sum = sum && seconds ? std::optional(*sum + *seconds) : std::nullopt;
+    });
+    return sum;
+}
+
+std::optional<double> bare(Caller& caller) {
+    return caller.run({BARE_STATES});
+}
+
+/// Whether texshot and the bare program draw the same 36 pictures.
+bool drawTheSame(Caller& caller) {
+    if (!inOneCall(caller) || !caller.run({BARE_STATES, caller.pictures().string()}))
+        return false;
+    bool same = true;
+    int number = 0;
+    eachState([&](const EnumRow&, const EnumRow&) {
+        ++number;
+        const auto png = readFile(caller.pictures() / fmt::format("{:02}.png", number));
+        const auto raw = readFile(caller.pictures() / fmt::format("{}.rgba", number));
+        const auto picture = png ? decodePng(*png) : fail(png.error());
+        Image expected = Image::uninitialised(PixelFormat::Rgba8, statesExtent, statesExtent);
+        if (!raw || !picture || raw->size() != expected.pixels.size()) {
+            same = false;
+            return;
+        }
+        expected.pixels.assign(raw->begin(), raw->end());
+        same = same && std::get<Image>(picture->surfaces.front()) == withoutAlpha(std::move(expected));
+    });
+    return same;
+}
+
+void shots(benchmark::State& state, std::optional<double> (*call)(Caller&), bool cold) {
+    Caller caller(cold);
+    static const bool same = [] {
+        Caller first(false);
+        return drawTheSame(first);
+    }();
+    if (!same)
+        return state.SkipWithError("the bare program draws other pictures");
+    if (!cold && !call(caller))
+        return state.SkipWithError("the program failed");
+    for (auto _ : state) {
+        const std::optional<double> seconds = call(caller);
+        if (!seconds)
+            return state.SkipWithError("the program failed");
+        state.SetIterationTime(*seconds);
+    }
+    state.counters["shots/s"] = benchmark::Counter(36, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void declare(benchmark::internal::Benchmark* declared) {
+    declared->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK_CAPTURE(shots, inOneCall / cold, inOneCall, true)->Apply(declare);
+BENCHMARK_CAPTURE(shots, oneByOne / cold, oneByOne, true)->Apply(declare);
+BENCHMARK_CAPTURE(shots, bare / cold, bare, true)->Apply(declare);
+BENCHMARK_CAPTURE(shots, inOneCall / warm, inOneCall, false)->Apply(declare);
+BENCHMARK_CAPTURE(shots, oneByOne / warm, oneByOne, false)->Apply(declare);
+BENCHMARK_CAPTURE(shots, bare / warm, bare, false)->Apply(declare);
+
+} // namespace
+} // namespace texplorer::bench

@@ -1,0 +1,357 @@
+"""texshot shot with several scenes, sizes, times and axes: one call, many pictures, each with its name and its texts."""
+
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import struct
+import subprocess
+import time
+import unittest
+import zlib
+
+from PIL import Image
+
+from texshot import SANITIZED, TEXSHOT, Texshot, bmp, texshot
+
+SMALL = ("--size", "48x32")
+
+
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def with_chunks(png, *chunks):
+    """The PNG with more chunks behind its header."""
+    return png[:33] + b"".join(chunks) + png[33:]
+
+
+class Shots(Texshot):
+    def setUp(self):
+        super().setUp()
+        self.out = self.path / "out"
+        self.out.mkdir()
+
+    def scene(self, name, **changes):
+        file = self.path / name
+        file.write_text(json.dumps({"version": 1, **changes}))
+        return file
+
+    def names(self):
+        return sorted(os.listdir(self.out))
+
+    def draws(self, *arguments):
+        self.assertEqual(self.succeeds("shot", *(() if "--size" in arguments else SMALL), *arguments), b"")
+        return self.names()
+
+    # -- what is drawn, and what it is called
+
+    def test_several_scenes_get_a_picture_each(self):
+        red = self.scene("red.json", view={"background": [1, 0, 0, 1]})
+        blue = self.scene("blue.texplorer.json", view={"background": [0, 0, 1, 1]})
+        self.assertEqual(self.draws(red, blue, "-o", self.out / "{scene}.png"), ["blue.png", "red.png"])
+        for name, colour in (("red", (255, 0, 0)), ("blue", (0, 0, 255))):
+            with Image.open(self.out / f"{name}.png") as picture:
+                self.assertEqual((picture.size, picture.getpixel((0, 0))), ((48, 32), colour))
+
+    def test_axes_sizes_and_times_make_every_combination(self):
+        names = self.draws("--axis", "textures[0].minFilter=GL_NEAREST,GL_LINEAR", "--axis", "passes[0].lighting=*",
+                           "--size", "16x16,32x16", "--time", "0,0.5,2",
+                           "-o", self.out / "{size} {time} {minFilter} {passes[0].lighting}.png")
+        self.assertEqual(len(names), 2 * 2 * 2 * 3)
+        self.assertIn("32x16 0.5 GL_LINEAR false.png", names)
+        for name in names:
+            with Image.open(self.out / name) as picture:
+                self.assertEqual(f"{picture.width}x{picture.height}", name.split()[0])
+
+    def test_numbers_follow_the_order_of_the_scenes_and_then_of_the_axes(self):
+        a, b = self.scene("a.json"), self.scene("b.json")
+        self.draws(a, b, "--axis", "view.azimuth=0,10", "--axis", "view.elevation=5,6,7", "-o",
+                   self.out / "{number} {scene} {azimuth} {elevation}.png")
+        self.assertEqual(self.names(), [f"{2 * 3 * s + 3 * x + y + 1:02} {scene} {x * 10} {y + 5}.png"
+                                        for s, scene in enumerate("ab") for x in (0, 1) for y in (0, 1, 2)])
+
+    def test_a_picture_among_many_is_the_picture_alone(self):
+        photo = self.path / "photo.bmp"
+        photo.write_bytes(bmp(24, 20, lambda x, y: (x * 9, y * 11, x * y & 255)))
+        scenes = [self.scene("file.json", textures=[{"source": "file", "file": "photo.bmp"}],
+                             passes=[{"units": [{"enabled": True}]}]),
+                  self.scene("plain.json"),
+                  self.scene("cube.json", textures=[{"pattern": "brick"}], passes=[{"units": [
+                      {"enabled": True, "target": "GL_TEXTURE_CUBE_MAP"}]}]),
+                  self.scene("again.json", textures=[{"source": "file", "file": "photo.bmp", "compression": "S3TC"}],
+                             passes=[{"units": [{"enabled": True}]}])]
+        for renderer in ("fixed", "shader", "reference"):
+            self.draws(*scenes, "--renderer", renderer, "--axis", "textures[0].wrapS=GL_REPEAT,GL_CLAMP_TO_EDGE",
+                       "--size", "40x30,64x48", "-o", self.out / "{renderer}-{scene}-{size}-{wrapS}.png")
+            for scene in scenes:
+                for size in ("40x30", "64x48"):
+                    for wrap in ("GL_REPEAT", "GL_CLAMP_TO_EDGE"):
+                        with self.subTest((renderer, scene.name, size, wrap)):
+                            alone = self.succeeds("shot", scene, "--renderer", renderer, "--size", size,
+                                                  "--set", f"textures[0].wrapS={wrap}", "-o", "-")
+                            name = f"{renderer}-{scene.stem}-{size}-{wrap}.png"
+                            self.assertEqual((self.out / name).read_bytes(), alone)
+
+    def test_windows_are_drawn_too(self):
+        names = self.draws("--ui", "--size", "800x600", "--axis", "textures[0].magFilter=*", "-o", self.out / "{magFilter}.png")
+        self.assertEqual(names, ["GL_LINEAR.png", "GL_NEAREST.png"])
+        self.assertEqual((self.out / "GL_LINEAR.png").read_bytes(),
+                         self.succeeds("shot", "--ui", "--size", "800x600", "--set", "textures[0].magFilter=GL_LINEAR", "-o", "-"))
+
+    def test_one_picture_may_have_places_too(self):
+        self.assertEqual(self.draws(self.scene("a b.json"), "-o", self.out / "{scene}-{{x}}.png"), ["a_b-{x}.png"])
+        self.assertEqual(self.draws("--lesson", "filters", "--step", "2", "-o", self.out / "{scene}.tga")[-1],
+                         "filters-2.tga")
+
+    # -- what is refused before anything is drawn
+
+    def refuses(self, expected, *arguments, code=2):
+        self.complains(code, expected, "shot", *(() if "--size" in arguments else SMALL), *arguments)
+        self.assertEqual(self.names(), [])
+
+    def test_names_that_cant_be_are_refused(self):
+        a, b = self.scene("a.json"), self.scene("b.json")
+        (self.path / "other").mkdir()
+        twin = self.scene("other/a.json")
+        axis = ("--axis", "textures[0].minFilter=GL_NEAREST,GL_LINEAR")
+        self.refuses('found "%s" for number 1 and number 2' % (self.out / "x.png"), a, b, "-o", self.out / "x.png")
+        self.refuses("for number 1 and number 2", a, twin, "-o", self.out / "{scene}.png")
+        self.refuses("for number 1 and number 2", a, *axis, "-o", self.out / "{scene}.png")
+        self.refuses("expected one of {scene}, {number}, {renderer}, {time}, {size}, {minFilter}; found {magFilter}",
+                     a, *axis, "-o", self.out / "{magFilter}.png")
+        self.refuses("{envMode} may be passes[0].units[0].envMode or passes[0].units[1].envMode", a,
+                     "--axis", "passes[0].units[0].envMode=*", "--axis", "passes[0].units[1].envMode=*",
+                     "-o", self.out / "{envMode}.png")
+        self.refuses("expected a name and } behind each {", a, b, "-o", self.out / "{scene.png")
+        self.refuses("expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
+        self.refuses("expected a name that ends in one of", a, b, "-o", "-")
+        self.refuses("can't be written: No such file or directory", a, b, "-o", self.out / "no" / "{scene}.png", code=1)
+        self.refuses("expected each axis once, found textures[0].minFilter twice", a, *axis, *axis, "-o", self.out / "{number}.png")
+        self.refuses('expected each once, found "0" twice', a, "--time", "0,1,0", "-o", self.out / "{time}.png")
+        self.refuses("--size: expected WIDTHxHEIGHT", a, "--size", "8x8,", "-o", self.out / "{size}.png")
+        self.refuses("textures[0].nonsense", a, b, "--axis", "textures[0].nonsense=*", "-o", self.out / "{number}.png")
+        self.refuses("--no-metadata: has no effect here: it is for PNG files", a, b, "--no-metadata", "-o", self.out / "{scene}.bmp")
+
+    def test_no_value_leads_out_of_the_folder(self):
+        evil = self.scene("..<script>.json", view={"azimuth": 1})
+        names = self.draws(evil, "--axis", "view.background=0,0,0,1;1,1,1,1", "-o", self.out / "{scene}{background}.png")
+        self.assertEqual(names, ["_._script_0,0,0,1.png", "_._script_1,1,1,1.png"])
+        for name in ("..json", "....json"):
+            inner = self.out / "in"
+            inner.mkdir(exist_ok=True)
+            evil = self.scene(name)
+            self.succeeds("shot", *SMALL, evil, "-o", self.out / "in" / "{scene}.png")
+        self.assertEqual(sorted(os.listdir(self.path)), sorted(
+            ["..<script>.json", "..json", "....json", "out"]))
+        self.assertTrue(all(name.startswith("_") for name in os.listdir(inner)), os.listdir(inner))
+
+    def test_too_many_pictures_are_refused_at_once(self):
+        axes = []
+        for path in ("view.azimuth=0..100/100", "view.elevation=0..80/100", "view.distance=2..9/100"):
+            axes += ["--axis", path]
+        self.refuses("one call draws at most 100000 pictures, these are more", *axes, "-o", self.out / "{number}.png")
+        for times in (11, 40):
+            self.refuses("at most 100000", *axes[:4], "--time", ",".join(map(str, range(times))), "-o", self.out / "{number}.png")
+        million = [*axes, "--axis", "view.fieldOfView=10..90/100"]
+        if not SANITIZED:
+            self.assertLess(self.peak([], *million, "-o", self.out / "{number}.png", code=2), 64 << 10, "kilobytes")
+
+    # -- what goes wrong on the way
+
+    def test_broken_scenes_are_said_and_the_others_drawn(self):
+        good, more = self.scene("good.json"), self.scene("more.json")
+        broken = self.path / "broken.json"
+        broken.write_text('{"version": 1, "textures": [')
+        unloadable = self.scene("unloadable.json", textures=[{"source": "file", "file": "missing.bmp"}],
+                                passes=[{"units": [{"enabled": True}]}])
+        missing = self.path / "missing.json"
+        result = texshot("shot", *SMALL, good, broken, unloadable, missing, more, "-o", self.out / "{scene}.png")
+        said = result.stderr.decode().splitlines()
+        self.assertEqual((result.returncode, self.names()), (1, ["good.png", "more.png"]), said)
+        self.assertEqual(len(said), 3)
+        self.assertIn("broken.json", said[0])
+        self.assertIn("missing.json: can't be opened: No such file or directory", said[1])
+        self.assertRegex(said[2], r"unloadable\.png: .*unloadable\.json: .*missing\.bmp")
+        result = texshot("shot", *SMALL, broken, missing, "-o", self.out / "x{number}.png")
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (1, 2))
+
+    def test_a_full_disk_ends_it_with_one_sentence(self):
+        scenes = [self.scene(f"{i}.json", view={"azimuth": i}) for i in range(12)]
+        self.succeeds("shot", "--size", "256x256", scenes[0], "-o", self.out / "0.png")
+        old = (self.out / "0.png").read_bytes()
+        limit = 64
+        result = texshot("shot", "--size", "256x256", *scenes, "-o", self.out / "{scene}.png",
+                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr.decode(),
+                         r"\Atexshot: [^\n]*/\d+\.png: can't be written: File too large; 0 of 12 pictures were written\n\Z")
+        self.assertEqual((self.names(), (self.out / "0.png").read_bytes()), (["0.png"], old))
+
+    def test_a_disk_that_fills_up_keeps_what_was_written(self):
+        """Small pictures fit, a large one doesn't: those before it are whole."""
+        call = ("shot", "--size", "16x16,512x512", "--axis", "view.azimuth=0..90/4", "-o", self.out / "{size}-{azimuth}.png")
+        limit = 12000
+        result = texshot(*call, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr.decode(), r"\Atexshot: [^\n]*512x512-[^\n]*; 4 of 8 pictures were written\n\Z")
+        self.assertEqual(self.names(), [f"16x16-{angle}.png" for angle in (0, 30, 60, 90)])
+        for name in self.names():
+            with Image.open(self.out / name) as picture:
+                picture.load()
+
+    def test_a_signal_keeps_what_was_written(self):
+        call = [TEXSHOT, "shot", "--size", "300x200", "--axis", "view.azimuth=0..90/256", "--axis", "view.elevation=0..80/256",
+                "-o", str(self.out / "{number}.png")]
+        for kill, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(kill):
+                shutil.rmtree(self.out)
+                self.out.mkdir()
+                work = subprocess.Popen(call, stderr=subprocess.PIPE)
+                while work.poll() is None and len(os.listdir(self.out)) < 5:
+                    time.sleep(0.01)
+                work.send_signal(kill)
+                said = work.communicate(timeout=100)[1].decode()
+                self.assertEqual(work.returncode, code, said)
+                names = self.names()
+                self.assertEqual(said, f"texshot: interrupted; {len(names)} of 65536 pictures were written\n")
+                self.assertEqual(names, [f"{i + 1:05}.png" for i in range(len(names))])
+                for name in names:
+                    with Image.open(self.out / name) as picture:
+                        picture.load()
+
+    def test_a_kill_leaves_no_half_of_a_file(self):
+        call = [TEXSHOT, "shot", "--size", "300x200", "--axis", "view.azimuth=0..90/200", "-o", str(self.out / "{number}.png")]
+        work = subprocess.Popen(call, stderr=subprocess.DEVNULL)
+        while work.poll() is None and len(os.listdir(self.out)) < 5:
+            time.sleep(0.01)
+        work.kill()
+        work.wait()
+        for name in self.names():
+            if re.fullmatch(r"\d+\.png", name):
+                with Image.open(self.out / name) as picture:
+                    picture.load()
+            else:
+                self.assertRegex(name, r"\A\.texplorer-.*\.tmp\Z")
+        self.succeeds("shot", *SMALL, "--time", "0,1", "-o", self.out / "x{number}.png")
+        self.assertTrue(all(re.fullmatch(r"x?\d+\.png", name) for name in self.names()), self.names())
+
+    @unittest.skipIf(SANITIZED, "AddressSanitizer keeps what was freed")
+    def test_memory_stays_bounded_over_many_scenes(self):
+        """Of 500 scenes with 250 images and as many meshes; what one of them alone takes isn't there 500 times."""
+        files = [self.scene(f"scene{i}.json", models=[{"shape": "sphere", "slices": 16 + i % 40, "stacks": 50 + i // 40}],
+                            textures=[{"source": "file", "file": f"{i // 2}.bmp", "mipmaps": "generated"}],
+                            passes=[{"units": [{"enabled": True, "envMode": mode}]}])
+                 for i, mode in zip(range(500), 100 * ["GL_MODULATE", "GL_REPLACE", "GL_ADD", "GL_DECAL", "GL_BLEND"])]
+        image = bmp(256, 256, lambda x, y: (x, y, 0))
+        for i in range(250):  # 0.35 MB each with its levels
+            (self.path / f"{i}.bmp").write_bytes(image[:60] + bytes([i]) + image[61:])
+        for renderer in ("fixed", "shader"):
+            few, many = (self.peak(files[:count], *SMALL, "--renderer", renderer, "-o", self.out / "{scene}.png")
+                         for count in (100, 500))
+            self.assertEqual(len(self.names()), 500)
+            self.assertLess(many - few, 40 << 10, f"kilobytes: {few} for 100 scenes, {many} for 500")
+
+    def peak(self, files, *arguments, code=0):
+        """The most memory that texshot shot has used, in kilobytes."""
+        with open(self.path / "said.txt", "w+b") as said:
+            work = subprocess.Popen([TEXSHOT, "shot", *map(str, [*files, *arguments])], stderr=said)
+            _, status, usage = os.wait4(work.pid, 0)
+            work.returncode = os.waitstatus_to_exitcode(status)
+            said.seek(0)
+            self.assertEqual(work.returncode, code, said.read())
+        return usage.ru_maxrss
+
+    # -- what a picture says of itself
+
+    def texts(self, name):
+        with Image.open(self.out / name) as picture:
+            picture.load()
+            return dict(picture.text)
+
+    def test_a_png_says_how_it_was_drawn(self):
+        scene = self.scene("a.json", view={"azimuth": 33}, textures=[{"source": "file", "file": "größe.bmp"}])
+        (self.path / "größe.bmp").write_bytes(bmp(4, 4, lambda x, y: (x, y, 0)))
+        self.draws(scene, "--set", "textures[0].mipmaps=generated", "--time", "0.25", "--renderer", "shader", "--set", "view.elevation=12", "-o", self.out / "a.png")
+        texts = self.texts("a.png")
+        version = self.succeeds("--version").decode().split()[-1]
+        self.assertEqual(texts["Software"], f"texshot {version}")
+        self.assertEqual(texts["Texplorer renderer"], "shader")
+        self.assertIn("llvmpipe", texts["Texplorer driver"])
+        self.assertRegex(texts["Texplorer driver"], r"Mesa \d")
+        self.assertTrue(texts["Texplorer context"])
+        self.assertEqual((texts["Texplorer time"], texts["Texplorer size"]), ("0.25", "48x32"))
+        document = json.loads(texts["Texplorer scene"])
+        self.assertEqual((document["view"]["azimuth"], document["view"]["elevation"]), (33, 12))
+        self.assertEqual(document["textures"][0]["file"], "größe.bmp")
+        self.draws("--renderer", "reference", "-o", self.out / "b.png")
+        self.assertNotIn("Texplorer driver", self.texts("b.png"))
+        self.draws("-o", self.out / "c.png", "--no-metadata")
+        self.assertEqual(self.texts("c.png"), {})
+        self.draws("--ui", "--size", "800x600", "--compare", "fixed,reference", "-o", self.out / "d.png")
+        self.assertEqual(self.texts("d.png")["Texplorer renderer"], "fixed,reference")
+
+    def test_a_picture_is_its_own_scene(self):
+        scene = self.scene("a.json", view={"azimuth": 33}, models=[{"shape": "sphere", "slices": 9}])
+        self.draws(scene, "--set", "material.color=1,0,0,1", "-o", self.out / "first.png")
+        self.draws(self.out / "first.png", "-o", self.out / "second.png")
+        self.assertEqual((self.out / "first.png").read_bytes(), (self.out / "second.png").read_bytes())
+        self.assertNotEqual((self.out / "first.png").read_bytes(), self.succeeds("shot", *SMALL, scene, "-o", "-"))
+        self.succeeds("check", self.out / "first.png")
+
+    def test_pngs_without_a_scene_or_with_a_hostile_one_are_refused(self):
+        self.draws("-o", self.out / "good.png", "--no-metadata")
+        plain = (self.out / "good.png").read_bytes()
+        self.draws("-o", self.out / "good.png")
+        good = (self.out / "good.png").read_bytes()
+        keyword = b"Texplorer scene\0"
+        bomb = zlib.compress(b"[" * (200 << 20), 9)
+        evil = self.path / "evil.png"
+        at = good.index(b"iTXt")
+        cases = [
+            ("expected a scene, found a PNG without one", plain),
+            ("line 1, column 3", with_chunks(plain, chunk(b"tEXt", keyword + b"{nonsense"))),
+            ("holds more than 16777216 bytes", with_chunks(plain, chunk(b"zTXt", keyword + b"\0" + bomb))),
+            ("the zlib stream is damaged", with_chunks(plain, chunk(b"zTXt", keyword + b"\0" + zlib.compress(b"{}" * 99)[:-3]))),
+            ("expected 0 for the method", with_chunks(plain, chunk(b"zTXt", keyword + b"\7" + bomb[:90]))),
+            ("expected a language", with_chunks(plain, chunk(b"iTXt", keyword + b"\0\0enenen"))),
+            ("is damaged", with_chunks(plain, chunk(b"tEXt", keyword + b'{"version": 1}')[:-1] + b"?")),
+            ("", good[:at + 40]),
+            ("", good[:20]),
+        ]
+        for expected, content in cases:
+            with self.subTest(expected):
+                evil.write_bytes(content)
+                said = self.complains(1, expected, "shot", *SMALL, evil, "-o", self.out / "new.png")
+                self.assertIn("evil.png", said)
+                evil.unlink()
+        evil.write_bytes(with_chunks(plain, chunk(b"tEXt", keyword + b'{"version": 1}')))  # from somebody else: why not
+        self.draws(evil, "-o", self.out / "new.png")
+
+    def test_info_shows_texts_whatever_they_hold(self):
+        self.draws("-o", self.out / "good.png")
+        shown = self.succeeds("info", self.out / "good.png").decode()
+        self.assertRegex(shown, r"keyword +Texplorer renderer\n.*text +fixed\n")
+        self.assertRegex(shown, r'text +\{\\u000a  "version": 1,.* \d+ bytes once they are unpacked')
+        png = (self.out / "good.png").read_bytes()
+        hostile = [chunk(b"tEXt", b"Comment\0\x1b[2J\nred \xe4"), chunk(b"tEXt", b"\0"), chunk(b"tEXt", b"x" * 300),
+                   chunk(b"zTXt", b"Bomb\0\0" + zlib.compress(b"a" * (64 << 20), 9)), chunk(b"zTXt", b"Cut\0"),
+                   chunk(b"iTXt", b"Packed\0\1\0en\0\0" + b"rubbish"), chunk(b"iTXt", b"Two\0\2\0\0\0"),
+                   chunk(b"iTXt", b"Broken\0\0\0\0\0\xff\xfe\xe2\x80\xae")]
+        file = self.path / "hostile.png"
+        file.write_bytes(with_chunks(png, *hostile))
+        for form in ((), ("--json",)):
+            shown = self.succeeds("info", file, *form).decode()
+            self.assertNotIn("\x1b", shown)
+            self.assertNotIn("\u202e", shown)
+            for expected in ("red ä", "expected a keyword of 1 to 79 letters", "more than 1048576 bytes once",
+                             "expected 0 for the method", "the zlib stream is damaged", "expected 0 or 1"):
+                self.assertIn(expected, shown)
+        with Image.open(self.out / "good.png") as picture:
+            picture.verify()
+
+
+if __name__ == "__main__":
+    unittest.main()
