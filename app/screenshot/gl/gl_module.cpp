@@ -20,6 +20,7 @@
 #include <fmt/core.h>
 
 #include <map>
+#include <mutex>
 
 namespace texplorer::screenshot {
 namespace {
@@ -203,6 +204,13 @@ extern "C" [[gnu::visibility("default")]] void
 texshotStudio(const std::filesystem::path& shaders, const texplorer::view::Pretence& pretence,
               const texplorer::view::ContextChoice& context,
               texplorer::Result<std::unique_ptr<texplorer::screenshot::Studio>>& studio) {
-    texplorer::render::setUpDriverCache();
+    // Studios may be opened on several threads: the environment is changed before there is a context, and
+    // GLEW finds its functions again with each.
+    static std::mutex opening;
+    static bool first = true;
+    const std::scoped_lock lock(opening);
+    if (first)
+        texplorer::render::setUpDriverCache();
+    first = false;
     studio = texplorer::screenshot::openContextStudio(shaders, pretence, context);
 }

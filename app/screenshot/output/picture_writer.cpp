@@ -63,6 +63,7 @@ std::unique_ptr<PictureWriter::Encoder> PictureWriter::makeEncoder(std::size_t i
 }
 
 void PictureWriter::write(PictureJob job) {
+    const std::scoped_lock one(asking_);
     std::size_t encoder = 0;
     {
         std::unique_lock lock(mutex_);

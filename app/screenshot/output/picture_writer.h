@@ -27,8 +27,7 @@ struct PictureJob {
 };
 
 /// Encodes pictures and writes their files, each as a whole, on threads of its own while the next ones are
-/// drawn. What waits is bounded in number and bytes. After a file that can't be written no other is. Its
-/// functions are called from one thread.
+/// drawn. What waits is bounded in number and bytes. After a file that can't be written no other is.
 class PictureWriter {
 public:
     explicit PictureWriter(unsigned threads);
@@ -37,7 +36,7 @@ public:
     /// What waits is not written; what is being written is.
     ~PictureWriter();
 
-    /// Waits where too much does already.
+    /// Waits where too much does already. Any thread may.
     void write(PictureJob job);
 
     /// Waits until all are written, or one can't be.
@@ -63,7 +62,8 @@ private:
     std::vector<std::size_t> waiting_; ///< pictures of each encoder, with the one that it does
     std::optional<Error> failure_;
 
-    std::set<std::filesystem::path> folders_;        ///< written to so far; of the thread that calls
+    std::mutex asking_;                              ///< guards what follows
+    std::set<std::filesystem::path> folders_;        ///< written to so far
     std::vector<std::unique_ptr<Encoder>> encoders_; ///< last: they end before the rest does
 };
 

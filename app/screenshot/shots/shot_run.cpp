@@ -7,20 +7,25 @@
 #include "app/screenshot/shots/shot_drawer.h"
 #include "core/base/count.h"
 #include "core/base/parallel.h"
+#include "core/base/tried.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/image/convert.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <atomic>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 namespace texplorer::screenshot {
 namespace {
 
-constexpr unsigned mostEncoders = 4; // they keep up with one thread that draws
+constexpr unsigned mostEncoders = 4;
+constexpr unsigned mostContexts = 4;         // which share the driver's own threads, where it has some
+constexpr std::size_t picturesOfContext = 8; // that make up for what a context costs
 
 bool isCompressed(const Scene& scene) {
     return std::ranges::find(scene.textures, Compression::Cached, &Texture::compression) !=
@@ -34,15 +39,17 @@ bool isOpaque(const ShotRequest& request) {
 }
 
 /// What there is to say of a picture that was drawn. `name`: the picture's, where there are several.
-void complainAbout(const ShotRequest& request, const Shot& shot, const std::string& name = {}) {
+std::vector<Error> errorsAbout(const ShotRequest& request, const Shot& shot, const std::string& name = {}) {
+    std::vector<Error> errors;
     for (const std::string& problem : shot.frame.problems)
-        complain({ErrorCode::Driver, problem, name});
+        errors.push_back({ErrorCode::Driver, problem, name});
     for (const Finding& each : diagnose(request.scene, request.images, shot.driver.facts)) {
         if (each.severity > Severity::Warning || each.reportedByRenderer) // else it is a problem already
             continue;
         const Error finding{ErrorCode::Malformed, each.sentence, each.path};
-        complain(name.empty() ? finding : Error{finding.code, describe(finding), name});
+        errors.push_back(name.empty() ? finding : Error{finding.code, describe(finding), name});
     }
+    return errors;
 }
 
 /// The scene of each case, with its images: those of the last scene are kept for the next.
@@ -82,11 +89,101 @@ private:
     ImageSource images_;
 };
 
-Result<Shot> drawCase(const ShotRun& run, std::size_t index, Scenes& scenes, ShotDrawer& drawer,
-                      ShotRequest& request) {
-    if (const Result<void> there = scenes.put(run.list.at(index), request); !there)
-        return fail(there.error());
-    return drawer.draw(request);
+/// Sentences about pictures, said in the pictures' order whoever has drawn them.
+class Sentences {
+public:
+    explicit Sentences(LongWork& work)
+        : work_(work) {}
+
+    void put(std::size_t index, std::vector<Error> errors) {
+        const std::scoped_lock lock(mutex_);
+        waiting_.emplace(index, std::move(errors));
+        for (auto next = waiting_.begin(); next != waiting_.end() && next->first == said_;
+             next = waiting_.erase(next), ++said_) {
+            if (!next->second.empty())
+                work_.clearLine();
+            for (const Error& error : next->second)
+                complain(error);
+        }
+    }
+
+private:
+    LongWork& work_;
+    std::mutex mutex_;
+    std::map<std::size_t, std::vector<Error>> waiting_; ///< for those before them
+    std::size_t said_ = 0;                              ///< of how many pictures, from the first
+};
+
+/// What the threads that draw have in common.
+struct Drawing {
+    const ShotRun& run;
+    LongWork& work;
+    PictureWriter writer;
+    Sentences sentences;
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> incomplete = false;
+    std::mutex mutex{};
+    std::optional<Error> unopened{}; ///< why there is no context: nothing can be drawn
+
+    [[nodiscard]] bool goesOn() const { return !work.stopToken().stop_requested() && !writer.failure(); }
+};
+
+void drawCase(Drawing& all, std::size_t index, Scenes& scenes, ShotDrawer& drawer, ShotRequest& request) {
+    const std::string& name = all.run.names[index];
+    std::vector<Error> errors;
+    Result<Shot> shot = tried({"there is no memory to draw it", "it can't be drawn"}, [&]() -> Result<Shot> {
+        if (const Result<void> there = scenes.put(all.run.list.at(index), request); !there)
+            return fail(there.error());
+        Result<Shot> drawn = drawer.draw(request);
+        if (drawn)
+            errors = errorsAbout(request, *drawn, name);
+        return drawn;
+    });
+    if (!shot && shot.error().code == ErrorCode::Cancelled)
+        return;
+    if (!shot) {
+        errors.push_back({shot.error().code, describe(shot.error()), name});
+        all.incomplete = true;
+    }
+    all.sentences.put(index, std::move(errors));
+    if (shot) {
+        std::optional<PictureFacts> facts;
+        if (all.run.withTexts)
+            facts = factsOf(request, *shot);
+        all.writer.write(
+            {std::move(shot->frame.image), isOpaque(request), name, all.run.format, std::move(facts)});
+    }
+    all.work.report(static_cast<float>(++all.done) / static_cast<float>(all.run.names.size()));
+}
+
+/// On one thread, with a context of its own: the next picture, as long as there is one.
+void drawThem(Drawing& all) {
+    ShotRequest request = all.run.common;
+    request.levels.stop = all.work.stopToken();
+    ShotDrawer drawer;
+    if (const Result<void> open = drawer.open(request); !open) {
+        const std::scoped_lock lock(all.mutex);
+        all.unopened = open.error();
+        return;
+    }
+    Scenes scenes(all.run.list);
+    while (all.goesOn()) {
+        const std::size_t index = all.next++;
+        if (index >= all.run.names.size())
+            return;
+        drawCase(all, index, scenes, drawer, request);
+    }
+}
+
+/// Contexts side by side: half of a picture's time is the driver's on the thread that draws, which compiles
+/// for each state. A window and the reference have the processors to themselves.
+unsigned contextsFor(const ShotRun& run) {
+    if (run.common.window || run.common.renderer == RendererKind::Reference)
+        return 1;
+    const std::size_t worthwhile = std::max<std::size_t>(1, run.names.size() / picturesOfContext);
+    return static_cast<unsigned>(
+        std::min<std::size_t>(worthwhile, std::min(processorThreads(), mostContexts)));
 }
 
 } // namespace
@@ -108,7 +205,8 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
         return complainInterrupted();
     if (!shot)
         return complain(shot.error());
-    complainAbout(request, *shot);
+    for (const Error& error : errorsAbout(request, *shot))
+        complain(error);
     WriteOptions options;
     if (withTexts)
         options.texts = textsOf(factsOf(request, *shot));
@@ -120,43 +218,23 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
 }
 
 ExitCode drawAll(const ShotRun& run) {
-    ShotRequest request = run.common;
     LongWork work("texshot: drawing");
-    request.levels.stop = work.stopToken();
-    ShotDrawer drawer;
-    if (const Result<void> open = drawer.open(request); !open)
-        return complain(open.error());
-    Scenes scenes(run.list);
-    PictureWriter writer(std::min(processorThreads(), mostEncoders));
-    bool failed = run.incomplete;
-    const std::size_t count = run.names.size();
-    for (std::size_t i = 0; i < count && !work.stopToken().stop_requested() && !writer.failure(); ++i) {
-        Result<Shot> shot = drawCase(run, i, scenes, drawer, request);
-        if (work.stopToken().stop_requested())
-            break;
-        work.clearLine();
-        if (!shot) {
-            complain({shot.error().code, describe(shot.error()), run.names[i]});
-            failed = true;
-            continue;
-        }
-        complainAbout(request, *shot, run.names[i]);
-        std::optional<PictureFacts> facts;
-        if (run.withTexts)
-            facts = factsOf(request, *shot);
-        writer.write(
-            {std::move(shot->frame.image), isOpaque(request), run.names[i], run.format, std::move(facts)});
-        work.report(static_cast<float>(i + 1) / static_cast<float>(count));
-    }
-    writer.finish();
+    Drawing all{run, work, PictureWriter(std::min(processorThreads(), mostEncoders)), Sentences(work)};
+    all.incomplete = run.incomplete;
+    const unsigned contexts = contextsFor(run);
+    parallelFor(contexts, contexts, [&](std::size_t) { drawThem(all); });
+    all.writer.finish();
     work.finish();
+    const std::size_t count = run.names.size();
     const std::string written =
-        fmt::format("{} of {} were written", writer.written(), countOf(count, "picture"));
-    if (const std::optional<Error> failure = writer.failure())
+        fmt::format("{} of {} were written", all.writer.written(), countOf(count, "picture"));
+    if (const std::optional<Error> failure = all.writer.failure())
         return complain({failure->code, fmt::format("{}; {}", failure->message, written), failure->where});
     if (work.stopToken().stop_requested())
-        return complainInterrupted(writer.written() > 0 ? written : std::string());
-    return failed ? failure : success;
+        return complainInterrupted(all.writer.written() > 0 ? written : std::string());
+    if (all.unopened && all.next < count) // another thread's context has done without it
+        return complain(*all.unopened);
+    return all.incomplete ? failure : success;
 }
 
 } // namespace texplorer::screenshot
