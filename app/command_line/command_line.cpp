@@ -1,9 +1,11 @@
 #include "app/command_line/command_line.h"
 
 #include "app/command_line/help_format.h"
+#include "app/command_line/wrong_call.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <sstream>
@@ -11,31 +13,24 @@
 namespace texplorer {
 namespace {
 
-std::shared_ptr<CLI::App> makeApp(const std::string& program, const std::string& version,
-                                  const std::string& help) {
+constexpr const char* sharedGroup = HelpFormatter::sharedGroup;
+
+constexpr const char* helpCommandName = "help";
+
+std::shared_ptr<CLI::App> makeApp(const std::string& program, const std::string& help) {
     auto app = std::make_shared<CLI::App>(help, program);
     app->formatter(std::make_shared<HelpFormatter>());
-    app->set_version_flag("--version", fmt::format("{} {}", program, version));
     return app;
 }
 
-/// One sentence, without the program's name.
-std::string sentenceFor(const CLI::App& app, const std::string& called, const CLI::ParseError& error) {
-    std::string said = error.what();
-    if (const std::vector<std::string> extra = app.remaining(true);
-        error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty()) {
-        const std::string& first = extra.front();
-        return fmt::format("{}; see {} --help",
-                           first.starts_with("-")
-                               ? "there is no option " + first
-                               : fmt::format("expected no further argument, found \"{}\"", first),
-                           called);
-    }
-    // "--size: 1 required TEXT missing"
-    if (const std::size_t colon = said.find(": 1 required ");
-        colon != std::string::npos && said.ends_with(" missing"))
-        return said.substr(0, colon) + ": expected a value, found none";
-    return said;
+/// Of any value: an empty one is a variable of a shell that isn't set, and the name of an option one that
+/// took the place of a value which was forgotten.
+std::string checkValue(const CLI::App& app, const std::string& value) {
+    if (value.empty())
+        return "expected a value, found an empty one";
+    if (value.size() > 1 && value.starts_with("-") && app.get_option_no_throw(value) != nullptr)
+        return fmt::format("expected a value, found the option {}", value);
+    return {};
 }
 
 } // namespace
@@ -52,11 +47,64 @@ bool Option::isGiven() const {
     return environment == nullptr || option_->results().front() != environment;
 }
 
-Command::Command(std::shared_ptr<CLI::App> app)
-    : app_(std::move(app)) {}
+std::vector<std::string> Option::names() const {
+    if (isArgument())
+        return {option_->get_name(true, false)};
+    std::vector<std::string> names;
+    for (const std::string& name : option_->get_snames())
+        names.push_back("-" + name);
+    for (const std::string& name : option_->get_lnames())
+        names.push_back("--" + name);
+    return names;
+}
+
+bool Option::isArgument() const {
+    return option_->get_positional();
+}
+
+bool Option::isFlag() const {
+    return option_->get_items_expected_max() == 0;
+}
+
+bool Option::isList() const {
+    return option_->get_expected_max() >= CLI::detail::expected_max_vector_size;
+}
+
+std::string Option::help() const {
+    return option_->get_description();
+}
+
+Command::Command(std::shared_ptr<CLI::App> app, std::shared_ptr<Program> program)
+    : app_(std::move(app))
+    , program_(std::move(program)) {
+    shared_.emplace_back(*app_->set_help_flag("-h,--help", "Print this."), OptionRules{});
+    shared_.emplace_back(*app_->set_version_flag("--version", program_->version, "Print the version."),
+                         OptionRules{});
+    for (const SharedFlag& flag : program_->flags)
+        share(flag);
+}
+
+void Command::share(const SharedFlag& flag) {
+    CLI::Option* option = app_->add_flag(flag.names, *flag.value, flag.help)->disable_flag_override();
+    if (!flag.excludes.empty())
+        option->excludes(flag.excludes);
+    shared_.emplace_back(*option, OptionRules{});
+}
 
 std::string Command::name() const {
     return app_->get_name();
+}
+
+std::string Command::help() const {
+    return app_->get_description();
+}
+
+std::string Command::group() const {
+    return app_->get_group();
+}
+
+std::string Command::footer() const {
+    return app_->get_footer();
 }
 
 const Option& Command::keep(CLI::Option& option, const OptionRules& rules) {
@@ -74,9 +122,13 @@ const Option& Command::keep(CLI::Option& option, const OptionRules& rules) {
         option.needs(rules.needs->option_);
     if (rules.excludes != nullptr)
         option.excludes(rules.excludes->option_);
+    if (option.get_items_expected_max() == 0) // a flag
+        option.disable_flag_override();
+    else
+        option.check([app = app_.get()](const std::string& value) { return checkValue(*app, value); });
     if (rules.check)
         option.check(rules.check);
-    return options_.emplace_back(option);
+    return options_.emplace_back(option, rules);
 }
 
 const Option& Command::option(const std::string& names, std::string& value, const std::string& help,
@@ -119,10 +171,23 @@ void Command::footer(const std::string& text) {
     app_->footer(text);
 }
 
+void Command::usage(std::vector<std::string> lines) {
+    usage_ = std::move(lines);
+    app_->formatter(std::make_shared<HelpFormatter>(usage_));
+}
+
 Command& Command::command(const std::string& name, const std::string& help) {
     app_->require_subcommand(1);
+    for (const Option& each : shared_) // these stand apart, as they do in each command
+        each.option_->group(sharedGroup);
     std::shared_ptr<CLI::App> app(app_, app_->add_subcommand(name, help));
-    return *commands_.emplace_back(new Command(std::move(app)));
+    app->formatter(std::make_shared<HelpFormatter>());
+    if (!program_->group.empty())
+        app->group(program_->group);
+    Command& command = *commands_.emplace_back(new Command(std::move(app), program_));
+    for (const Option& each : command.shared_)
+        each.option_->group(sharedGroup);
+    return command;
 }
 
 void Command::onCall(std::function<int()> action) {
@@ -138,7 +203,23 @@ int Command::run() const {
 }
 
 CommandLine::CommandLine(const std::string& program, const std::string& version, const std::string& help)
-    : Command(makeApp(program, version, help)) {}
+    : Command(makeApp(program, help), std::make_shared<Program>(Program{program + " " + version})) {}
+
+void CommandLine::everywhere(const std::string& names, bool& value, const std::string& help,
+                             const std::string& excludes) {
+    program_->flags.push_back({names, &value, help, excludes});
+    share(program_->flags.back());
+}
+
+void CommandLine::group(const std::string& title) {
+    program_->group = title;
+}
+
+void CommandLine::addHelp() {
+    Command& command = this->command(helpCommandName, "What a command does and takes.");
+    command.option("COMMAND", explained_, "The command. Without one: the list of them.");
+    helpCommand_ = &command;
+}
 
 /// "texshot shot": the command that was called, as one would write it.
 std::string CommandLine::calledCommand() const {
@@ -148,19 +229,47 @@ std::string CommandLine::calledCommand() const {
     return name;
 }
 
+std::string CommandLine::noCommand(const std::string& word) const {
+    std::string all;
+    std::vector<std::string> names;
+    for (const auto& command : commands_) {
+        names.push_back(command->name());
+        all.append(all.empty() ? "" : ", ").append(names.back());
+    }
+    const std::string meant = didYouMean(word, {names.begin(), names.end()});
+    return fmt::format("there is no command \"{}\"{}", word,
+                       meant.empty() ? fmt::format("; expected one of {}", all) : meant);
+}
+
 /// CLI11 would say only that a subcommand is missing. Empty: none is.
 std::string CommandLine::missingCommand(int argc, const char* const* argv) const {
-    if (commands_.empty() || (argc > 1 && app_->get_option_no_throw(argv[1]) != nullptr))
+    if (commands_.empty())
         return {};
-    std::string names;
-    for (const auto& command : commands_) {
-        if (argc > 1 && command->name() == argv[1])
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (const CLI::Option* flag = app_->get_option_no_throw(word)) {
+            if (flag == app_->get_help_ptr() || flag == app_->get_version_ptr())
+                return {};
+            continue; // it may stand before the command
+        }
+        if (std::ranges::any_of(commands_, [&](const auto& command) { return command->name() == word; }))
             return {};
-        names.append(names.empty() ? "" : ", ").append(command->name());
+        if (!word.starts_with("-"))
+            return noCommand(word);
+        const std::string meant = didYouMeanOption(*app_, word);
+        return fmt::format("expected a command, found \"{}\"{}", word,
+                           meant.empty() ? fmt::format("; see {} --help", app_->get_name()) : meant);
     }
-    return fmt::format("{}; expected one of {}",
-                       argc > 1 ? fmt::format("there is no command \"{}\"", argv[1]) : "a command is missing",
-                       names);
+    return fmt::format("a command is missing; see {} --help", app_->get_name());
+}
+
+Result<std::optional<std::string>> CommandLine::helpAskedFor() const {
+    if (explained_.empty())
+        return app_->help();
+    for (const auto& command : commands_)
+        if (command->name() == explained_)
+            return app_->get_subcommand(explained_)->help(app_->get_name());
+    return fail(ErrorCode::OutOfRange, noCommand(explained_));
 }
 
 Result<std::optional<std::string>> CommandLine::parse(int argc, const char* const* argv) {
@@ -168,6 +277,8 @@ Result<std::optional<std::string>> CommandLine::parse(int argc, const char* cons
         return fail(ErrorCode::OutOfRange, missing);
     try {
         app_->parse(argc, argv);
+        if (helpCommand_ != nullptr && app_->got_subcommand(helpCommandName))
+            return helpAskedFor();
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0)

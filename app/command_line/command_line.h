@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI { // CLI11, which command_line.cpp and help_format.cpp alone include: it takes seconds to
@@ -21,22 +22,7 @@ class Option;
 
 namespace texplorer {
 
-/// An option, flag or positional argument. Its command keeps it.
-class Option {
-public:
-    explicit Option(CLI::Option& option)
-        : option_(&option) {}
-
-    /// "--out" of "-o,--out".
-    [[nodiscard]] std::string name() const;
-
-    /// Whether the command line itself has it: what an environment variable says may go unused.
-    [[nodiscard]] bool isGiven() const;
-
-private:
-    friend class Command;
-    CLI::Option* option_;
-};
+class Option;
 
 /// What may be said about an option beside its names.
 struct OptionRules {
@@ -51,6 +37,35 @@ struct OptionRules {
         {}; ///< of a value: what is wrong with it; empty: nothing
 };
 
+/// An option, flag or positional argument. Its command keeps it.
+class Option {
+public:
+    Option(CLI::Option& option, OptionRules rules)
+        : option_(&option)
+        , rules_(std::move(rules)) {}
+
+    /// "--out" of "-o,--out".
+    [[nodiscard]] std::string name() const;
+
+    /// Whether the command line itself has it: what an environment variable says may go unused.
+    [[nodiscard]] bool isGiven() const;
+
+    // What was declared, for who writes it down: help, manuals, completion.
+
+    /// "-o" and "--out"; "FILE" of an argument.
+    [[nodiscard]] std::vector<std::string> names() const;
+    [[nodiscard]] bool isArgument() const; ///< has no dashes: its place tells what it is
+    [[nodiscard]] bool isFlag() const;     ///< takes no value
+    [[nodiscard]] bool isList() const;     ///< may be given again
+    [[nodiscard]] std::string help() const;
+    [[nodiscard]] const OptionRules& rules() const { return rules_; }
+
+private:
+    friend class Command;
+    CLI::Option* option_;
+    OptionRules rules_;
+};
+
 /// What a program takes, or one of its commands ("texshot shot"). Values are filled in while the line is
 /// parsed; they must live until then, and keep what they have where the line doesn't say otherwise.
 class Command {
@@ -60,6 +75,8 @@ public:
     ~Command() = default;
 
     [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string help() const;
+    [[nodiscard]] std::string group() const; ///< the title that it stands under in the program's help
 
     /// `names`: "--size", "-o,--out", or "FILE" for an argument that has no dashes.
     const Option& option(const std::string& names, std::string& value, const std::string& help,
@@ -83,9 +100,15 @@ public:
 
     /// The paragraphs below the options in --help, one a line.
     void footer(const std::string& text);
+    [[nodiscard]] std::string footer() const;
+
+    /// How it is called, where that isn't its options and arguments in their order: "IN OUT", "IN... -o DIR".
+    void usage(std::vector<std::string> lines);
+    [[nodiscard]] const std::vector<std::string>& usage() const { return usage_; }
 
     /// A command of this one, which from then on needs one of them.
     Command& command(const std::string& name, const std::string& help);
+    [[nodiscard]] const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
 
     /// What the command does, and the program's exit status.
     void onCall(std::function<int()> action);
@@ -94,13 +117,33 @@ public:
     /// print.
     [[nodiscard]] int run() const;
 
-    /// All that were declared so far.
+    /// All that were declared for it so far, without those that every command has.
     [[nodiscard]] const std::deque<Option>& options() const { return options_; }
 
+    /// --help, --version and the flags that every command has.
+    [[nodiscard]] const std::deque<Option>& sharedOptions() const { return shared_; }
+
 protected:
-    explicit Command(std::shared_ptr<CLI::App> app);
+    /// A flag of every command.
+    struct SharedFlag {
+        std::string names;
+        bool* value;
+        std::string help;
+        std::string excludes; ///< another of them; empty: none
+    };
+    /// What the commands of a program have from it.
+    struct Program {
+        std::string version; ///< what --version says
+        std::vector<SharedFlag> flags{};
+        std::string group{}; ///< of the commands that are declared next
+    };
+
+    Command(std::shared_ptr<CLI::App> app, std::shared_ptr<Program> program);
+
+    void share(const SharedFlag& flag);
 
     std::shared_ptr<CLI::App> app_; ///< the program's own owns those of its commands
+    std::shared_ptr<Program> program_;
     std::vector<std::unique_ptr<Command>> commands_;
 
 private:
@@ -110,6 +153,8 @@ private:
                                const std::string& help, const OptionRules& rules);
 
     std::deque<Option> options_;
+    std::deque<Option> shared_;
+    std::vector<std::string> usage_;
     std::function<int()> action_;
 };
 
@@ -118,6 +163,17 @@ class CommandLine : public Command {
 public:
     CommandLine(const std::string& program, const std::string& version, const std::string& help);
 
+    /// A flag that may stand before a command and among its options: declared before the commands are.
+    /// `excludes`: such a flag with which it is refused.
+    void everywhere(const std::string& names, bool& value, const std::string& help,
+                    const std::string& excludes = {});
+
+    /// The title in help of the commands that are declared from here on.
+    void group(const std::string& title);
+
+    /// Declares "help COMMAND", which says what "COMMAND --help" does.
+    void addHelp();
+
     /// Fills in the values. Gives what --help or --version asks for, if one of them is there: nothing else is
     /// to be done then. A wrong call is one sentence, without the program's name.
     [[nodiscard]] Result<std::optional<std::string>> parse(int argc, const char* const* argv);
@@ -125,6 +181,11 @@ public:
 private:
     [[nodiscard]] std::string calledCommand() const;
     [[nodiscard]] std::string missingCommand(int argc, const char* const* argv) const;
+    [[nodiscard]] std::string noCommand(const std::string& word) const;
+    [[nodiscard]] Result<std::optional<std::string>> helpAskedFor() const;
+
+    const Command* helpCommand_ = nullptr;
+    std::string explained_; ///< the command that "help" was asked about
 };
 
 } // namespace texplorer

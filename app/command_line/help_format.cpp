@@ -66,6 +66,37 @@ std::string rangeIn(std::string_view described) {
 
 } // namespace
 
+HelpFormatter::HelpFormatter(std::vector<std::string> usage)
+    : usage_(std::move(usage)) {
+    label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
+}
+
+std::string HelpFormatter::make_usage(const CLI::App* command, std::string name) const {
+    if (usage_.empty())
+        return CLI::Formatter::make_usage(command, name);
+    std::string text;
+    for (const std::string& line : usage_)
+        text += fmt::format("{} {} [OPTIONS] {}\n", text.empty() ? "Usage:" : "      ", name, line);
+    return text;
+}
+
+std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
+                                     CLI::AppFormatMode mode) const {
+    std::vector<std::string> titles = command->get_groups();
+    std::ranges::stable_partition(titles, [](const std::string& title) { return title != sharedGroup; });
+    std::string text =
+        make_description(command) + make_usage(command, std::move(name)) + make_positionals(command);
+    for (const std::string& title : titles) {
+        const std::vector<const CLI::Option*> options = command->get_options([&](const CLI::Option* option) {
+            return option->get_group() == title && option->nonpositional();
+        });
+        if (!options.empty())
+            text += make_group(title, false, options);
+    }
+    return text + make_subcommands(command, mode) + "\n" + make_footer(command);
+}
+
 std::string HelpFormatter::make_option(const CLI::Option* option, bool positional) const {
     std::string name = make_option_name(option, positional);
     std::string words = option->get_description();

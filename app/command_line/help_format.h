@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace texplorer {
 
@@ -10,10 +11,21 @@ namespace texplorer {
 /// otherwise at their end.
 class HelpFormatter : public CLI::Formatter {
 public:
+    /// The title of what every command has, which stands behind its own.
+    static constexpr const char* sharedGroup = "Of every command";
+
+    /// `usage`: how it is called, beside its name; empty: as its options and arguments say it.
+    explicit HelpFormatter(std::vector<std::string> usage = {});
+
+    std::string make_usage(const CLI::App* command, std::string name) const override;
+    std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override;
     std::string make_option(const CLI::Option* option, bool positional) const override;
     std::string make_subcommand(const CLI::App* command) const override;
     std::string make_description(const CLI::App* command) const override;
     std::string make_footer(const CLI::App* command) const override; ///< a paragraph for each of its lines
+
+private:
+    std::vector<std::string> usage_;
 };
 
 } // namespace texplorer

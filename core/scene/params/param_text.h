@@ -28,9 +28,6 @@ namespace texplorer {
 /// The same without the quotes, for a name inside a path.
 [[nodiscard]] std::string shortened(std::string_view text);
 
-/// The name closest to a misspelt one, or an empty view where none is close. Ignores case.
-[[nodiscard]] std::string_view nearestName(std::string_view text, const std::vector<std::string_view>& names);
-
 /// `did you mean "minFilter"?`, or else `expected one of a, b, c`.
 [[nodiscard]] std::string suggestName(std::string_view text, const std::vector<std::string_view>& names);
 

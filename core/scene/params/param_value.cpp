@@ -1,5 +1,6 @@
 // What a row accepts, and its values as text.
 
+#include "core/base/nearest_name.h"
 #include "core/base/utf8.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace texplorer {
+
+/// The names closest to a misspelt one, by Levenshtein's distance: all that are equally close, in their
+/// order; none where none is close, which is a third of its letters. Ignores the case of ASCII's letters.
+[[nodiscard]] std::vector<std::string_view> nearestNames(std::string_view text,
+                                                         const std::vector<std::string_view>& names);
+
+/// The first of them, or an empty view.
+[[nodiscard]] std::string_view nearestName(std::string_view text, const std::vector<std::string_view>& names);
+
+} // namespace texplorer
