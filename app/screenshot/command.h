@@ -24,6 +24,8 @@ void addCheck(CommandLine& line);
 void addCommands(CommandLine& line);
 void addParams(CommandLine& line);
 void addPresets(CommandLine& line);
+void addScene(CommandLine& line);
+void addValidate(CommandLine& line);
 void addDiff(CommandLine& line);
 void addDrivers(CommandLine& line);
 void addLessons(CommandLine& line);

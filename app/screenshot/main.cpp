@@ -4,13 +4,16 @@
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/messages.h"
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstdio>
 #include <new>
+#include <vector>
 
 namespace texplorer::screenshot {
 
@@ -19,11 +22,35 @@ ExitCode complain(const Error& error, ExitCode code) {
     return code;
 }
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsOf(Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+/// The commands under the titles that they have in --help.
+struct Group {
+    const char* title;
+    std::vector<void (*)(CommandLine&)> commands;
+};
+
+const std::vector<Group> groups{
+    {"Draw", {addShot, addProbe, addTexture, addCommands}},
+    {"Compare", {addConform, addDiff}},
+    {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons}},
+    {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},
+    {"About", {addDrivers}},
+};
+
+} // namespace
 } // namespace texplorer::screenshot
 
 int main(int argc, char** argv) {
     using namespace texplorer;
     using namespace texplorer::screenshot;
+    const Clock::time_point start = Clock::now();
 
     prepareStandardStreams();
     if (const std::optional<int> answered = answerQuestions(argc, argv))
@@ -37,19 +64,29 @@ int main(int argc, char** argv) {
         "Exit status: 0 done, 1 it failed (one sentence on standard error says why), 2 a wrong call, "
         "130 ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\n"
         "A file appears as a whole or not at all.\n"
-        "\"texshot COMMAND --help\" explains each command.",
+        "\"texshot help COMMAND\" explains each command.",
         sceneImageBytesText()));
-    for (const auto add :
-         {addShot, addProbe, addCheck, addCommands, addConform, addParams, addPresets, addLessons, addDiff,
-          addDrivers, addDecode, addInfo, addConvert, addFlip, addCompress, addTexture})
-        add(line);
+    line.everywhere("--quiet", loudness().quiet,
+                    "No warnings, notes and progress on standard error; errors stay.");
+    line.everywhere("--verbose", loudness().verbose,
+                    "Say on standard error what is done: files with their sizes, the driver, the time.",
+                    "--quiet");
+    for (const auto& [title, commands] : groups) {
+        line.group(title);
+        for (const auto add : commands)
+            add(line);
+    }
+    line.addHelp();
 
     try {
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);
         if (!answer)
             return complain(answer.error(), wrongCall);
-        if (!*answer)
-            return line.run();
+        if (!*answer) {
+            const int status = line.run();
+            tell(fmt::format("took {:.3f} s", secondsOf(Clock::now() - start)));
+            return status;
+        }
         const Result<void> printed = print(**answer);
         return printed ? success : complain(printed.error());
     } catch (const std::bad_alloc&) {

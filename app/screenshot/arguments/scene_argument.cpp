@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/scene_argument.h"
 
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/shots/picture_texts.h"
 #include "core/base/file_io.h"
 #include "core/codec/png/png_text.h"
@@ -27,24 +28,30 @@ std::string checkAssignment(const std::string& text) {
                : fmt::format("expected PATH=VALUE, joined by = without a space, found \"{}\"", text);
 }
 
+/// How much is read of an input that should hold a scene: of a PNG, which has its pixels beside it, all.
+std::size_t mostBytesOf(const std::string& path) {
+    std::error_code ignored;
+    if (isStandardInput(path) || !std::filesystem::is_regular_file(path, ignored))
+        return maxSceneBytes;
+    const Result<Bytes> start = readFileStart(path, pngSignature.size());
+    return start && hasPngSignature(*start) ? defaultMaxFileBytes : maxSceneBytes;
+}
+
 /// Of a PNG: what texshot has written into it. The text is bounded as a scene's file is.
 Result<std::string> readSceneText(const std::string& path) {
-    const Result<Bytes> start = readFileStart(path, pngSignature.size());
-    if (!start)
-        return fail(start.error());
-    if (!hasPngSignature(*start))
-        return readText(path, maxSceneBytes);
-    const Result<Bytes> file = readFile(path);
+    const Result<Bytes> file = readInput(path, mostBytesOf(path));
     if (!file)
         return fail(file.error());
+    if (!hasPngSignature(*file))
+        return std::string(reinterpret_cast<const char*>(file->data()), file->size());
     Result<std::optional<std::string>> text = findPngText(*file, sceneKeyword, maxSceneBytes);
     if (!text)
-        return fail(text.error().code, text.error().message, path);
+        return fail(text.error().code, text.error().message, inputName(path));
     if (*text)
         return **std::move(text);
     return fail(ErrorCode::NotFound,
                 fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword),
-                path);
+                inputName(path));
 }
 
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
@@ -108,8 +115,8 @@ Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
 
 const Option& addSceneArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
     constexpr const char* help =
-        "A scene file (JSON), or a PNG that texshot has drawn, which holds its scene. Without one: the cube "
-        "and the sphere that Texplorer starts with.";
+        "A scene file (JSON), or a PNG that texshot has drawn, which holds its scene; - for standard "
+        "input. Without one: the cube and the sphere that Texplorer starts with.";
     const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
                                : command.option("SCENE", argument.file, help);
     command.option("--set", argument.assignments,
@@ -155,7 +162,7 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
         if (!scene)
             return tl::unexpected(SceneProblem{inScene(argument, scene.error()), failure});
         opened.scene = *std::move(scene);
-        opened.images = ImageSource{std::filesystem::path(argument.file).parent_path()};
+        opened.images = ImageSource{argument.path().parent_path()};
     }
     for (const std::string& assignment : argument.assignments) {
         if (const auto assigned = assign(opened.scene, assignment); !assigned)
@@ -168,8 +175,12 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
     return opened;
 }
 
+std::filesystem::path SceneArgument::path() const {
+    return isStandardInput(file) ? std::filesystem::path() : std::filesystem::path(file);
+}
+
 Error inScene(const SceneArgument& argument, const Error& error) {
-    return argument.file.empty() ? error : Error{error.code, describe(error), argument.file};
+    return argument.file.empty() ? error : Error{error.code, describe(error), inputName(argument.file)};
 }
 
 } // namespace texplorer::screenshot

@@ -5,17 +5,23 @@
 #include "core/scene/scene.h"
 #include "core/texture/image_source.h"
 
+#include <filesystem>
+
 namespace texplorer::screenshot {
 
 /// The scene that a command line names, with its changes.
 struct SceneArgument {
-    std::string file; ///< empty: the default scene
+    std::string file; ///< empty: the default scene; "-": standard input
     std::vector<std::string> assignments{};
     std::vector<std::string> presets{}; ///< applied after them, to unit 0 of pass 0
     std::string lesson{};               ///< whose step's scene it is, in the place of a file; empty: none
     std::size_t step = 1;               ///< from 1
     std::size_t answer = 0;             ///< from 1, of the step's question; 0: what the step begins with
     bool reached = false;               ///< the scene of the picture that the step wants
+
+    /// Where it lies; empty: nowhere, as the default scene, or one that came from standard input. The images
+    /// that it names are looked for in the current folder then.
+    [[nodiscard]] std::filesystem::path path() const;
 };
 
 /// A lesson by its own name, or by a folder's.

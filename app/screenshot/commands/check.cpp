@@ -1,4 +1,5 @@
 #include "app/screenshot/arguments/scene_argument.h"
+#include "app/screenshot/output/json_text.h"
 #include "core/base/printable.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/scene/initial_like.h"
@@ -111,8 +112,7 @@ std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>
         document["error"] = error;
     document["findings"] = std::move(list);
     document["notes"] = std::move(noted);
-    // A file's name may be no UTF-8.
-    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return documentText(document);
 }
 
 ExitCode check(const Options& options) {
@@ -146,7 +146,10 @@ void addCheck(CommandLine& line) {
     Command& command = line.command("check", "What is wrong in a scene, undefined, or without effect.");
     auto options = std::make_shared<Options>();
     addSceneOrLessonArgument(command, options->scene);
-    command.flag("--json", options->json, "As JSON, for programs.");
+    command.flag(
+        "--json", options->json,
+        "As JSON, for programs: \"findings\" (severity, rule, path, sentence, and of \"fixes\" label and "
+        "set) and \"notes\" (path, sentence); where the scene can't be read \"error\", too.");
     command.footer(
         "A line for each finding on standard output, errors first, and below it each way to mend it; then "
         "a note for each oddity of an image's file that is survived. Of the images, the headers are read.\n"

@@ -1,7 +1,11 @@
 #include "app/screenshot/arguments/scene_argument.h"
+#include "app/screenshot/output/json_text.h"
 #include "core/emit/emit.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <sstream>
 
 namespace texplorer::screenshot {
 namespace {
@@ -9,13 +13,24 @@ namespace {
 struct CallsOptions {
     SceneArgument scene;
     bool all = false;
+    bool json = false;
 };
+
+/// A line each, as C has it.
+std::string callsJson(const std::string& text) {
+    nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+    std::istringstream words(text);
+    for (std::string line; std::getline(words, line);)
+        lines.push_back(line);
+    return documentText({{"language", "C99"}, {"lines", std::move(lines)}});
+}
 
 ExitCode commands(const CallsOptions& options) {
     const auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    const Result<void> printed = print(textOf(emit::callsOf(opened->scene), options.all));
+    const std::string text = textOf(emit::callsOf(opened->scene), options.all);
+    const Result<void> printed = print(options.json ? callsJson(text) : text);
     return printed ? success : complain(printed.error());
 }
 
@@ -27,6 +42,7 @@ void addCommands(CommandLine& line) {
     addSceneOrLessonArgument(command, options->scene);
     command.flag("--all", options->all,
                  "All calls; without it only those that change what OpenGL starts with.");
+    command.flag("--json", options->json, "As JSON, for programs: \"language\" and \"lines\".");
     command.footer(
         "The body of a C99 function on standard output, for <GL/gl.h>, <GL/glext.h> and <GL/glu.h> with "
         "GL_GLEXT_PROTOTYPES, in a context with OpenGL's initial state. What doesn't fit into a text, texels and "

@@ -1,10 +1,10 @@
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/image_files.h"
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
-#include "app/screenshot/output/output.h"
 #include "core/image/cube_faces.h"
 #include "core/image/mipmaps.h"
 #include "core/s3tc/encode.h"
@@ -21,16 +21,16 @@
 namespace texplorer::screenshot {
 namespace {
 
+constexpr ImageFormats compressFormats{.only = "DDS"};
+
 struct CompressOptions {
-    std::string in;
-    std::string out;
+    ImageFiles files;
     std::string format;
     std::string quality = std::string(rowOf(EncodeQuality::Normal).name);
     std::string mips = std::string(rowOf(MipFilter::Box).name);
     bool gamma = false;
     bool powerOfTwo = false;
     bool cube = false;
-    bool report = false;
 };
 
 /// The formats that can be written, by the names that DirectX gave them.
@@ -73,9 +73,10 @@ Result<Choices> choicesOf(const CompressOptions& options) {
 }
 
 /// The pictures to compress, bottom row first: one, or the six faces of a cube map.
-Result<std::vector<Image>> picturesOf(TextureImage texture, const CompressOptions& options) {
+Result<std::vector<Image>> picturesOf(TextureImage texture, const CompressOptions& options,
+                                      const std::string& in) {
     const auto refused = [&](const std::string& message) {
-        return fail(ErrorCode::Unsupported, message, options.in);
+        return fail(ErrorCode::Unsupported, message, inputName(in));
     };
     const Surface& base = texture.surface(0, 0);
     if (depthOf(base) != 1)
@@ -115,43 +116,36 @@ MipChain levelsOf(Image base, std::optional<MipFilter> mips, const CompressOptio
     return chain;
 }
 
-std::string reportOf(const TextureImage& texture, const MipChain& source) {
+TextureReport reportOf(const TextureImage& texture, const MipChain& source) {
     std::vector<TextureLevel> levels;
     for (const Surface& surface : texture.surfaces) {
         const auto count = static_cast<int>(levels.size());
         levels.push_back({count % texture.levels, surface, count / texture.levels});
     }
-    return describe(reportOn(levels, source));
+    return reportOn(levels, source);
 }
 
-ExitCode run(const CompressOptions& options) {
-    const Result<Choices> choices = choicesOf(options);
-    if (!choices)
-        return complain(choices.error(), wrongCall);
-    if (options.gamma && !choices->mips && !options.powerOfTwo)
-        return refuseUnused("--gamma", "it is for mip levels and --power-of-two, and there is neither");
-    const auto output = openImageOutput(options.out, "DDS", "DDS");
-    if (!output)
-        return output.error();
-    Result<TextureImage> file = readTexture(options.in);
+Result<MadeImage> compressFile(const std::string& in, const CompressOptions& options,
+                               const Choices& choices) {
+    Result<TextureImage> file = readTexture(in);
     if (!file)
-        return complain(file.error());
-    Result<std::vector<Image>> pictures = picturesOf(*std::move(file), options);
+        return fail(file.error());
+    Result<std::vector<Image>> pictures = picturesOf(*std::move(file), options, in);
     if (!pictures)
-        return complain(pictures.error());
+        return fail(pictures.error());
     MipChain source; // of one face after the other
     for (Image& picture : *pictures)
-        std::ranges::move(levelsOf(std::move(picture), choices->mips, options), std::back_inserter(source));
+        std::ranges::move(levelsOf(std::move(picture), choices.mips, options), std::back_inserter(source));
 
     LongWork work("texshot: compressing");
     auto blocks = encodeLevels(
-        source, choices->format, choices->quality, [&work](float done) { work.report(done); },
+        source, choices.format, choices.quality, [&work](float done) { work.report(done); },
         work.stopToken());
     work.finish();
     if (work.stopToken().stop_requested())
-        return complainInterrupted();
+        return fail(ErrorCode::Cancelled, "compressing was stopped");
     if (!blocks)
-        return complain({blocks.error().code, blocks.error().message, options.in});
+        return fail(blocks.error().code, blocks.error().message, inputName(in));
 
     TextureImage texture;
     texture.format = "DDS";
@@ -161,13 +155,20 @@ ExitCode run(const CompressOptions& options) {
     texture.alpha = AlphaMeaning::Straight;
     for (BlockImage& level : *blocks)
         texture.surfaces.emplace_back(std::move(level));
-    if (const auto written = output->write(texture); !written)
-        return complain(written.error());
-    if (options.report) {
-        if (const auto written = print(reportOf(texture, source)); !written)
-            return complain(written.error());
-    }
-    return success;
+    MadeImage made{std::move(texture)};
+    if (options.files.report || options.files.json)
+        made.report = reportOf(made.texture, source);
+    return made;
+}
+
+ExitCode run(const CompressOptions& options) {
+    const Result<Choices> choices = choicesOf(options);
+    if (!choices)
+        return complain(choices.error(), wrongCall);
+    if (options.gamma && !choices->mips && !options.powerOfTwo)
+        return refuseUnused("--gamma", "it is for mip levels and --power-of-two, and there is neither");
+    return makeImages(options.files, compressFormats,
+                      [&](const std::string& in) { return compressFile(in, options, *choices); });
 }
 
 } // namespace
@@ -176,8 +177,9 @@ void addCompress(CommandLine& line) {
     Command& command =
         line.command("compress", "Compress a picture or a cube map into a DDS file of S3TC or RGTC blocks.");
     auto options = std::make_shared<CompressOptions>();
-    command.option("IN", options->in, "The picture: any format that Texplorer reads.", {.required = true});
-    command.option("OUT", options->out, "The DDS file to write; - for standard output.", {.required = true});
+    addImageFiles(command, options->files, compressFormats, "The picture: any format that Texplorer reads",
+                  "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
+                  "against the base level and against uncompressed pixels.");
     command.option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.",
                    {.value = "FORMAT", .required = true});
     command.option("--quality", options->quality,
@@ -195,9 +197,6 @@ void addCompress(CommandLine& line) {
     command.flag("--cube", options->cube,
                  "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map stays "
                  "one in any case.");
-    command.flag("--report", options->report,
-                 "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
-                 "against the base level and against uncompressed pixels.");
     command.onCall([options] { return run(*options); });
 }
 

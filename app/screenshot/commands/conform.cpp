@@ -5,6 +5,8 @@
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
+#include "app/screenshot/output/messages.h"
+#include "app/screenshot/output/shell_word.h"
 #include "core/base/file_io.h"
 #include "core/conform/made_files.h"
 #include "core/conform/report.h"
@@ -64,30 +66,18 @@ std::string askMesaForPrecision() {
     return fmt::format("{}={}", variable, std::getenv(variable));
 }
 
-/// As a shell reads it back.
-std::string quoted(const std::string& word) {
-    constexpr std::string_view plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
-        return word;
-    std::string text = "'";
-    for (const char each : word)
-        text += each == '\'' ? std::string("'\\''") : std::string(1, each);
-    return text + "'";
-}
-
 /// What makes the same report again, wherever it is typed.
 std::string commandOf(const ConformOptions& options, const view::Pretence& pretence,
                       const conform::Selection& selection, const std::string& settings) {
     const std::size_t equals = settings.find('=') + 1;
     std::string command =
         fmt::format("{}{} texshot conform --seed {} --scenes {}", settings.substr(0, equals),
-                    quoted(settings.substr(equals)), selection.seed, selection.scenes);
+                    shellWord(settings.substr(equals)), selection.seed, selection.scenes);
     for (const conform::Feature* feature : selection.features)
         command += " --feature " + std::string(feature->name);
     const auto add = [&command](const char* option, const std::string& value) {
         if (!value.empty())
-            command += fmt::format(" {} {}", option, quoted(value));
+            command += fmt::format(" {} {}", option, shellWord(value));
     };
     add("--renderer", options.renderer);
     add("--against", options.against);
@@ -150,7 +140,7 @@ Result<std::vector<conform::Pair>> drawable(const std::vector<conform::Pair>& pa
     if (possible.empty())
         return fail(ErrorCode::Unsupported, reasons.front());
     for (const std::string& reason : reasons)
-        complain({ErrorCode::Unsupported, reason + ": it is not compared", {}});
+        warn({ErrorCode::Unsupported, reason + ": it is not compared", {}});
     return possible;
 }
 

@@ -1,54 +1,51 @@
-#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/image_files.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/output/output.h"
 
 #include <fmt/core.h>
 
 namespace texplorer::screenshot {
-
 namespace {
 
+constexpr ImageFormats convertFormats{.start = "PNG", .named = true};
+
 struct ConvertOptions {
-    std::string in;
-    std::string out;
+    ImageFiles files;
     WriteOptions write;
 };
 
-ExitCode convert(const ConvertOptions& options) {
-    const auto output = openImageOutput(options.out, "PNG");
-    if (!output)
-        return output.error();
-    for (const auto& [option, given, format] : {std::tuple{"--rle", options.write.runLengthCoded, "TGA"},
-                                                std::tuple{"--small", options.write.small, "PNG"}})
-        if (given && output->format->name != format)
-            return refuseUnused(option,
-                                fmt::format("it is for {} files, OUT is {}", format, output->format->name));
-    const Result<TextureImage> file = readTexture(options.in);
-    if (!file)
-        return complain(file.error());
-    if (const auto written = output->write(*file, options.write); !written)
-        return complain(written.error());
-    return success;
+Result<void> checkOptions(const CodecRow& written, const WriteOptions& options) {
+    for (const auto& [option, given, format] :
+         {std::tuple{"--rle", options.runLengthCoded, "TGA"}, std::tuple{"--small", options.small, "PNG"}})
+        if (given && written.name != format)
+            return fail(
+                ErrorCode::OutOfRange,
+                fmt::format("has no effect here: it is for {} files, OUT is {}", format, written.name),
+                option);
+    return {};
 }
 
 } // namespace
 
 void addConvert(CommandLine& line) {
     Command& command =
-        line.command("convert", "Write an image in another format, chosen by the extension of OUT.");
+        line.command("convert", "Write images in another format. Formats of one picture take the base level, "
+                                "decompressed; DDS takes all.");
     auto options = std::make_shared<ConvertOptions>();
-    command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
-    command.option(
-        "OUT", options->out,
-        fmt::format(
-            "The file to write, its format by its extension: {}; - for standard output, as PNG. Formats of "
-            "one picture take the base level, decompressed; DDS takes all.",
-            writtenExtensions(" or ")),
-        {.required = true});
+    addImageFiles(command, options->files, convertFormats, "The image: any format that Texplorer reads",
+                  "Print a line for each image: what became of what.");
     command.flag("--rle", options->write.runLengthCoded, "TGA: run-length coded.");
     command.flag("--small", options->write.small, "PNG: smaller rather than faster.");
-    command.onCall([options] { return convert(*options); });
+    command.onCall([options] {
+        return makeImages(
+            options->files, convertFormats,
+            [&](const std::string& in) {
+                return readTexture(in).map([&](TextureImage&& image) {
+                    return MadeImage{std::move(image), options->write};
+                });
+            },
+            [&](const CodecRow& written) { return checkOptions(written, options->write); });
+    });
 }
 
 } // namespace texplorer::screenshot

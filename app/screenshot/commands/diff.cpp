@@ -1,5 +1,7 @@
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
+#include "app/screenshot/output/json_text.h"
 #include "core/base/printable.h"
 #include "core/scene/params/scene_diff.h"
 
@@ -33,12 +35,12 @@ std::string changesJson(const std::vector<SceneChange>& changes) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const SceneChange& each : changes)
         list.push_back({{"path", each.path}, {"label", each.label}, {"from", each.from}, {"to", each.to}});
-    const nlohmann::ordered_json document{{"same", changes.empty()}, {"changes", std::move(list)}};
-    // A file's name may be no UTF-8.
-    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return documentText({{"same", changes.empty()}, {"changes", std::move(list)}});
 }
 
 int diff(const DiffOptions& options) {
+    if (const Result<void> once = checkStandardInputOnce(std::array{options.from, options.to}); !once)
+        return complain(once.error(), wrongCall);
     std::array<Scene, 2> scenes;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const auto opened = openScene({.file = i == 0 ? options.from : options.to});
@@ -58,9 +60,10 @@ int diff(const DiffOptions& options) {
 void addDiff(CommandLine& line) {
     Command& command = line.command("diff", "What differs between two scenes.");
     auto options = std::make_shared<DiffOptions>();
-    command.option("FROM", options->from, "A scene file (JSON).", {.required = true});
+    command.option("FROM", options->from, "A scene file (JSON); - for standard input.", {.required = true});
     command.option("TO", options->to, "Another one.", {.required = true});
-    command.flag("--json", options->json, "As JSON, for programs.");
+    command.flag("--json", options->json,
+                 "As JSON, for programs: \"same\" and \"changes\" (path, label, from, to).");
     command.footer(
         "A line for each parameter that both have with different values; of lists that have different "
         "lengths their lengths, and what differs in the elements that both have.\n"

@@ -1,8 +1,8 @@
+#include "app/screenshot/arguments/image_files.h"
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
-#include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
-#include "app/screenshot/output/output.h"
 #include "core/s3tc/texture_flip.h"
 
 #include <fmt/core.h>
@@ -10,9 +10,10 @@
 namespace texplorer::screenshot {
 namespace {
 
+constexpr ImageFormats flipFormats{}; // that of the file which is turned
+
 struct FlipOptions {
-    std::string in;
-    std::string out;
+    ImageFiles files;
     bool horizontal = false;
     bool halfTurn = false;
     bool lossy = false;
@@ -22,8 +23,8 @@ struct FlipOptions {
     }
 };
 
-Result<void> flipFile(const FlipOptions& options, const ImageOutput& output) {
-    Result<TextureImage> texture = readTexture(options.in);
+Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
+    Result<TextureImage> texture = readTexture(in);
     if (!texture)
         return fail(texture.error());
     LongWork work("texshot: turning around");
@@ -39,27 +40,9 @@ Result<void> flipFile(const FlipOptions& options, const ImageOutput& output) {
         return fail(turned.error().code,
                     turned.error().message +
                         (wouldLose ? "; --lossy decompresses it and compresses it again" : ""),
-                    options.in);
+                    inputName(in));
     }
-    return output.write(*texture);
-}
-
-/// What a pipe gets: the format of the file that is turned, where that is written.
-std::string_view formatFor(const std::string& in) {
-    const CodecRow* format = codecForExtension(in);
-    return format != nullptr && format->encode ? format->name : "PNG";
-}
-
-ExitCode run(const FlipOptions& options) {
-    const auto output = openImageOutput(options.out, formatFor(options.in));
-    if (!output)
-        return output.error();
-    const auto done = flipFile(options, *output);
-    if (!done && done.error().code == ErrorCode::Cancelled)
-        return complainInterrupted();
-    if (!done)
-        return complain(done.error());
-    return success;
+    return MadeImage{*std::move(texture)};
 }
 
 } // namespace
@@ -69,13 +52,8 @@ void addFlip(CommandLine& line) {
         "flip", "Turn a texture upside down, every mip level, face and slice; compressed blocks without "
                 "decompressing them.");
     auto options = std::make_shared<FlipOptions>();
-    command.option("IN", options->in, "The texture: any format that Texplorer reads.", {.required = true});
-    command.option(
-        "OUT", options->out,
-        fmt::format(
-            "The file to write, its format by its extension: {}; - for standard output, in the format of IN.",
-            writtenExtensions(" or ")),
-        {.required = true});
+    addImageFiles(command, options->files, flipFormats, "The texture: any format that Texplorer reads",
+                  "Print a line for each texture: what became of what.");
     const Option& horizontal = command.flag("--horizontal", options->horizontal, "Left to right instead.");
     command.flag("--half-turn", options->halfTurn, "By 180 degrees instead.", {.excludes = &horizontal});
     command.flag(
@@ -84,7 +62,10 @@ void addFlip(CommandLine& line) {
             "Decompress and compress again the levels that can't be turned around without loss: those whose "
             "extent is not {}.",
             losslessExtents));
-    command.onCall([options] { return run(*options); });
+    command.onCall([options] {
+        return makeImages(options->files, flipFormats,
+                          [&](const std::string& in) { return flipFile(in, *options); });
+    });
 }
 
 } // namespace texplorer::screenshot

@@ -1,6 +1,7 @@
+#include "app/screenshot/arguments/input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/columns.h"
-#include "core/base/file_io.h"
+#include "app/screenshot/output/json_text.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
 #include "core/image/mipmaps.h"
@@ -8,6 +9,8 @@
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
+
+#include <optional>
 
 namespace texplorer::screenshot {
 namespace {
@@ -158,55 +161,85 @@ nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
     return {{"fields", fields}, {"damage", anatomy.damage}};
 }
 
-/// A file's name may be no UTF-8.
-std::string documentText(const nlohmann::ordered_json& document) {
-    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
+/// What is found out about one file.
+struct Examined {
+    std::string text;
+    nlohmann::ordered_json document;
+    std::optional<Error> error;
+};
 
-/// The anatomy is printed of a damaged file too: that is when people need it.
-ExitCode examine(const std::string& path, bool json) {
-    Result<Bytes> bytes = readFile(path);
+/// The anatomy is told of a damaged file too: that is when people need it.
+Examined examine(const std::string& in) {
+    const std::string name = inputName(in);
+    Examined examined{{}, {{"file", in}}, {}};
+    const Result<Bytes> bytes = readImageInput(in);
     if (!bytes) {
-        const nlohmann::ordered_json document = {{"file", path}, {"error", bytes.error().message}};
-        const Result<void> printed = json ? print(documentText(document)) : Result<void>();
-        return complain(printed ? bytes.error() : printed.error());
+        examined.document["error"] = bytes.error().message;
+        examined.error = bytes.error();
+        return examined;
     }
     const Anatomy anatomy = dissect(*bytes);
     const Result<TextureImage> texture = outlineTexture(*bytes, anatomy);
-
-    std::string text;
-    if (json) {
-        nlohmann::ordered_json document = {{"file", path}};
-        if (texture)
-            document.update(factsAsJson(*texture, bytes->size()));
-        else
-            document["error"] = texture.error().message;
-        document["anatomy"] = anatomyAsJson(anatomy, *bytes);
-        text = documentText(document);
+    if (texture) {
+        examined.text = factsAsText(name, *texture, bytes->size());
+        examined.document.update(factsAsJson(*texture, bytes->size()));
     } else {
-        if (texture)
-            text = factsAsText(path, *texture, bytes->size());
-        if (!anatomy.fields.empty())
-            text += anatomyAsText(anatomy);
+        examined.document["error"] = texture.error().message;
+        examined.error = Error{texture.error().code, texture.error().message, name};
     }
-    if (const auto written = print(text); !written)
+    if (!anatomy.fields.empty())
+        examined.text += anatomyAsText(anatomy);
+    examined.document["anatomy"] = anatomyAsJson(anatomy, *bytes);
+    return examined;
+}
+
+/// One document for all of them; of one file it is that file's.
+std::string textOf(const std::vector<Examined>& all, bool json) {
+    if (json && all.size() == 1)
+        return documentText(all.front().document);
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    std::string text;
+    for (const Examined& each : all) {
+        list.push_back(each.document);
+        text += text.empty() || each.text.empty() ? each.text : "\n" + each.text;
+    }
+    return json ? documentText({{"files", std::move(list)}}) : text;
+}
+
+ExitCode examineAll(const std::vector<std::string>& files, bool json) {
+    if (const Result<void> once = checkStandardInputOnce(files); !once)
+        return complain(once.error(), wrongCall);
+    std::vector<Examined> all;
+    for (const std::string& file : files)
+        all.push_back(examine(file));
+    if (const auto written = print(textOf(all, json)); !written)
         return complain(written.error());
-    return texture ? success : complain({texture.error().code, texture.error().message, path});
+    ExitCode status = success;
+    for (const Examined& each : all)
+        if (each.error)
+            status = complain(*each.error);
+    return status;
 }
 
 } // namespace
 
 void addInfo(CommandLine& line) {
     struct Options {
-        std::string in;
+        std::vector<std::string> files;
         bool json = false;
     };
-    Command& command = line.command(
-        "info", "What an image file holds, field by field; of a damaged file, up to the damage.");
+    Command& command =
+        line.command("info", "What image files hold, field by field; of a damaged file, up to the damage.");
     auto options = std::make_shared<Options>();
-    command.option("IN", options->in, "The image: any format that Texplorer reads.", {.required = true});
-    command.flag("--json", options->json, "As JSON, for programs.");
-    command.onCall([options] { return examine(options->in, options->json); });
+    command.option("IN", options->files, "The images: any format that Texplorer reads; - for standard input.",
+                   {.required = true});
+    command.flag(
+        "--json", options->json,
+        "As JSON, for programs: \"file\", \"format\", \"width\", \"height\", \"depth\", \"pixelFormat\", "
+        "\"srgb\", \"alpha\", \"fileTopFirst\", \"faces\", \"levels\", \"fullChain\", \"fileBytes\", "
+        "\"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" and \"anatomy\" "
+        "(fields, damage), or \"error\". Of several files a list of these, \"files\".");
+    command.onCall([options] { return examineAll(options->files, options->json); });
 }
 
 } // namespace texplorer::screenshot

@@ -193,7 +193,8 @@ ExitCode lessons(const LessonsOptions& options) {
 void addLessons(CommandLine& line) {
     Command& command = line.command("lessons", "The lessons and their steps, or what is wrong with one.");
     auto options = std::make_shared<LessonsOptions>();
-    const Option& json = command.flag("--json", options->json, "As JSON, for programs.");
+    const Option& json = command.flag(
+        "--json", options->json, "As JSON, for programs: \"lessons\" (name, title, source, about, steps).");
     const Option& check =
         command.option("--check", options->checked,
                        "Look for mistakes in a lesson's folder: every scene is opened, every answer drawn.",

@@ -1,20 +1,95 @@
+// The parameters of a scene, all of them or those that somebody looks for.
+
+#include "core/scene/params/params.h"
+
 #include "app/screenshot/command.h"
+#include "app/ui/model/param_match.h"
 #include "core/scene/params/param_listing.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fnmatch.h>
+
 namespace texplorer::screenshot {
+namespace {
+
+struct ParamsOptions {
+    std::string pattern;
+    bool json = false;
+};
+
+/// Only stars and question marks: in a path, brackets stand for themselves.
+bool fitsGlob(const std::string& pattern, const std::string& path) {
+    std::string escaped;
+    for (const char c : pattern)
+        escaped += (c == '[' || c == ']' || c == '\\' ? "\\" : "") + std::string(1, c);
+    return ::fnmatch(escaped.c_str(), path.c_str(), FNM_CASEFOLD) == 0;
+}
+
+bool isPartOfPath(std::string_view part, std::string_view path) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return !std::ranges::search(path, part, {}, small, small).empty();
+}
+
+/// "textures[3].minFilter" asks for "textures[].minFilter".
+std::string withoutNumbers(const std::string& pattern) {
+    std::string text;
+    bool inside = false;
+    for (const char c : pattern) {
+        const bool isDigit = inside && c >= '0' && c <= '9';
+        inside = c == '[' || isDigit;
+        if (!isDigit)
+            text += c;
+    }
+    return text;
+}
+
+ParamFilter filterFor(const std::string& pattern) {
+    if (pattern.empty())
+        return {};
+    const std::string asked = withoutNumbers(pattern);
+    if (asked.find_first_of("*?") != std::string::npos)
+        return [asked](const std::string& path, const ParamRow& row) {
+            return fitsGlob(asked, path) || fitsGlob(asked, std::string(row.key)) ||
+                   fitsGlob(asked, std::string(glNameOf(row)));
+        };
+    return [asked](const std::string& path, const ParamRow& row) {
+        return isPartOfPath(asked, path) || ui::matchOf(row, asked) > 0;
+    };
+}
+
+ExitCode params(const ParamsOptions& options) {
+    const ParamFilter filter = filterFor(options.pattern);
+    const std::string text = options.json ? listParamsJson(filter) : listParams(filter);
+    if (text.empty())
+        return complain(
+            {ErrorCode::NotFound,
+             fmt::format("there is no parameter \"{}\": neither its path, nor its label, nor OpenGL's "
+                         "name for it, nor its choices, nor its help",
+                         options.pattern),
+             {}});
+    const auto written = print(text);
+    return written ? success : complain(written.error());
+}
+
+} // namespace
 
 void addParams(CommandLine& line) {
-    Command& command =
-        line.command("params", "Every parameter of a scene: what it has unless a file says otherwise, "
-                               "what it accepts and does.");
-    auto json = std::make_shared<bool>(false);
-    command.flag("--json", *json, "As JSON, for programs.");
-    command.onCall([json] {
-        const std::string text = *json ? listParamsJson() : listParams();
-        if (const auto written = print(text); !written)
-            return complain(written.error());
-        return success;
-    });
+    Command& command = line.command("params", "The parameters of a scene: what each has unless a file says "
+                                              "otherwise, what it accepts and does.");
+    auto options = std::make_shared<ParamsOptions>();
+    command.option(
+        "PATTERN", options->pattern,
+        "Only those that are looked for: a part of the path, as in minFilter or units[0].combine, words "
+        "of the label, of OpenGL's name, of the choices or of the help, or a path with * and ?, as in "
+        "'textures[].wrap?'. In whatever case.");
+    command.flag(
+        "--json", options->json,
+        "As JSON, for programs: \"version\", \"parameters\" (path, kind, group, label, help, glCall, "
+        "default, range or choices) and \"lists\" (path, minCount, maxCount).");
+    command.footer("Exit status: 0 done, 1 there is no such parameter, 2 a wrong call.");
+    command.onCall([options] { return params(*options); });
 }
 
 } // namespace texplorer::screenshot

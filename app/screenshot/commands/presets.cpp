@@ -1,4 +1,5 @@
 #include "app/screenshot/command.h"
+#include "app/screenshot/output/json_text.h"
 #include "core/preset/preset.h"
 
 #include <fmt/core.h>
@@ -28,7 +29,7 @@ std::string presetsJson() {
                         {"label", preset.label},
                         {"help", preset.help},
                         {"look", preset.look}});
-    return nlohmann::ordered_json{{"presets", std::move(list)}}.dump(2) + "\n";
+    return documentText({{"presets", std::move(list)}});
 }
 
 } // namespace
@@ -38,7 +39,7 @@ void addPresets(CommandLine& line) {
         line.command("presets", "What \"shot --preset\" accepts: what each sets, and what there is "
                                 "to see then.");
     auto json = std::make_shared<bool>(false);
-    command.flag("--json", *json, "As JSON, for programs.");
+    command.flag("--json", *json, "As JSON, for programs: \"presets\" (name, group, label, help, look).");
     command.onCall([json] {
         const Result<void> written = print(*json ? presetsJson() : presetsText());
         return written ? success : complain(written.error());

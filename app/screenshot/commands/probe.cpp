@@ -6,6 +6,7 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
+#include "app/screenshot/output/messages.h"
 #include "app/screenshot/reports/probe_report.h"
 #include "app/screenshot/shots/shot_drawer.h"
 
@@ -79,7 +80,7 @@ std::vector<ReadBack> readBack(ShotRequest request, const reference::PixelPlace&
 
 void complainAbout(const std::vector<std::string>& problems) {
     for (const std::string& problem : problems)
-        complain({ErrorCode::Driver, problem, {}});
+        warn({ErrorCode::Driver, problem, {}});
 }
 
 ExitCode probePixel(const ProbeOptions& options, ShotRequest request) {
@@ -145,7 +146,7 @@ ExitCode probe(const ProbeOptions& options) {
     ShotRequest request;
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
-    request.file = options.scene.file;
+    request.file = options.scene.path();
     request.time = *time;
     request.size = *size;
     request.anisotropy = *anisotropy;
@@ -178,7 +179,7 @@ void addProbe(CommandLine& line) {
     options->passOption =
         &command.number("--pass", options->pass, 0, static_cast<long long>(maxPasses) - 1,
                         "With --texel: the pass that the unit belongs to.", {.showsDefault = true});
-    command.flag("--json", options->json, "For programs: everything, as JSON.");
+    command.flag("--json", options->json, "As JSON, for programs: everything that the text says, and more.");
     command.flag(
         "--no-gl", options->withoutGl,
         "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");

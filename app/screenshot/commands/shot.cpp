@@ -114,7 +114,7 @@ ExitCode shootOne(const ShotOptions& options, ShotRequest request) {
         return complain(opened.error().error, opened.error().code);
     request.scene = std::move(opened->scene);
     request.images = std::move(opened->images);
-    request.file = argument.file;
+    request.file = argument.path();
     return drawOne(std::move(request), argument, *output, !options.withoutMetadata);
 }
 

@@ -3,6 +3,7 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/output.h"
 #include "core/base/count.h"
 #include "core/image/depth_pixels.h"
@@ -25,6 +26,7 @@ struct TextureOptions {
     int texture = 0;
     int step = -1;  ///< -1: none is asked for
     int level = -1; ///< likewise
+    bool json = false;
 };
 
 /// The picture before the preparation (step 0), or after one of its steps.
@@ -79,6 +81,8 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
 ExitCode writeTexture(const TextureOptions& options) {
     if (options.step >= 0 && options.level >= 0)
         return refuseUnused("--level", "it is for the texture as it is uploaded, not for a --step before");
+    if (options.json && isStandardOutput(options.out))
+        return refuseUnused("--json", "standard output is the picture");
     const auto output = openImageOutput(options.out, "PNG");
     if (!output)
         return output.error();
@@ -88,8 +92,17 @@ ExitCode writeTexture(const TextureOptions& options) {
     Result<Image> picture = pictureOf(options, *opened);
     if (!picture)
         return complain(inScene(options.scene, picture.error()));
-    const auto written = output->write(textureOf(greysOf(*std::move(picture)), {}));
-    return written ? success : complain(written.error());
+    const TextureImage made = textureOf(greysOf(*std::move(picture)), {});
+    if (const auto written = output->write(made); !written)
+        return complain(written.error());
+    if (!options.json)
+        return success;
+    const Result<void> printed = print(documentText({{"output", options.out},
+                                                     {"format", output->format->name},
+                                                     {"texture", options.texture},
+                                                     {"width", widthOf(made.surface(0, 0))},
+                                                     {"height", heightOf(made.surface(0, 0))}}));
+    return printed ? success : complain(printed.error());
 }
 
 } // namespace
@@ -111,6 +124,10 @@ void addTexture(CommandLine& line) {
     command.number("--level", options->level, 0, 30,
                    "The mip level as it is uploaded as GL_TEXTURE_2D, 0 the base, but upright and "
                    "decompressed.");
+    command.flag(
+        "--json", options->json,
+        "Print what was written as JSON, for programs: \"output\", \"format\", \"texture\", \"width\" and "
+        "\"height\".");
     command.footer("Without --step and --level it is the base level, as it is uploaded. A shadow map "
                    "is that at time 0.");
     command.onCall([options] { return writeTexture(*options); });

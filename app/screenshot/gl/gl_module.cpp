@@ -34,7 +34,6 @@ Result<void> checkShaders(const std::filesystem::path& folder) {
     return pieces ? Result<void>() : fail(pieces.error());
 }
 
-
 conform::Driver driverOf(const view::Capabilities& capabilities) {
     std::string version = capabilities.version;
     if (!capabilities.pretending.empty())
@@ -112,7 +111,8 @@ Result<Shot> drawWindow(const ShotRequest& request) {
 
     Image image = Image::uninitialised(PixelFormat::Rgba8, request.size.width, request.size.height);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return Shot{{std::move(image), loop.problems()}, driverOf((*graphics)->capabilities()), context->kind().text()};
+    return Shot{
+        {std::move(image), loop.problems()}, driverOf((*graphics)->capabilities()), context->kind().text()};
 }
 
 /// Levels for one who waits for the picture and looks at nothing else: no numbers, no small pictures of them.

@@ -1,6 +1,7 @@
 #include "app/screenshot/output/long_work.h"
 
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/messages.h"
 
 #include <chrono>
 #include <cstdio>
@@ -18,7 +19,7 @@ double seconds() {
 LongWork::LongWork(std::string what)
     : what_(std::move(what))
     , start_(seconds())
-    , terminal_(isatty(STDERR_FILENO) == 1) {
+    , terminal_(isatty(STDERR_FILENO) == 1 && !loudness().quiet) {
     askToStop(&stop_);
 }
 

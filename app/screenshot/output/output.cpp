@@ -2,6 +2,8 @@
 
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/messages.h"
+#include "core/base/count.h"
 #include "core/base/printable.h"
 
 #include <fmt/core.h>
@@ -12,10 +14,6 @@
 namespace texplorer::screenshot {
 namespace {
 
-bool isStandardOutput(const std::string& path) {
-    return path == "-" || path == "/dev/stdout";
-}
-
 /// What bytes are written into, one after the other, instead of being replaced. Disks are not: nobody means
 /// to write a picture over one.
 bool isStream(const std::string& path) {
@@ -24,7 +22,22 @@ bool isStream(const std::string& path) {
            (::stat(path.c_str(), &info) == 0 && (S_ISFIFO(info.st_mode) || S_ISCHR(info.st_mode)));
 }
 
+/// What would be drawn by whoever gets the bytes of a picture as text.
+bool isTerminal(const std::string& path) {
+    if (isStandardOutput(path))
+        return ::isatty(STDOUT_FILENO) == 1;
+    struct stat info = {};
+    if (::stat(path.c_str(), &info) != 0 || !S_ISCHR(info.st_mode))
+        return false;
+    const Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+    return device.valid() && ::isatty(device.get()) == 1;
+}
+
 } // namespace
+
+bool isStandardOutput(const std::string& path) {
+    return path == "-" || path == "/dev/stdout";
+}
 
 Result<Output> Output::open(const std::string& path) {
     Output output(path);
@@ -42,6 +55,14 @@ Result<Output> Output::open(const std::string& path) {
 }
 
 Result<void> Output::write(ByteView bytes) const {
+    const Result<void> written = put(bytes);
+    if (written)
+        tell(fmt::format("wrote {}, {}", isStandardOutput(path_) ? "standard output" : path_,
+                         countOf(bytes.size(), "byte")));
+    return written;
+}
+
+Result<void> Output::put(ByteView bytes) const {
     if (isStandardOutput(path_)) {
         outputBegins();
         return writeStandardOutput(bytes);
@@ -79,6 +100,12 @@ tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std
     const Result<const CodecRow*> format = imageFormatOf(path, streamFormat, only);
     if (!format)
         return tl::unexpected(complain(format.error(), wrongCall));
+    if (isTerminal(path))
+        return tl::unexpected(complain({ErrorCode::OutOfRange,
+                                        "is a terminal, which a picture would only disturb; name a file, or "
+                                        "redirect it",
+                                        isStandardOutput(path) ? "standard output" : path},
+                                       wrongCall));
     Result<Output> output = Output::open(path);
     if (!output)
         return tl::unexpected(complain(output.error()));

@@ -19,9 +19,14 @@ private:
     explicit Output(std::string path)
         : path_(std::move(path)) {}
 
+    [[nodiscard]] Result<void> put(ByteView bytes) const;
+
     std::string path_;
     Descriptor stream_; ///< of a device or pipe
 };
+
+/// Whether a path names the program's standard output.
+[[nodiscard]] bool isStandardOutput(const std::string& path);
 
 /// An image file to write, and how.
 struct ImageOutput {
@@ -38,8 +43,9 @@ struct ImageOutput {
                                                     std::string_view only = {});
 
 /// Opens the output before the work that leads to it. Its extension is its format; what has none and is no
-/// file (-, a pipe, /dev/null) gets `streamFormat`. `only`: the one format that the command writes. What goes
-/// wrong is said on standard error; the error is the exit status.
+/// file (-, a pipe, /dev/null) gets `streamFormat`. A terminal is refused, as it would only be disturbed.
+/// `only`: the one format that the command writes. What goes wrong is said on standard error; the error is
+/// the exit status.
 [[nodiscard]] tl::expected<ImageOutput, ExitCode>
 openImageOutput(const std::string& path, std::string_view streamFormat, std::string_view only = {});
 

@@ -2,6 +2,7 @@
 
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
+#include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/picture_writer.h"
 #include "app/screenshot/shots/picture_texts.h"
 #include "app/screenshot/shots/shot_drawer.h"
@@ -39,7 +40,7 @@ bool isOpaque(const ShotRequest& request) {
 }
 
 /// What there is to say of a picture that was drawn. `name`: the picture's, where there are several.
-std::vector<Error> errorsAbout(const ShotRequest& request, const Shot& shot, const std::string& name = {}) {
+std::vector<Error> warningsAbout(const ShotRequest& request, const Shot& shot, const std::string& name = {}) {
     std::vector<Error> errors;
     for (const std::string& problem : shot.frame.problems)
         errors.push_back({ErrorCode::Driver, problem, name});
@@ -95,23 +96,32 @@ public:
     explicit Sentences(LongWork& work)
         : work_(work) {}
 
-    void put(std::size_t index, std::vector<Error> errors) {
+    /// `failure`: why there is no picture.
+    void put(std::size_t index, std::vector<Error> warnings, std::optional<Error> failure) {
         const std::scoped_lock lock(mutex_);
-        waiting_.emplace(index, std::move(errors));
+        waiting_.emplace(index, About{std::move(warnings), std::move(failure)});
         for (auto next = waiting_.begin(); next != waiting_.end() && next->first == said_;
              next = waiting_.erase(next), ++said_) {
-            if (!next->second.empty())
+            const auto& [warnings, failed] = next->second;
+            if (!warnings.empty() || failed)
                 work_.clearLine();
-            for (const Error& error : next->second)
-                complain(error);
+            for (const Error& warning : warnings)
+                warn(warning);
+            if (failed)
+                complain(*failed);
         }
     }
 
 private:
+    struct About {
+        std::vector<Error> warnings;
+        std::optional<Error> failure;
+    };
+
     LongWork& work_;
     std::mutex mutex_;
-    std::map<std::size_t, std::vector<Error>> waiting_; ///< for those before them
-    std::size_t said_ = 0;                              ///< of how many pictures, from the first
+    std::map<std::size_t, About> waiting_; ///< for those before them
+    std::size_t said_ = 0;                 ///< of how many pictures, from the first
 };
 
 /// What the threads that draw have in common.
@@ -131,22 +141,23 @@ struct Drawing {
 
 void drawCase(Drawing& all, std::size_t index, Scenes& scenes, ShotDrawer& drawer, ShotRequest& request) {
     const std::string& name = all.run.names[index];
-    std::vector<Error> errors;
+    std::vector<Error> warnings;
+    std::optional<Error> failed;
     Result<Shot> shot = tried({"there is no memory to draw it", "it can't be drawn"}, [&]() -> Result<Shot> {
         if (const Result<void> there = scenes.put(all.run.list.at(index), request); !there)
             return fail(there.error());
         Result<Shot> drawn = drawer.draw(request);
         if (drawn)
-            errors = errorsAbout(request, *drawn, name);
+            warnings = warningsAbout(request, *drawn, name);
         return drawn;
     });
     if (!shot && shot.error().code == ErrorCode::Cancelled)
         return;
     if (!shot) {
-        errors.push_back({shot.error().code, describe(shot.error()), name});
+        failed = {shot.error().code, describe(shot.error()), name};
         all.incomplete = true;
     }
-    all.sentences.put(index, std::move(errors));
+    all.sentences.put(index, std::move(warnings), std::move(failed));
     if (shot) {
         std::optional<PictureFacts> facts;
         if (all.run.withTexts)
@@ -205,8 +216,8 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
         return complainInterrupted();
     if (!shot)
         return complain(shot.error());
-    for (const Error& error : errorsAbout(request, *shot))
-        complain(error);
+    for (const Error& warning : warningsAbout(request, *shot))
+        warn(warning);
     WriteOptions options;
     if (withTexts)
         options.texts = textsOf(factsOf(request, *shot));

@@ -25,4 +25,7 @@ inline constexpr std::size_t maxSceneBytes = std::size_t{16} << 20;
 /// parseScene would accept. Left out: lists of texture coordinates that are empty or don't fit their mesh.
 [[nodiscard]] std::string writeScene(const Scene& scene);
 
+/// The same scene with the fewest words: only what differs from what a file stands for that doesn't say it.
+[[nodiscard]] std::string writeShortScene(const Scene& scene);
+
 } // namespace texplorer

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace texplorer {
@@ -34,53 +35,80 @@ std::string jsonText(std::string_view text) {
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+bool isSame(const StructTable& table, void* a, void* b);
+
+bool isSameChild(const ChildRow& child, void* a, void* b) {
+    if (child.size(a) != child.size(b))
+        return false;
+    for (std::size_t i = 0; i < child.size(a); ++i)
+        if (!isSame(*child.table, child.at(a, i), child.at(b, i)))
+            return false;
+    return true;
+}
+
+bool isSame(const StructTable& table, void* a, void* b) {
+    return std::ranges::all_of(table.params,
+                               [&](const ParamRow& row) { return row.read(a) == row.read(b); }) &&
+           std::ranges::all_of(table.children,
+                               [&](const ChildRow& child) { return isSameChild(child, a, b); });
+}
+
 class Writer {
 public:
     explicit Writer(const Scene& scene)
         : scene_(scene) {}
 
-    std::string write() {
+    /// `start`: what a file stands for that says nothing, which is left out; nullptr: nothing is. It is used up.
+    std::string write(Scene* start) {
         open('{');
         member("version");
         out_ += std::to_string(sceneFormatVersion);
         members(sceneTable(),
-                const_cast<Scene*>(&scene_)); // the tables reach members through void*; only read
+                const_cast<Scene*>(&scene_), // the tables reach members through void*; only read
+                start);
         close('}');
         return std::move(out_) + "\n";
     }
 
 private:
-    void members(const StructTable& table, void* owner) {
+    void members(const StructTable& table, void* owner, void* start) {
         for (const ParamRow& row : table.params)
-            param(row, owner);
+            if (start == nullptr || row.read(owner) != row.read(start))
+                param(row, owner);
         for (const ChildRow& child : table.children) {
             // What a file leaves out of an element of a list reads as its default; out of the scene itself,
             // as the scene that one begins with has it.
             if (!child.indexed && &table != &sceneTable() && child.isDefault(owner, 0))
                 continue;
+            if (start != nullptr && isSameChild(child, owner, start))
+                continue;
             member(child.key);
             if (child.indexed)
-                list(child, owner);
+                list(child, owner, start);
             else
-                object(*child.table, child.at(owner, 0));
+                object(*child.table, child.at(owner, 0), start == nullptr ? nullptr : child.at(start, 0));
         }
     }
 
-    void object(const StructTable& table, void* owner) {
+    void object(const StructTable& table, void* owner, void* start) {
         open('{');
-        members(table, owner);
+        members(table, owner, start);
         close('}');
     }
 
-    void list(const ChildRow& child, void* owner) {
+    void list(const ChildRow& child, void* owner, void* start) {
         std::size_t count = child.size(owner);
         const bool fixedArray = child.minCount == child.maxCount;
         while (fixedArray && count > 0 && child.isDefault(owner, count - 1))
             --count; // what a file leaves out at the end of an array reads as its default
+        if (start != nullptr) { // a list that is present replaces what was there: its elements begin as new ones
+            child.resize(start, 0);
+            child.resize(start, child.size(owner));
+        }
         open('[');
         for (std::size_t i = 0; i < count; ++i) {
             line();
-            object(*child.table, child.at(owner, i));
+            object(*child.table, child.at(owner, i), start == nullptr ? nullptr : child.at(start, i));
         }
         close(']');
     }
@@ -202,7 +230,12 @@ private:
 } // namespace
 
 std::string writeScene(const Scene& scene) {
-    return Writer(scene).write();
+    return Writer(scene).write(nullptr);
+}
+
+std::string writeShortScene(const Scene& scene) {
+    Scene start = defaultScene();
+    return Writer(scene).write(&start);
 }
 
 } // namespace texplorer

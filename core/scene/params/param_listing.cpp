@@ -36,9 +36,21 @@ void walk(const StructTable& table, void* owner, const std::string& prefix, cons
     }
 }
 
-void walkAll(const Visitor& visitor) {
+/// Those that are listed, and the lists that they lie in, each before what lies in it.
+void walkAll(const Visitor& visitor, const ParamFilter& filter) {
     Scene start = defaultScene(); // what a scene that says nothing begins with
-    walk(sceneTable(), &start, "", visitor);
+    std::vector<std::pair<std::string, const ChildRow*>> open; // lists of which nothing was listed yet
+    const auto param = [&](const std::string& path, const ParamRow& row, const Value& initial) {
+        if (filter && !filter(path, row))
+            return;
+        for (const auto& [list, child] : open)
+            if (path.starts_with(list + "."))
+                visitor.list(list, *child);
+        std::erase_if(open, [&](const auto& each) { return path.starts_with(each.first + "."); });
+        visitor.param(path, row, initial);
+    };
+    const auto list = [&](const std::string& path, const ChildRow& child) { open.emplace_back(path, &child); };
+    walk(sceneTable(), &start, "", {param, list});
 }
 
 std::string_view kindName(Kind kind) {
@@ -141,7 +153,7 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t first
 
 } // namespace
 
-std::string listParams() {
+std::string listParams(const ParamFilter& filter) {
     std::string out;
     const auto list = [&](const std::string& path, const ChildRow& child) {
         out += path + "   ";
@@ -173,12 +185,13 @@ std::string listParams() {
             out += fmt::format("    {}\n", call);
         out += "\n";
     };
-    walkAll({param, list});
-    out.pop_back();
+    walkAll({param, list}, filter);
+    if (!out.empty())
+        out.pop_back();
     return out;
 }
 
-std::string listParamsJson() {
+std::string listParamsJson(const ParamFilter& filter) {
     OrderedJson params = OrderedJson::array();
     OrderedJson lists = OrderedJson::array();
     const auto list = [&](const std::string& path, const ChildRow& child) {
@@ -204,7 +217,9 @@ std::string listParamsJson() {
                                         {"since", choice.since}});
         params.push_back(std::move(entry));
     };
-    walkAll({param, list});
+    walkAll({param, list}, filter);
+    if (params.empty())
+        return {};
     const OrderedJson all{
         {"version", sceneFormatVersion}, {"parameters", std::move(params)}, {"lists", std::move(lists)}};
     return all.dump(2) + "\n";

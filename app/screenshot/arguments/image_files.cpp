@@ -1,0 +1,327 @@
+#include "app/screenshot/arguments/image_files.h"
+
+#include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/input.h"
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/json_text.h"
+#include "app/screenshot/output/messages.h"
+#include "app/screenshot/output/output.h"
+#include "core/base/count.h"
+#include "core/base/file_io.h"
+#include "core/base/printable.h"
+#include "core/image/mipmaps.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace texplorer::screenshot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string smallLetters(std::string_view text) {
+    std::string small(text);
+    std::ranges::transform(small, small.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return small;
+}
+
+/// "bmp, dds, png, tga"
+std::string formatNames() {
+    std::string names;
+    for (const CodecRow& row : codecRows())
+        if (row.encode)
+            names += (names.empty() ? "" : ", ") + smallLetters(row.name);
+    return names;
+}
+
+Result<const CodecRow*> formatNamed(const std::string& name) {
+    for (const CodecRow& row : codecRows())
+        if (row.encode && smallLetters(row.name) == smallLetters(name))
+            return &row;
+    return refuseChoice(formatNames(), name, "--to");
+}
+
+const CodecRow& formatOfName(std::string_view name) {
+    return *std::ranges::find(codecRows(), name, &CodecRow::name);
+}
+
+/// What a pipe gets, and a file in a folder, where --to doesn't say it.
+const CodecRow& usualFormat(const std::string& in, const ImageFormats& formats) {
+    if (!formats.only.empty())
+        return formatOfName(formats.only);
+    const CodecRow* its = formats.start.empty() ? codecForExtension(in) : nullptr;
+    if (its != nullptr && its->encode)
+        return *its;
+    return formatOfName(formats.start.empty() ? "PNG" : formats.start);
+}
+
+struct Job {
+    std::string in;
+    std::string out;
+    const CodecRow* format; ///< of a pipe; a file's is that of its extension
+};
+
+tl::unexpected<Error> wrong(std::string sentence, std::string where = {}) {
+    return fail(ErrorCode::OutOfRange, std::move(sentence), std::move(where));
+}
+
+Result<std::vector<Job>> planOfTwo(const ImageFiles& files, const ImageFormats& formats,
+                                   const CodecRow* format) {
+    if (files.files.size() == 1)
+        return wrong("OUT is missing: expected IN OUT, or IN... -o DIR");
+    if (files.files.size() > 2)
+        return wrong(
+            fmt::format("expected IN OUT, or IN... -o DIR, found {}", countOf(files.files.size(), "file")));
+    const std::string& in = files.files[0];
+    const std::string& out = files.files[1];
+    if (format != nullptr && std::filesystem::path(out).has_extension())
+        return wrong("has no effect here: the extension of OUT says its format", "--to");
+    if ((files.report || files.json) && isStandardOutput(out))
+        return wrong("has no effect here: standard output is the picture",
+                     files.json ? "--json" : "--report");
+    return std::vector{Job{in, out, format != nullptr ? format : &usualFormat(in, formats)}};
+}
+
+Result<std::string> nameIn(const std::string& in, const ImageFormats& formats, const CodecRow* format) {
+    const std::filesystem::path name = std::filesystem::path(in).filename();
+    if (isStandardInput(in))
+        return wrong("has no name for a file in a folder; IN OUT writes one file", "standard input");
+    if (name.empty() || name == "." || name == "..")
+        return wrong("expected a file's name", in);
+    const bool keeps =
+        format == nullptr && formats.only.empty() && &usualFormat(in, formats) == codecForExtension(in);
+    const CodecRow& written = format != nullptr ? *format : usualFormat(in, formats);
+    return keeps ? name.string() : name.stem().string() + extensionsOf(written).front();
+}
+
+Result<std::vector<Job>> planOfFolder(const ImageFiles& files, const ImageFormats& formats,
+                                      const CodecRow* format) {
+    std::error_code ignored;
+    const std::filesystem::path folder = files.folder;
+    if (codecForExtension(files.folder) != nullptr && !std::filesystem::is_directory(folder, ignored))
+        return wrong(fmt::format("expected a folder, found \"{}\"; IN OUT writes one file", files.folder),
+                     "--out");
+    if (format == nullptr && formats.named)
+        return wrong(fmt::format("is missing: with -o it says the format, one of {}", formatNames()), "--to");
+    std::vector<Job> jobs;
+    std::map<std::string, std::string> makers; // of each name
+    for (const std::string& in : files.files) {
+        const Result<std::string> name = nameIn(in, formats, format);
+        if (!name)
+            return fail(name.error());
+        if (const auto [other, isNew] = makers.emplace(*name, in); !isNew)
+            return wrong(fmt::format("\"{}\" and \"{}\" would both become {}", other->second, in,
+                                     (folder / *name).string()),
+                         "--out");
+        jobs.push_back(
+            {in, (folder / *name).string(), format != nullptr ? format : &usualFormat(in, formats)});
+    }
+    return jobs;
+}
+
+Result<std::vector<Job>> planOf(const ImageFiles& files, const ImageFormats& formats) {
+    const CodecRow* format = nullptr;
+    if (!files.format.empty()) {
+        const Result<const CodecRow*> named = formatNamed(files.format);
+        if (!named)
+            return fail(named.error());
+        format = *named;
+    }
+    return files.folder.empty() ? planOfTwo(files, formats, format) : planOfFolder(files, formats, format);
+}
+
+/// What is told of the pictures that were written, and of those that weren't.
+struct Told {
+    std::string text;
+    Json written = Json::array();
+    Json failed = Json::array();
+};
+
+Json levelsJson(const TextureReport& report) {
+    Json levels = Json::array();
+    for (const LevelReport& level : report.levels) {
+        Json entry{{"level", level.number}, {"width", level.width}, {"height", level.height},
+                   {"depth", level.depth},  {"faces", level.faces}, {"bytes", level.bytes}};
+        if (level.psnr) // JSON has no infinity
+            entry["psnr"] = std::isfinite(*level.psnr) ? Json(*level.psnr) : Json();
+        levels.push_back(std::move(entry));
+    }
+    return levels;
+}
+
+void tellOf(Told& told, const Job& job, const MadeImage& made, const CodecRow& format, std::size_t bytes,
+            bool alone) {
+    const TextureImage& texture = made.texture;
+    const Surface& base = texture.surface(0, 0);
+    // Formats of one picture take no more than that.
+    const bool all = format.name == "DDS";
+    const int levels = all ? texture.levels : 1;
+    const int faces = all ? texture.faces : 1;
+    Json entry{{"input", inputName(job.in)},
+               {"output", job.out},
+               {"format", format.name},
+               {"width", widthOf(base)},
+               {"height", heightOf(base)},
+               {"depth", all ? depthOf(base) : 1},
+               {"faces", faces},
+               {"levels", levels},
+               {"bytes", bytes}};
+    if (made.report)
+        entry["report"] = {{"levels", levelsJson(*made.report)},
+                           {"bytes", made.report->bytes},
+                           {"ratioToBase", made.report->ratioToBase},
+                           {"shareOfRgba8", made.report->shareOfRgba8},
+                           {"shareOfRgb8", made.report->shareOfRgb8}};
+    told.written.push_back(std::move(entry));
+    if (!made.report || !alone)
+        told.text += fmt::format("{} -> {}: {}, {} x {}, {}{}, {}\n", printable(inputName(job.in)),
+                                 printable(job.out), format.name, widthOf(base), heightOf(base),
+                                 faces > 1 ? fmt::format("{} faces, ", faces) : std::string(),
+                                 countOf(levels, "level"), countOf(bytes, "byte"));
+    if (made.report)
+        told.text += describe(*made.report);
+}
+
+struct Written {
+    MadeImage image;
+    const CodecRow* format;
+    std::size_t bytes;
+};
+
+Result<void> makeFolder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        return fail(ErrorCode::Unwritable, "can't be made: " + error.message(), folder);
+    return {};
+}
+
+/// In a folder, which is made where it is missing.
+Result<ImageOutput> openInFolder(const Job& job, const std::string& folder) {
+    if (const Result<void> made = makeFolder(folder); !made)
+        return fail(made.error());
+    Result<Output> output = Output::open(job.out);
+    if (!output)
+        return fail(output.error());
+    return ImageOutput{*std::move(output), job.format, job.out};
+}
+
+/// `opened`: the output, where there is one; else it is a file of the folder.
+Result<Written> makeOne(const Job& job, const std::optional<ImageOutput>& opened, const std::string& folder,
+                        const MakeImage& make) {
+    Result<MadeImage> made = make(job.in);
+    if (!made)
+        return fail(made.error());
+    const CodecRow& format = opened ? *opened->format : *job.format;
+    const Result<Bytes> bytes = format.encode(made->texture, made->options);
+    if (!bytes)
+        return fail(bytes.error().code, bytes.error().message, job.out);
+    std::optional<ImageOutput> ours;
+    if (!opened) {
+        Result<ImageOutput> inFolder = openInFolder(job, folder);
+        if (!inFolder)
+            return fail(inFolder.error());
+        ours = *std::move(inFolder);
+    }
+    if (const Result<void> written = (opened ? *opened : *ours).output.write(*bytes); !written)
+        return fail(written.error());
+    return Written{*std::move(made), &format, bytes->size()};
+}
+
+ExitCode printTold(const ImageFiles& files, const Told& told) {
+    if (!files.report && !files.json)
+        return success;
+    const Result<void> printed =
+        print(files.json ? documentText({{"written", told.written}, {"failed", told.failed}}) : told.text);
+    return printed ? success : complain(printed.error());
+}
+
+} // namespace
+
+void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats, const std::string& in,
+                   const std::string& report) {
+    command.usage({"IN OUT", "IN... -o DIR"});
+    std::string format;
+    if (!formats.only.empty())
+        format = fmt::format("as {}", formats.only);
+    else
+        format = formats.start.empty() ? "in the format of IN" : fmt::format("as {}", formats.start);
+    command.option(
+        "IN", files.files,
+        fmt::format(
+            "{}; - for standard input. Behind it OUT, the file to write, its format by its extension: {}; - "
+            "for standard output, {}.",
+            in, writtenExtensions(" or ", formats.only), format),
+        {.required = true});
+    command.option(
+        "-o,--out", files.folder,
+        "In the place of OUT: a folder that gets a file for each IN, of the same name with the extension "
+        "of its format. One that fails is said, and the others go on.",
+        {.value = "DIR"});
+    if (formats.only.empty())
+        command.option(
+            "--to", files.format,
+            fmt::format("The format of what has no extension: with -o and -. One of {}.", formatNames()),
+            {.value = "FORMAT"});
+    command.flag("--report", files.report, report);
+    command.flag(
+        "--json", files.json,
+        "The report as JSON, for programs: \"written\" (input, output, format, width, height, depth, faces, "
+        "levels, bytes) and \"failed\" (input, error).");
+}
+
+ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const MakeImage& make,
+                    const CheckFormat& check) {
+    if (const Result<void> once = checkStandardInputOnce(
+            files.folder.empty() ? std::span(files.files).first(std::min<std::size_t>(files.files.size(), 1))
+                                 : std::span(files.files));
+        !once)
+        return complain(once.error(), wrongCall);
+    const Result<std::vector<Job>> jobs = planOf(files, formats);
+    if (!jobs)
+        return complain(jobs.error(), wrongCall);
+    const bool alone = files.folder.empty();
+    if (!alone) {
+        if (const Result<void> possible = checkFolderWritable(files.folder); !possible)
+            return complain(possible.error());
+    }
+    // A format that doesn't fit is known before anything is read: that of the one output, or --to's of all.
+    std::optional<ImageOutput> first;
+    if (alone) {
+        auto opened = openImageOutput(jobs->front().out, jobs->front().format->name, formats.only);
+        if (!opened)
+            return opened.error();
+        first = *std::move(opened);
+    }
+    for (const Job& job : *jobs) {
+        const Result<void> fits = check ? check(first ? *first->format : *job.format) : Result<void>();
+        if (!fits)
+            return complain(fits.error(), wrongCall);
+    }
+
+    Told told;
+    bool allDone = true;
+    for (const Job& job : *jobs) {
+        const Result<Written> done = makeOne(job, first, files.folder, make);
+        if (!done && done.error().code == ErrorCode::Cancelled)
+            return complainInterrupted();
+        if (!done) {
+            allDone = false;
+            static_cast<void>(complain(done.error()));
+            told.failed.push_back({{"input", inputName(job.in)}, {"error", describe(done.error())}});
+            continue;
+        }
+        tellOf(told, job, done->image, *done->format, done->bytes, alone);
+    }
+    if (const ExitCode printed = printTold(files, told); printed != success)
+        return printed;
+    return allDone ? success : failure;
+}
+
+} // namespace texplorer::screenshot

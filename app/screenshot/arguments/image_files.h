@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/screenshot/command.h"
+#include "core/codec/registry.h"
+#include "core/image/texture_image.h"
+#include "core/texture/texture_levels.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texplorer::screenshot {
+
+/// IN OUT, or IN... -o DIR: the files of a command that makes a picture of each.
+struct ImageFiles {
+    std::vector<std::string> files;
+    std::string folder; ///< empty: the second of the files is the one to write
+    std::string format; ///< --to; empty: as the command chooses it
+    bool report = false;
+    bool json = false;
+};
+
+/// What a command writes.
+struct ImageFormats {
+    std::string_view only = {};  ///< the one format; empty: each that is written
+    std::string_view start = {}; ///< of a pipe and in a folder, where --to doesn't say it; empty: the input's
+    bool named = false;          ///< in a folder --to has to say it
+};
+
+/// Declares IN, OUT, -o, --to, --report and --json. `report`: what --report prints.
+void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& formats, const std::string& in,
+                   const std::string& report);
+
+/// What a command makes of an image, and how it is written.
+struct MadeImage {
+    TextureImage texture;
+    WriteOptions options{};
+    std::optional<TextureReport> report{}; ///< of its levels, for --report
+};
+
+/// Cancelled stops all that would follow.
+using MakeImage = std::function<Result<MadeImage>(const std::string& in)>;
+
+/// Whether options fit the format that is to be written.
+using CheckFormat = std::function<Result<void>(const CodecRow& format)>;
+
+/// Makes and writes one after the other. What is wrong with the call is said before anything is read; one
+/// that fails is said, and the others go on.
+[[nodiscard]] ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const MakeImage& make,
+                                  const CheckFormat& check = {});
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,65 @@
+#include "app/screenshot/arguments/input.h"
+
+#include "app/screenshot/output/messages.h"
+#include "core/base/count.h"
+#include "core/base/descriptor.h"
+#include "core/base/file_kind.h"
+#include "core/codec/registry.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace texplorer::screenshot {
+namespace {
+
+/// A pipe that has a name, or what a shell makes of <(command). Devices have no end that they promise.
+bool isNamedPipe(const std::string& path) {
+    struct stat info = {};
+    return ::stat(path.c_str(), &info) == 0 && S_ISFIFO(info.st_mode);
+}
+
+Result<Bytes> readPipe(const std::string& path, std::size_t maxBytes, const IsWorthReading& isWorthReading) {
+    const Descriptor pipe(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY)); // waits for who writes
+    if (!pipe.valid())
+        return fail(ErrorCode::Unreadable, "can't be opened: " + systemText(errno), path);
+    return readStream(pipe.get(), path, maxBytes, isWorthReading);
+}
+
+} // namespace
+
+bool isStandardInput(const std::string& path) {
+    constexpr std::array<std::string_view, 4> names{"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"};
+    return std::ranges::find(names, path) != names.end();
+}
+
+std::string inputName(const std::string& path) {
+    return isStandardInput(path) ? "standard input" : path;
+}
+
+Result<void> checkStandardInputOnce(std::span<const std::string> paths) {
+    if (std::ranges::count_if(paths, isStandardInput) > 1)
+        return fail(ErrorCode::OutOfRange, "can be read once, and is named twice", "standard input");
+    return {};
+}
+
+Result<Bytes> readInput(const std::string& path, std::size_t maxBytes, const IsWorthReading& isWorthReading) {
+    Result<Bytes> bytes = isStandardInput(path)
+                              ? readStream(STDIN_FILENO, inputName(path), maxBytes, isWorthReading)
+                          : isNamedPipe(path) ? readPipe(path, maxBytes, isWorthReading)
+                                              : readFile(path, maxBytes);
+    if (bytes)
+        tell(fmt::format("read {}, {}", inputName(path), countOf(bytes->size(), "byte")));
+    return bytes;
+}
+
+Result<Bytes> readImageInput(const std::string& path) {
+    return readInput(path, defaultMaxFileBytes,
+                     [](ByteView start) { return recogniseImage(start) != nullptr; });
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,176 @@
+// A scene as a file: every parameter written out, the fewest that say the same, or what leads to it from
+// another.
+
+#include "app/screenshot/arguments/input.h"
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/scene_argument.h"
+#include "app/screenshot/command.h"
+#include "app/screenshot/output/json_text.h"
+#include "app/screenshot/output/messages.h"
+#include "app/screenshot/output/output.h"
+#include "app/screenshot/output/shell_word.h"
+#include "core/scene/params/json.h"
+#include "core/scene/params/params.h"
+#include "core/scene/params/scene_diff.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <filesystem>
+
+namespace texplorer::screenshot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SceneOptions {
+    SceneArgument scene;
+    std::string out = "-";
+    std::string from; ///< another scene, of --diff; empty: it is not compared
+    bool isShort = false;
+    bool json = false;
+    const Option* outOption = nullptr;
+};
+
+/// The same scene with its images named from another folder: below it, or else by their whole path.
+void nameFilesFrom(Scene& scene, const ImageSource& images, const fs::path& folder) {
+    const fs::path here = fs::absolute(images.directory()).lexically_normal();
+    const fs::path there = fs::absolute(folder).lexically_normal();
+    if (here == there || here / "" == there / "")
+        return;
+    renameFiles(scene, [&](const std::string& file) {
+        if (images.fileInMemory(file))
+            return file;
+        const fs::path whole = (here / file).lexically_normal();
+        const fs::path relative = whole.lexically_relative(there);
+        const bool below = !relative.empty() && *relative.begin() != "..";
+        return (below ? relative : whole).generic_string();
+    });
+}
+
+void warnOfLostFiles(const Scene& scene, const ImageSource& images) {
+    for (const std::string& file : filesOf(scene))
+        if (images.fileInMemory(file))
+            warn({ErrorCode::NotFound,
+                  "is an image of the lesson and lies in no folder; the scene names it all the same", file});
+}
+
+/// What leads from one scene to another: what --set can do, and what it can't.
+struct Edits {
+    std::vector<std::string> sets; ///< "textures[0].wrapS=GL_CLAMP"
+    std::vector<SceneChange> lengths;
+};
+
+Result<Edits> editsBetween(const Scene& from, const Scene& to) {
+    Edits edits;
+    for (SceneChange& change : changesBetween(from, to)) {
+        if (change.isLength) {
+            edits.lengths.push_back(std::move(change));
+            continue;
+        }
+        const Result<std::string> value = getParam(to, change.path);
+        if (!value)
+            return fail(value.error());
+        edits.sets.push_back(change.path + "=" + *value);
+    }
+    return edits;
+}
+
+std::string editsJson(const Edits& edits) {
+    nlohmann::ordered_json lengths = nlohmann::ordered_json::array();
+    for (const SceneChange& each : edits.lengths)
+        lengths.push_back({{"path", each.path}, {"from", each.from}, {"to", each.to}});
+    return documentText({{"same", edits.sets.empty() && edits.lengths.empty()},
+                         {"set", edits.sets},
+                         {"lengths", std::move(lengths)}});
+}
+
+std::string editsText(const Edits& edits) {
+    std::string text;
+    for (const std::string& set : edits.sets)
+        text += fmt::format("--set {}\n", shellWord(set));
+    return text;
+}
+
+/// As of diff(1): 1 where they differ, 2 where it can't be told.
+int compareWith(const SceneOptions& options, const Scene& to) {
+    const auto from = openScene({.file = options.from});
+    if (!from)
+        return complain(from.error().error, wrongCall);
+    const Result<Edits> edits = editsBetween(from->scene, to);
+    if (!edits)
+        return complain(edits.error(), wrongCall);
+    if (const Result<void> printed = print(options.json ? editsJson(*edits) : editsText(*edits)); !printed)
+        return complain(printed.error(), wrongCall);
+    for (const SceneChange& each : edits->lengths)
+        warn({ErrorCode::Unsupported,
+              fmt::format("{} -> {}: no --set changes how many elements a list has", each.from, each.to),
+              each.path});
+    return edits->sets.empty() && edits->lengths.empty() ? success : failure;
+}
+
+ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
+    const bool printed = isStandardOutput(options.out);
+    if (codecForExtension(options.out) != nullptr)
+        return complain(
+            {ErrorCode::Unsupported,
+             fmt::format(
+                 "a scene is JSON: expected a name that ends in .json, found \"{}\"; \"texshot shot\" "
+                 "draws a picture",
+                 options.out),
+             "--out"},
+            wrongCall);
+    nameFilesFrom(opened.scene, opened.images, printed ? fs::path() : fs::path(options.out).parent_path());
+    warnOfLostFiles(opened.scene, opened.images);
+    const std::string text = options.isShort ? writeShortScene(opened.scene) : writeScene(opened.scene);
+    const Result<void> written =
+        printed ? print(text) : Output::open(options.out).and_then([&](const Output& out) {
+            return out.write(viewBytes(text));
+        });
+    return written ? success : complain(written.error());
+}
+
+int sceneCommand(const SceneOptions& options) {
+    const bool compares = !options.from.empty();
+    if (const Result<void> once = checkStandardInputOnce(std::array{options.scene.file, options.from}); !once)
+        return complain(once.error(), wrongCall);
+    if (options.json && !compares)
+        return refuseUnused("--json", "a scene is JSON; it is for --diff");
+    auto opened = openScene(options.scene);
+    if (!opened)
+        return complain(opened.error().error, compares ? wrongCall : opened.error().code);
+    return compares ? compareWith(options, opened->scene) : writeTo(options, *std::move(opened));
+}
+
+} // namespace
+
+void addScene(CommandLine& line) {
+    Command& command = line.command("scene", "Write a scene with all its changes, every parameter of it.");
+    auto options = std::make_shared<SceneOptions>();
+    addSceneOrLessonArgument(command, options->scene);
+    const Option& isShort = command.flag(
+        "--short", options->isShort,
+        "Only what differs from a scene that says nothing: the same scene with the fewest words.");
+    const Option& out =
+        command.option("-o,--out", options->out,
+                       "The scene file to write; - for standard output, where it goes without this. "
+                       "Images are named from its folder, on standard output from the current one.",
+                       {.value = "FILE"});
+    command.option(
+        "--diff", options->from,
+        "In the place of the scene, what leads to it from this one: a line --set PATH=VALUE for each "
+        "parameter, as a shell reads it. Elements that only one of them has can't be said so; a warning "
+        "names their list.",
+        {.value = "FROM", .excludes = &out});
+    command.flag(
+        "--json", options->json,
+        "With --diff, as JSON, for programs: \"same\", \"set\" (PATH=VALUE) and \"lengths\" (path, from, to).",
+        {.excludes = &isShort});
+    command.usage({"[SCENE]", "--diff FROM [SCENE]"});
+    command.footer(
+        "Exit status: 0 done, 1 the scene can't be read or written, 2 a wrong call. With --diff: 0 they are "
+        "the same, 1 they differ, 2 one of them can't be read, or a wrong call.");
+    command.onCall([options] { return sceneCommand(*options); });
+}
+
+} // namespace texplorer::screenshot
