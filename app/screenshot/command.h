@@ -21,6 +21,7 @@ enum ExitCode : int {
 void addShot(CommandLine& line);
 void addProbe(CommandLine& line);
 void addCheck(CommandLine& line);
+void addCompare(CommandLine& line);
 void addCommands(CommandLine& line);
 void addParams(CommandLine& line);
 void addPresets(CommandLine& line);

@@ -38,7 +38,7 @@ struct Group {
 
 const std::vector<Group> groups{
     {"Draw", {addShot, addProbe, addTexture, addCommands}},
-    {"Compare", {addConform, addDiff}},
+    {"Compare", {addCompare, addConform, addDiff}},
     {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons}},
     {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},
     {"About", {addDrivers}},

@@ -55,8 +55,9 @@ struct Comparison {
     glm::ivec2 actualSize{0}; ///< where it isn't the expected one, everything below but `sentence` is empty
     std::size_t pixels = 0;   ///< that count: all, or those that the mask leaves
     std::size_t over = 0;     ///< of these, with a value above the tolerance
-    double score = 0;    ///< the mean of all that count. Absolute: in 255ths. Ssim: of SSIM, 1 for equal ones
-    ComparedPixel worst; ///< the one with the largest value, the first of them from the upper left
+    double score = 0;         ///< a mean over what counts: difference.mean, SSIM (1: equal), the FLIP error
+    ComparedPixel worst; ///< the one with the largest value, the first of them from the upper left; no pixel
+                         ///< if that is 0
     PixelRect bounds;    ///< of the pixels above the tolerance
     std::size_t regions = 0;
     std::vector<DifferentRegion> largest; ///< the regions with the most pixels, these first; at most 8

@@ -35,12 +35,12 @@ inline constexpr double highestPixelsPerDegree = 512;
 /// OutOfRange names what is wrong ("tolerance", "share", "pixelsPerDegree") and which values there are.
 [[nodiscard]] Result<void> checkCriterion(const Criterion& criterion);
 
-/// "0.05" or "5 %" as a share of 0 to 1, "12" or "12/255" as a tolerance: all of the text is the number, and
-/// it is one that the metric has. Errors: OutOfRange; `where` is empty.
+/// "0.05" or "5%" as a share of 0 to 1; a tolerance that the metric can have. All of the text is the number.
+/// Errors: OutOfRange; `where` is empty.
 [[nodiscard]] Result<double> parseShare(std::string_view text);
 [[nodiscard]] Result<double> parseTolerance(std::string_view text, Metric metric);
 
-/// "absolute difference, at most 2/255 in all but 0.1 % of the pixels", for a report.
+/// "absolute: up to 2/255, above that in up to 0.1 % of the pixels", for a report.
 [[nodiscard]] std::string describe(const Criterion& criterion);
 
 } // namespace texplorer

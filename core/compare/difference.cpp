@@ -1,5 +1,6 @@
 #include "core/compare/difference.h"
 
+#include "core/compare/comparable.h"
 #include "core/compare/pixel_difference.h"
 
 #include <fmt/core.h>
@@ -38,13 +39,15 @@ std::size_t Difference::countOver(int tolerance) const {
 Result<Difference> compare(const Image& a, const Image& b, int tolerance, Compared compared) {
     if (const Result<void> comparable = checkComparable(a, b); !comparable)
         return fail(comparable.error());
-    const int components = componentsOf(compared);
+    const std::size_t components = componentsOf(compared);
     Difference difference;
     difference.pixels = a.pixels.size() / 4;
+    const auto* const aBytes = reinterpret_cast<const std::uint8_t*>(a.pixels.data());
+    const auto* const bBytes = reinterpret_cast<const std::uint8_t*>(b.pixels.data());
     std::size_t sum = 0;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < difference.pixels; ++i) {
-        const PixelDifference here = differenceAt(a, b, i, components);
+        const PixelDifference here = differenceOf(aBytes + i * 4, bBytes + i * 4, components);
         sum += static_cast<std::size_t>(here.sum);
         ++difference.histogram[static_cast<std::size_t>(here.worst)];
         if (here.worst > difference.max) {
@@ -54,7 +57,8 @@ Result<Difference> compare(const Image& a, const Image& b, int tolerance, Compar
     }
     difference.over = difference.countOver(tolerance);
     if (difference.pixels > 0) {
-        difference.mean = static_cast<double>(sum) / static_cast<double>(difference.pixels) / components;
+        difference.mean = static_cast<double>(sum) / static_cast<double>(difference.pixels) /
+                          static_cast<double>(components);
         const auto width = static_cast<std::size_t>(a.width);
         difference.worst = {static_cast<int>(worst % width), static_cast<int>(worst / width)};
     }

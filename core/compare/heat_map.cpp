@@ -1,5 +1,6 @@
 #include "core/compare/heat_map.h"
 
+#include "core/compare/comparable.h"
 #include "core/compare/pixel_difference.h"
 
 #include <algorithm>
@@ -47,10 +48,13 @@ Result<Image> heatMap(const Image& a, const Image& b, const HeatScale& scale, Co
     std::array<std::array<std::uint8_t, 4>, 256> colors{};
     for (std::size_t i = 0; i < colors.size(); ++i)
         colors[i] = heatColor(static_cast<float>(i), scale);
-    const int components = componentsOf(compared);
+    const std::size_t components = componentsOf(compared);
+    const auto* const aBytes = reinterpret_cast<const std::uint8_t*>(a.pixels.data());
+    const auto* const bBytes = reinterpret_cast<const std::uint8_t*>(b.pixels.data());
     Image map = Image::uninitialised(PixelFormat::Rgba8, a.width, a.height);
     for (std::size_t i = 0; i < map.pixels.size() / 4; ++i) {
-        const auto& color = colors[static_cast<std::size_t>(differenceAt(a, b, i, components).worst)];
+        const int worst = differenceOf(aBytes + i * 4, bBytes + i * 4, components).worst;
+        const auto& color = colors[static_cast<std::size_t>(worst)];
         for (std::size_t c = 0; c < 4; ++c)
             map.pixels[i * 4 + c] = static_cast<std::byte>(color[c]);
     }

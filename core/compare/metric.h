@@ -30,7 +30,9 @@ static_assert(metricNameRows.size() == 3);
 struct MetricRow {
     Metric metric;
     std::string_view citation; ///< where it is defined; empty where it needs no source
-    std::string_view score;    ///< what the score is, for a sentence: "mean difference"
+    std::string_view value;    ///< what a pixel has, for a sentence: "a difference"
+    std::string_view score;    ///< what the score is: "mean SSIM"
+    std::string_view unit;     ///< behind each of its numbers: "/255"
     double alikeScore;         ///< the score of two equal pictures
     double largest;            ///< what a pixel's value can be at most; values and tolerances begin at 0
     double tolerance;          ///< what a pixel may have unless one says otherwise
@@ -38,18 +40,20 @@ struct MetricRow {
 };
 
 inline constexpr std::array metricRows{
-    MetricRow{Metric::Absolute, "", "mean difference", 0, 255, 0,
+    MetricRow{Metric::Absolute, "", "a difference", "mean difference", "/255", 0, 255, 0,
               "0: what nobody asked to be tolerated is a difference."},
     MetricRow{Metric::Ssim,
               "Z. Wang, A. C. Bovik, H. R. Sheikh, E. P. Simoncelli: Image Quality Assessment: From Error "
               "Visibility to Structural Similarity. IEEE Transactions on Image Processing 13(4), 2004",
-              "mean SSIM", 1, 2, 0.05, "0.05: noise of 2/255 in an even grey stays below it."},
+              "1 - SSIM", "mean SSIM", "", 1, 2, 0.05,
+              "0.05: noise of 2/255 in an even grey stays below it."},
     MetricRow{
         Metric::Flip,
         "P. Andersson, J. Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström, M. D. Fairchild: FLIP: A "
         "Difference Evaluator for Alternating Images. Proceedings of the ACM on Computer Graphics and "
         "Interactive Techniques 3(2), 2020",
-        "mean FLIP", 0, 1, 0.1, "0.1: a step of 2 in CIE lightness, which one just sees, stays below it."},
+        "a FLIP error", "mean FLIP error", "", 0, 1, 0.1,
+        "0.1: a step of 2 in CIE lightness, which one just sees, stays below it."},
 };
 
 static_assert(metricRows.size() == metricNameRows.size());

@@ -1,17 +1,13 @@
 #pragma once
 
-#include "core/base/result.h"
 #include "core/compare/difference.h"
-#include "core/image/image.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
 namespace texplorer {
-
-/// Two Rgba8 pictures of the same size, or an error that says what they are.
-[[nodiscard]] Result<void> checkComparable(const Image& a, const Image& b);
 
 /// The differences of one pixel's components: the worst, and their sum.
 struct PixelDifference {
@@ -19,17 +15,20 @@ struct PixelDifference {
     int sum;
 };
 
-inline PixelDifference differenceAt(const Image& a, const Image& b, std::size_t pixel, int components) {
+/// Of two pixels of so many bytes.
+[[nodiscard]] inline PixelDifference differenceOf(const std::uint8_t* a, const std::uint8_t* b,
+                                                  std::size_t components) {
     PixelDifference result{0, 0};
-    for (std::size_t i = pixel * 4; i < pixel * 4 + static_cast<std::size_t>(components); ++i) {
-        const int each = std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i]));
+    for (std::size_t i = 0; i < components; ++i) {
+        const int each = std::abs(int{a[i]} - int{b[i]});
         result.worst = std::max(result.worst, each);
         result.sum += each;
     }
     return result;
 }
 
-[[nodiscard]] inline int componentsOf(Compared compared) {
+/// Those of an Rgba8 pixel that count.
+[[nodiscard]] constexpr std::size_t componentsOf(Compared compared) {
     return compared == Compared::Rgba ? 4 : 3;
 }
 

@@ -1,0 +1,270 @@
+#include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/texture_input.h"
+#include "app/screenshot/command.h"
+#include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/long_work.h"
+#include "app/screenshot/output/output.h"
+#include "core/base/count.h"
+#include "core/base/printable.h"
+#include "core/compare/comparison.h"
+#include "core/s3tc/surface_pixels.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace texplorer::screenshot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// As of cmp(1): what can't be told has a status of its own.
+constexpr int picturesAreAlike = 0;
+constexpr int picturesDiffer = 1;
+constexpr ExitCode picturesUnknown = wrongCall;
+
+struct CompareOptions {
+    std::string expected;
+    std::string actual;
+    std::string mask;
+    std::string metric{rowOf(Metric::Absolute).name};
+    std::string tolerance;
+    std::string share;
+    std::string out;
+    int pixelsPerDegree = 67;
+    bool rgb = false;
+    bool json = false;
+    const Option* givenTolerance = nullptr;
+    const Option* givenShare = nullptr;
+    const Option* givenPixelsPerDegree = nullptr;
+};
+
+Result<Criterion> criterionOf(const CompareOptions& options) {
+    const Result<Metric> metric = parseChoice<Metric>(options.metric, "--metric");
+    if (!metric)
+        return fail(metric.error());
+    Criterion criterion = texplorer::criterionOf(*metric);
+    const auto take = [](const Result<double>& number, double& to, const char* option) -> Result<void> {
+        if (!number)
+            return fail(number.error().code, number.error().message, option);
+        to = *number;
+        return {};
+    };
+    if (options.givenTolerance->isGiven())
+        if (const Result<void> taken =
+                take(parseTolerance(options.tolerance, *metric), criterion.tolerance, "--tolerance");
+            !taken)
+            return fail(taken.error());
+    if (options.givenShare->isGiven())
+        if (const Result<void> taken = take(parseShare(options.share), criterion.share, "--share"); !taken)
+            return fail(taken.error());
+    criterion.compared = options.rgb ? Compared::Rgb : Compared::Rgba;
+    criterion.pixelsPerDegree = options.pixelsPerDegree;
+    return criterion;
+}
+
+/// The base level of a file that holds one picture, its bottom row first.
+Result<Image> readPicture(const std::string& path) {
+    Result<TextureImage> file = readTexture(path);
+    if (!file)
+        return fail(file.error());
+    const Surface& base = file->surface(0, 0);
+    if (file->faces > 1 || depthOf(base) > 1)
+        return fail(
+            ErrorCode::Unsupported,
+            fmt::format("expected one picture, found {}; texshot decode takes one out of it",
+                        file->faces > 1 ? countOf(file->faces, "face") : countOf(depthOf(base), "slice")),
+            path);
+    return uprightImage(*std::move(file));
+}
+
+Json rectJson(const PixelRect& rect) {
+    return {{"x", rect.x}, {"y", rect.y}, {"width", rect.width}, {"height", rect.height}};
+}
+
+/// What only pictures of one size have.
+void addNumbers(Json& document, const Comparison& comparison) {
+    document["pixels"] = comparison.pixels;
+    document["over"] = comparison.over;
+    document["shareOver"] = comparison.shareOver();
+    document["score"] = comparison.score;
+    const ComparedPixel& worst = comparison.worst;
+    document["worst"] = worst.value > 0 ? Json{{"x", worst.at.x},
+                                               {"y", worst.at.y},
+                                               {"value", worst.value},
+                                               {"expected", worst.expected},
+                                               {"actual", worst.actual}}
+                                        : Json();
+    document["bounds"] = comparison.over > 0 ? rectJson(comparison.bounds) : Json();
+    document["regions"] = comparison.regions;
+    Json largest = Json::array();
+    for (const DifferentRegion& region : comparison.largest) {
+        largest.push_back(rectJson(region.bounds));
+        largest.back()["pixels"] = region.pixels;
+    }
+    document["largestRegions"] = std::move(largest);
+    document["difference"] = {{"max", comparison.difference.max}, {"mean", comparison.difference.mean}};
+}
+
+std::string comparisonJson(const CompareOptions& options, const Comparison& comparison) {
+    const Criterion& criterion = comparison.criterion;
+    Json document{{"alike", comparison.alike},
+                  {"sentence", comparison.sentence},
+                  {"expected", options.expected},
+                  {"actual", options.actual},
+                  {"metric", rowOf(criterion.metric).name},
+                  {"tolerance", criterion.tolerance},
+                  {"share", criterion.share},
+                  {"components", criterion.compared == Compared::Rgba ? "rgba" : "rgb"},
+                  {"expectedSize", {comparison.expectedSize.x, comparison.expectedSize.y}},
+                  {"actualSize", {comparison.actualSize.x, comparison.actualSize.y}}};
+    if (!options.mask.empty())
+        document["mask"] = options.mask;
+    if (criterion.metric == Metric::Flip)
+        document["pixelsPerDegree"] = criterion.pixelsPerDegree;
+    if (comparison.sameSize())
+        addNumbers(document, comparison);
+    // A file's name may be no UTF-8.
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int report(const CompareOptions& options, const std::optional<ImageOutput>& output, Comparison comparison) {
+    if (output && comparison.sameSize())
+        if (const auto written = output->write(textureOf(std::move(comparison.map), output->format->name));
+            !written)
+            return complain(written.error(), picturesUnknown);
+    if (output && !comparison.sameSize())
+        comparison.sentence += "; so there is no picture of the difference";
+    if (options.out != "-") {
+        const Result<void> printed =
+            print(options.json ? comparisonJson(options, comparison) : comparison.sentence + "\n");
+        if (!printed)
+            return complain(printed.error(), picturesUnknown);
+    }
+    return comparison.alike ? picturesAreAlike : picturesDiffer;
+}
+
+struct Pictures {
+    Image expected;
+    Image actual;
+    Image mask; ///< empty where none is named
+};
+
+Result<Pictures> readPictures(const CompareOptions& options) {
+    Pictures pictures;
+    for (const auto& [path, to] :
+         {std::pair(&options.expected, &pictures.expected), std::pair(&options.actual, &pictures.actual),
+          std::pair(&options.mask, &pictures.mask)}) {
+        if (path == &options.mask && path->empty())
+            continue;
+        Result<Image> picture = readPicture(*path);
+        if (!picture)
+            return fail(picture.error());
+        *to = *std::move(picture);
+    }
+    return pictures;
+}
+
+int comparePictureFiles(const CompareOptions& options) {
+    const Result<Criterion> criterion = criterionOf(options);
+    if (!criterion)
+        return complain(criterion.error(), wrongCall);
+    if (options.givenPixelsPerDegree->isGiven() && criterion->metric != Metric::Flip)
+        return refuseUnused("--pixels-per-degree", "it is for --metric flip");
+    if (options.json && options.out == "-")
+        return complain(
+            {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
+            wrongCall);
+    const std::array inputs{options.expected, options.actual, options.mask};
+    if (std::ranges::count(inputs, "-") > 1)
+        return complain({ErrorCode::OutOfRange, "standard input can be read once", "-"}, wrongCall);
+    std::optional<ImageOutput> output;
+    if (!options.out.empty()) {
+        auto opened = openImageOutput(options.out, "PNG");
+        if (!opened)
+            return picturesUnknown;
+        output = *std::move(opened);
+    }
+
+    const Result<Pictures> pictures = readPictures(options);
+    if (!pictures)
+        return complain(pictures.error(), picturesUnknown);
+    LongWork progress("texshot: comparing");
+    ComparisonWork work;
+    work.map = output.has_value();
+    work.stop = progress.stopToken();
+    work.report = [&progress](float done) { progress.report(done); };
+    Result<Comparison> comparison = comparePictures(pictures->expected, pictures->actual, *criterion,
+                                                    options.mask.empty() ? nullptr : &pictures->mask, work);
+    progress.finish();
+    if (progress.stopToken().stop_requested())
+        return complainInterrupted();
+    if (!comparison)
+        return complain(comparison.error(), picturesUnknown);
+    return report(options, output, *std::move(comparison));
+}
+
+std::string toleranceHelp() {
+    std::string text = "What a pixel's value may be. Unless given,";
+    for (const MetricRow& each : metricRows)
+        text += fmt::format("{} {:g} for {}", each.metric == metricRows.front().metric ? "" : ",",
+                            each.tolerance, rowOf(each.metric).name);
+    return text + ". absolute: of the worst component, in 255ths. ssim: 1 - SSIM. flip: the error, 0 to 1.";
+}
+
+std::string citations() {
+    std::string text;
+    for (const MetricRow& each : metricRows)
+        if (!each.citation.empty())
+            text += fmt::format("{}: {}.\n", rowOf(each.metric).name, each.citation);
+    return text;
+}
+
+} // namespace
+
+void addCompare(CommandLine& line) {
+    Command& command = line.command("compare", "Whether two pictures are alike, and what differs where.");
+    auto options = std::make_shared<CompareOptions>();
+    command.option("EXPECTED", options->expected,
+                   "The picture as it should be: any format that Texplorer reads; - for standard input.",
+                   {.required = true});
+    command.option("ACTUAL", options->actual, "The picture as it is.", {.required = true});
+    command.option("--metric", options->metric, "What a pixel's value is." + explainChoices<Metric>(),
+                   {.value = "METRIC", .showsDefault = true});
+    options->givenTolerance =
+        &command.option("--tolerance", options->tolerance, toleranceHelp(), {.value = "N"});
+    options->givenShare = &command.option(
+        "--share", options->share,
+        "Which share of the pixels may be above the tolerance: 0 to 1, or in percent as in 0.1%. Unless given, none.",
+        {.value = "P"});
+    command.option("--mask", options->mask,
+                   "A picture of the same size: where it is black or wholly transparent, pixels don't count.",
+                   {.value = "FILE"});
+    command.flag("--rgb", options->rgb, "Leave alpha out.");
+    options->givenPixelsPerDegree = &command.number(
+        "--pixels-per-degree", options->pixelsPerDegree, 1, 512,
+        "flip: how many pixels of the picture lie in a degree of the viewer's field of view. 67 is a 4K screen of "
+        "0.7 m at a distance of 0.7 m.",
+        {.showsDefault = true});
+    command.option(
+        "-o,--out", options->out,
+        fmt::format("Write the difference as a picture, its format by its extension: {}; - for standard "
+                    "output, as PNG. Black is equal, a dark blue is within the tolerance, violet, red to "
+                    "pale yellow is above it, grey is masked.",
+                    writtenExtensions(" or ")),
+        {.value = "FILE"});
+    command.flag("--json", options->json, "As JSON, for programs.");
+    command.footer(
+        "Components are compared as they are stored, with 8 bits. Positions are counted from the upper left.\n"
+        "ssim: of each of red, green, blue (and alpha, unless both are opaque) with the paper's Gaussian window; the "
+        "edge repeats outside. flip: where they aren't opaque, over black and over white.\n" +
+        citations() +
+        "Exit status: 0 they are alike, 1 they differ, 2 one of them can't be read, or a wrong call.");
+    command.onCall([options] { return comparePictureFiles(*options); });
+}
+
+} // namespace texplorer::screenshot

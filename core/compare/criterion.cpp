@@ -1,0 +1,82 @@
+#include "core/compare/criterion.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace texplorer {
+
+namespace {
+
+/// Nothing for what is no number, or more than a number.
+std::optional<double> numberOf(std::string_view text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+Result<void> checkRange(std::string_view name, double number, double low, double high) {
+    if (number >= low && number <= high) // not of NaN
+        return {};
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("expected a number from {} to {}, found {}", low, high, number),
+                std::string(name));
+}
+
+} // namespace
+
+Criterion criterionOf(Metric metric) {
+    Criterion criterion;
+    criterion.metric = metric;
+    criterion.tolerance = factsOf(metric).tolerance;
+    return criterion;
+}
+
+Result<void> checkCriterion(const Criterion& criterion) {
+    if (Result<void> good =
+            checkRange("tolerance", criterion.tolerance, 0, factsOf(criterion.metric).largest);
+        !good)
+        return good;
+    if (Result<void> good = checkRange("share", criterion.share, 0, 1); !good)
+        return good;
+    return checkRange("pixelsPerDegree", criterion.pixelsPerDegree, lowestPixelsPerDegree,
+                      highestPixelsPerDegree);
+}
+
+Result<double> parseShare(std::string_view text) {
+    std::string_view digits = text;
+    const bool percent = digits.ends_with('%');
+    if (percent)
+        digits.remove_suffix(1);
+    while (percent && digits.ends_with(' '))
+        digits.remove_suffix(1);
+    const std::optional<double> number = numberOf(digits);
+    const double share = number.value_or(-1) / (percent ? 100 : 1);
+    if (share >= 0 && share <= 1)
+        return share;
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("expected a share of the pixels, 0 to 1 or 0% to 100%, found \"{}\"", text));
+}
+
+Result<double> parseTolerance(std::string_view text, Metric metric) {
+    const double largest = factsOf(metric).largest;
+    const std::optional<double> number = numberOf(text);
+    if (number && *number >= 0 && *number <= largest)
+        return *number;
+    return fail(ErrorCode::OutOfRange,
+                fmt::format("expected a number from 0 to {} for the metric {}, found \"{}\"", largest,
+                            rowOf(metric).name, text));
+}
+
+std::string describe(const Criterion& criterion) {
+    const MetricRow& facts = factsOf(criterion.metric);
+    const std::string tolerated =
+        fmt::format("{}: up to {:g}{}", rowOf(criterion.metric).name, criterion.tolerance, facts.unit);
+    if (criterion.share == 0)
+        return tolerated;
+    return fmt::format("{}, above that in up to {:g} % of the pixels", tolerated, criterion.share * 100);
+}
+
+} // namespace texplorer

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/compare/row_filter.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace texplorer {
+
+/// A number for each pixel of a piece of a picture, to work in. Its rows are as long as filterRow needs them.
+class Plane {
+public:
+    /// For up to so many pixels.
+    Plane(int width, int height)
+        : stride_(paddedWidth(width) + 8)
+        , floats_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height) + 8) {}
+
+    [[nodiscard]] float* row(int y) { return floats_.data() + static_cast<std::ptrdiff_t>(stride_) * y; }
+    [[nodiscard]] const float* row(int y) const {
+        return floats_.data() + static_cast<std::ptrdiff_t>(stride_) * y;
+    }
+    [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
+
+private:
+    int stride_;
+    std::vector<float> floats_;
+};
+
+/// Rows [0, height) of `out`, each pixel from those of its row that begin `first` columns to the right of it.
+inline void filterAcross(const Plane& in, int first, std::span<const float> taps, Plane& out, int width,
+                         int height) {
+    for (int y = 0; y < height; ++y)
+        filterRow(in.row(y) + first, 1, taps, out.row(y), width);
+}
+
+/// The same from those of its column that begin `first` rows below it.
+inline void filterDown(const Plane& in, int first, std::span<const float> taps, Plane& out, int width,
+                       int height) {
+    for (int y = 0; y < height; ++y)
+        filterRow(in.row(y + first), in.stride(), taps, out.row(y), width);
+}
+
+} // namespace texplorer

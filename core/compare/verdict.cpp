@@ -1,0 +1,74 @@
+#include "core/compare/verdict.h"
+
+#include "core/base/count.h"
+
+#include <fmt/core.h>
+
+namespace texplorer {
+
+namespace {
+
+/// Digits enough that nothing but 0 is "0", and 100 alone is "100".
+std::string percentOf(double share) {
+    return share > 0.9999 && share < 1 ? "99.99" : fmt::format("{:.3g}", share * 100);
+}
+
+std::string colorText(const std::array<std::uint8_t, 4>& color, Compared compared) {
+    const std::string text = fmt::format("{} {} {}", color[0], color[1], color[2]);
+    return compared == Compared::Rgba ? fmt::format("{} {}", text, color[3]) : text;
+}
+
+std::string worstText(const Comparison& comparison) {
+    const ComparedPixel& worst = comparison.worst;
+    const Compared compared = comparison.criterion.compared;
+    return fmt::format("the worst, {:.4g}{}, is at {}, {}: {} was expected, {} found", worst.value,
+                       factsOf(comparison.criterion.metric).unit, worst.at.x, worst.at.y,
+                       colorText(worst.expected, compared), colorText(worst.actual, compared));
+}
+
+std::string overText(const Comparison& comparison) {
+    const Criterion& criterion = comparison.criterion;
+    const MetricRow& facts = factsOf(criterion.metric);
+    const std::string which = criterion.metric == Metric::Absolute && criterion.tolerance == 0
+                                  ? std::string(comparison.over == 1 ? "differs" : "differ")
+                                  : fmt::format("{} {} above {:g}{}", comparison.over == 1 ? "has" : "have",
+                                                facts.value, criterion.tolerance, facts.unit);
+    return fmt::format("{} of {} ({} %) {}", comparison.over, countOf(comparison.pixels, "pixel"),
+                       percentOf(comparison.shareOver()), which);
+}
+
+std::string scoreText(const Comparison& comparison) {
+    if (comparison.criterion.metric == Metric::Absolute)
+        return {};
+    return fmt::format("; {} {:.6g}", factsOf(comparison.criterion.metric).score, comparison.score);
+}
+
+std::string sizesText(const Comparison& comparison) {
+    return fmt::format("the sizes differ: {} x {} pixels were expected, {} x {} found",
+                       comparison.expectedSize.x, comparison.expectedSize.y, comparison.actualSize.x,
+                       comparison.actualSize.y);
+}
+
+} // namespace
+
+std::string verdictOn(const Comparison& comparison) {
+    if (!comparison.sameSize())
+        return sizesText(comparison);
+    const Criterion& criterion = comparison.criterion;
+    if (comparison.over == 0 && comparison.difference.max == 0)
+        return fmt::format("alike: none of {} differs", countOf(comparison.pixels, "pixel"));
+    if (comparison.over == 0)
+        return fmt::format("alike within {:g}{}: {}{}", criterion.tolerance, factsOf(criterion.metric).unit,
+                           worstText(comparison), scoreText(comparison));
+    const PixelRect& bounds = comparison.bounds;
+    const std::string where =
+        fmt::format("{} within {} x {} pixels at {}, {}", countOf(comparison.regions, "region"), bounds.width,
+                    bounds.height, bounds.x, bounds.y);
+    const std::string all = fmt::format("{}; {}; {}{}", overText(comparison), worstText(comparison), where,
+                                        scoreText(comparison));
+    if (comparison.alike)
+        return fmt::format("alike, as up to {:g} % may differ: {}", criterion.share * 100, all);
+    return all;
+}
+
+} // namespace texplorer
