@@ -149,7 +149,7 @@ class ReportPage {
 
   #keyRows() {
     const stage = this.#detail.stage;
-    const ofCase = (action) => () => this.#detail.shown && action();
+    const ofCase = (action) => (key) => this.#detail.shown && action(key);
     return [
       { keys: ["j", "ArrowDown", "ArrowRight"], shown: "j ↓ →", help: "next case", action: () => this.#go(1) },
       { keys: ["k", "ArrowUp", "ArrowLeft"], shown: "k ↑ ←", help: "previous case", action: () => this.#go(-1) },
