@@ -73,6 +73,18 @@ int main(int argc, char** argv) {
                 "Draws the window in every size and scale, with every tab, view and width of its columns.")
             .onCall([&] { return layouts.run(random::layouts(layouts.seed)); });
 
+        random::SceneFiles files;
+        Command& write =
+            line.command("write", "Writes random scenes as files, for those who read such files.");
+        write.option("DIR", files.folder, "Where to.", {.required = true});
+        write.number("--count", files.count, 1, many, "How many.", {.showsDefault = true});
+        write.number("--seed", files.seed, 0, std::numeric_limits<unsigned>::max(),
+                     "Others; the same number gives the same ones.", {.showsDefault = true});
+        write.onCall([&] {
+            const Result<void> written = random::writeScenes(files);
+            return written ? 0 : complain(describe(written.error()));
+        });
+
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);
         if (!answer) {
             complain(describe(answer.error()));

@@ -56,4 +56,15 @@ Subject randomScenes(const SceneSoak& soak) {
     return subject;
 }
 
+Result<void> writeScenes(const SceneFiles& files) {
+    for (int number = 0; number < files.count; ++number) {
+        const std::filesystem::path file =
+            std::filesystem::path(files.folder) / ("scene-" + std::to_string(number) + ".json");
+        const Scene scene = randomScene(files.seed, number, {}).scene;
+        if (const auto written = writeFileAtomically(file, viewBytes(writeScene(scene))); !written)
+            return written;
+    }
+    return {};
+}
+
 } // namespace texplorer::random

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "tests/random/soak.h"
 
 #include <filesystem>
+#include <string>
 
 namespace texplorer::random {
 
@@ -15,5 +17,14 @@ struct SceneSoak {
 /// Random scenes, in batches with Mesa's shortcuts and without in turn. Each that fails is kept as JSON.
 /// Throws std::exception where the files can't be written.
 [[nodiscard]] Subject randomScenes(const SceneSoak& soak);
+
+struct SceneFiles {
+    std::string folder;
+    unsigned seed = 1;
+    int count = 100;
+};
+
+/// Random scenes that name no images, as folder/scene-0.json and so on.
+[[nodiscard]] Result<void> writeScenes(const SceneFiles& files);
 
 } // namespace texplorer::random

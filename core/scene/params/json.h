@@ -10,6 +10,9 @@ namespace texplorer {
 
 inline constexpr int sceneFormatVersion = 1;
 
+/// What the name of a scene file ends in, by which a desktop knows it. Any ".json" is read.
+inline constexpr std::string_view sceneExtension = ".texplorer.json";
+
 /// The longest file that parseScene looks at.
 inline constexpr std::size_t maxSceneBytes = std::size_t{16} << 20;
 
@@ -21,8 +24,9 @@ inline constexpr std::size_t maxSceneBytes = std::size_t{16} << 20;
 /// column.
 [[nodiscard]] Result<Scene> parseScene(std::string_view json);
 
-/// The whole scene, every parameter written out; parseScene(writeScene(s)) == s for every scene that
-/// parseScene would accept. Left out: lists of texture coordinates that are empty or don't fit their mesh.
+/// The whole scene with the name of its schema, every parameter written out; parseScene(writeScene(s)) == s
+/// for every scene that parseScene would accept. Left out: lists of texture coordinates that are empty or
+/// don't fit their mesh.
 [[nodiscard]] std::string writeScene(const Scene& scene);
 
 /// The same scene with the fewest words: only what differs from what a file stands for that doesn't say it.

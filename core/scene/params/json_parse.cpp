@@ -4,6 +4,7 @@
 
 #include "core/scene/params/json.h"
 #include "core/scene/params/json_problem.h"
+#include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
@@ -23,9 +24,6 @@ namespace {
 /// Numbers are read as float at once: by way of double some would be rounded twice.
 using FloatJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
-
-constexpr std::string_view versionKey = "version";
-constexpr std::string_view schemaKey = "$schema"; // for editors that check while one types
 
 /// How many numbers an array for this kind has, or each of its elements; none where it is no array of
 /// numbers.

@@ -2,9 +2,11 @@
 // stays on one line, a long list fills its lines, and floats have the shortest digits that read back.
 
 #include "core/scene/params/json.h"
+#include "core/scene/params/keys.h"
 #include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 #include "core/scene/params/scene_check.h"
+#include "core/scene/params/scene_schema.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,10 +60,13 @@ public:
     explicit Writer(const Scene& scene)
         : scene_(scene) {}
 
-    /// `start`: what a file stands for that says nothing, which is left out; nullptr: nothing is. It is used up.
+    /// `start`: what a file stands for that says nothing, which is left out; nullptr: nothing is. It is used
+    /// up.
     std::string write(Scene* start) {
         open('{');
-        member("version");
+        member(schemaKey);
+        out_ += jsonText(sceneSchemaId);
+        member(versionKey);
         out_ += std::to_string(sceneFormatVersion);
         members(sceneTable(),
                 const_cast<Scene*>(&scene_), // the tables reach members through void*; only read
@@ -101,7 +106,8 @@ private:
         const bool fixedArray = child.minCount == child.maxCount;
         while (fixedArray && count > 0 && child.isDefault(owner, count - 1))
             --count; // what a file leaves out at the end of an array reads as its default
-        if (start != nullptr) { // a list that is present replaces what was there: its elements begin as new ones
+        if (start !=
+            nullptr) { // a list that is present replaces what was there: its elements begin as new ones
             child.resize(start, 0);
             child.resize(start, child.size(owner));
         }

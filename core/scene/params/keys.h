@@ -13,6 +13,10 @@
 
 namespace texplorer {
 
+// The keys of a scene file that are no parameters.
+inline constexpr std::string_view versionKey = "version";
+inline constexpr std::string_view schemaKey = "$schema"; ///< for editors that check while one types
+
 /// The key in the row of a member. A member with several rows (Model::texCoords) has `element` of them before
 /// it.
 [[nodiscard]] std::string_view findKey(MemberId member, std::size_t element = 0);

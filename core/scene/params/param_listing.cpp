@@ -1,17 +1,13 @@
 #include "core/scene/params/param_listing.h"
 
 #include "core/scene/params/json.h"
+#include "core/scene/params/param_json.h"
 #include "core/scene/params/params.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 namespace texplorer {
 namespace {
-
-/// Keeps the order of its members, and floats as short as they are.
-using OrderedJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
-                                         std::uint64_t, float>;
 
 struct Visitor {
     std::function<void(const std::string& path, const ParamRow& row, const Value& initial)> param;
@@ -38,7 +34,7 @@ void walk(const StructTable& table, void* owner, const std::string& prefix, cons
 
 /// Those that are listed, and the lists that they lie in, each before what lies in it.
 void walkAll(const Visitor& visitor, const ParamFilter& filter) {
-    Scene start = defaultScene(); // what a scene that says nothing begins with
+    Scene start = defaultScene();                              // what a scene that says nothing begins with
     std::vector<std::pair<std::string, const ChildRow*>> open; // lists of which nothing was listed yet
     const auto param = [&](const std::string& path, const ParamRow& row, const Value& initial) {
         if (filter && !filter(path, row))
@@ -49,7 +45,9 @@ void walkAll(const Visitor& visitor, const ParamFilter& filter) {
         std::erase_if(open, [&](const auto& each) { return path.starts_with(each.first + "."); });
         visitor.param(path, row, initial);
     };
-    const auto list = [&](const std::string& path, const ChildRow& child) { open.emplace_back(path, &child); };
+    const auto list = [&](const std::string& path, const ChildRow& child) {
+        open.emplace_back(path, &child);
+    };
     walk(sceneTable(), &start, "", {param, list});
 }
 
@@ -90,46 +88,6 @@ bool hasRange(Kind kind) {
            kind == Kind::Color || kind == Kind::Matrix || kind == Kind::ColorList || kind == Kind::IndexList;
 }
 
-template<class Vector>
-OrderedJson jsonVector(const Vector& vector) {
-    OrderedJson numbers = OrderedJson::array();
-    for (int i = 0; i < Vector::length(); ++i)
-        numbers.push_back(vector[i]);
-    return numbers;
-}
-
-/// The value as scene files hold it.
-OrderedJson jsonValue(const ParamRow& row, const Value& value) {
-    switch (row.kind) {
-    case Kind::Bool:
-        return std::get<bool>(value);
-    case Kind::Int:
-        return std::get<int>(value);
-    case Kind::Float:
-        return std::get<float>(value);
-    case Kind::Vec3:
-        return jsonVector(std::get<glm::vec3>(value));
-    case Kind::Vec4:
-    case Kind::Color:
-        return jsonVector(std::get<glm::vec4>(value));
-    case Kind::Enum:
-    case Kind::Text:
-        return formatValue(row, value);
-    case Kind::Matrix: {
-        OrderedJson numbers = OrderedJson::array();
-        for (int i = 0; i < 16; ++i)
-            numbers.push_back(std::get<glm::mat4>(value)[i / 4][i % 4]);
-        return numbers;
-    }
-    case Kind::PointList:
-    case Kind::ColorList:
-    case Kind::TexCoordList:
-    case Kind::IndexList:
-        return OrderedJson::array();
-    }
-    return {};
-}
-
 /// Breaks a text between words into lines of at most 100 columns, each with this indent.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t firstIndent) {
     constexpr std::size_t width = 100;
@@ -152,6 +110,11 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t first
 }
 
 } // namespace
+
+void forEachNewParam(
+    const std::function<void(const std::string& path, const ParamRow& row, const Value& initial)>& visit) {
+    walkAll({visit, [](const std::string& /*path*/, const ChildRow& /*child*/) {}}, {});
+}
 
 std::string listParams(const ParamFilter& filter) {
     std::string out;

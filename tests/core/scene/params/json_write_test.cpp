@@ -20,6 +20,7 @@ TEST(WriteScene, ReadsLikeThis) {
     scene.textures.emplace_back().file = "a \"b\"\n\xC3\xA9.png";
     scene.passes[0].units[1].enabled = true;
     EXPECT_EQ(writeScene(scene), R"({
+  "$schema": "file:///usr/share/texplorer/scene.schema.json",
   "version": 1,
   "view": {
     "azimuth": 0,
