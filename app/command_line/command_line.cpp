@@ -74,6 +74,10 @@ std::string Option::help() const {
     return option_->get_description();
 }
 
+std::string Option::initial() const {
+    return option_->get_default_str();
+}
+
 Command::Command(std::shared_ptr<CLI::App> app, std::shared_ptr<Program> program)
     : app_(std::move(app))
     , program_(std::move(program)) {
@@ -97,6 +101,10 @@ std::string Command::name() const {
 
 std::string Command::help() const {
     return app_->get_description();
+}
+
+std::string Command::version() const {
+    return program_->version;
 }
 
 std::string Command::group() const {
@@ -217,7 +225,13 @@ void CommandLine::group(const std::string& title) {
 
 void CommandLine::addHelp() {
     Command& command = this->command(helpCommandName, "What a command does and takes.");
-    command.option("COMMAND", explained_, "The command. Without one: the list of them.");
+    command.option("COMMAND", explained_, "The command. Without one: the list of them.",
+                   {.offers = {.words = [this] {
+                        std::vector<std::string> names;
+                        for (const auto& each : commands())
+                            names.push_back(each->name());
+                        return names;
+                    }}});
     helpCommand_ = &command;
 }
 
@@ -273,10 +287,15 @@ Result<std::optional<std::string>> CommandLine::helpAskedFor() const {
 }
 
 Result<std::optional<std::string>> CommandLine::parse(int argc, const char* const* argv) {
+    if (auto words = wordsAskedFor(argc, argv))
+        return *std::move(words);
     if (const std::string missing = missingCommand(argc, argv); !missing.empty())
         return fail(ErrorCode::OutOfRange, missing);
     try {
         app_->parse(argc, argv);
+        if (!completion_.empty() || !manual_.empty())
+            return fail(ErrorCode::OutOfRange, "expected nothing beside it",
+                        completion_.empty() ? manualOption : completionOption);
         if (helpCommand_ != nullptr && app_->got_subcommand(helpCommandName))
             return helpAskedFor();
         return std::nullopt;

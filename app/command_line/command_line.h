@@ -3,6 +3,7 @@
 // A program's command line: what it takes is declared, then parsed. Its --help and the sentences about wrong
 // calls are the same in every program.
 
+#include "app/command_line/offers.h"
 #include "core/base/result.h"
 
 #include <concepts>
@@ -34,7 +35,8 @@ struct OptionRules {
     const Option* needs = nullptr;    ///< without which it is refused
     const Option* excludes = nullptr; ///< with which it is refused
     std::function<std::string(const std::string&)> check =
-        {}; ///< of a value: what is wrong with it; empty: nothing
+        {};             ///< of a value: what is wrong with it; empty: nothing
+    Offers offers = {}; ///< what a shell offers while one types the value
 };
 
 /// An option, flag or positional argument. Its command keeps it.
@@ -58,6 +60,7 @@ public:
     [[nodiscard]] bool isFlag() const;     ///< takes no value
     [[nodiscard]] bool isList() const;     ///< may be given again
     [[nodiscard]] std::string help() const;
+    [[nodiscard]] std::string initial() const; ///< the value that help says it has; empty: none
     [[nodiscard]] const OptionRules& rules() const { return rules_; }
 
 private:
@@ -76,7 +79,8 @@ public:
 
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string help() const;
-    [[nodiscard]] std::string group() const; ///< the title that it stands under in the program's help
+    [[nodiscard]] std::string version() const; ///< of the program: "texshot 0.1.0"
+    [[nodiscard]] std::string group() const;   ///< the title that it stands under in the program's help
 
     /// `names`: "--size", "-o,--out", or "FILE" for an argument that has no dashes.
     const Option& option(const std::string& names, std::string& value, const std::string& help,
@@ -158,6 +162,9 @@ private:
     std::function<int()> action_;
 };
 
+inline constexpr const char* completionOption = "--completion";
+inline constexpr const char* manualOption = "--manual";
+
 /// A program's.
 class CommandLine : public Command {
 public:
@@ -174,8 +181,12 @@ public:
     /// Declares "help COMMAND", which says what "COMMAND --help" does.
     void addHelp();
 
-    /// Fills in the values. Gives what --help or --version asks for, if one of them is there: nothing else is
-    /// to be done then. A wrong call is one sentence, without the program's name.
+    /// Declares --completion SHELL, which writes a script for it, and --manual PAGE, which writes a page for
+    /// man.
+    void addWords();
+
+    /// Fills in the values. Gives what --help, --version or addWords' options ask for, if one of them is
+    /// there: nothing else is to be done then. A wrong call is one sentence, without the program's name.
     [[nodiscard]] Result<std::optional<std::string>> parse(int argc, const char* const* argv);
 
 private:
@@ -184,8 +195,12 @@ private:
     [[nodiscard]] std::string noCommand(const std::string& word) const;
     [[nodiscard]] Result<std::optional<std::string>> helpAskedFor() const;
 
+    [[nodiscard]] std::optional<Result<std::string>> wordsAskedFor(int argc, const char* const* argv) const;
+
     const Command* helpCommand_ = nullptr;
-    std::string explained_; ///< the command that "help" was asked about
+    std::string explained_;  ///< the command that "help" was asked about
+    std::string completion_; ///< the shell
+    std::string manual_;     ///< the page
 };
 
 } // namespace texplorer

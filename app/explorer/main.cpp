@@ -5,7 +5,9 @@
 #include "app/explorer/loop.h"
 #include "app/explorer/window.h"
 #include "app/ui/model/scene_files.h"
+#include "app/view/pretence.h"
 #include "core/base/printable.h"
+#include "core/lesson/lesson_files.h"
 #include "core/texture/image_budget.h"
 
 #include <fmt/core.h>
@@ -106,15 +108,19 @@ int main(int argc, char** argv) {
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     line.option("--lesson", wanted.lesson,
                 "Opens a lesson, by its name, which \"texshot lessons\" lists, or its folder.",
-                {.value = "NAME"});
+                {.value = "NAME", .offers = {lesson::builtInLessons}});
     std::vector<std::string> pretended;
-    line.option("--pretend", pretended, view::pretenceHelp(), {.value = "WORDS", .oneEach = true});
+    line.option("--pretend", pretended, view::pretenceHelp(),
+                {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     std::string context = "native";
     line.option(
         "--context", context,
         "How the window gets its OpenGL. native: as the display has it, GLX on X11 and EGL on Wayland. "
         "egl: by EGL on both.",
-        {.value = "CONTEXT", .showsDefault = true});
+        {.value = "CONTEXT", .showsDefault = true, .offers = {[] {
+                                                       return std::vector<std::string>{"native", "egl"};
+                                                   }}});
+    line.addWords();
     try {
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);
         if (!answer) {

@@ -36,6 +36,7 @@ void addFlip(CommandLine& line);
 void addCompress(CommandLine& line);
 void addConform(CommandLine& line);
 void addConvert(CommandLine& line);
+void addSchema(CommandLine& line);
 void addTexture(CommandLine& line);
 
 /// Prints "texshot: …" on standard error, a printable line, and returns `code`.

@@ -39,7 +39,7 @@ struct Group {
 const std::vector<Group> groups{
     {"Draw", {addShot, addProbe, addTexture, addCommands}},
     {"Compare", {addCompare, addConform, addDiff}},
-    {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons}},
+    {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons, addSchema}},
     {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},
     {"About", {addDrivers}},
 };
@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
             add(line);
     }
     line.addHelp();
+    line.addWords();
 
     try {
         const Result<std::optional<std::string>> answer = line.parse(argc, argv);

@@ -123,6 +123,13 @@ Result<void> Pretence::add(std::string_view word) {
                 fmt::format("no driver lacks {}; {}", inQuotes(word), suggestName(name, names)), option);
 }
 
+std::vector<std::string> pretenceWords() {
+    std::vector<std::string> words;
+    for (const PretenceRow& row : rows)
+        words.emplace_back(row.word);
+    return words;
+}
+
 std::string pretenceHelp() {
     std::string words;
     for (const PretenceRow& row : rows)

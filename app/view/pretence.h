@@ -51,6 +51,9 @@ private:
     std::vector<Lack> lacks_;
 };
 
+/// The words that parse() takes; what a number follows ends in =.
+[[nodiscard]] std::vector<std::string> pretenceWords();
+
 /// For --help: what the option does, and its words.
 [[nodiscard]] std::string pretenceHelp();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/command_line/offers.h"
 #include "core/base/result.h"
 #include "core/gl/enum_row.h"
 
@@ -23,6 +24,12 @@ template<Enumerated E>
     if (const EnumRow* row = findRow(rows, name))
         return static_cast<E>(row->value);
     return refuseChoice(listNames(rows), name, option);
+}
+
+/// The names of all rows, for what a shell offers.
+template<Enumerated E>
+[[nodiscard]] std::vector<std::string> choiceNames() {
+    return namesIn(EnumTable<E>::rows);
 }
 
 /// For a help text, what each choice is: " probes: … ellipse: …"

@@ -13,7 +13,12 @@ void addContextArgument(Command& command, ContextArgument& argument) {
         "Where OpenGL draws, as \"texshot drivers\" lists it. auto: OSMesa where this texshot was built with it, "
         "else egl. osmesa: into memory. egl: the first of EGL's that gives a context. egl:surfaceless: EGL's "
         "surfaceless platform. egl:N: its device N, from 0.",
-        {.value = "CONTEXT", .environment = contextVariable, .showsDefault = true});
+        {.value = "CONTEXT",
+         .environment = contextVariable,
+         .showsDefault = true,
+         .offers = {[] {
+             return std::vector<std::string>{"auto", "osmesa", "egl", "egl:surfaceless"};
+         }}});
 }
 
 Result<view::ContextChoice> parseContext(const ContextArgument& argument) {

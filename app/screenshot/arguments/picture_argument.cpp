@@ -46,12 +46,12 @@ void addPictureArgument(Command& command, PictureArgument& argument, Several sev
                    {.value = "WIDTHxHEIGHT", .showsDefault = true});
     command.option("--time", argument.time, "On the scene's clock, for what moves." + each,
                    {.value = "SECONDS", .showsDefault = true});
-    argument.anisotropyOption =
-        &command.option("--anisotropy", argument.anisotropy,
-                        "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
-                        "leaves open." +
-                            explainChoices<reference::AnisotropyMethod>(),
-                        {.value = "METHOD", .showsDefault = true});
+    argument.anisotropyOption = &command.option(
+        "--anisotropy", argument.anisotropy,
+        "How the reference filters a texture whose max anisotropy is above 1, which OpenGL "
+        "leaves open." +
+            explainChoices<reference::AnisotropyMethod>(),
+        {.value = "METHOD", .showsDefault = true, .offers = {choiceNames<reference::AnisotropyMethod>}});
 }
 
 Result<view::Size> parsePictureSize(std::string_view text, view::Size smallest) {

@@ -8,6 +8,8 @@
 #include "core/lesson/lesson_scene.h"
 #include "core/preset/preset.h"
 #include "core/scene/params/json.h"
+#include "core/scene/params/param_listing.h"
+#include "core/scene/params/param_text.h"
 #include "core/scene/params/params.h"
 
 #include <fmt/core.h>
@@ -52,6 +54,17 @@ Result<std::string> readSceneText(const std::string& path) {
     return fail(ErrorCode::NotFound,
                 fmt::format("expected a scene, found a PNG without one: it has no text \"{}\"", sceneKeyword),
                 inputName(path));
+}
+
+std::vector<Assigned> assignedParams() {
+    std::vector<Assigned> assigned;
+    forEachNewParam([&assigned](const std::string& path, const ParamRow& row, const Value& /*initial*/) {
+        if (isList(row.kind))
+            return; // who would type that
+        assigned.push_back({path, row.kind == Kind::Bool ? std::vector<std::string>{"true", "false"}
+                                                         : namesIn(row.choices)});
+    });
+    return assigned;
 }
 
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
@@ -122,11 +135,14 @@ const Option& addSceneArgument(Command& command, SceneArgument& argument, std::v
     command.option("--set", argument.assignments,
                    "Change one parameter, as in textures[0].minFilter=GL_NEAREST. May be given again; "
                    "\"texshot params\" lists every path.",
-                   {.value = "PATH=VALUE", .oneEach = true, .check = checkAssignment});
+                   {.value = "PATH=VALUE",
+                    .oneEach = true,
+                    .check = checkAssignment,
+                    .offers = {.assigned = assignedParams}});
     command.option("--preset", argument.presets,
                    "What a textbook shows of a setting, as in alpha-test, after every --set. May be given "
                    "again; \"texshot presets\" lists them.",
-                   {.value = "PRESET", .oneEach = true});
+                   {.value = "PRESET", .oneEach = true, .offers = {[] { return namesIn(presets()); }}});
     return file;
 }
 
@@ -136,7 +152,7 @@ void addSceneOrLessonArgument(Command& command, SceneArgument& argument, std::ve
         command.option("--lesson", argument.lesson,
                        "In the place of a scene: a step of a lesson, by its name, which \"texshot lessons\" "
                        "lists, or its folder.",
-                       {.value = "NAME", .excludes = &file});
+                       {.value = "NAME", .excludes = &file, .offers = {lesson::builtInLessons}});
     command.number("--step", argument.step, 1, lesson::maxSteps, "Which step of the lesson.",
                    {.needs = &lesson});
     const Option& answer =

@@ -136,21 +136,21 @@ void addWindowArgument(Command& command, const Option& window, WindowArgument& a
     command.option(
         "--tab", argument.tab,
         fmt::format("With --ui: the tab that is in front where it lies, one of {}.", namesOf(ui::tabRows)),
-        {.value = "TAB", .needs = &window});
+        {.value = "TAB", .needs = &window, .offers = {[] { return namesIn(ui::tabRows); }}});
     command.option("--figure", argument.figure,
                    fmt::format("With --ui: the figure that is in front with its tab, one of {}.",
                                namesOf(ui::figureRows)),
-                   {.value = "FIGURE", .needs = &window});
+                   {.value = "FIGURE", .needs = &window, .offers = {[] { return namesIn(ui::figureRows); }}});
     command.option("--layout", argument.layout,
                    fmt::format("With --ui: which panels are open, one of {}.", namesOf(ui::layoutRows)),
-                   {.value = "LAYOUT", .needs = &window});
+                   {.value = "LAYOUT", .needs = &window, .offers = {[] { return namesIn(ui::layoutRows); }}});
     command.option("--theme", argument.theme,
                    fmt::format("With --ui: the colours, one of {}.", namesOf(ui::themeRows)),
-                   {.value = "THEME", .needs = &window});
+                   {.value = "THEME", .needs = &window, .offers = {[] { return namesIn(ui::themeRows); }}});
     command.option(
         "--language", argument.language,
         fmt::format("With --ui: the language of the window's texts, one of {}.", namesOf(ui::languageRows)),
-        {.value = "LANGUAGE", .needs = &window});
+        {.value = "LANGUAGE", .needs = &window, .offers = {[] { return namesIn(ui::languageRows); }}});
     command.option("--scale", argument.scale,
                    "With --ui: the size of text and controls, 0.5 to 4, as of a monitor with that scale.",
                    {.value = "S", .needs = &window});
@@ -160,7 +160,7 @@ void addWindowArgument(Command& command, const Option& window, WindowArgument& a
         "--section", argument.section,
         fmt::format("With --ui: the part of the parameters that is opened, at their top, one of {}.",
                     namesOf(ui::sectionRows)),
-        {.value = "SECTION", .needs = &window});
+        {.value = "SECTION", .needs = &window, .offers = {[] { return namesIn(ui::sectionRows); }}});
     command.option(
         "--probe", argument.probe,
         "With --ui: the pixel of the picture that is explained, counted from the picture's top left.",
@@ -168,7 +168,7 @@ void addWindowArgument(Command& command, const Option& window, WindowArgument& a
     command.option("--compare", argument.compared,
                    "With --ui: two renderers across one picture, as in fixed,reference; or all three and the "
                    "difference of the first two.",
-                   {.value = "A,B", .needs = &window});
+                   {.value = "A,B", .needs = &window, .offers = {choiceNames<RendererKind>, true}});
 }
 
 Result<void> putWindow(const WindowArgument& argument, ShotRequest& request) {

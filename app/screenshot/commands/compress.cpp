@@ -46,6 +46,12 @@ std::string mipNames() {
     return fmt::format("{}, {}", noMips, listNames(mipFilterRows));
 }
 
+std::vector<std::string> mipChoices() {
+    std::vector<std::string> names = namesIn(mipFilterRows);
+    names.insert(names.begin(), std::string(noMips));
+    return names;
+}
+
 /// The options as what they name.
 struct Choices {
     BlockFormat format = BlockFormat::Dxt1;
@@ -181,15 +187,15 @@ void addCompress(CommandLine& line) {
                   "Print each level's bytes and what it lost (PSNR against the picture), and the sum "
                   "against the base level and against uncompressed pixels.");
     command.option("--format", options->format, "dxt1, dxt1a (1-bit alpha), dxt3, dxt5, bc4 or bc5.",
-                   {.value = "FORMAT", .required = true});
+                   {.value = "FORMAT", .required = true, .offers = {[] { return namesIn(formats); }}});
     command.option("--quality", options->quality,
                    "fast, normal or best: from tens of megatexels a second to half a one.",
-                   {.value = "QUALITY"});
+                   {.value = "QUALITY", .offers = {choiceNames<EncodeQuality>}});
     command.option(
         "--mips", options->mips,
         fmt::format("The filter that makes the mip levels, box unless another is named, or none: {}.",
                     mipNames()),
-        {.value = "FILTER"});
+        {.value = "FILTER", .offers = {mipChoices}});
     command.flag("--gamma", options->gamma,
                  "Average colours as light, by sRGB's curve: black and white then give 188, not 128.");
     command.flag("--power-of-two", options->powerOfTwo,

@@ -258,11 +258,12 @@ void addConform(CommandLine& line) {
             "The renderer to compare, {}. Without it and --against: shader against fixed, and reference "
             "against fixed.",
             renderers),
-        {.value = "RENDERER"});
+        {.value = "RENDERER", .offers = {choiceNames<RendererKind>}});
     command.option("--against", options->against,
-                   fmt::format("The renderer to compare it with, {}.", renderers), {.value = "RENDERER"});
+                   fmt::format("The renderer to compare it with, {}.", renderers),
+                   {.value = "RENDERER", .offers = {choiceNames<RendererKind>}});
     command.option("--feature", options->features, "Only these features; --list names them.",
-                   {.value = "FEATURE"});
+                   {.value = "FEATURE", .offers = {[] { return namesIn(conform::features()); }}});
     command.number(
         "--scenes", options->scenes, 1, 100000,
         fmt::format("How many, shared out among the features. Without it: {}.", conform::defaultScenes));
@@ -280,7 +281,7 @@ void addConform(CommandLine& line) {
     addContextArgument(command, options->context);
     command.option("--pretend", options->pretended,
                    view::pretenceHelp() + " What can't be compared then is skipped, and counted.",
-                   {.value = "WORDS", .oneEach = true});
+                   {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     command.flag("--json", options->json, "The report as JSON, for programs.");
     for (const Option& option : command.options())
         options->notListing.push_back(&option);

@@ -10,9 +10,10 @@
 #include "core/lesson/lesson_scene.h"
 #include "core/lesson/reason.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -123,16 +124,19 @@ ExitCode check(const std::string& path) {
     return written ? success : complain(written.error());
 }
 
+std::vector<std::string> pageLanguages() {
+    std::vector<std::string> names;
+    for (const ui::LanguageRow& row : ui::languageRows)
+        if (row.language != ui::Language::System) // a page is for others
+            names.emplace_back(row.name);
+    return names;
+}
+
 Result<ui::LanguageRow> languageNamed(const std::string& name) {
-    std::string names;
-    for (const ui::LanguageRow& row : ui::languageRows) {
-        if (row.language == ui::Language::System)
-            continue; // a page is for others
-        if (row.name == name)
-            return row;
-        names.append(names.empty() ? "" : ", ").append(row.name);
-    }
-    return refuseChoice(names, name, "--language");
+    const std::vector<std::string> names = pageLanguages();
+    if (std::ranges::find(names, name) != names.end())
+        return *std::ranges::find(ui::languageRows, name, &ui::LanguageRow::name);
+    return refuseChoice(fmt::format("{}", fmt::join(names, ", ")), name, "--language");
 }
 
 Result<std::vector<lesson::LessonFolder>> foldersOfPage(const LessonsOptions& options) {
@@ -208,10 +212,11 @@ void addLessons(CommandLine& line) {
     options->checkOption = &check;
     command.option("--lesson", options->lessons,
                    "On the page only this one, by its name or its folder. May be given again.",
-                   {.value = "NAME", .oneEach = true, .needs = &page});
+                   {.value = "NAME", .oneEach = true, .needs = &page, .offers = {lesson::builtInLessons}});
     command.option("--language", options->language,
-                   "The page's: one of en, zh_CN, ru. Where a lesson has no translation it stays English.",
-                   {.value = "LANGUAGE", .needs = &page});
+                   fmt::format("The page's: one of {}. Where a lesson has no translation it stays English.",
+                               fmt::join(pageLanguages(), ", ")),
+                   {.value = "LANGUAGE", .needs = &page, .offers = {pageLanguages}});
     command.footer(
         "\"texshot shot --lesson NAME --step N\" draws a step. CONTRIBUTING.md says how a lesson is written.\n"
         "Exit status: 0 done, 1 something is wrong with the lesson, 2 a wrong call.");

@@ -185,7 +185,7 @@ void addProbe(CommandLine& line) {
         "With --at: don't draw the picture with OpenGL, to compare its pixel with the specification's.");
     addContextArgument(command, options->context);
     command.option("--pretend", options->pretended, view::pretenceHelp(),
-                   {.value = "WORDS", .oneEach = true});
+                   {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     command.onCall([options] { return probe(*options); });
 }
 

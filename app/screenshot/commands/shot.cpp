@@ -234,10 +234,11 @@ void addShot(CommandLine& line) {
     addPictureArgument(command, options->picture, Several::Yes);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     addWindowArgument(command, window, options->shownWindow);
-    options->rendererOption = &command.option("--renderer", options->renderer,
-                                              fmt::format("The renderer that draws the scene, one of {}.",
-                                                          listNames(EnumTable<RendererKind>::rows)),
-                                              {.value = "RENDERER", .showsDefault = true});
+    options->rendererOption =
+        &command.option("--renderer", options->renderer,
+                        fmt::format("The renderer that draws the scene, one of {}.",
+                                    listNames(EnumTable<RendererKind>::rows)),
+                        {.value = "RENDERER", .showsDefault = true, .offers = {choiceNames<RendererKind>}});
     options->shownOption = &command.option(
         "--show", options->shown,
         fmt::format(
@@ -247,7 +248,7 @@ void addShot(CommandLine& line) {
             "long as wide the footprint is, from 1, dark violet, in equal steps to 2, 4, 8 and 16, "
             "yellow. Transparent where the unit samples nothing.",
             listNames(EnumTable<reference::Shown>::rows)),
-        {.value = "WHAT", .showsDefault = true});
+        {.value = "WHAT", .showsDefault = true, .offers = {choiceNames<reference::Shown>}});
     command.number("--pass", options->shownUnit.pass, 0, maxPasses - 1, "With --show: the pass.",
                    {.needs = options->shownOption});
     command.number("--unit", options->shownUnit.unit, 0, maxUnits - 1, "With --show: its texture unit.",
@@ -259,7 +260,7 @@ void addShot(CommandLine& line) {
                         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     addContextArgument(command, options->context);
     command.option("--pretend", options->pretended, view::pretenceHelp(),
-                   {.value = "WORDS", .oneEach = true});
+                   {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     command.flag(
         "--no-metadata", options->withoutMetadata,
         "Write no texts into a PNG, which say the program, the renderer, the driver, time, size and the "

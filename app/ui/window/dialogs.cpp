@@ -13,6 +13,7 @@
 #include "app/ui/window/recovery_dialog.h"
 #include "core/base/printable.h"
 #include "core/codec/registry.h"
+#include "core/scene/params/json.h"
 
 #include <fmt/core.h>
 
@@ -54,6 +55,8 @@ void beginBrowsing(DialogsState& state, const Session& session) {
                   row.thumbnails ? imageExtensions() : std::vector<std::string>{".json"}, row.saving,
                   session.document.file);
     state.browser.thumbnails = row.thumbnails;
+    if (dialog == Dialog::SaveScene)
+        state.browser.suffix = sceneExtension;
     if (dialog == Dialog::SaveAnswers)
         state.browser.typed = "answers.json"; // never the scene's file
 }

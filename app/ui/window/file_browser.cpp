@@ -10,6 +10,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_button.h"
 #include "core/base/printable.h"
+#include "core/scene/params/json.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -71,7 +72,7 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
     }
     if (browser.saving) {
         if (!path.has_extension() && !browser.extensions.empty())
-            path += browser.extensions.front();
+            path += browser.suffix.empty() ? browser.extensions.front() : browser.suffix;
         if (!fs::is_directory(path.parent_path(), failed)) {
             browser.error = fmt::format("There is no folder {}.", path.parent_path().string());
             return Browsing::Open;
@@ -274,7 +275,8 @@ void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::str
     if (!browser.error.empty() && browser.folder.empty())
         enterFolder(browser, here);
     if (saving)
-        browser.typed = startFile.empty() ? "scene.json" : startFile.filename().string();
+        browser.typed =
+            startFile.empty() ? "scene" + std::string(sceneExtension) : startFile.filename().string();
 }
 
 Browsing drawFileBrowser(FileBrowser& browser, Files& files, const Pictures& pictures, fs::path& chosen) {

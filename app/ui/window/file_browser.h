@@ -21,6 +21,7 @@ struct FileBrowser {
     std::string title;
     std::vector<std::string> extensions; ///< lower case, with the dot; others are hidden. Empty: everything
     bool saving = false;
+    std::string suffix; ///< what a name without an extension gets when it is saved; empty: the first of them
     bool thumbnails = false; ///< whether files have a small picture beside their name
     bool showAll = false;    ///< whether files with other extensions are listed too
 

@@ -35,17 +35,18 @@ TEST_F(FileBrowserDialog, ASceneIsSavedAndOpenedAgain) {
     ASSERT_EQ(session->window.dialog, Dialog::SaveScene);
     enter(folder / "mine");
     EXPECT_EQ(session->window.dialog, Dialog::None);
-    EXPECT_EQ(session->document.file, folder / "mine.json"); // the extension is added
+    EXPECT_EQ(session->document.file, folder / "mine.texplorer.json"); // the extension is added
     EXPECT_FALSE(isDirty(session->document));
     const Scene saved = scene();
-    EXPECT_EQ(parseScene(readText(folder / "mine.json").value()).value(), saved);
-    EXPECT_THAT(requests.title, HasSubstr("mine.json"));
+    EXPECT_EQ(parseScene(readText(folder / "mine.texplorer.json").value()).value(), saved);
+    EXPECT_THAT(requests.title, HasSubstr("mine.texplorer.json"));
 
     choose("textures[0].wrapS", "GL_REPEAT");
     EXPECT_TRUE(isDirty(session->document));
     key('S', {ctrl}); // straight into the same file
     EXPECT_EQ(session->window.dialog, Dialog::None);
-    EXPECT_EQ(parseScene(readText(folder / "mine.json").value()).value().textures[0].wrapS, Wrap::Repeat);
+    EXPECT_EQ(parseScene(readText(folder / "mine.texplorer.json").value()).value().textures[0].wrapS,
+              Wrap::Repeat);
 
     key('O', {ctrl});
     ASSERT_EQ(session->window.dialog, Dialog::OpenScene);
