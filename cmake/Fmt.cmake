@@ -18,6 +18,7 @@ else()
     add_library(texplorer_fmt STATIC cmake/fmt_from_headers.cpp)
     set_target_properties(texplorer_fmt PROPERTIES EXPORT_NAME fmt)
     target_include_directories(texplorer_fmt SYSTEM PUBLIC $<BUILD_INTERFACE:${FMT_INCLUDE_DIR}>)
-    install(TARGETS texplorer_fmt EXPORT texplorer-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS texplorer_fmt EXPORT texplorer-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            COMPONENT development)
     set(TEXPLORER_FMT texplorer_fmt)
 endif()

@@ -1,4 +1,4 @@
-# `cmake --install` gives the two programs and the library: find_package(texplorer) defines texplorer::core, and
+# `cmake --install` gives the two programs (component programs) and the library (component development): find_package(texplorer) defines texplorer::core, and
 # `pkg-config texplorer` knows it too. Everything is found from where it lies, so that the prefix can be moved.
 # With --strip nothing of it has debugging information.
 include(CMakePackageConfigHelpers)
@@ -20,12 +20,15 @@ if(NOT PROJECT_IS_TOP_LEVEL)
     target_include_directories(texplorer_core INTERFACE $<BUILD_INTERFACE:${include}>)
     add_dependencies(texplorer_core texplorer_headers)
 endif()
-install(DIRECTORY ${include}/texplorer DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${include}/texplorer DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+        FILES_MATCHING PATTERN "*.h")
 
 # The archives, and the two ways to find them.
 get_property(layers GLOBAL PROPERTY TEXPLORER_LAYERS)
-install(TARGETS texplorer_core ${layers} EXPORT texplorer-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT texplorer-targets NAMESPACE texplorer:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer)
+install(TARGETS texplorer_core ${layers} EXPORT texplorer-targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT texplorer-targets NAMESPACE texplorer:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer
+        COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/texplorer-config.cmake.in
     ${PROJECT_BINARY_DIR}/texplorer-config.cmake
     INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer)
@@ -33,7 +36,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/texplorer-config-version.
     COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/texplorer-config.cmake ${PROJECT_BINARY_DIR}/texplorer-config-version.cmake
         ${PROJECT_SOURCE_DIR}/cmake/FindSquish.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer)
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/texplorer COMPONENT development)
 
 set(archives "")
 foreach(layer ${layers}) # declared from the lowest to the highest, linked the other way round
@@ -48,21 +51,49 @@ endif()
 list(JOIN archives " " archives)
 file(RELATIVE_PATH up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/texplorer.pc.in ${PROJECT_BINARY_DIR}/texplorer.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/texplorer.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/texplorer.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 # CMake strips programs and modules; of archives it would take the symbols, too, and so leaves them alone.
 install(CODE "
     if(CMAKE_INSTALL_DO_STRIP)
         file(GLOB archives \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libtexplorer_*.a\")
         execute_process(COMMAND ${CMAKE_STRIP} --strip-debug \${archives} COMMAND_ERROR_IS_FATAL ANY)
-    endif()")
+    endif()" COMPONENT development)
 
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TEXPLORER_PROGRAMS)
     # For `texplorer --shaders`: to be copied and changed. The programs have their own inside.
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer)
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer)
-    install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer
+           )
+    # What a desktop knows of it: the program, its icon, scenes as a kind of file, and its page in a software centre.
+    install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications
+           )
     install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.svg
             DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+    install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
+            RENAME texplorer.xml)
+    install(FILES ${PROJECT_SOURCE_DIR}/assets/texplorer.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo
+           )
+endif()
+
+# What the programs write of themselves: manual pages, completion for three shells, the schema of scenes.
+if(TEXPLORER_PROGRAMS)
+    find_program(GZIP_PROGRAM gzip REQUIRED)
+    set(words ${PROJECT_BINARY_DIR}/words)
+    add_custom_command(OUTPUT ${words}/made
+        COMMAND ${CMAKE_COMMAND} -DPROGRAMS=$<TARGET_FILE:texshot>,$<TARGET_FILE:texplorer> -DOUT=${words}
+                -DGZIP=${GZIP_PROGRAM} -DDATE=${TEXPLORER_RELEASED} -P ${PROJECT_SOURCE_DIR}/cmake/MakeWords.cmake
+        COMMAND ${CMAKE_COMMAND} -E touch ${words}/made
+        DEPENDS texshot texplorer ${PROJECT_SOURCE_DIR}/cmake/MakeWords.cmake
+        COMMENT "Writing manual pages and completion" VERBATIM)
+    add_custom_target(texplorer_words ALL DEPENDS ${words}/made)
+    install(DIRECTORY ${words}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(DIRECTORY ${words}/bash/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+           )
+    install(DIRECTORY ${words}/zsh/ DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(DIRECTORY ${words}/fish/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+           )
+    install(DIRECTORY ${words}/schema/ DESTINATION ${CMAKE_INSTALL_DATADIR}/texplorer)
 endif()
