@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/suite/record.h"
+
+namespace texplorer::suite {
+
+/// JUnit's XML as Jenkins, GitLab and others read it: a <testsuite> for each suite, a <testcase> for each
+/// case. Failed, New, Crashed and TimedOut are a <failure>, MissingScene and Error an <error>, Skipped is
+/// <skipped>. Cases that were planned and not run are an <error>, too. Characters that XML 1.0 forbids become
+/// U+FFFD.
+[[nodiscard]] std::string asJunit(const RunRecord& run);
+
+} // namespace texplorer::suite
