@@ -18,11 +18,11 @@ struct CaseScene {
     [[nodiscard]] Result<void> load();
 };
 
-/// One that an entry names, with the entry's edits. Errors: NotFound where the file is missing; what is wrong
-/// in the scene or the edits; with the place. Images of a lesson are loaded, of a file not yet.
-[[nodiscard]] Result<CaseScene> openScene(const Suite& suite, const Entry& entry, std::size_t scene);
+/// One that an entry names, without edits. Errors: NotFound where the file, example or lesson is missing; what is
+/// wrong in it. Images of a lesson are loaded, of a file not yet.
+[[nodiscard]] Result<CaseScene> readScene(const Suite& suite, const SceneSource& source);
 
-/// The same with the case's own edits.
+/// A case's, with the edits of its entry and of its axes.
 [[nodiscard]] Result<CaseScene> openScene(const Plan& plan, const Case& of);
 
 /// What a case is held against on a driver: files that are accepted, whether they are there or not; empty:

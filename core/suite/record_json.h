@@ -5,7 +5,7 @@
 namespace texplorer::suite {
 
 inline constexpr int recordFormatVersion = 1;
-inline constexpr std::size_t maxRecordBytes = std::size_t{1} << 30;
+inline constexpr std::size_t maxRecordBytes = std::size_t{256} << 20;
 
 /// The final report: everything of the run, with counts and the exit status, indented.
 [[nodiscard]] std::string asJson(const RunRecord& run);

@@ -15,9 +15,10 @@ namespace texplorer::suite {
 /// nullptr: there is none of this name, or it is "auto" or "none".
 [[nodiscard]] const conform::Rule* findRule(std::string_view name);
 
-/// The rule of core/conform/features.cpp for what a scene uses, the widest where it uses several things:
-/// anisotropy, levels of its own, blended levels, chosen levels, lines, compression, filters and edges of
-/// texels (the same as a texture with GL_NEAREST), several passes, and without any texture the outline alone.
+/// The rule for what a scene uses, as core/conform/features.cpp has it for that feature alone; of several
+/// things, the widest: anisotropy; levels that aren't made of each other; levels that are blended, or textures in
+/// several passes; levels that are chosen; lines and points; textures; outlines alone. A case is one scene: it is
+/// held to the rule's `bound`, `tolerance` and `explainedScene`.
 [[nodiscard]] const conform::Rule& ruleFor(const Scene& scene);
 
 } // namespace texplorer::suite

@@ -21,7 +21,7 @@ namespace texplorer::suite {
 
 inline constexpr int suiteFormatVersion = 1;
 inline constexpr std::string_view suiteExtension = ".suite.json";
-inline constexpr std::size_t maxSuiteBytes = std::size_t{16} << 20;
+inline constexpr std::size_t maxSuiteBytes = std::size_t{8} << 20;
 inline constexpr std::size_t maxEntries = 10'000;
 inline constexpr std::size_t maxScenes = 1'000; ///< of an entry; of its sizes and times, too
 inline constexpr std::size_t maxAxes = 8;
@@ -61,8 +61,8 @@ struct PictureSize {
     bool operator==(const PictureSize&) const = default;
 };
 
-/// Stored pictures, any of which will do: "golden/{case}.png", "golden/{case}@{driver}.png"; relative to the
-/// suite's folder.
+/// Stored pictures, any of which will do, relative to the suite's folder: "golden/{case}.png",
+/// "golden/{case}@{driver}.png"; "{picture}" is the case without its renderer, so that all renderers share one.
 struct GoldenFiles {
     /// Patterns for the drivers whose renderer string fits a glob; the first that fits is the one.
     struct ForDriver {

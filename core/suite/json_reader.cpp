@@ -1,0 +1,205 @@
+#include "core/suite/json_reader.h"
+
+#include "core/base/printable.h"
+#include "core/scene/params/json_problem.h"
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace texplorer::suite {
+namespace {
+
+constexpr int deepestJson = 24;
+
+/// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'", which
+/// may be long.
+std::string mistakeOf(const Json::exception& error) {
+    constexpr int numberOverflow = 406;
+    if (error.id == numberOverflow)
+        return "expected a number that isn't as large";
+    std::string_view said = error.what();
+    said = said.substr(0, said.find("; last read"));
+    const std::size_t syntax = said.find("syntax error");
+    return printable(readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax)));
+}
+
+/// What is wrong with a text although it is JSON.
+class Watcher {
+public:
+    /// nlohmann's callback: false leaves the value out.
+    bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+        if (problem_ || depth > deepestJson) {
+            if (!problem_)
+                problem_ = Error{ErrorCode::TooLarge,
+                                 fmt::format("expected at most {} levels of brackets", deepestJson),
+                                 {}};
+            return false;
+        }
+        if (event == Json::parse_event_t::object_start)
+            keys_.emplace_back();
+        if (event == Json::parse_event_t::object_end && !keys_.empty())
+            keys_.pop_back();
+        if (event == Json::parse_event_t::key && !keys_.empty() &&
+            !keys_.back().insert(parsed.get<std::string>()).second)
+            problem_ = Error{ErrorCode::Malformed,
+                             fmt::format("expected each key once, found {} again",
+                                         inQuotes(parsed.get_ref<const std::string&>())),
+                             {}};
+        return !problem_;
+    }
+
+    [[nodiscard]] const Problem& problem() const { return problem_; }
+
+private:
+    std::vector<std::set<std::string>> keys_;
+    Problem problem_;
+};
+
+} // namespace
+
+Result<Json> parseJson(std::string_view text, std::size_t maxBytes) {
+    if (text.size() > maxBytes)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} bytes, found {}", maxBytes, text.size()));
+    Watcher watcher;
+    const auto watch = [&watcher](int depth, Json::parse_event_t event, const Json& parsed) {
+        return watcher(depth, event, parsed);
+    };
+    try {
+        Json json = Json::parse(text, watch);
+        if (watcher.problem())
+            return fail(*watcher.problem());
+        return json;
+    } catch (const Json::parse_error& error) {
+        if (watcher.problem())
+            return fail(*watcher.problem());
+        const std::string_view read = text.substr(0, std::min(text.size(), error.byte));
+        return fail(ErrorCode::Malformed, mistakeOf(error),
+                    fmt::format("line {}", 1 + std::ranges::count(read, '\n')));
+    } catch (const Json::exception& error) {
+        return fail(ErrorCode::Malformed, mistakeOf(error));
+    }
+}
+
+std::string dumpJson(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string foundText(const Json& json) {
+    if (json.is_string())
+        return inQuotes(json.get_ref<const std::string&>());
+    if (json.is_array())
+        return "a list";
+    if (json.is_object())
+        return "an object";
+    return json.dump();
+}
+
+JsonObject::JsonObject(const Json& json, std::string where, Problem& problem)
+    : json_(json)
+    , where_(std::move(where))
+    , problem_(problem) {
+    if (!json.is_object())
+        say(ErrorCode::Malformed, "", fmt::format("expected an object, found {}", foundText(json)));
+}
+
+JsonObject::~JsonObject() {
+    if (!json_.is_object() || problem_)
+        return;
+    for (const auto& [key, value] : json_.items()) {
+        if (std::ranges::find(taken_, key) == taken_.end())
+            return say(ErrorCode::Malformed, shortened(key),
+                       fmt::format("unknown key; {}", suggestName(key, taken_)));
+    }
+}
+
+const Json* JsonObject::find(const char* key) {
+    taken_.emplace_back(key);
+    const auto found = json_.is_object() ? json_.find(key) : json_.end();
+    return found == json_.end() ? nullptr : &*found;
+}
+
+const Json* JsonObject::need(const char* key) {
+    const Json* found = find(key);
+    if (!found)
+        say(ErrorCode::Malformed, "", fmt::format("expected the key \"{}\"", key));
+    return found;
+}
+
+void JsonObject::text(const char* key, std::string& target, std::size_t maxBytes) {
+    const Json* value = find(key);
+    if (!value)
+        return;
+    if (!value->is_string())
+        return refuse(key, "a text");
+    target = value->get<std::string>();
+    if (target.size() > maxBytes)
+        say(ErrorCode::TooLarge, key,
+            fmt::format("expected at most {} bytes, found {}", maxBytes, target.size()));
+}
+
+void JsonObject::flag(const char* key, bool& target) {
+    const Json* value = find(key);
+    if (value && value->is_boolean())
+        target = value->get<bool>();
+    else if (value)
+        refuse(key, "true or false");
+}
+
+void JsonObject::number(const char* key, double& target, double lowest, double highest) {
+    const Json* value = find(key);
+    if (!value)
+        return;
+    const double found = value->is_number() ? value->get<double>() : NAN;
+    if (found >= lowest && found <= highest)
+        target = found;
+    else
+        refuse(key, fmt::format("a number from {} to {}", lowest, highest));
+}
+
+void JsonObject::whole(const char* key, std::size_t& target, std::size_t lowest, std::size_t highest) {
+    const Json* value = find(key);
+    if (!value)
+        return;
+    if (value->is_number_unsigned() && *value >= lowest && *value <= highest)
+        target = value->get<std::size_t>();
+    else
+        refuse(key, fmt::format("a whole number from {} to {}", lowest, highest));
+}
+
+void JsonObject::whole(const char* key, int& target, int lowest, int highest) {
+    const Json* value = find(key);
+    if (!value)
+        return;
+    if (value->is_number_integer() && *value >= lowest && *value <= highest)
+        target = value->get<int>();
+    else
+        refuse(key, fmt::format("a whole number from {} to {}", lowest, highest));
+}
+
+void JsonObject::refuse(const std::string& key, const std::string& expected) {
+    const auto found = json_.is_object() ? json_.find(key) : json_.end();
+    say(ErrorCode::Malformed, key,
+        found == json_.end() ? fmt::format("expected {}", expected)
+                             : fmt::format("expected {}, found {}", expected, foundText(*found)));
+}
+
+void JsonObject::refuseCount(const char* key, std::size_t fewest, std::size_t most, std::size_t found) {
+    say(found > most ? ErrorCode::TooLarge : ErrorCode::Malformed, key,
+        fmt::format("expected a list of {} to {}, found {}", fewest, most, found));
+}
+
+void JsonObject::say(ErrorCode code, const std::string& key, std::string message) {
+    if (!problem_)
+        problem_ = Error{code, std::move(message), key.empty() ? where_ : placeOf(key)};
+}
+
+std::string JsonObject::placeOf(std::string_view key) const {
+    return fmt::format("{}/{}", where_, key);
+}
+
+} // namespace texplorer::suite

@@ -1,0 +1,160 @@
+#include "core/suite/suite_folder.h"
+
+#include "core/base/file_io.h"
+#include "core/base/file_kind.h"
+#include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t pngHeaderBytes = 24; // up to the height in IHDR
+
+/// Names of regular files below a folder, with "/", sorted. Folders that are links are not entered.
+Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
+    std::error_code error;
+    fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, error);
+    std::vector<std::string> names;
+    std::size_t looked = 0;
+    for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
+        if (++looked > maxListedFiles)
+            return fail(ErrorCode::TooLarge,
+                        fmt::format("expected at most {} files and folders", maxListedFiles), folder.string());
+        std::error_code ignored;
+        if (each->is_regular_file(ignored))
+            names.push_back(each->path().lexically_relative(folder).generic_string());
+    }
+    if (error)
+        return fail(ErrorCode::Unreadable, systemText(error.value()), folder.string());
+    std::ranges::sort(names);
+    return names;
+}
+
+int bigEndian(ByteView bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + i]);
+    return number <= static_cast<std::uint32_t>(maxPictureSize) ? static_cast<int>(number) : 0;
+}
+
+/// As a PNG's header states it; as a suite has it where there is none.
+PictureSize sizeOfPng(const fs::path& file) {
+    constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
+    const Result<Bytes> start = readFileStart(file, pngHeaderBytes);
+    if (!start || start->size() < pngHeaderBytes ||
+        !std::ranges::equal(ByteView(*start).first(signature.size()), viewBytes(signature)))
+        return {};
+    const PictureSize size{bigEndian(*start, 16), bigEndian(*start, 20)};
+    return size.width > 0 && size.height > 0 ? size : PictureSize{};
+}
+
+/// A golden's name stands in a pattern, where braces mean something.
+bool isPlainPattern(std::string_view name) {
+    return name.find_first_of("{}") == std::string_view::npos;
+}
+
+/// One entry for each X.json that has X.png beside it.
+Suite suiteOfPairs(const fs::path& folder, const std::vector<std::string>& files) {
+    constexpr std::string_view scene = ".json";
+    Suite suite{.name = folder.filename().string(), .about = {}, .folder = folder, .entries = {}};
+    for (const std::string& file : files) {
+        if (!file.ends_with(scene) || !isPlainPattern(file))
+            continue;
+        const std::string name = file.substr(0, file.size() - scene.size());
+        const std::string golden = name + ".png";
+        if (!std::ranges::binary_search(files, golden))
+            continue;
+        Entry entry{.name = name, .scenes = {SceneFile{file}}, .edits = {}, .axes = {}, .settings = {}};
+        entry.settings.golden = GoldenFiles{{{"*", {golden}}}};
+        entry.settings.sizes = {sizeOfPng(folder / golden)};
+        suite.entries.push_back(std::move(entry));
+    }
+    return suite;
+}
+
+Result<std::vector<Suite>> suitesBelow(const fs::path& folder) {
+    const Result<std::vector<std::string>> files = filesBelow(folder);
+    if (!files)
+        return fail(files.error());
+    std::vector<Suite> suites;
+    for (const std::string& file : *files) {
+        if (!file.ends_with(suiteExtension))
+            continue;
+        Result<Suite> suite = readSuite(folder / file);
+        if (!suite)
+            return fail(suite.error());
+        suite->name = file.substr(0, file.size() - suiteExtension.size());
+        suites.push_back(*std::move(suite));
+    }
+    if (!suites.empty())
+        return suites;
+    suites.push_back(suiteOfPairs(folder, *files));
+    if (suites.back().entries.empty())
+        return fail(ErrorCode::NotFound,
+                    fmt::format("expected a suite, *{}, or scenes X.json with their pictures X.png beside them, "
+                                "found neither",
+                                suiteExtension),
+                    folder.string());
+    if (suites.back().entries.size() > maxEntries)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} scenes with pictures, found {}", maxEntries,
+                                suites.back().entries.size()),
+                    folder.string());
+    return suites;
+}
+
+} // namespace
+
+Result<std::vector<Suite>> suitesAt(const fs::path& fileOrFolder) {
+    std::error_code ignored;
+    if (fs::is_directory(fileOrFolder, ignored))
+        return suitesBelow(fileOrFolder);
+    Result<Suite> suite = readSuite(fileOrFolder);
+    if (!suite)
+        return fail(suite.error());
+    return std::vector<Suite>{*std::move(suite)};
+}
+
+Result<void> checkInside(std::string_view name) {
+    const auto refuse = [&](std::string_view what) {
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("expected a name within the suite's folder, found {}: {}", inQuotes(name), what));
+    };
+    if (name.empty())
+        return refuse("it is empty");
+    if (name.front() == '/')
+        return refuse("it is absolute");
+    if (name.find('\\') != std::string_view::npos)
+        return refuse("folders have / between them");
+    if (std::ranges::any_of(name, [](char each) { return static_cast<unsigned char>(each) < 0x20; }))
+        return refuse("it has control characters");
+    for (const fs::path& part : fs::path(name)) {
+        if (part == "..")
+            return refuse("it leads out of it");
+    }
+    return {};
+}
+
+Result<fs::path> pathInside(const fs::path& folder, std::string_view name) {
+    if (const Result<void> inside = checkInside(name); !inside)
+        return fail(inside.error());
+    std::error_code error;
+    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path path = error ? fs::path() : fs::weakly_canonical(root / name, error);
+    if (error)
+        return fail(ErrorCode::Unreadable, systemText(error.value()), (folder / name).string());
+    std::error_code ignored; // of a link to nothing, where it leads can't be told
+    const bool leadsNowhere = fs::is_symlink(root / name, ignored) && !fs::exists(path, ignored);
+    if (leadsNowhere || std::ranges::mismatch(root, path).in1 != root.end())
+        return fail(ErrorCode::OutOfRange, "expected a file within the suite's folder, found a link that leads out of it or nowhere",
+                    (folder / name).string());
+    return folder / name;
+}
+
+} // namespace texplorer::suite
