@@ -108,7 +108,8 @@ std::string driverSlug(std::string_view rendererString) {
     name = name.substr(0, name.find('/'));
     std::string slug;
     for (const char each : name.substr(0, readableBytes)) {
-        if (isAlphanumeric(each) || (!slug.empty() && std::string_view("-.+").find(each) != std::string_view::npos))
+        if (isAlphanumeric(each) ||
+            (!slug.empty() && std::string_view("-.+").find(each) != std::string_view::npos))
             slug += each;
         else if (!slug.empty() && slug.back() != '_')
             slug += '_';
@@ -147,7 +148,8 @@ bool fitsGlob(std::string_view glob, std::string_view text) {
 bool isWanted(std::string_view pattern, std::string_view name) {
     if (fitsGlob(pattern, name))
         return true;
-    for (std::size_t slash = name.find('/'); slash != std::string_view::npos; slash = name.find('/', slash + 1)) {
+    for (std::size_t slash = name.find('/'); slash != std::string_view::npos;
+         slash = name.find('/', slash + 1)) {
         if (fitsGlob(pattern, name.substr(0, slash)))
             return true;
     }

@@ -31,7 +31,8 @@ Result<CaseScene> openSource(const Suite& suite, const SceneFile& source) {
         return fail(text.error());
     Result<Scene> scene = parseScene(*text);
     if (!scene) // NotFound is for the file itself
-        return fail(inFile(file->string(), {ErrorCode::Malformed, scene.error().message, scene.error().where}));
+        return fail(
+            inFile(file->string(), {ErrorCode::Malformed, scene.error().message, scene.error().where}));
     return CaseScene{*std::move(scene), ImageSource{file->parent_path()}, *file};
 }
 
@@ -138,7 +139,7 @@ struct Fingerprints::Cache {
     std::map<FileFingerprint, std::string> hashes;
 
     std::string of(const fs::path& file) {
-        const std::optional<FileFingerprint> fingerprint = fingerprintOf(file);
+        const std::optional<FileFingerprint> fingerprint = texplorer::fingerprintOf(file);
         if (!fingerprint)
             return "absent";
         if (const auto found = hashes.find(*fingerprint); found != hashes.end())
@@ -161,9 +162,10 @@ std::string Fingerprints::of(const Plan& plan, const Case& each, std::string_vie
     const Settings& settings = plan.settingsOf(each);
     const fs::path& folder = plan.suiteOf(each).folder;
     const auto* reference = std::get_if<GoldenReference>(&settings.golden);
-    text.add(fmt::format("{} {}x{} {} {} {} {} {}", rowOf(each.renderer).name, each.size.width, each.size.height,
-                         each.time, rowOf(settings.criterion.metric).name, settings.criterion.tolerance,
-                         settings.criterion.share, reference ? reference->rule : ""));
+    text.add(fmt::format("{} {}x{} {} {} {} {} {}", rowOf(each.renderer).name, each.size.width,
+                         each.size.height, each.time, rowOf(settings.criterion.metric).name,
+                         settings.criterion.tolerance, settings.criterion.share,
+                         reference ? reference->rule : ""));
     text.add(settings.mask.empty() ? "" : cache_->of(folder / settings.mask));
     for (const std::string& golden : goldensOf(plan, each, rendererString)) {
         text.add(golden);

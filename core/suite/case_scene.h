@@ -18,8 +18,8 @@ struct CaseScene {
     [[nodiscard]] Result<void> load();
 };
 
-/// One that an entry names, without edits. Errors: NotFound where the file, example or lesson is missing; what is
-/// wrong in it. Images of a lesson are loaded, of a file not yet.
+/// One that an entry names, without edits. Errors: NotFound where the file, example or lesson is missing;
+/// what is wrong in it. Images of a lesson are loaded, of a file not yet.
 [[nodiscard]] Result<CaseScene> readScene(const Suite& suite, const SceneSource& source);
 
 /// A case's, with the edits of its entry and of its axes.

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <set>
 
 namespace texplorer::suite {
@@ -15,8 +15,8 @@ namespace {
 
 constexpr int deepestJson = 24;
 
-/// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'", which
-/// may be long.
+/// Of "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'",
+/// which may be long.
 std::string mistakeOf(const Json::exception& error) {
     constexpr int numberOverflow = 406;
     if (error.id == numberOverflow)
@@ -85,10 +85,6 @@ Result<Json> parseJson(std::string_view text, std::size_t maxBytes) {
     }
 }
 
-std::string dumpJson(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string foundText(const Json& json) {
     if (json.is_string())
         return inQuotes(json.get_ref<const std::string&>());
@@ -112,8 +108,8 @@ JsonObject::~JsonObject() {
         return;
     for (const auto& [key, value] : json_.items()) {
         if (std::ranges::find(taken_, key) == taken_.end())
-            return say(ErrorCode::Malformed, shortened(key),
-                       fmt::format("unknown key; {}", suggestName(key, taken_)));
+            say(ErrorCode::Malformed, shortened(key),
+                fmt::format("unknown key; {}", suggestName(key, taken_)));
     }
 }
 
@@ -154,7 +150,7 @@ void JsonObject::number(const char* key, double& target, double lowest, double h
     const Json* value = find(key);
     if (!value)
         return;
-    const double found = value->is_number() ? value->get<double>() : NAN;
+    const double found = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
     if (found >= lowest && found <= highest)
         target = found;
     else

@@ -13,19 +13,24 @@
 
 namespace texplorer::suite {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json; ///< an ordered object would look through all its keys for each one that it reads
+using OrderedJson = nlohmann::ordered_json; ///< for writing: few keys, in the order of their lines
 
-/// A whole text. Errors: TooLarge above `maxBytes` and for brackets in brackets; Malformed with the line, also for
-/// a key that an object has twice.
+/// A whole text. Errors: TooLarge above `maxBytes` and for brackets in brackets; Malformed with the line,
+/// also for a key that an object has twice.
 [[nodiscard]] Result<Json> parseJson(std::string_view text, std::size_t maxBytes);
 
 /// JSON that is only written: strings that are no UTF-8 have U+FFFD in their place.
-[[nodiscard]] std::string dumpJson(const Json& json, int indent = -1);
+template<class AnyJson>
+[[nodiscard]] std::string dumpJson(const AnyJson& json, int indent = -1) {
+    return json.dump(indent, ' ', false, AnyJson::error_handler_t::replace);
+}
 
 /// The first problem of a text.
 using Problem = std::optional<Error>;
 
-/// The members of an object are taken one by one; what nobody took is unknown. After a problem nothing is said.
+/// The members of an object are taken one by one; what nobody took is unknown. After a problem nothing is
+/// said.
 class JsonObject {
 public:
     JsonObject(const Json& json, std::string where, Problem& problem);

@@ -1,6 +1,7 @@
 #include "core/suite/plan.h"
 
 #include "core/base/printable.h"
+#include "core/lesson/lesson_scene.h"
 #include "core/scene/params/param_text.h"
 #include "core/suite/case_name.h"
 #include "core/suite/case_scene.h"
@@ -40,8 +41,8 @@ const std::vector<RendererKind>& renderersOf(const Settings& settings, const Pla
 }
 
 std::size_t casesOf(const Row& row, const Settings& settings, const PlanOptions& options) {
-    std::size_t count = product(renderersOf(settings, options).size(),
-                                product(settings.sizes.size(), settings.times.size()));
+    std::size_t count =
+        product(renderersOf(settings, options).size(), product(settings.sizes.size(), settings.times.size()));
     for (const SweepAxis& axis : row.axes)
         count = product(count, axis.values.size());
     return count;
@@ -53,11 +54,12 @@ std::string placeOfEntry(const Suite& suite, std::size_t entry) {
 
 Error inEntry(const Suite& suite, std::size_t entry, std::string_view key, const Error& error) {
     const std::string place = fmt::format("{}/{}", placeOfEntry(suite, entry), key);
-    return {error.code, error.message, error.where.empty() ? place : fmt::format("{}: {}", place, error.where)};
+    return {error.code, error.message,
+            error.where.empty() ? place : fmt::format("{}: {}", place, error.where)};
 }
 
 /// A scene's axes. A scene that can't be read is no error: its cases say so.
-Result<Row> rowOf(const std::vector<Suite>& suites, std::size_t s, std::size_t e, std::size_t i) {
+Result<Row> readRow(const std::vector<Suite>& suites, std::size_t s, std::size_t e, std::size_t i) {
     const Suite& suite = suites[s];
     const Entry& entry = suite.entries[e];
     Row row{s, e, i, {}, {}};
@@ -74,9 +76,9 @@ Result<Row> rowOf(const std::vector<Suite>& suites, std::size_t s, std::size_t e
         if (!axis)
             return fail(inEntry(suite, e, key, axis.error()));
         if (std::ranges::find(row.axes, axis->path, &SweepAxis::path) != row.axes.end())
-            return fail(inEntry(suite, e, key,
-                                {ErrorCode::Malformed, "expected each parameter in one axis, found it again",
-                                 axis->path}));
+            return fail(inEntry(
+                suite, e, key,
+                {ErrorCode::Malformed, "expected each parameter in one axis, found it again", axis->path}));
         row.axes.push_back(*std::move(axis));
     }
     return row;
@@ -175,7 +177,7 @@ private:
         const bool isTimed = settings_.times != std::vector<double>{0};
         const std::string when = isTimed ? fmt::format("@{}s", time) : std::string();
         const std::string extent = fmt::format("{}x{}{}", size.width, size.height, when);
-        const std::string own = fmt::format("{}/{}@{}", name, texplorer::rowOf(renderer).name, extent);
+        const std::string own = fmt::format("{}/{}@{}", name, rowOf(renderer).name, extent);
         plan_.cases.push_back({.name = prefix_ + own,
                                .file = fileNameFor(prefix_ + own),
                                .goldenName = fileNameFor(own),
@@ -205,7 +207,7 @@ Result<std::vector<Row>> rowsOf(const std::vector<Suite>& suites, const PlanOpti
     for (std::size_t s = 0; s < suites.size(); ++s) {
         for (std::size_t e = 0; e < suites[s].entries.size(); ++e) {
             for (std::size_t i = 0; i < suites[s].entries[e].scenes.size(); ++i) {
-                Result<Row> row = rowOf(suites, s, e, i);
+                Result<Row> row = readRow(suites, s, e, i);
                 if (!row)
                     return fail(row.error());
                 count = sum(count, casesOf(*row, suites[s].entries[e].settings, options));
@@ -215,7 +217,8 @@ Result<std::vector<Row>> rowsOf(const std::vector<Suite>& suites, const PlanOpti
         }
     }
     if (count > options.most)
-        return fail(ErrorCode::TooLarge, fmt::format("expected at most {} cases, found {}", options.most, count),
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} cases, found {}", options.most, count),
                     suites.size() == 1 ? suites.front().name : std::string());
     return rows;
 }
@@ -227,11 +230,12 @@ Result<void> checkUnique(const Plan& plan) {
     for (const Case& each : plan.cases) {
         const auto [found, isNew] = seen.emplace(each.name, &each);
         if (!isNew)
-            return fail(ErrorCode::Malformed,
-                        fmt::format("two cases are called {}, this one and one of {}; give one of them a \"name\"",
-                                    inQuotes(each.name),
-                                    placeOfEntry(plan.suiteOf(*found->second), found->second->entry)),
-                        placeOfEntry(plan.suiteOf(each), each.entry));
+            return fail(
+                ErrorCode::Malformed,
+                fmt::format("two cases are called {}, this one and one of {}; give one of them a \"name\"",
+                            inQuotes(each.name),
+                            placeOfEntry(plan.suiteOf(*found->second), found->second->entry)),
+                placeOfEntry(plan.suiteOf(each), each.entry));
     }
     return {};
 }

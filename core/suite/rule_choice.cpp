@@ -13,9 +13,18 @@ namespace {
 namespace rules = conform::rules;
 
 constexpr std::array<const conform::Rule*, 12> ruleRows{
-    &rules::exact,         &rules::passes,      &rules::blocks,    &rules::texelEdge,
-    &rules::texelEdgeOnQuads, &rules::levelChoice, &rules::levelBlend, &rules::foreignLevels,
-    &rules::ellipse,       &rules::outline,     &rules::lines,     &rules::lastBit,
+    &rules::exact,
+    &rules::passes,
+    &rules::blocks,
+    &rules::texelEdge,
+    &rules::texelEdgeOnQuads,
+    &rules::levelChoice,
+    &rules::levelBlend,
+    &rules::foreignLevels,
+    &rules::ellipse,
+    &rules::outline,
+    &rules::lines,
+    &rules::lastBit,
 };
 
 constexpr auto allRuleNames = [] {
@@ -50,8 +59,9 @@ void addTexture(Uses& uses, const Texture& texture) {
 
 bool drawsLines(const Model& model) {
     const Primitive primitive = model.mesh.primitive;
-    return model.shape == Shape::Mesh && (primitive == Primitive::Points || primitive == Primitive::Lines ||
-                                          primitive == Primitive::LineStrip || primitive == Primitive::LineLoop);
+    return model.shape == Shape::Mesh &&
+           (primitive == Primitive::Points || primitive == Primitive::Lines ||
+            primitive == Primitive::LineStrip || primitive == Primitive::LineLoop);
 }
 
 Uses usesOf(const Scene& scene) {
@@ -78,7 +88,8 @@ std::span<const std::string_view> ruleNames() {
 }
 
 const conform::Rule* findRule(std::string_view name) {
-    const auto found = std::ranges::find_if(ruleRows, [name](const conform::Rule* each) { return each->name == name; });
+    const auto found =
+        std::ranges::find_if(ruleRows, [name](const conform::Rule* each) { return each->name == name; });
     return found == ruleRows.end() ? nullptr : *found;
 }
 

@@ -16,9 +16,9 @@ namespace texplorer::suite {
 [[nodiscard]] const conform::Rule* findRule(std::string_view name);
 
 /// The rule for what a scene uses, as core/conform/features.cpp has it for that feature alone; of several
-/// things, the widest: anisotropy; levels that aren't made of each other; levels that are blended, or textures in
-/// several passes; levels that are chosen; lines and points; textures; outlines alone. A case is one scene: it is
-/// held to the rule's `bound`, `tolerance` and `explainedScene`.
+/// things, the widest: anisotropy; levels that aren't made of each other; levels that are blended, or
+/// textures in several passes; levels that are chosen; lines and points; textures; outlines alone. A case is
+/// one scene: it is held to the rule's `bound`, `tolerance` and `explainedScene`.
 [[nodiscard]] const conform::Rule& ruleFor(const Scene& scene);
 
 } // namespace texplorer::suite

@@ -5,6 +5,10 @@
 
 namespace texplorer::suite {
 
+/// Whether a case can go to the list for --accept: its picture is another one than a stored golden, or the
+/// first.
+[[nodiscard]] bool isAcceptable(const CaseRecord& record);
+
 struct RunPageOptions {
     std::string
         acceptCommand{}; ///< "texshot test suite.json --accept accept.txt"; empty: nothing is accepted

@@ -62,9 +62,10 @@ struct PictureSize {
 };
 
 /// Stored pictures, any of which will do, relative to the suite's folder: "golden/{case}.png",
-/// "golden/{case}@{driver}.png"; "{picture}" is the case without its renderer, so that all renderers share one.
+/// "golden/{case}@{driver}.png"; "{picture}" is the case without its renderer, so that all renderers share
+/// one.
 struct GoldenFiles {
-    /// Patterns for the drivers whose renderer string fits a glob; the first that fits is the one.
+    /// Patterns for the drivers whose renderer string fits a glob; the longest that fits is the one.
     struct ForDriver {
         std::string driver; ///< "llvmpipe*"; "*" fits all, and the reference, whose driver is ""
         std::vector<std::string> patterns;

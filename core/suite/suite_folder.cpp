@@ -25,7 +25,8 @@ Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
     for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
         if (++looked > maxListedFiles)
             return fail(ErrorCode::TooLarge,
-                        fmt::format("expected at most {} files and folders", maxListedFiles), folder.string());
+                        fmt::format("expected at most {} files and folders", maxListedFiles),
+                        folder.string());
         std::error_code ignored;
         if (each->is_regular_file(ignored))
             names.push_back(each->path().lexically_relative(folder).generic_string());
@@ -96,11 +97,12 @@ Result<std::vector<Suite>> suitesBelow(const fs::path& folder) {
         return suites;
     suites.push_back(suiteOfPairs(folder, *files));
     if (suites.back().entries.empty())
-        return fail(ErrorCode::NotFound,
-                    fmt::format("expected a suite, *{}, or scenes X.json with their pictures X.png beside them, "
-                                "found neither",
-                                suiteExtension),
-                    folder.string());
+        return fail(
+            ErrorCode::NotFound,
+            fmt::format("expected a suite, *{}, or scenes X.json with their pictures X.png beside them, "
+                        "found neither",
+                        suiteExtension),
+            folder.string());
     if (suites.back().entries.size() > maxEntries)
         return fail(ErrorCode::TooLarge,
                     fmt::format("expected at most {} scenes with pictures, found {}", maxEntries,
@@ -123,8 +125,9 @@ Result<std::vector<Suite>> suitesAt(const fs::path& fileOrFolder) {
 
 Result<void> checkInside(std::string_view name) {
     const auto refuse = [&](std::string_view what) {
-        return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected a name within the suite's folder, found {}: {}", inQuotes(name), what));
+        return fail(
+            ErrorCode::OutOfRange,
+            fmt::format("expected a name within the suite's folder, found {}: {}", inQuotes(name), what));
     };
     if (name.empty())
         return refuse("it is empty");
@@ -152,7 +155,8 @@ Result<fs::path> pathInside(const fs::path& folder, std::string_view name) {
     std::error_code ignored; // of a link to nothing, where it leads can't be told
     const bool leadsNowhere = fs::is_symlink(root / name, ignored) && !fs::exists(path, ignored);
     if (leadsNowhere || std::ranges::mismatch(root, path).in1 != root.end())
-        return fail(ErrorCode::OutOfRange, "expected a file within the suite's folder, found a link that leads out of it or nowhere",
+        return fail(ErrorCode::OutOfRange,
+                    "expected a file within the suite's folder, found a link that leads out of it or nowhere",
                     (folder / name).string());
     return folder / name;
 }

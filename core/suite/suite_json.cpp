@@ -46,8 +46,9 @@ void readChoice(const Json& json, const std::string& where, Problem& problem, E&
     const auto rows = EnumTable<E>::rows;
     const auto found = std::ranges::find(rows, std::string_view(name), &EnumRow::name);
     if (found == rows.end())
-        return refuseAt(problem, where, ErrorCode::OutOfRange,
-                        fmt::format("there is no {}; {}", inQuotes(name), suggestName(name, namesOfRows<E>())));
+        return refuseAt(
+            problem, where, ErrorCode::OutOfRange,
+            fmt::format("there is no {}; {}", inQuotes(name), suggestName(name, namesOfRows<E>())));
     target = static_cast<E>(found->value);
 }
 
@@ -71,7 +72,8 @@ bool readFileName(const Json& json, const std::string& where, Problem& problem, 
 
 bool parseExtent(std::string_view text, int& extent) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), extent);
-    return error == std::errc() && end == text.data() + text.size() && extent >= 1 && extent <= maxPictureSize;
+    return error == std::errc() && end == text.data() + text.size() && extent >= 1 &&
+           extent <= maxPictureSize;
 }
 
 void readSize(const Json& json, const std::string& where, Problem& problem, PictureSize& size) {
@@ -93,7 +95,8 @@ void readTime(const Json& json, const std::string& where, Problem& problem, doub
 
 /// A list, or one alone: the list of before is replaced. None may be there twice.
 template<class T, class Read>
-void readSeveral(JsonObject& object, const char* key, std::size_t most, std::vector<T>& target, const Read& read) {
+void readSeveral(JsonObject& object, const char* key, std::size_t most, std::vector<T>& target,
+                 const Read& read) {
     std::vector<T> values;
     const bool isThere = object.oneOrMore(key, most, [&](const Json& json, const std::string& where) {
         T value{};
@@ -149,6 +152,9 @@ void readGolden(const Json& json, const std::string& where, Problem& problem, Go
             readPatterns(patterns, fmt::format("{}/{}", where, shortened(driver)), problem,
                          files.drivers.back().patterns);
         }
+        // An object's members have no order: the glob that says most is the first.
+        std::ranges::stable_sort(files.drivers, std::ranges::greater{},
+                                 [](const GoldenFiles::ForDriver& each) { return each.driver.size(); });
     } else {
         files.drivers.push_back({"*", {}});
         readPatterns(json, where, problem, files.drivers.back().patterns);
@@ -178,9 +184,9 @@ void readBounds(JsonObject& object, Settings& settings) {
     const std::string name = rule->is_string() ? rule->get<std::string>() : std::string();
     const auto names = ruleNames();
     if (std::ranges::find(names, std::string_view(name)) == names.end())
-        return object.say(
-            ErrorCode::OutOfRange, "rule",
-            fmt::format("there is no rule {}; {}", foundText(*rule), suggestName(name, {names.begin(), names.end()})));
+        return object.say(ErrorCode::OutOfRange, "rule",
+                          fmt::format("there is no rule {}; {}", foundText(*rule),
+                                      suggestName(name, {names.begin(), names.end()})));
     reference->rule = name;
 }
 
@@ -228,7 +234,8 @@ void readScene(const Json& json, const std::string& where, Problem& problem, Sce
     if (json.contains("example"))
         object.text("example", source.emplace<SceneExample>().name, maxSuiteTextBytes);
     else if (json.contains("inline"))
-        readInlineScene(*object.find("inline"), object.placeOf("inline"), problem, source.emplace<SceneInline>());
+        readInlineScene(*object.find("inline"), object.placeOf("inline"), problem,
+                        source.emplace<SceneInline>());
     else if (json.contains("lesson"))
         readLessonScene(object, source.emplace<SceneLesson>());
     else

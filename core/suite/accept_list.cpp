@@ -1,0 +1,64 @@
+#include "core/suite/accept_list.h"
+
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace texplorer::suite {
+namespace {
+
+std::string_view trimmed(std::string_view line) {
+    constexpr std::string_view blanks = " \t\r";
+    const std::size_t first = line.find_first_not_of(blanks);
+    return first == std::string_view::npos ? std::string_view()
+                                           : line.substr(first, line.find_last_not_of(blanks) - first + 1);
+}
+
+/// "there is no case …; did you mean …?"; of a thousand names nobody wants the list.
+std::string unknownText(std::string_view name, const std::vector<std::string>& known) {
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    const std::string_view near = nearestName(name, names);
+    return near.empty()
+               ? fmt::format("there is no case {}", inQuotes(name))
+               : fmt::format("there is no case {}; did you mean {}?", inQuotes(name), inQuotes(near));
+}
+
+} // namespace
+
+Result<std::vector<std::string>> parseAcceptList(std::string_view text,
+                                                 const std::vector<std::string>& known) {
+    if (text.size() > maxAcceptBytes)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} bytes, found {}", maxAcceptBytes, text.size()));
+    const std::unordered_set<std::string_view> names(known.begin(), known.end());
+    std::unordered_set<std::string_view> taken;
+    std::vector<std::string> accepted;
+    for (std::size_t at = 0, number = 1; at < text.size(); ++number) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string_view name = text.substr(at, end - at);
+        at = end + 1;
+        if (!names.contains(name)) { // or it is one that begins with "#", or with a space
+            name = trimmed(name);
+            if (name.empty() || name.starts_with('#'))
+                continue;
+        }
+        if (!names.contains(name))
+            return fail(ErrorCode::NotFound, unknownText(name, known), fmt::format("line {}", number));
+        if (taken.insert(name).second)
+            accepted.emplace_back(name);
+    }
+    return accepted;
+}
+
+Result<std::vector<std::string>> parseAcceptList(std::string_view text, const Plan& plan) {
+    std::vector<std::string> known;
+    known.reserve(plan.cases.size());
+    for (const Case& each : plan.cases)
+        known.push_back(each.name);
+    return parseAcceptList(text, known);
+}
+
+} // namespace texplorer::suite

@@ -1,0 +1,314 @@
+#include "core/suite/judge_case.h"
+
+#include "core/base/file_io.h"
+#include "core/codec/registry.h"
+#include "core/compare/comparison.h"
+#include "core/compare/heat_map.h"
+#include "core/conform/judge.h"
+#include "core/conform/lambda_range.h"
+#include "core/conform/skip.h"
+#include "core/image/convert.h"
+#include "core/reference/draw.h"
+#include "core/scene/params/param_text.h"
+#include "core/suite/rule_choice.h"
+#include "core/suite/suite_folder.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace texplorer::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The reference with a case's own size and time.
+class CaseReference : public conform::Explainer {
+public:
+    CaseReference(const Case& of, const ImageSource& images, unsigned threads)
+        : case_(of)
+        , images_(images) {
+        options_.threads = threads;
+    }
+    Result<Frame> draw(const Scene& scene) override { return renderer_.draw(requestFor(scene), options_); }
+    Result<std::vector<reference::PixelBytes>> overLambda(const Scene& scene,
+                                                          reference::PixelPlace pixel) override {
+        return conform::colorsOverLambda(renderer_, requestFor(scene), pixel, options_);
+    }
+    const ImageSource& images() const override { return images_; }
+
+private:
+    [[nodiscard]] reference::DrawRequest requestFor(const Scene& scene) const {
+        return {scene, images_, case_.time, case_.size.width, case_.size.height, referenceAnisotropy};
+    }
+
+    const Case& case_;
+    const ImageSource& images_;
+    reference::ReferenceRenderer renderer_;
+    reference::DrawOptions options_;
+};
+
+Image rgba8(const Image& image) {
+    Image result = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height);
+    const auto bytes = static_cast<std::size_t>(bytesPerPixel(image.format));
+    for (std::size_t i = 0; i < result.pixels.size() / 4; ++i) {
+        const std::array<std::uint8_t, 4> color = rgbaOf(image.format, image.pixels.data() + i * bytes);
+        std::ranges::transform(color, result.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i),
+                               [](std::uint8_t each) { return std::byte{each}; });
+    }
+    return result;
+}
+
+/// A stored picture within a suite's folder.
+Result<Image> readPicture(const fs::path& folder, const std::string& name) {
+    const Result<fs::path> path = pathInside(folder, name);
+    if (!path)
+        return fail(path.error());
+    const Result<Bytes> bytes = readFile(*path);
+    if (!bytes)
+        return fail(bytes.error());
+    const Result<Image> image = decodeImage(*bytes);
+    if (!image)
+        return fail(image.error().code == ErrorCode::NotFound ? ErrorCode::Malformed : image.error().code,
+                    image.error().message, path->string());
+    return rgba8(*image);
+}
+
+/// None where a case has no mask.
+Result<std::optional<Image>> readMask(const fs::path& folder, const Settings& settings) {
+    if (settings.mask.empty())
+        return std::optional<Image>();
+    return readPicture(folder, settings.mask).map([](Image image) {
+        return std::optional<Image>(std::move(image));
+    });
+}
+
+/// What doesn't count is as it was expected.
+void takeMasked(Image& actual, const Image& expected, const Image& mask) {
+    for (std::size_t i = 0; i < actual.pixels.size(); i += 4) {
+        const bool isBlack = std::ranges::all_of(ByteView(mask.pixels).subspan(i, 3),
+                                                 [](std::byte each) { return each == std::byte{0}; });
+        if (isBlack || mask.pixels[i + 3] == std::byte{0})
+            std::ranges::copy(ByteView(expected.pixels).subspan(i, 4),
+                              actual.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+bool isSameSize(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height;
+}
+
+JudgedCase problemOf(CaseRecord record, const Error& error) {
+    record.state = State::Error;
+    record.sentence = describe(error);
+    return {std::move(record), {}, {}};
+}
+
+std::array<std::uint8_t, 4> colorAt(const Image& image, int x, int y) {
+    std::array<std::uint8_t, 4> color{};
+    std::ranges::transform(image.at(x, y), color.begin(),
+                           [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
+    return color;
+}
+
+/// What a comparison of two pictures says.
+JudgedCase judgedBy(CaseRecord record, const Criterion& criterion, const Comparison& comparison) {
+    record.metric = texplorer::rowOf(criterion.metric).name;
+    record.tolerance = criterion.tolerance;
+    record.share = criterion.share;
+    record.sentence = comparison.sentence;
+    if (!comparison.sameSize()) {
+        record.state = State::Resized;
+        return {std::move(record), {}, {}};
+    }
+    record.state = comparison.alike ? State::Passed : State::Failed;
+    record.score = comparison.score;
+    record.shareOver = comparison.shareOver();
+    const ComparedPixel& worst = comparison.worst;
+    if (worst.value > 0)
+        record.worst = {worst.at.x, worst.at.y, worst.expected, worst.actual};
+    JudgedCase judged{std::move(record), {}, {}};
+    if (!comparison.alike && !comparison.map.empty())
+        judged.difference = comparison.map;
+    return judged;
+}
+
+JudgedCase judgeStored(CaseRecord record, const Criterion& criterion, Image expected, const Image& actual,
+                       const Image* mask, unsigned threads) {
+    const ComparisonWork work{.map = true, .threads = threads, .stop = {}, .report = {}};
+    const Result<Comparison> comparison = comparePictures(expected, actual, criterion, mask, work);
+    if (!comparison)
+        return problemOf(std::move(record), comparison.error());
+    JudgedCase judged = judgedBy(std::move(record), criterion, *comparison);
+    judged.expected = std::move(expected);
+    return judged;
+}
+
+std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& judgement,
+                         double shareUnexplained) {
+    const Difference& difference = judgement.difference;
+    if (difference.max == 0)
+        return "it is the reference's picture, byte for byte";
+    if (difference.over == 0)
+        return fmt::format("no pixel differs by more than {}/255 from the reference, as the rule {} has it",
+                           rule.bound, rule.name);
+    return fmt::format(
+        "{} of {} pixels differ by more than {}/255 from the reference; the rule {} doesn't explain {} "
+        "({:.3g} %), and allows {:.3g} %",
+        difference.over, difference.pixels, rule.bound, rule.name, judgement.unexplained,
+        100 * shareUnexplained, 100 * (1 - rule.explainedScene));
+}
+
+JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene& scene, Image expected,
+                       const Image& actual, CaseReference& reference) {
+    const Result<conform::Judgement> judgement = conform::judge(rule, scene, expected, actual, reference);
+    if (!judgement)
+        return problemOf(std::move(record), judgement.error());
+    const Difference& difference = judgement->difference;
+    record.metric = fmt::format("rule {}", rule.name);
+    record.score = difference.mean;
+    record.tolerance = rule.bound;
+    record.share = 1 - rule.explainedScene;
+    record.shareOver = difference.pixels == 0 ? 0
+                                              : static_cast<double>(judgement->unexplained) /
+                                                    static_cast<double>(difference.pixels);
+    record.state = record.shareOver <= record.share ? State::Passed : State::Failed;
+    record.sentence = ruleSentence(rule, *judgement, record.shareOver);
+    if (difference.max > 0) {
+        const auto [x, y] = std::array{difference.worst.x, difference.worst.y};
+        record.worst = {x, expected.height - 1 - y, colorAt(expected, x, y), colorAt(actual, x, y)};
+    }
+    JudgedCase judged{std::move(record), {}, {}};
+    if (judged.record.state == State::Failed) {
+        Result<Image> map = heatMap(expected, actual, {.tolerance = rule.bound, .top = 255});
+        if (map)
+            judged.difference = *std::move(map);
+    }
+    judged.expected = std::move(expected);
+    return judged;
+}
+
+JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, const Case& of,
+                                 const CaseScene& scene, const Image& actual,
+                                 const std::optional<Image>& mask, unsigned threads) {
+    record.golden = "reference";
+    CaseReference reference(of, scene.images, threads);
+    Result<Frame> frame = reference.draw(scene.scene);
+    if (!frame)
+        return problemOf(std::move(record), frame.error());
+    const std::string& name = std::get<GoldenReference>(settings.golden).rule;
+    const conform::Rule* rule = name == "auto" ? &ruleFor(scene.scene) : findRule(name);
+    if (!rule)
+        return judgeStored(std::move(record), settings.criterion, std::move(frame->image), actual,
+                           mask ? &*mask : nullptr, threads);
+    if (mask && !isSameSize(*mask, frame->image))
+        return problemOf(std::move(record),
+                         {ErrorCode::OutOfRange,
+                          fmt::format("expected a mask of {}x{} pixels, found {}x{}", of.size.width,
+                                      of.size.height, mask->width, mask->height),
+                          settings.mask});
+    if (!mask || !isSameSize(frame->image, actual))
+        return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), actual, reference);
+    Image counted = actual;
+    takeMasked(counted, frame->image, *mask);
+    return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), counted, reference);
+}
+
+/// Nearer: the same size rather than another, then less that is over the tolerance, then a better worst
+/// pixel.
+bool isNearer(const JudgedCase& a, const JudgedCase& b) {
+    const auto rank = [](const JudgedCase& each) {
+        return each.record.state == State::Error ? 2 : each.record.state == State::Resized ? 1 : 0;
+    };
+    return rank(a) != rank(b) ? rank(a) < rank(b) : a.record.shareOver < b.record.shareOver;
+}
+
+JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, const Settings& settings,
+                             const std::vector<std::string>& goldens, const Image& actual,
+                             const std::optional<Image>& mask, unsigned threads) {
+    std::optional<JudgedCase> nearest;
+    for (const std::string& golden : goldens) {
+        CaseRecord own = record;
+        own.golden = golden;
+        Result<Image> expected = readPicture(folder, golden);
+        if (!expected && expected.error().code == ErrorCode::NotFound)
+            continue;
+        JudgedCase judged = expected ? judgeStored(std::move(own), settings.criterion, *std::move(expected),
+                                                   actual, mask ? &*mask : nullptr, threads)
+                                     : problemOf(std::move(own), expected.error());
+        if (judged.record.state == State::Passed)
+            return judged;
+        if (!nearest || isNearer(judged, *nearest))
+            nearest = std::move(judged);
+    }
+    if (nearest)
+        return *std::move(nearest);
+    JudgedCase judged{record, {}, {}};
+    judged.record.state = State::New;
+    judged.record.golden = goldens.empty() ? std::string() : goldens.front();
+    judged.record.sentence = goldens.empty()
+                                 ? "there is no golden for this driver"
+                                 : fmt::format("there is no golden yet: {}", inQuotes(goldens.front()));
+    return judged;
+}
+
+} // namespace
+
+CaseRecord recordOf(const Plan& plan, const Case& of, State state, std::string sentence) {
+    CaseRecord record{.name = of.name, .state = state, .sentence = std::move(sentence)};
+    record.renderer = texplorer::rowOf(of.renderer).name;
+    record.width = of.size.width;
+    record.height = of.size.height;
+    record.time = of.time;
+    if (std::holds_alternative<GoldenReference>(plan.settingsOf(of).golden))
+        record.golden = "reference";
+    return record;
+}
+
+std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of) {
+    if (!of.problem)
+        return {};
+    const State state = of.problem->code == ErrorCode::NotFound ? State::MissingScene : State::Error;
+    return recordOf(plan, of, state, describe(*of.problem));
+}
+
+std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of, const CaseScene& scene,
+                                               const conform::Driver& driver) {
+    if (!std::holds_alternative<GoldenReference>(plan.settingsOf(of).golden))
+        return {};
+    const conform::Pair pair{of.renderer, RendererKind::Reference};
+    const conform::Skip* skip =
+        of.renderer == RendererKind::Reference ? nullptr : conform::skipOf(scene.scene, pair, driver);
+    if (!skip)
+        return {};
+    CaseRecord record = recordOf(plan, of, State::Skipped, std::string(skip->reason));
+    record.driver = driver.name;
+    return record;
+}
+
+JudgedCase judgeCase(const Plan& plan, const Case& of, const CaseScene& scene, const Image& actual,
+                     const conform::Driver& driver, unsigned threads) {
+    if (std::optional<CaseRecord> skipped = recordWithoutDrawing(plan, of, scene, driver))
+        return {*std::move(skipped), {}, {}};
+    const Settings& settings = plan.settingsOf(of);
+    const fs::path& folder = plan.suiteOf(of).folder;
+    CaseRecord record = recordOf(plan, of, State::Error, {});
+    record.driver = driver.name;
+    const Result<std::optional<Image>> mask = readMask(folder, settings);
+    if (!mask)
+        return problemOf(std::move(record), mask.error());
+    if (std::holds_alternative<GoldenReference>(settings.golden))
+        return judgeAgainstReference(std::move(record), settings, of, scene, actual, *mask, threads);
+    return judgeAgainstFiles(record, folder, settings, goldensOf(plan, of, driver.name), actual, *mask,
+                             threads);
+}
+
+JudgedCase judgePictures(const Criterion& criterion, const std::string& name, const Image& expected,
+                         const Image& actual, const Image* mask, unsigned threads) {
+    CaseRecord record{.name = name, .state = State::Error, .golden = name};
+    record.width = actual.width;
+    record.height = actual.height;
+    return judgeStored(std::move(record), criterion, rgba8(expected), actual, mask, threads);
+}
+
+} // namespace texplorer::suite

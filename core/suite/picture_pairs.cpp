@@ -1,0 +1,95 @@
+#include "core/suite/picture_pairs.h"
+
+#include "core/base/file_kind.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+namespace texplorer::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isPng(std::string name) {
+    std::ranges::transform(name, name.begin(), [](char each) {
+        return each >= 'A' && each <= 'Z' ? static_cast<char>(each + 32) : each;
+    });
+    return name.ends_with(".png");
+}
+
+/// A link must lead to a file of its own folder.
+Result<void> checkLink(const fs::path& root, const fs::path& link) {
+    std::error_code error;
+    const fs::path target = fs::canonical(link, error);
+    if (error)
+        return fail(ErrorCode::Unreadable, systemText(error.value()), link.string());
+    if (std::ranges::mismatch(root, target).in1 != root.end())
+        return fail(ErrorCode::OutOfRange,
+                    "expected pictures within the folder, found a link that leads out of it", link.string());
+    return {};
+}
+
+/// Calls `add` with the name of every PNG below a folder.
+template<class Add>
+Result<void> forEachPng(const fs::path& folder, const Add& add) {
+    std::error_code error;
+    const fs::path root = fs::canonical(folder, error);
+    if (error)
+        return fail(error == std::errc::no_such_file_or_directory ? ErrorCode::NotFound
+                                                                  : ErrorCode::Unreadable,
+                    systemText(error.value()), folder.string());
+    if (!fs::is_directory(root, error))
+        return fail(ErrorCode::Unreadable, "expected a folder, found a file", folder.string());
+    std::size_t looked = 0;
+    fs::recursive_directory_iterator each(root, error);
+    for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
+        if (++looked > 2 * maxPicturePairs)
+            return fail(ErrorCode::TooLarge,
+                        fmt::format("expected at most {} files and folders", 2 * maxPicturePairs),
+                        folder.string());
+        std::error_code ignored;
+        if (!isPng(each->path().filename().string()) || each->is_directory(ignored))
+            continue;
+        if (each->is_symlink(ignored)) {
+            if (const Result<void> inside = checkLink(root, each->path()); !inside)
+                return inside;
+        }
+        add(each->path().lexically_relative(root).generic_string());
+    }
+    if (error)
+        return fail(ErrorCode::Unreadable, systemText(error.value()), folder.string());
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<PicturePair>> pairPictures(const fs::path& actual, const fs::path& golden) {
+    std::map<std::string, PicturePair> pairs;
+    const auto addTo = [&pairs](bool PicturePair::*member) {
+        return [&pairs, member](const std::string& name) {
+            PicturePair& pair = pairs[name];
+            pair.name = name;
+            pair.*member = true;
+        };
+    };
+    if (const Result<void> read = forEachPng(actual, addTo(&PicturePair::hasActual)); !read)
+        return fail(read.error());
+    if (const Result<void> read = forEachPng(golden, addTo(&PicturePair::hasGolden)); !read)
+        return fail(read.error());
+    if (pairs.empty())
+        return fail(ErrorCode::OutOfRange, "expected pictures, *.png, found none in either folder",
+                    actual.string());
+    if (pairs.size() > maxPicturePairs)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} pictures, found {}", maxPicturePairs, pairs.size()),
+                    actual.string());
+    std::vector<PicturePair> list;
+    list.reserve(pairs.size());
+    for (auto& [name, pair] : pairs)
+        list.push_back(std::move(pair));
+    return list;
+}
+
+} // namespace texplorer::suite

@@ -1,0 +1,100 @@
+#include "core/suite/record.h"
+
+#include "core/base/count.h"
+#include "core/base/printable.h"
+#include "core/scene/params/param_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_set>
+
+namespace texplorer::suite {
+namespace {
+
+bool parsePositive(std::string_view text, int& number) {
+    constexpr int most = 1'000'000;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() && number >= 1 && number <= most;
+}
+
+bool isWorthALine(State state) {
+    return state != State::Passed && state != State::Skipped;
+}
+
+} // namespace
+
+const StateRow& rowOf(State state) {
+    return stateRows[static_cast<std::size_t>(state)];
+}
+
+Result<Shard> parseShard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    Shard shard;
+    if (slash == std::string_view::npos || !parsePositive(text.substr(0, slash), shard.number) ||
+        !parsePositive(text.substr(slash + 1), shard.count))
+        return fail(
+            ErrorCode::Malformed,
+            fmt::format("expected a part and how many there are, as in 2/5, found {}", inQuotes(text)));
+    if (shard.number > shard.count)
+        return fail(
+            ErrorCode::OutOfRange,
+            fmt::format("expected a part from 1 to {0}, as in 1/{0}, found {1}", shard.count, shard.number));
+    return shard;
+}
+
+std::size_t RunRecord::count(State state) const {
+    return static_cast<std::size_t>(std::ranges::count(cases, state, &CaseRecord::state));
+}
+
+std::vector<std::string> RunRecord::missing() const {
+    std::unordered_set<std::string_view> there;
+    for (const CaseRecord& each : cases)
+        there.insert(each.name);
+    std::vector<std::string> absent;
+    std::ranges::copy_if(names, std::back_inserter(absent),
+                         [&](const std::string& name) { return !there.contains(name); });
+    return absent;
+}
+
+int exitStatus(const RunRecord& run) {
+    if (run.cases.empty() || !run.missing().empty())
+        return 2;
+    int status = 0;
+    for (const CaseRecord& each : run.cases)
+        status = std::max(status, rowOf(each.state).status);
+    return status;
+}
+
+std::string summary(const RunRecord& run) {
+    std::string text = countOf(run.names.empty() ? run.cases.size() : run.names.size(), "case");
+    std::string_view separator = ": ";
+    for (const StateRow& row : stateRows) {
+        if (const std::size_t count = run.count(row.state); count > 0) {
+            text += fmt::format("{}{} {}", separator, count, row.text);
+            separator = ", ";
+        }
+    }
+    if (const std::size_t missing = run.missing().size(); missing > 0)
+        text += fmt::format("{}{} not run", separator, missing);
+    return text;
+}
+
+std::string asText(const RunRecord& run) {
+    std::string text;
+    for (const CaseRecord& each : run.cases) {
+        if (isWorthALine(each.state))
+            text += fmt::format("{}: {}\n    {}\n", rowOf(each.state).text, printable(each.name),
+                                printable(each.sentence));
+    }
+    constexpr std::size_t shown = 20;
+    const std::vector<std::string> missing = run.missing();
+    for (std::size_t i = 0; i < std::min(shown, missing.size()); ++i)
+        text += fmt::format("not run: {}\n", printable(missing[i]));
+    if (missing.size() > shown)
+        text += fmt::format("not run: {} more\n", missing.size() - shown);
+    return text + summary(run) + "\n";
+}
+
+} // namespace texplorer::suite

@@ -1,0 +1,370 @@
+#include "core/suite/record_json.h"
+
+#include "core/suite/json_reader.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace texplorer::suite {
+namespace {
+
+constexpr std::size_t maxRecordText = std::size_t{1} << 20; ///< of a sentence, an explanation
+constexpr std::size_t maxRecordCases = 1'000'000;
+constexpr double maxSeconds = 1e9;
+
+void writeText(OrderedJson& json, const char* key, const std::string& text) {
+    if (!text.empty())
+        json[key] = text;
+}
+
+OrderedJson pixelJson(const std::array<std::uint8_t, 4>& pixel) {
+    OrderedJson json = OrderedJson::array();
+    for (const std::uint8_t each : pixel)
+        json.push_back(int{each});
+    return json;
+}
+
+OrderedJson caseJson(const CaseRecord& record) {
+    OrderedJson json{{"name", record.name}, {"state", rowOf(record.state).name}};
+    writeText(json, "sentence", record.sentence);
+    writeText(json, "explanation", record.explanation);
+    json["seconds"] = record.seconds;
+    json["attempt"] = record.attempt;
+    if (record.signal != 0)
+        json["signal"] = record.signal;
+    writeText(json, "renderer", record.renderer);
+    writeText(json, "driver", record.driver);
+    json["size"] = {record.width, record.height};
+    json["time"] = record.time;
+    if (!record.metric.empty()) {
+        json["metric"] = record.metric;
+        json["score"] = record.score;
+        json["tolerance"] = record.tolerance;
+        json["share"] = record.share;
+        json["shareOver"] = record.shareOver;
+    }
+    if (record.worst)
+        json["worst"] = {{"x", record.worst->x},
+                         {"y", record.worst->y},
+                         {"expected", pixelJson(record.worst->expected)},
+                         {"actual", pixelJson(record.worst->actual)}};
+    writeText(json, "golden", record.golden);
+    writeText(json, "expectedPicture", record.expectedPicture);
+    writeText(json, "actualPicture", record.actualPicture);
+    writeText(json, "differencePicture", record.differencePicture);
+    writeText(json, "fingerprint", record.fingerprint);
+    return json;
+}
+
+OrderedJson runJson(const RunRecord& run) {
+    OrderedJson json{{"run", recordFormatVersion}};
+    writeText(json, "program", run.program);
+    writeText(json, "command", run.command);
+    writeText(json, "started", run.started);
+    json["suites"] = run.suites;
+    writeText(json, "driver", run.driver);
+    writeText(json, "version", run.version);
+    writeText(json, "settings", run.settings);
+    writeText(json, "plan", run.plan);
+    json["planned"] = run.planned;
+    json["shard"] = {run.shard.number, run.shard.count};
+    json["seconds"] = run.seconds;
+    return json;
+}
+
+void readNumbers(JsonObject& object, const char* key, std::span<int> target, int lowest, int highest) {
+    const Json* json = object.find(key);
+    if (!json)
+        return;
+    const auto isRight = [&](const Json& each) {
+        return each.is_number_unsigned() && each >= lowest && each <= highest;
+    };
+    if (!json->is_array() || json->size() != target.size() || !std::ranges::all_of(*json, isRight))
+        return object.refuse(key,
+                             fmt::format("{} whole numbers from {} to {}", target.size(), lowest, highest));
+    for (std::size_t i = 0; i < target.size(); ++i)
+        target[i] = (*json)[i].get<int>();
+}
+
+void readPixel(JsonObject& object, const char* key, std::array<std::uint8_t, 4>& pixel) {
+    std::array<int, 4> numbers{};
+    readNumbers(object, key, numbers, 0, 255);
+    std::ranges::transform(numbers, pixel.begin(), [](int each) { return static_cast<std::uint8_t>(each); });
+}
+
+void readWorst(const Json& json, const std::string& where, Problem& problem, WorstPixel& worst) {
+    constexpr int largest = 1 << 24;
+    JsonObject object(json, where, problem);
+    object.whole("x", worst.x, 0, largest);
+    object.whole("y", worst.y, 0, largest);
+    readPixel(object, "expected", worst.expected);
+    readPixel(object, "actual", worst.actual);
+}
+
+void readState(JsonObject& object, State& state) {
+    const Json* json = object.need("state");
+    if (!json)
+        return;
+    const std::string name = json->is_string() ? json->get<std::string>() : std::string();
+    const auto found = std::ranges::find(stateRows, std::string_view(name), &StateRow::name);
+    if (found == stateRows.end())
+        return object.refuse("state", "the state of a case");
+    state = found->state;
+}
+
+/// A file of the report's folder: a page and a merge follow it.
+void readPicture(JsonObject& object, const char* key, std::string& name) {
+    object.text(key, name, maxRecordText);
+    const bool leadsOut = name.starts_with('/') || name.find("..") != std::string::npos;
+    if (leadsOut || name.find('\0') != std::string::npos)
+        object.refuse(key, "a file's name within the folder");
+}
+
+void readCase(const Json& json, const std::string& where, Problem& problem, CaseRecord& record) {
+    constexpr int largest = 1 << 24;
+    JsonObject object(json, where, problem);
+    object.need("name");
+    object.text("name", record.name, maxRecordText);
+    readState(object, record.state);
+    object.text("sentence", record.sentence, maxRecordText);
+    object.text("explanation", record.explanation, maxRecordText);
+    object.number("seconds", record.seconds, 0, maxSeconds);
+    object.whole("attempt", record.attempt, 1, largest);
+    object.whole("signal", record.signal, 0, 255);
+    object.text("renderer", record.renderer, maxRecordText);
+    object.text("driver", record.driver, maxRecordText);
+    std::array<int, 2> size{};
+    readNumbers(object, "size", size, 0, largest);
+    record.width = size[0];
+    record.height = size[1];
+    object.number("time", record.time, 0, maxSeconds);
+    object.text("metric", record.metric, maxRecordText);
+    object.number("score", record.score, -maxSeconds, maxSeconds);
+    object.number("tolerance", record.tolerance, 0, maxSeconds);
+    object.number("share", record.share, 0, 1);
+    object.number("shareOver", record.shareOver, 0, 1);
+    if (const Json* worst = object.find("worst"))
+        readWorst(*worst, object.placeOf("worst"), problem, record.worst.emplace());
+    object.text("golden", record.golden, maxRecordText);
+    readPicture(object, "expectedPicture", record.expectedPicture);
+    readPicture(object, "actualPicture", record.actualPicture);
+    readPicture(object, "differencePicture", record.differencePicture);
+    object.text("fingerprint", record.fingerprint, maxRecordText);
+}
+
+void readTexts(JsonObject& object, const char* key, std::vector<std::string>& texts) {
+    object.list(key, 0, maxRecordCases, [&](const Json& each, const std::string& where) {
+        if (each.is_string())
+            texts.push_back(each.get<std::string>());
+        else if (!object.problem())
+            object.problem() =
+                Error{ErrorCode::Malformed, "expected a text, found " + foundText(each), where};
+    });
+}
+
+/// What a final report and the first line of a journal have.
+void readHead(JsonObject& object, RunRecord& run) {
+    const Json* version = object.need("run");
+    if (version && (!version->is_number_unsigned() || *version < 1))
+        object.refuse("run", fmt::format("the version of the format, {}", recordFormatVersion));
+    else if (version && *version > recordFormatVersion)
+        object.say(ErrorCode::Unsupported, "run",
+                   fmt::format("expected version {}, found {}", recordFormatVersion, version->dump()));
+    object.text("program", run.program, maxRecordText);
+    object.text("command", run.command, maxRecordText);
+    object.text("started", run.started, maxRecordText);
+    readTexts(object, "suites", run.suites);
+    object.text("driver", run.driver, maxRecordText);
+    object.text("version", run.version, maxRecordText);
+    object.text("settings", run.settings, maxRecordText);
+    object.text("plan", run.plan, maxRecordText);
+    object.whole("planned", run.planned, 0, maxRecordCases);
+    std::array<int, 2> shard{run.shard.number, run.shard.count};
+    readNumbers(object, "shard", shard, 1, static_cast<int>(maxRecordCases));
+    run.shard = {shard[0], shard[1]};
+    object.number("seconds", run.seconds, 0, maxSeconds);
+    readTexts(object, "names", run.names);
+}
+
+/// Every case in the place of its name; one that no name says is refused.
+class Cases {
+public:
+    explicit Cases(RunRecord& run)
+        : run_(run) {
+        for (std::size_t i = 0; i < run.names.size(); ++i)
+            places_.emplace(run.names[i], i);
+        records_.resize(run.names.size());
+    }
+
+    [[nodiscard]] Problem put(CaseRecord record) {
+        const auto place = places_.find(record.name);
+        if (place == places_.end())
+            return Error{
+                ErrorCode::Malformed, fmt::format("{} is no case of this run", foundText(record.name)), {}};
+        records_[place->second] = std::move(record);
+        return {};
+    }
+
+    void finish() {
+        for (std::optional<CaseRecord>& each : records_) {
+            if (each)
+                run_.cases.push_back(*std::move(each));
+        }
+    }
+
+private:
+    RunRecord& run_;
+    std::unordered_map<std::string, std::size_t> places_;
+    std::vector<std::optional<CaseRecord>> records_;
+};
+
+Result<RunRecord> parseHead(std::string_view line) {
+    const Result<Json> json = parseJson(line, maxRecordBytes);
+    if (!json)
+        return fail(json.error().code, json.error().message); // it is the line that is said
+    RunRecord run;
+    Problem problem;
+    {
+        JsonObject object(*json, "", problem);
+        readHead(object, run);
+    }
+    return problem ? Result<RunRecord>(fail(*problem)) : run;
+}
+
+Result<RunRecord> parseReport(const Json& json) {
+    RunRecord run;
+    Problem problem;
+    {
+        JsonObject object(json, "", problem);
+        readHead(object, run);
+        object.find("counts"); // follow from the cases, and are for who reads no further
+        object.find("status");
+        Cases cases(run);
+        object.list("cases", 0, maxRecordCases, [&](const Json& each, const std::string& where) {
+            CaseRecord record;
+            readCase(each, where, problem, record);
+            if (problem)
+                return;
+            if (const Problem unknown = cases.put(std::move(record)))
+                problem = Error{unknown->code, unknown->message, where};
+        });
+        cases.finish();
+    }
+    return problem ? Result<RunRecord>(fail(*problem)) : run;
+}
+
+} // namespace
+
+std::string asJson(const RunRecord& run) {
+    OrderedJson json = runJson(run);
+    OrderedJson counts = OrderedJson::object();
+    for (const StateRow& row : stateRows)
+        counts[std::string(row.name)] = run.count(row.state);
+    counts["not-run"] = run.missing().size();
+    json["counts"] = std::move(counts);
+    json["status"] = exitStatus(run);
+    json["names"] = run.names;
+    OrderedJson cases = OrderedJson::array();
+    for (const CaseRecord& each : run.cases)
+        cases.push_back(caseJson(each));
+    json["cases"] = std::move(cases);
+    return dumpJson(json, 2) + "\n";
+}
+
+std::string journalStart(const RunRecord& run) {
+    OrderedJson json = runJson(run);
+    json["names"] = run.names;
+    return dumpJson(json) + "\n";
+}
+
+std::string journalLine(const CaseRecord& record) {
+    return dumpJson(caseJson(record)) + "\n";
+}
+
+Result<CaseRecord> parseCaseRecord(std::string_view text) {
+    const Result<Json> json = parseJson(text, maxRecordBytes);
+    if (!json)
+        return fail(json.error().code, json.error().message);
+    CaseRecord record;
+    Problem problem;
+    readCase(*json, "", problem, record);
+    return problem ? Result<CaseRecord>(fail(*problem)) : record;
+}
+
+Result<Journal> parseJournal(std::string_view text) {
+    if (text.size() > maxRecordBytes)
+        return fail(ErrorCode::TooLarge,
+                    fmt::format("expected at most {} bytes, found {}", maxRecordBytes, text.size()));
+    Journal journal;
+    std::optional<Cases> cases;
+    for (std::size_t line = 1; journal.wholeBytes < text.size(); ++line) {
+        const std::size_t end = text.find('\n', journal.wholeBytes);
+        if (end == std::string_view::npos) {
+            journal.note = fmt::format("its last line, {}, was cut off and is left out", line);
+            break;
+        }
+        const std::string_view content = text.substr(journal.wholeBytes, end - journal.wholeBytes);
+        const auto inLine = [&](const Error& error) {
+            return fail(error.code, describe(error), fmt::format("line {}", line));
+        };
+        if (!cases) {
+            Result<RunRecord> head = parseHead(content);
+            if (!head)
+                return inLine(head.error());
+            journal.run = *std::move(head);
+            cases.emplace(journal.run);
+        } else {
+            Result<CaseRecord> record = parseCaseRecord(content);
+            if (!record)
+                return inLine(record.error());
+            if (const Problem unknown = cases->put(*std::move(record)))
+                return inLine(*unknown);
+        }
+        journal.wholeBytes = end + 1;
+    }
+    if (!cases)
+        return fail(ErrorCode::Malformed, "expected the journal of a run, found no whole line");
+    cases->finish();
+    return journal;
+}
+
+Result<RunRecord> parseRun(std::string_view text) {
+    // A journal's first line is a whole object; a report's is not.
+    const std::string_view first = text.substr(0, text.find('\n'));
+    if (first.size() < text.size() && first.starts_with('{') && first.ends_with('}'))
+        return parseJournal(text).map([](Journal journal) { return std::move(journal.run); });
+    const Result<Json> json = parseJson(text, maxRecordBytes);
+    if (!json)
+        return fail(json.error());
+    return parseReport(*json);
+}
+
+Result<void> checkResumable(const RunRecord& journal, const RunRecord& now) {
+    struct Fact {
+        std::string_view what;
+        std::string then;
+        std::string now;
+    };
+    const auto shardText = [](const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.count); };
+    const std::array facts{
+        Fact{"program", journal.program, now.program},
+        Fact{"driver", journal.driver, now.driver},
+        Fact{"driver's version", journal.version, now.version},
+        Fact{"part", shardText(journal.shard), shardText(now.shard)},
+    };
+    for (const Fact& fact : facts) {
+        if (fact.then != fact.now)
+            return fail(ErrorCode::OutOfRange,
+                        fmt::format("the journal is of another {}, {}; it is {} now", fact.what,
+                                    foundText(fact.then), foundText(fact.now)));
+    }
+    if (journal.plan != now.plan || journal.names != now.names)
+        return fail(ErrorCode::OutOfRange,
+                    fmt::format("the journal is of other cases: there were {}, and there are {} now",
+                                journal.names.size(), now.names.size()));
+    return {};
+}
+
+} // namespace texplorer::suite
