@@ -1,0 +1,44 @@
+#include "core/suite/accept_list.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::suite::accept_list_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::vector<std::string> known{"a/fixed@1x1", "b/fixed@1x1", "#c/fixed@1x1", " d"};
+
+TEST(AcceptList, HasANameOnALine) {
+    const Result<std::vector<std::string>> names = parseAcceptList(
+        "# of the report\n\nb/fixed@1x1\r\n  a/fixed@1x1  \nb/fixed@1x1\n#c/fixed@1x1\n d", known);
+    ASSERT_TRUE(names) << describe(names.error());
+    EXPECT_THAT(*names, ElementsAre("b/fixed@1x1", "a/fixed@1x1", "#c/fixed@1x1", " d"));
+    EXPECT_THAT(*parseAcceptList("", known), IsEmpty());
+}
+
+TEST(AcceptList, NamesThatThereAreNotAreSaid) {
+    const Result<std::vector<std::string>> near = parseAcceptList("#\na/fixde@1x1", known);
+    ASSERT_FALSE(near);
+    EXPECT_EQ(describe(near.error()),
+              "line 2: there is no case \"a/fixde@1x1\"; did you mean \"a/fixed@1x1\"?");
+    const Result<std::vector<std::string>> far = parseAcceptList("../../etc/passwd", known);
+    ASSERT_FALSE(far);
+    EXPECT_EQ(describe(far.error()), "line 1: there is no case \"../../etc/passwd\"");
+}
+
+TEST(AcceptList, TooLargeIsRefused) {
+    EXPECT_EQ(parseAcceptList(std::string(maxAcceptBytes + 1, '\n'), known).error().code,
+              ErrorCode::TooLarge);
+}
+
+TEST(AcceptList, KnowsThePlansCases) {
+    Plan plan;
+    plan.cases.push_back({.name = "x/fixed@1x1"});
+    EXPECT_THAT(*parseAcceptList("x/fixed@1x1", plan), ElementsAre("x/fixed@1x1"));
+    EXPECT_FALSE(parseAcceptList("y/fixed@1x1", plan));
+}
+
+} // namespace
+} // namespace texplorer::suite::accept_list_test

@@ -1,0 +1,67 @@
+#include "core/conform/feature.h"
+#include "core/conform/sweep.h"
+#include "core/scene/params/params.h"
+#include "core/suite/rule_choice.h"
+
+#include <gmock/gmock.h>
+
+namespace texplorer::suite::rule_choice_test {
+namespace {
+
+using testing::Contains;
+
+Scene sceneWith(std::initializer_list<std::pair<std::string_view, std::string_view>> edits) {
+    Scene scene = defaultScene();
+    for (const auto& [path, value] : edits) {
+        const Result<void> made = setParam(scene, path, value);
+        EXPECT_TRUE(made) << describe(made.error());
+    }
+    return scene;
+}
+
+TEST(RuleChoice, FollowsWhatASceneUses) {
+    EXPECT_EQ(ruleFor(sceneWith({{"passes[0].units[0].enabled", "false"}})).name, "outline");
+    EXPECT_EQ(
+        ruleFor(sceneWith({{"textures[0].minFilter", "GL_LINEAR"}, {"textures[0].magFilter", "GL_LINEAR"}}))
+            .name,
+        "texel-edge");
+    EXPECT_EQ(
+        ruleFor(sceneWith({{"textures[0].minFilter", "GL_NEAREST"}, {"textures[0].magFilter", "GL_LINEAR"}}))
+            .name,
+        "level-choice");
+    EXPECT_EQ(ruleFor(sceneWith({{"textures[0].minFilter", "GL_LINEAR_MIPMAP_NEAREST"}})).name,
+              "level-choice");
+    EXPECT_EQ(ruleFor(sceneWith({{"textures[0].minFilter", "GL_LINEAR_MIPMAP_LINEAR"}})).name, "level-blend");
+    EXPECT_EQ(ruleFor(sceneWith({{"textures[0].minFilter", "GL_LINEAR_MIPMAP_LINEAR"},
+                                 {"textures[0].mipmaps", "colored"}}))
+                  .name,
+              "foreign-levels");
+    EXPECT_EQ(ruleFor(sceneWith({{"textures[0].maxAnisotropy", "4"}})).name, "ellipse");
+}
+
+/// A suite's case is never held to less than the comparison would hold it to: its rule grants as much.
+TEST(RuleChoice, GrantsWhatTheComparisonGrants) {
+    for (const conform::Feature& feature : conform::features()) {
+        const Scene scene = conform::sceneOf(feature, 1, 0);
+        const conform::Rule& rule = ruleFor(scene);
+        EXPECT_LE(rule.explainedScene, feature.reference.explainedScene) << feature.name;
+        // Three passes are rounded thrice; on flat quads alone, which nobody asks of a suite.
+        const bool isPasses = feature.reference.name == std::string_view("passes");
+        EXPECT_GE(rule.bound + (isPasses ? 1 : 0), feature.name == "coverage" ? 1 : feature.reference.bound)
+            << feature.name << " has " << rule.name;
+    }
+}
+
+TEST(RuleChoice, EveryRuleOfTheComparisonHasAName) {
+    for (const conform::Feature& feature : conform::features()) {
+        for (const conform::Rule* rule : {&feature.reference, &feature.shader}) {
+            EXPECT_THAT(ruleNames(), Contains(rule->name));
+            EXPECT_EQ(findRule(rule->name), rule);
+        }
+    }
+    EXPECT_EQ(findRule("auto"), nullptr);
+    EXPECT_EQ(findRule("none"), nullptr);
+}
+
+} // namespace
+} // namespace texplorer::suite::rule_choice_test

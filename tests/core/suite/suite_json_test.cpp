@@ -1,0 +1,160 @@
+#include "core/suite/suite.h"
+#include "tests/support/temp_dir.h"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace texplorer::suite::suite_json_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string suiteOf(const std::string& entries, const std::string& more = {}) {
+    return fmt::format(R"({{"suite": 1{}, "cases": [{}]}})", more, entries);
+}
+
+TEST(SuiteJson, IsReadAsItIsWritten) {
+    const Result<Suite> suite = parseSuite(R"({
+        "$schema": "x", "suite": 1, "name": "textures", "about": "A",
+        "defaults": {"size": "64x32", "renderer": ["fixed", "shader"], "golden": "reference", "seconds": 5},
+        "cases": [
+            {"scene": "scenes/bricks.json", "set": "textures[0].wrapS=GL_CLAMP", "axis": ["a=*", "b=1,2"]},
+            {"name": "n", "scene": [{"lesson": "wrap", "step": 3, "answer": 2}, {"example": "checker"}, "a.json"],
+             "set": ["preset:seam", "x=a=b"], "size": ["1x1", "2x2"], "time": [0, 1.5], "renderer": "reference",
+             "rule": "level-blend", "mask": "m.png"},
+            {"scene": {"inline": {"version": 1}}, "golden": ["g/{case}.png", "g/{case}@{driver}.png"],
+             "metric": "ssim", "tolerance": 0.25, "share": 0.125},
+            {"golden": {"*": "a.png", "llvmpipe*": ["b.png", "{picture}.png"]}}
+        ]})");
+    ASSERT_TRUE(suite) << describe(suite.error());
+    EXPECT_EQ(suite->name, "textures");
+    EXPECT_EQ(suite->about, "A");
+    ASSERT_EQ(suite->entries.size(), 4U);
+
+    const Entry& first = suite->entries[0];
+    EXPECT_THAT(first.scenes, ElementsAre(SceneSource{SceneFile{"scenes/bricks.json"}}));
+    EXPECT_THAT(first.edits, ElementsAre(lesson::Edit{"textures[0].wrapS", "GL_CLAMP"}));
+    EXPECT_THAT(first.axes, ElementsAre("a=*", "b=1,2"));
+    EXPECT_THAT(first.settings.sizes, ElementsAre(PictureSize{64, 32}));
+    EXPECT_THAT(first.settings.renderers, ElementsAre(RendererKind::Fixed, RendererKind::Shader));
+    EXPECT_EQ(first.settings.golden, Golden{GoldenReference{}});
+    EXPECT_EQ(first.settings.seconds, 5);
+
+    const Entry& second = suite->entries[1];
+    EXPECT_THAT(second.scenes,
+                ElementsAre(SceneSource{SceneLesson{"wrap", 3, 2, false}},
+                            SceneSource{SceneExample{"checker"}}, SceneSource{SceneFile{"a.json"}}));
+    EXPECT_THAT(second.edits, ElementsAre(lesson::Edit{"", "seam"}, lesson::Edit{"x", "a=b"}));
+    EXPECT_THAT(second.settings.times, ElementsAre(0, 1.5));
+    EXPECT_THAT(second.settings.renderers, ElementsAre(RendererKind::Reference));
+    EXPECT_EQ(second.settings.golden, Golden{GoldenReference{"level-blend"}});
+    EXPECT_EQ(second.settings.mask, "m.png");
+
+    const Entry& third = suite->entries[2];
+    EXPECT_EQ(third.settings.criterion.metric, Metric::Ssim);
+    EXPECT_EQ(third.settings.criterion.tolerance, 0.25);
+    EXPECT_EQ(third.settings.criterion.share, 0.125);
+    EXPECT_EQ(third.settings.golden,
+              (Golden{GoldenFiles{{{"*", {"g/{case}.png", "g/{case}@{driver}.png"}}}}}));
+
+    // The glob that says most is the first, wherever it stood.
+    EXPECT_EQ(suite->entries[3].settings.golden,
+              (Golden{GoldenFiles{{{"llvmpipe*", {"b.png", "{picture}.png"}}, {"*", {"a.png"}}}}}));
+}
+
+struct Wrong {
+    std::string text;
+    std::string where;
+    std::string message;
+};
+
+TEST(SuiteJson, WhatIsWrongIsSaidWithItsPlace) {
+    const std::array wrongs{
+        Wrong{"", "line 1", "the file ends; expected a value"},
+        Wrong{"[]", "", "expected an object, found a list"},
+        Wrong{"{}", "", "expected the key \"suite\""},
+        Wrong{R"({"suite": 2, "cases": [{}]})", "/suite", "expected version 1, found 2"},
+        Wrong{R"({"suite": 1})", "", "expected the key \"cases\""},
+        Wrong{suiteOf(""), "/cases", "expected a list of 1 to 10000, found 0"},
+        Wrong{suiteOf(R"({"secne": "a.json"})"), "/cases/0/secne", "unknown key; did you mean \"scene\"?"},
+        Wrong{suiteOf("{}", R"(, "defaults": {"toleranse": 1})"), "/defaults/toleranse",
+              "unknown key; did you mean \"tolerance\"?"},
+        Wrong{suiteOf(R"({"scene": "a.json", "scene": "b.json"})"), "",
+              "expected each key once, found \"scene\" again"},
+        Wrong{suiteOf(R"({"scene": "../a.json"})"), "/cases/0/scene", "it leads out of it"},
+        Wrong{suiteOf(R"({"scene": "/etc/a.json"})"), "/cases/0/scene", "it is absolute"},
+        Wrong{suiteOf(R"({"scene": "a\u0000.json"})"), "/cases/0/scene", "it has control characters"},
+        Wrong{suiteOf(R"({"golden": "g/../../{case}.png"})"), "/cases/0/golden", "it leads out of it"},
+        Wrong{suiteOf(R"({"golden": "{cases}.png"})"), "/cases/0/golden", "{case}, {picture} or {driver}"},
+        Wrong{suiteOf(R"({"golden": "g.jpg"})"), "/cases/0/golden", "a name that ends in .png"},
+        Wrong{suiteOf(R"({"golden": {}})"), "/cases/0/golden", "expected 1 to 16 drivers, found 0"},
+        Wrong{suiteOf(R"({"size": "0x5"})"), "/cases/0/size", "a size of 1x1 to 16384x16384 pixels"},
+        Wrong{suiteOf(R"({"size": ["9x9", "16385x1"]})"), "/cases/0/size/1", "found \"16385x1\""},
+        Wrong{suiteOf(R"({"size": ["9x9", "9x9"]})"), "/cases/0/size/1", "expected each once"},
+        Wrong{suiteOf(R"({"time": -1})"), "/cases/0/time", "seconds from 0 to"},
+        Wrong{suiteOf(R"({"renderer": "shaders"})"), "/cases/0/renderer", "did you mean \"shader\"?"},
+        Wrong{suiteOf(R"({"metric": "ssmi"})"), "/cases/0/metric", "did you mean \"ssim\"?"},
+        Wrong{suiteOf(R"({"tolerance": 256})"), "/cases/0/tolerance", "a number from 0 to 255, found 256"},
+        Wrong{suiteOf(R"({"share": 1.5})"), "/cases/0/share", "a number from 0 to 1"},
+        Wrong{suiteOf(R"({"rule": "exact"})"), "/cases/0/rule", "a rule is for"},
+        Wrong{suiteOf(R"({"golden": "reference", "rule": "exakt"})"), "/cases/0/rule",
+              "did you mean \"exact\"?"},
+        Wrong{suiteOf(R"({"set": "wrapS"})"), "/cases/0/set", "PATH=VALUE or preset:NAME"},
+        Wrong{suiteOf(R"({"axis": "=1"})"), "/cases/0/axis", "PATH=VALUES"},
+        Wrong{suiteOf(R"({"scene": {"lesson": "wrap", "step": 0}})"), "/cases/0/scene/step",
+              "a whole number from 1"},
+        Wrong{suiteOf(R"({"scene": {"lesson": "wrap", "answer": 1, "reached": true}})"), "/cases/0/scene",
+              "expected one of answer and reached"},
+        Wrong{suiteOf(R"({"scene": {}})"), "/cases/0/scene", "expected a file's name"},
+        Wrong{suiteOf(R"({"scene": {"inline": {"veiw": 1}}})"), "/cases/0/scene/inline/veiw", "did you mean"},
+        Wrong{suiteOf(R"({"seconds": 0})"), "/cases/0/seconds", "a number from 0.001"},
+        Wrong{suiteOf(fmt::format(R"({{"name": "{}"}})", std::string(5000, 'n'))), "/cases/0/name",
+              "expected at most 4096 bytes, found 5000"},
+    };
+    for (const Wrong& each : wrongs) {
+        const Result<Suite> suite = parseSuite(each.text);
+        ASSERT_FALSE(suite) << each.text;
+        EXPECT_EQ(suite.error().where, each.where) << each.text;
+        EXPECT_THAT(suite.error().message, HasSubstr(each.message)) << each.text;
+    }
+}
+
+TEST(SuiteJson, TooMuchIsRefusedBeforeItIsRead) {
+    const Result<Suite> large = parseSuite(std::string(maxSuiteBytes + 1, ' '));
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().code, ErrorCode::TooLarge);
+    const Result<Suite> deep = parseSuite(std::string(100'000, '['));
+    ASSERT_FALSE(deep);
+    EXPECT_EQ(deep.error().code, ErrorCode::TooLarge);
+}
+
+/// A hundred thousand keys, of which each would be looked for among all others if they were kept in a list.
+TEST(SuiteJson, AnObjectOfManyKeysIsReadInNoTime) {
+    std::string text = R"({"suite": 1, "cases": [{"golden": {)";
+    for (int i = 0; i < 100'000; ++i)
+        text += fmt::format(R"({}"k{}": "g.png")", i == 0 ? "" : ", ", i);
+    const Result<Suite> suite = parseSuite(text + "}}]}");
+    ASSERT_FALSE(suite);
+    EXPECT_EQ(suite.error().message, "expected 1 to 16 drivers, found 100000");
+}
+
+TEST(SuiteJson, AFilesNameAndFolderAreTheSuites) {
+    const test::TempDir folder;
+    std::ofstream(folder / "wrap.suite.json") << suiteOf("{}");
+    const Result<Suite> suite = readSuite(folder / "wrap.suite.json");
+    ASSERT_TRUE(suite) << describe(suite.error());
+    EXPECT_EQ(suite->name, "wrap");
+    EXPECT_EQ(suite->folder, folder.path());
+    EXPECT_EQ(suite->entries[0].settings.golden, (Golden{GoldenFiles{{{"*", {"golden/{case}.png"}}}}}));
+    std::ofstream(folder / "bad.suite.json") << suiteOf("3");
+    const Result<Suite> bad = readSuite(folder / "bad.suite.json");
+    ASSERT_FALSE(bad);
+    EXPECT_EQ(describe(bad.error()),
+              (folder / "bad.suite.json").string() + ": /cases/0: expected an object, found 3");
+}
+
+} // namespace
+} // namespace texplorer::suite::suite_json_test
