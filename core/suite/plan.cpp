@@ -49,13 +49,13 @@ std::size_t casesOf(const Row& row, const Settings& settings, const PlanOptions&
 }
 
 std::string placeOfEntry(const Suite& suite, std::size_t entry) {
-    return fmt::format("{}: /cases/{}", suite.name, entry);
+    return fmt::format("{}: /cases/{}", printable(suite.name), entry);
 }
 
 Error inEntry(const Suite& suite, std::size_t entry, std::string_view key, const Error& error) {
     const std::string place = fmt::format("{}/{}", placeOfEntry(suite, entry), key);
-    return {error.code, error.message,
-            error.where.empty() ? place : fmt::format("{}: {}", place, error.where)};
+    return {error.code, printable(error.message),
+            error.where.empty() ? place : fmt::format("{}: {}", place, shortened(error.where))};
 }
 
 /// A scene's axes. A scene that can't be read is no error: its cases say so.
@@ -219,7 +219,7 @@ Result<std::vector<Row>> rowsOf(const std::vector<Suite>& suites, const PlanOpti
     if (count > options.most)
         return fail(ErrorCode::TooLarge,
                     fmt::format("expected at most {} cases, found {}", options.most, count),
-                    suites.size() == 1 ? suites.front().name : std::string());
+                    suites.size() == 1 ? printable(suites.front().name) : std::string());
     return rows;
 }
 

@@ -10,10 +10,10 @@ namespace texplorer::suite {
 inline constexpr std::size_t maxCases = 100'000;
 
 struct Case {
-    std::string name; ///< "bricks/minFilter=GL_NEAREST/wrapS=GL_REPEAT/shader@512x512"; unique in the plan
-    std::string file; ///< fileNameFor the name: of its pictures
-    std::string goldenName;            ///< what `{case}` stands for: `file` without the suite's name
-    std::string pictureName;           ///< what `{picture}` stands for: the same without the renderer
+    std::string name{}; ///< "bricks/minFilter=GL_NEAREST/wrapS=GL_REPEAT/shader@512x512"; unique in the plan
+    std::string file{}; ///< fileNameFor the name: of its pictures
+    std::string goldenName{};          ///< what `{case}` stands for: `file` without the suite's name
+    std::string pictureName{};         ///< what `{picture}` stands for: the same without the renderer
     std::size_t suite = 0;             ///< in the plan
     std::size_t entry = 0;             ///< in the suite
     std::size_t scene = 0;             ///< in the entry

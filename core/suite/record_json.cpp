@@ -26,6 +26,12 @@ OrderedJson pixelJson(const std::array<std::uint8_t, 4>& pixel) {
     return json;
 }
 
+/// Without it, its numbers are 0 and left out.
+bool wasCompared(const CaseRecord& record) {
+    return !record.metric.empty() || record.score != 0 || record.tolerance != 0 || record.share != 0 ||
+           record.shareOver != 0;
+}
+
 OrderedJson caseJson(const CaseRecord& record) {
     OrderedJson json{{"name", record.name}, {"state", rowOf(record.state).name}};
     writeText(json, "sentence", record.sentence);
@@ -38,8 +44,8 @@ OrderedJson caseJson(const CaseRecord& record) {
     writeText(json, "driver", record.driver);
     json["size"] = {record.width, record.height};
     json["time"] = record.time;
-    if (!record.metric.empty()) {
-        json["metric"] = record.metric;
+    if (wasCompared(record)) {
+        writeText(json, "metric", record.metric);
         json["score"] = record.score;
         json["tolerance"] = record.tolerance;
         json["share"] = record.share;

@@ -4,6 +4,8 @@
 #include "core/base/file_io.h"
 #include "core/scene/params/json.h"
 #include "core/scene/params/params.h"
+#include "core/suite/record_json.h"
+#include "core/suite/shard.h"
 #include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
 
@@ -49,6 +51,25 @@ std::vector<Scene> sampleScenes() {
     return {defaultScene(), full, small};
 }
 
+/// A suite, and what comes of one: a report, a journal and durations.
+std::vector<std::string> sampleSuites() {
+    suite::RunRecord run;
+    run.suites = {"s"};
+    run.names = {"a/fixed@8x8", "b/fixed@8x8"};
+    run.cases = {{.name = run.names[0], .state = suite::State::Failed}};
+    run.cases[0].metric = "absolute";
+    run.cases[0].worst.emplace();
+    run.cases[0].golden = run.cases[0].actualPicture = "a.png";
+    return {
+        R"({"suite": 1, "name": "n", "defaults": {"size": ["8x8"], "golden": "reference", "rule": "auto"}, "cases": [
+  {"scene": {"example": "checker"}, "axis": "textures[0].wrapS=*", "renderer": ["fixed", "shader"], "time": [0, 1]},
+  {"scene": {"lesson": "wrap", "step": 3, "reached": true}, "set": ["preset:seam", "view.azimuth=3"], "seconds": 1},
+  {"scene": {"inline": {"version": 1}}, "golden": {"*": ["g/{case}.png", "{picture}.png"], "llvmpipe*": "{driver}.png"},
+   "metric": "ssim", "tolerance": 0.25, "share": 0.125, "mask": "m.png"}]})",
+        suite::asJson(run), suite::journalStart(run) + suite::journalLine(run.cases[0]),
+        suite::writeDurations({{"a", 1}})};
+}
+
 /// A libFuzzer dictionary: the words of the parameter tables, which chance would hardly find.
 std::string dictionary(const Scene& scene) {
     std::set<std::string> words{"true", "false", "1e38", "-0", "version"};
@@ -68,7 +89,7 @@ bool makeCorpus(const std::filesystem::path& folder) {
     std::error_code error; // writing into a folder that isn't there says so
     for (const CodecRow& row : codecRows())
         std::filesystem::create_directories(folder / row.name, error);
-    for (const std::string_view name : {"codecs", "flip", "param", "scene"})
+    for (const std::string_view name : {"codecs", "flip", "param", "scene", "suite"})
         std::filesystem::create_directories(folder / name, error);
     bool good = true;
     for (const CodecRow& row : codecRows())
@@ -94,6 +115,9 @@ bool makeCorpus(const std::filesystem::path& folder) {
         });
         good = write(folder / "param", std::to_string(i), viewBytes(lines)) && good;
     }
+    const std::vector<std::string> suites = sampleSuites();
+    for (std::size_t i = 0; i < suites.size(); ++i)
+        good = write(folder / "suite", std::to_string(i), viewBytes(suites[i])) && good;
     return write(folder, "words.dict", viewBytes(dictionary(scenes[1]))) && good;
 }
 

@@ -24,7 +24,7 @@ choose() {
     local words=-dict=$build/seeds/words.dict
     case $1 in
         flip) fuzzer=("$bin/fuzz_flip") ;;
-        param | scene) fuzzer=("$bin/fuzz_$1" "$words") ;;
+        param | scene | suite) fuzzer=("$bin/fuzz_$1" "$words") ;;
         codecs) fuzzer=("$bin/fuzz_codec") ;; # every input goes to every decoder
         *) fuzzer=("$bin/fuzz_codec" "--codec=$1") ;;
     esac
