@@ -38,6 +38,8 @@ void addConform(CommandLine& line);
 void addConvert(CommandLine& line);
 void addSchema(CommandLine& line);
 void addTexture(CommandLine& line);
+void addTest(CommandLine& line);
+void addMerge(CommandLine& line);
 
 /// Prints "texshot: …" on standard error, a printable line, and returns `code`.
 ExitCode complain(const Error& error, ExitCode code = failure);

@@ -5,6 +5,8 @@
 #include "app/screenshot/gl/driver_question.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
+#include "app/screenshot/runs/case_worker.h"
+#include "app/screenshot/workers/work_loop.h"
 #include "core/base/printable.h"
 #include "core/texture/image_budget.h"
 
@@ -38,7 +40,7 @@ struct Group {
 
 const std::vector<Group> groups{
     {"Draw", {addShot, addProbe, addTexture, addCommands}},
-    {"Compare", {addCompare, addConform, addDiff}},
+    {"Compare", {addTest, addMerge, addCompare, addConform, addDiff}},
     {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons, addSchema}},
     {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},
     {"About", {addDrivers}},
@@ -55,6 +57,11 @@ int main(int argc, char** argv) {
     prepareStandardStreams();
     if (const std::optional<int> answered = answerQuestions(argc, argv))
         return *answered;
+    if (const std::optional<int> socket = workers::workerSocket(argc, argv)) {
+        CaseWorker worker;
+        workers::workLoop(*socket, [&worker](const std::string& order) { return worker.work(order); });
+        return success;
+    }
     watchInterrupts();
     CommandLine line("texshot", TEXPLORER_VERSION,
                      "Texplorer without a display: draw scenes, look into texture files.");

@@ -3,6 +3,7 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/gl/gl_module.h"
+#include "app/screenshot/gl/mesa_settings.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
@@ -59,11 +60,10 @@ private:
 /// loaded: without them, what remains are errors. What the user has set is left alone. Returns what it
 /// was told.
 std::string askMesaForPrecision() {
-    constexpr const char* variable = "GALLIVM_PERF";
-    ::setenv(variable, "no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling", 0);
+    ::setenv(mesaPrecisionVariable, mesaPrecision, 0);
     // A picture is one tile: threads would only wait for each other. The other processors draw the reference.
-    ::setenv("LP_NUM_THREADS", "0", 0);
-    return fmt::format("{}={}", variable, std::getenv(variable));
+    ::setenv(mesaThreadsVariable, mesaNoThreads, 0);
+    return fmt::format("{}={}", mesaPrecisionVariable, std::getenv(mesaPrecisionVariable));
 }
 
 /// What makes the same report again, wherever it is typed.

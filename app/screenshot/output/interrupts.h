@@ -4,6 +4,7 @@
 
 #include <mutex>
 #include <stop_token>
+#include <string>
 
 namespace texplorer::screenshot {
 

@@ -35,6 +35,7 @@ struct Seat {
     Process process;
     std::vector<std::string> environment;
     std::size_t done = 0;
+    std::size_t counted = 0; ///< of these
     std::optional<Task> task{};
     bool begun = false;
     bool silent = false; ///< it will say nothing more
@@ -230,9 +231,12 @@ bool Pool::Seats::isOver(Seat& seat) {
 
 void Pool::Seats::takeAnswer(Seat& seat, std::string answer) {
     const Task task = *std::exchange(seat.task, std::nullopt);
+    const std::size_t before = seat.counted;
+    ++seat.done;
+    seat.counted += task.job.counts ? 1 : 0;
     (*sink_)({.number = task.job.number,
               .answer = std::move(answer),
-              .before = seat.done++,
+              .before = before,
               .attempt = task.kills + 1,
               .took = Clock::now() - seat.since});
 }
@@ -260,7 +264,7 @@ void Pool::Seats::end(Seat& seat, Outcome::End end) {
               .end = end,
               .status = status,
               .lastWords = seat.process.lastWords(),
-              .before = seat.done,
+              .before = seat.counted,
               .attempt = task.kills + (end == Outcome::End::Killed ? 0 : 1),
               .took = end == Outcome::End::Hung ? task.job.limit : Clock::now() - seat.since});
 }

@@ -22,6 +22,7 @@ struct Job {
     std::vector<std::string> environment{}; ///< that its process has to have, as StartCommand has it
     std::chrono::duration<double> limit = std::chrono::seconds(60); ///< after which it has hung
     std::uint64_t weight = 0; ///< of the memory that it takes: those that are done at once stay below a sum
+    bool counts = true;       ///< for Outcome::before of those that follow
 };
 
 /// What became of a job.

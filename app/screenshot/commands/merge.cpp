@@ -1,0 +1,165 @@
+#include "core/suite/merge.h"
+
+#include "app/screenshot/command.h"
+#include "app/screenshot/output/output.h"
+#include "app/screenshot/runs/case_pictures.h"
+#include "app/screenshot/runs/run_folder.h"
+#include "core/base/file_io.h"
+#include "core/suite/junit.h"
+#include "core/suite/record_json.h"
+#include "core/suite/shard.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <new>
+#include <optional>
+
+namespace texplorer::screenshot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeOptions {
+    std::vector<std::string> runs;
+    std::string out;
+    std::string report;
+    std::string junit;
+    std::string durations;
+};
+
+ExitCode complainOfMerge(const Error& error) {
+    return complain(error, wrongCall);
+}
+
+Result<std::vector<suite::RunRecord>> readRuns(const std::vector<std::string>& paths) {
+    std::vector<suite::RunRecord> runs;
+    for (const std::string& path : paths) {
+        const Result<std::string> text = readText(path, suite::maxRecordBytes);
+        if (!text)
+            return fail(text.error());
+        Result<suite::RunRecord> run = suite::parseRun(*text);
+        if (!run)
+            return fail(run.error().code, describe(run.error()), path);
+        runs.push_back(*std::move(run));
+    }
+    return runs;
+}
+
+/// The pictures of each case are in the report that its record came from: beside that run's file.
+Result<void> gatherPictures(suite::RunRecord& merged, const std::vector<suite::RunRecord>& runs,
+                            const std::vector<std::string>& paths, const fs::path& folder) {
+    struct Place {
+        const suite::CaseRecord* record;
+        fs::path folder;
+    };
+    std::multimap<std::string_view, Place> places;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (const suite::CaseRecord& each : runs[i].cases)
+            places.emplace(each.name, Place{&each, fs::path(paths[i]).parent_path()});
+    }
+    for (suite::CaseRecord& each : merged.cases) {
+        const auto [first, last] = places.equal_range(each.name);
+        const auto own =
+            std::find_if(first, last, [&](const auto& place) { return *place.second.record == each; });
+        if (own == last)
+            continue;
+        if (const Result<void> copied = copyPictures(own->second.folder, folder, each); !copied)
+            return copied;
+    }
+    return {};
+}
+
+Result<void> writeReport(suite::RunRecord run, const std::vector<suite::RunRecord>& runs,
+                         const MergeOptions& options) {
+    const Result<RunFolder> folder = RunFolder::open(options.report);
+    if (!folder)
+        return fail(folder.error());
+    removePictures(options.report);
+    if (const Result<void> gathered = gatherPictures(run, runs, options.runs, options.report); !gathered)
+        return gathered;
+    return folder->finish(run, {});
+}
+
+Result<void> writeText(const std::string& path, const std::string& text) {
+    const Result<Output> output = Output::open(path);
+    return output ? output->write(viewBytes(text)) : fail(output.error());
+}
+
+Result<void> writeDurations(const suite::RunRecord& run, const std::string& path) {
+    const Result<std::string> text = readText(path);
+    if (!text && text.error().code != ErrorCode::NotFound)
+        return fail(text.error());
+    Result<suite::Durations> before =
+        text ? suite::parseDurations(*text) : Result<suite::Durations>(suite::Durations{});
+    if (!before)
+        return fail(before.error().code, describe(before.error()), path);
+    const std::string now = suite::writeDurations(suite::durationsOf(run, *std::move(before)));
+    return writeFileAtomically(path, viewBytes(now));
+}
+
+int merge(const MergeOptions& options) {
+    const Result<std::vector<suite::RunRecord>> runs = readRuns(options.runs);
+    if (!runs)
+        return complainOfMerge(runs.error());
+    const Result<suite::Merged> merged = suite::merge(*runs, options.runs);
+    if (!merged)
+        return complainOfMerge(merged.error());
+    if (const Result<void> written = writeText(options.out, suite::asJson(merged->run)); !written)
+        return complainOfMerge(written.error());
+    if (!options.junit.empty()) {
+        if (const Result<void> written = writeText(options.junit, suite::asJunit(merged->run)); !written)
+            return complainOfMerge(written.error());
+    }
+    if (!options.durations.empty()) {
+        if (const Result<void> written = writeDurations(merged->run, options.durations); !written)
+            return complainOfMerge(written.error());
+    }
+    if (!options.report.empty()) {
+        if (const Result<void> written = writeReport(merged->run, *runs, options); !written)
+            return complainOfMerge(written.error());
+    }
+    for (const std::string& problem : merged->problems)
+        complain({ErrorCode::Malformed, problem, {}});
+    if (options.out != "-") {
+        if (const Result<void> printed = print(suite::asText(merged->run)); !printed)
+            return complainOfMerge(printed.error());
+    }
+    return merged->status;
+}
+
+} // namespace
+
+void addMerge(CommandLine& line) {
+    Command& command =
+        line.command("merge", "Join the parts of a run that \"texshot test --shard\" has made.");
+    auto options = std::make_shared<MergeOptions>();
+    command.option("RUN", options->runs,
+                   "What --json has written of each part, or run.json of its report; a journal of a run that "
+                   "was killed does, too.",
+                   {.required = true});
+    command.option("-o,--out", options->out, "The whole run as JSON; - for standard output.",
+                   {.value = "FILE", .required = true});
+    command.option("--report", options->report,
+                   "A folder for the report of all of them, with the pictures that lie beside each RUN.",
+                   {.value = "DIR"});
+    command.option("--junit", options->junit, "The whole run as JUnit's XML.", {.value = "FILE"});
+    command.option("--durations", options->durations,
+                   "A file with the seconds that each case took, to be brought up to date.",
+                   {.value = "FILE"});
+    command.footer(
+        "Of a case that is in several of them the later attempt stays, of the same the worse one.\n"
+        "Exit status: as that of the whole run: 0 all are alike, 1 some are not, 2 cases could not "
+        "be tried or are missing, a file that can't be read, a wrong call.");
+    command.onCall([options]() -> int {
+        try {
+            return merge(*options);
+        } catch (const std::bad_alloc&) {
+            return complainOfMerge({ErrorCode::TooLarge, "there is not enough memory for this", {}});
+        }
+    });
+}
+
+} // namespace texplorer::screenshot

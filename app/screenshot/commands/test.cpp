@@ -1,0 +1,406 @@
+#include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/command.h"
+#include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/output.h"
+#include "app/screenshot/output/shell_word.h"
+#include "app/screenshot/runs/run_plan.h"
+#include "app/view/pretence.h"
+#include "core/base/count.h"
+#include "core/base/file_io.h"
+#include "core/base/printable.h"
+#include "core/suite/accept_list.h"
+#include "core/suite/junit.h"
+#include "core/suite/record_json.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <new>
+#include <optional>
+#include <thread>
+
+namespace texplorer::screenshot {
+namespace {
+
+constexpr int mostProcesses = 1024;
+constexpr std::size_t mostDurationsBytes = std::size_t{64} << 20;
+
+struct TestOptions {
+    std::vector<std::string> suites;
+    bool pictures = false;
+    bool update = false;
+    std::string accepted;
+    std::vector<std::string> only;
+    std::vector<std::string> renderers;
+    std::string shaders;
+    std::vector<std::string> pretended;
+    int processes = 0; ///< 0: as many as there are processors
+    std::string shard;
+    std::string durations;
+    std::string report;
+    std::string junit;
+    std::string json;
+    std::string resume;
+    int timeout = 0; ///< seconds; 0: as the suites say
+    bool failFast = false;
+    bool list = false;
+    bool quiet = false;
+    bool verbose = false;
+    std::string metric = std::string(rowOf(Metric::Absolute).name);
+    std::string tolerance;
+    std::string share;
+    std::string mask;
+    std::vector<const Option*> ofSuites;  ///< what is for suites alone
+    std::vector<const Option*> ofRunning; ///< what --list leaves without effect
+};
+
+/// 2 is an error, as of diff(1): 1 says that pictures differ.
+ExitCode complainOfRun(const Error& error) {
+    return complain(error, wrongCall);
+}
+
+Result<Criterion> criterionFor(const TestOptions& options) {
+    const Result<Metric> metric = parseChoice<Metric>(options.metric, "--metric");
+    if (!metric)
+        return fail(metric.error());
+    Criterion criterion = criterionOf(*metric);
+    if (!options.tolerance.empty()) {
+        const Result<double> tolerance = parseTolerance(options.tolerance, *metric);
+        if (!tolerance)
+            return fail(tolerance.error().code, tolerance.error().message, "--tolerance");
+        criterion.tolerance = *tolerance;
+    }
+    if (!options.share.empty()) {
+        const Result<double> share = parseShare(options.share);
+        if (!share)
+            return fail(share.error().code, share.error().message, "--share");
+        criterion.share = *share;
+    }
+    return criterion;
+}
+
+Result<RunSetup> setupFor(const TestOptions& options, unsigned processes) {
+    RunSetup setup{.only = options.only,
+                   .report = options.resume.empty() ? options.report : options.resume,
+                   .shaders = options.shaders,
+                   .pretended = options.pretended};
+    setup.threads = std::max(1U, std::thread::hardware_concurrency() / processes);
+    for (const std::string& name : options.renderers) {
+        const Result<RendererKind> renderer = parseChoice<RendererKind>(name, "--renderer");
+        if (!renderer)
+            return fail(renderer.error());
+        if (std::ranges::find(setup.renderers, *renderer) == setup.renderers.end())
+            setup.renderers.push_back(*renderer);
+    }
+    if (!options.pictures) {
+        setup.suites = options.suites;
+        return setup;
+    }
+    if (options.suites.size() != 2)
+        return fail(
+            ErrorCode::OutOfRange,
+            fmt::format("expected two folders, that of the pictures and that of their goldens, found {}",
+                        options.suites.size()),
+            "--pictures");
+    const Result<Criterion> criterion = criterionFor(options);
+    if (!criterion)
+        return fail(criterion.error());
+    setup.actual = options.suites[0];
+    setup.golden = options.suites[1];
+    setup.mask = options.mask;
+    setup.criterion = *criterion;
+    return setup;
+}
+
+Result<RunChoice> choiceFor(const TestOptions& options) {
+    RunChoice choice{.update = options.update, .seconds = static_cast<double>(options.timeout)};
+    if (!options.shard.empty()) {
+        const Result<suite::Shard> shard = suite::parseShard(options.shard);
+        if (!shard)
+            return fail(shard.error().code, shard.error().message, "--shard");
+        choice.shard = *shard;
+    }
+    if (!options.durations.empty()) {
+        const Result<std::string> text = readText(options.durations, mostDurationsBytes);
+        if (!text && text.error().code != ErrorCode::NotFound) // before the first run there is none
+            return fail(text.error());
+        const Result<suite::Durations> durations =
+            text ? suite::parseDurations(*text) : Result<suite::Durations>(suite::Durations{});
+        if (!durations)
+            return fail(durations.error().code, describe(durations.error()), options.durations);
+        choice.durations = *durations;
+    }
+    if (!options.accepted.empty()) {
+        Result<std::string> text = readText(options.accepted, suite::maxAcceptBytes);
+        if (!text)
+            return fail(text.error());
+        choice.accepted = *std::move(text);
+    }
+    return choice;
+}
+
+/// What makes the same run again.
+std::string commandOf(const TestOptions& options) {
+    std::string command = options.pictures ? "texshot test --pictures" : "texshot test";
+    for (const std::string& each : options.suites)
+        command += " " + shellWord(each);
+    const auto add = [&command](const char* option, const std::string& value) {
+        if (!value.empty())
+            command += fmt::format(" {} {}", option, shellWord(value));
+    };
+    for (const std::string& each : options.only)
+        add("--only", each);
+    for (const std::string& each : options.renderers)
+        add("--renderer", each);
+    for (const std::string& each : options.pretended)
+        add("--pretend", each);
+    add("--shaders", options.shaders);
+    if (options.pictures)
+        add("--metric", options.metric);
+    add("--tolerance", options.tolerance);
+    add("--share", options.share);
+    add("--mask", options.mask);
+    add("--shard", options.shard);
+    add("--durations", options.durations);
+    return command;
+}
+
+/// A file to write at the end, found to be writable before the work; none where the option wasn't given.
+Result<std::optional<Output>> outputFor(const std::string& path) {
+    if (path.empty())
+        return std::optional<Output>();
+    return Output::open(path).map([](Output output) { return std::optional(std::move(output)); });
+}
+
+ExitCode say(const TestOptions& options, const FinishedRun& finished, ExitCode status) {
+    const bool toStandardOutput = options.json != "-" && options.junit != "-";
+    std::string text;
+    if (finished.resumed > 0)
+        text += fmt::format("{} of {} cases were done before\n", finished.resumed, finished.run.names.size());
+    text += suite::asText(finished.run);
+    if (!finished.wrote.empty())
+        text += fmt::format("{} written\n", countOf(finished.wrote.size(), "golden"));
+    if (options.quiet && status == success)
+        return status;
+    if (!toStandardOutput) {
+        std::fputs(printable(text, LineBreaks::Keep).c_str(), stderr);
+        return status;
+    }
+    const Result<void> printed = print(text);
+    return printed ? status : complainOfRun(printed.error());
+}
+
+Result<void> writeResults(const TestOptions& options, const FinishedRun& finished,
+                          const std::optional<Output>& json, const std::optional<Output>& junit,
+                          const suite::Durations& before) {
+    if (json) {
+        const std::string text = suite::asJson(finished.run);
+        if (const Result<void> written = json->write(viewBytes(text)); !written)
+            return written;
+    }
+    if (junit) {
+        const std::string text = suite::asJunit(finished.run);
+        if (const Result<void> written = junit->write(viewBytes(text)); !written)
+            return written;
+    }
+    if (options.durations.empty() || !options.shard.empty()) // all shards must be dealt by the same ones
+        return {};
+    const std::string text = suite::writeDurations(suite::durationsOf(finished.run, before));
+    return writeFileAtomically(options.durations, viewBytes(text));
+}
+
+ExitCode statusOf(const suite::RunRecord& run) {
+    if (run.names.empty() && run.planned > 0) // more parts than cases
+        return success;
+    return static_cast<ExitCode>(suite::exitStatus(run));
+}
+
+ExitCode list(const PlannedRun& planned) {
+    std::string text;
+    for (const RunItem& each : planned.items)
+        text += printable(each.name) + "\n";
+    const Result<void> printed = print(text);
+    return printed ? success : complainOfRun(printed.error());
+}
+
+ExitCode refuseOptions(const TestOptions& options) {
+    for (const Option* each : options.ofSuites) {
+        if (options.pictures && each->isGiven())
+            return refuseUnused(each->name(), "--pictures draws nothing");
+    }
+    for (const Option* each : options.ofRunning) {
+        if (options.list && each->isGiven())
+            return refuseUnused(each->name(), "--list runs nothing");
+    }
+    if (const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended); !pretence)
+        return complainOfRun(pretence.error());
+    if (options.json == "-" && options.junit == "-")
+        return complainOfRun(
+            {ErrorCode::OutOfRange, "expected one text on standard output, found two", "--json and --junit"});
+    return success;
+}
+
+ExitCode test(const TestOptions& options) {
+    if (const ExitCode refused = refuseOptions(options); refused != success)
+        return refused;
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const unsigned processes = options.processes > 0 ? static_cast<unsigned>(options.processes) : cores;
+    const Result<RunSetup> setup = setupFor(options, processes);
+    if (!setup)
+        return complainOfRun(setup.error());
+    const Result<RunChoice> choice = choiceFor(options);
+    if (!choice)
+        return complainOfRun(choice.error());
+    Result<PlannedRun> planned =
+        options.pictures ? planPictures(*setup, *choice) : planSuites(*setup, *choice);
+    if (!planned)
+        return complainOfRun(planned.error());
+    if (options.list)
+        return list(*planned);
+    planned->run.command = commandOf(options);
+    const Result<std::optional<Output>> json = outputFor(options.json);
+    if (!json)
+        return complainOfRun(json.error());
+    const Result<std::optional<Output>> junit = outputFor(options.junit);
+    if (!junit)
+        return complainOfRun(junit.error());
+
+    std::stop_source stop;
+    askToStop(&stop);
+    RunOptions run;
+    run.processes = static_cast<unsigned>(std::clamp<std::size_t>(planned->items.size(), 1, processes));
+    run.failFast = options.failFast;
+    run.resume = !options.resume.empty();
+    run.acceptCommand = planned->run.command + " --accept accept.txt";
+    run.says = options.quiet     ? RunProgress::Says::Nothing
+               : options.verbose ? RunProgress::Says::EveryCase
+                                 : RunProgress::Says::OneLine;
+    run.stop = stop.get_token();
+    const Result<FinishedRun> finished = runAll(*planned, run);
+    askToStop(nullptr);
+    if (!finished && finished.error().code == ErrorCode::Cancelled)
+        return complainInterrupted(finished.error().message);
+    if (!finished)
+        return complainOfRun(finished.error());
+    if (const Result<void> written = writeResults(options, *finished, *json, *junit, choice->durations);
+        !written)
+        return complainOfRun(written.error());
+    return say(options, *finished, statusOf(finished->run));
+}
+
+void declarePictures(Command& command, TestOptions& options) {
+    const Option& pictures = command.flag(
+        "--pictures", options.pictures,
+        "Draw nothing: compare the PNGs of two folders, whatever program has made them, by their names. A "
+        "picture without its golden, a golden without its picture and a picture of another size are failures.");
+    command.option(
+        "--metric", options.metric,
+        fmt::format("With --pictures: what is measured, one of {}.", listNames(EnumTable<Metric>::rows)),
+        {.value = "METRIC", .showsDefault = true, .needs = &pictures});
+    command.option("--tolerance", options.tolerance,
+                   "With --pictures: what a pixel may differ by, as the metric measures it; of absolute in "
+                   "255ths.",
+                   {.value = "N", .needs = &pictures});
+    command.option("--share", options.share,
+                   "With --pictures: how many of the pixels may differ by more, as 0.001 or \"0.1 %\".",
+                   {.value = "SHARE", .needs = &pictures});
+    command.option("--mask", options.mask,
+                   "With --pictures: a picture whose black pixels don't count, of the same size.",
+                   {.value = "FILE", .needs = &pictures});
+}
+
+void declareChoice(Command& command, TestOptions& options) {
+    const Option& update =
+        command.flag("--update", options.update,
+                     "Write the goldens that are missing or different. Others stay as they "
+                     "are, and nothing is written outside of the suite's folder.");
+    command.option(
+        "--accept", options.accepted,
+        "Of a list of cases, a name on a line, as the report's page writes it: run these alone, and "
+        "write their goldens.",
+        {.value = "LIST", .excludes = &update});
+    command.option("--only", options.only,
+                   "The cases that fit: their names, with * for any characters. May be given again.",
+                   {.value = "PATTERN", .oneEach = true});
+    options.ofSuites.push_back(
+        &command.option("--renderer", options.renderers,
+                        fmt::format("In the place of those of the suite, one of {}. May be given again.",
+                                    listNames(EnumTable<RendererKind>::rows)),
+                        {.value = "RENDERER", .oneEach = true}));
+    options.ofSuites.push_back(&command.option(
+        "--shaders", options.shaders,
+        "The folder of the shader renderer's files. Without it: those that the program was built with.",
+        {.value = "DIR", .environment = "TEXPLORER_SHADERS"}));
+    options.ofSuites.push_back(&command.option("--pretend", options.pretended, view::pretenceHelp(),
+                                               {.value = "WORDS", .oneEach = true}));
+    command.option("--shard", options.shard,
+                   "A part of the cases, the first of four as 1/4; \"texshot merge\" joins the parts.",
+                   {.value = "I/N"});
+    command.option("--durations", options.durations,
+                   "A file with the seconds that each case took: parts are made to take equally long. It is "
+                   "read, and without --shard written; \"texshot merge\" writes it, too.",
+                   {.value = "FILE"});
+}
+
+void declareRunning(Command& command, TestOptions& options) {
+    const auto running = [&options](const Option& option) { options.ofRunning.push_back(&option); };
+    running(command.number("-j,--jobs", options.processes, 1, mostProcesses,
+                           "How many processes draw. Without it: as many as there are processors."));
+    const Option& report = command.option(
+        "--report", options.report,
+        "A folder for the report: index.html, to be opened as a file, with the pictures of every failure, and "
+        "run.json. While the run lasts it has its journal.",
+        {.value = "DIR"});
+    running(report);
+    running(command.option("--junit", options.junit, "The result as JUnit's XML; - for standard output.",
+                           {.value = "FILE"}));
+    running(command.option("--json", options.json, "The result as JSON; - for standard output.",
+                           {.value = "FILE"}));
+    const Option& resume = command.option(
+        "--resume", options.resume,
+        "Go on with a run that was interrupted or killed, whose report is in this folder: what its journal has "
+        "isn't run again, unless a scene, an image or a golden has changed since.",
+        {.value = "DIR", .excludes = &report});
+    running(resume);
+    options.ofSuites.push_back(&resume);
+    running(command.number("--timeout", options.timeout, 1, 86400,
+                           "Seconds after which a case has hung. Without it: as the suite says, or 60."));
+    running(command.flag("--fail-fast", options.failFast, "End with the first failure."));
+    command.flag("--list", options.list, "Name the cases, and run none.");
+    const Option& quiet = command.flag("--quiet", options.quiet, "Say nothing unless something fails.");
+    command.flag("--verbose", options.verbose, "A line on standard error for each case.",
+                 {.excludes = &quiet});
+}
+
+} // namespace
+
+void addTest(CommandLine& line) {
+    Command& command = line.command("test", "Draw the pictures of a suite: are they still as they were?");
+    auto options = std::make_shared<TestOptions>();
+    command.option(
+        "SUITE", options->suites,
+        "A suite's file; a folder of suites, *.suite.json, or of scenes X.json with their pictures "
+        "X.png beside them. With --pictures: the pictures' folder, and that of their goldens.",
+        {.required = true});
+    declarePictures(command, *options);
+    declareChoice(command, *options);
+    declareRunning(command, *options);
+    command.footer(
+        "Each case is drawn by one of several worker processes. One that crashes the driver, or hangs, fails "
+        "alone; one whose process is killed from outside, as for want of memory, is tried once more.\n"
+        "A failure has its picture, the golden, their difference and what \"texshot probe\" says of the worst "
+        "pixel in the report. A golden may be one or several stored pictures, or \"reference\": what the "
+        "specification says, held to the rules of \"texshot conform --list\", which needs no stored picture.\n"
+        "Exit status: 0 all are alike, 1 some are not, or are new, crashed or hung, 2 a wrong call, a suite "
+        "that can't be read, cases that could not be tried, 130 Ctrl+C.");
+    command.onCall([options]() -> int {
+        try {
+            return test(*options);
+        } catch (const std::bad_alloc&) {
+            return complainOfRun({ErrorCode::TooLarge, "there is not enough memory for this", {}});
+        }
+    });
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,111 @@
+#include "app/screenshot/runs/case_pictures.h"
+
+#include "core/base/directory_listing.h"
+#include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/report/report_files.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <string_view>
+
+namespace texplorer::screenshot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Kind {
+    std::string_view ending;
+    const Image* CasePictures::*image;
+    std::string suite::CaseRecord::*name;
+};
+
+constexpr std::array kinds{
+    Kind{"-expected.png", &CasePictures::expected, &suite::CaseRecord::expectedPicture},
+    Kind{"-actual.png", &CasePictures::actual, &suite::CaseRecord::actualPicture},
+    Kind{"-difference.png", &CasePictures::difference, &suite::CaseRecord::differencePicture},
+};
+constexpr std::string_view pixelsEnding = ".js";
+
+/// A file of this name within "pictures/".
+bool isPictureName(std::string_view name) {
+    if (name.ends_with(pixelsEnding))
+        name.remove_suffix(pixelsEnding.size());
+    for (const Kind& kind : kinds) {
+        if (name.ends_with(kind.ending) && name.find('/') == std::string_view::npos &&
+            !name.starts_with('.') && name.find('\0') == std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
+/// What is in a file's place, even a link, goes: it isn't followed.
+Result<void> place(const fs::path& file, ByteView bytes) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    return writeFileAtomically(file, bytes);
+}
+
+Result<void> writeOne(const fs::path& folder, const std::string& name, const Image& image) {
+    const Result<Bytes> png = encodePng(image);
+    if (!png)
+        return fail(png.error());
+    if (const Result<void> written = place(folder / name, *png); !written)
+        return written;
+    const report::File pixels = report::pixelsOf(name, *png);
+    return place(folder / pixels.name, pixels.bytes);
+}
+
+} // namespace
+
+Result<void> writePictures(const fs::path& folder, const std::string& file, const CasePictures& pictures,
+                           suite::CaseRecord& record) {
+    for (const Kind& kind : kinds) {
+        const Image* image = pictures.*kind.image;
+        if (image == nullptr)
+            continue;
+        const std::string name = fmt::format("{}/{}{}", picturesFolder, file, kind.ending);
+        if (const Result<void> written = writeOne(folder, name, *image); !written)
+            return written;
+        record.*kind.name = name;
+    }
+    return {};
+}
+
+void removePictures(const fs::path& folder) {
+    const fs::path pictures = folder / picturesFolder;
+    const Descriptor directory(::open(pictures.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+    if (!directory.valid())
+        return;
+    std::vector<std::string> names;
+    forEachName(directory.get(), [&names](const char* name) {
+        if (isPictureName(name))
+            names.emplace_back(name);
+    });
+    for (const std::string& name : names)
+        ::unlinkat(directory.get(), name.c_str(), 0); // a folder stays
+}
+
+Result<void> copyPictures(const fs::path& from, const fs::path& to, suite::CaseRecord& record) {
+    const std::string prefix = std::string(picturesFolder) + "/";
+    for (const Kind& kind : kinds) {
+        std::string& name = record.*kind.name;
+        if (name.empty())
+            continue;
+        const bool isOurs = name.starts_with(prefix) && isPictureName(name.substr(prefix.size()));
+        const Result<Bytes> png = isOurs ? readFile(from / name) : fail(ErrorCode::NotFound, "");
+        if (!png) {
+            name.clear();
+            continue;
+        }
+        if (const Result<void> written = place(to / name, *png); !written)
+            return written;
+        const report::File pixels = report::pixelsOf(name, *png);
+        if (const Result<void> written = place(to / pixels.name, pixels.bytes); !written)
+            return written;
+    }
+    return {};
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,245 @@
+#include "app/screenshot/runs/case_worker.h"
+
+#include "app/screenshot/reports/probe_report.h"
+#include "app/screenshot/runs/case_pictures.h"
+#include "app/screenshot/runs/golden_file.h"
+#include "app/screenshot/runs/pair_worker.h"
+#include "core/image/convert.h"
+#include "core/reference/probe.h"
+#include "core/suite/judge_case.h"
+#include "core/suite/suite_folder.h"
+#include "core/texture/block_cache.h"
+
+#include <fmt/core.h>
+
+#include <new>
+
+namespace texplorer::screenshot {
+namespace {
+
+using suite::CaseRecord;
+using suite::State;
+
+reference::DrawRequest requestFor(const suite::Case& of, const suite::CaseScene& scene) {
+    return {scene.scene, scene.images, of.time, of.size.width, of.size.height, suite::referenceAnisotropy};
+}
+
+LevelWork levelWork() {
+    LevelWork work;
+    work.cache = BlockCache::ofUser();
+    return work;
+}
+
+/// What `texshot probe` says of the worst pixel. Empty where it can't be said: the pictures say enough.
+std::string explanationOf(const suite::Case& of, const suite::CaseScene& scene,
+                          const suite::WorstPixel& worst, const Image& actual) {
+    const reference::PixelPlace place{worst.x, of.size.height - 1 - worst.y};
+    const Result<reference::Explanation> explanation =
+        reference::probe(requestFor(of, scene), place, {.levels = levelWork()});
+    if (!explanation)
+        return {};
+    std::vector<ReadBack> readBacks;
+    if (of.renderer != RendererKind::Reference) {
+        reference::PixelBytes bytes{};
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] = std::to_integer<std::uint8_t>(actual.at(place.x, place.y)[i]);
+        readBacks.push_back({of.renderer, bytes});
+    }
+    return asText(*explanation, readBacks);
+}
+
+/// As what it is held against: the picture that one sees, as `texshot shot` writes it, or what is in the
+/// framebuffer.
+Image seenAs(const suite::Settings& settings, const Image& image) {
+    if (std::holds_alternative<suite::GoldenReference>(settings.golden))
+        return image;
+    Image seen = image;
+    for (std::size_t i = 3; i < seen.pixels.size(); i += 4)
+        seen.pixels[i] = std::byte{255};
+    return seen;
+}
+
+CaseRecord problemOf(CaseRecord record, const Error& error) {
+    record.state = State::Error;
+    record.sentence = describe(error);
+    return record;
+}
+
+} // namespace
+
+std::string CaseWorker::work(const std::string& bytes) {
+    const Result<WorkOrder> order = parseOrder(bytes);
+    if (!order)
+        return bytesOf(WorkAnswer{.problem = describe(order.error())});
+    try {
+        return bytesOf(follow(*order));
+    } catch (const std::bad_alloc&) {
+        loaded_.reset();
+        images_ = ImageSource();
+        const std::string sentence = "there is not enough memory for it";
+        WorkAnswer answer{.problem = sentence};
+        if (order->what == WorkOrder::What::Case && plan_ && order->number < plan_->cases.size())
+            answer.record = recordOf(*plan_, plan_->cases[order->number], State::Error, sentence);
+        if (order->what == WorkOrder::What::Pictures)
+            answer.record = CaseRecord{.name = order->name, .state = State::Error, .sentence = sentence};
+        return bytesOf(answer);
+    }
+}
+
+WorkAnswer CaseWorker::follow(const WorkOrder& order) {
+    switch (order.what) {
+    case WorkOrder::What::Driver:
+        return openDriver(order);
+    case WorkOrder::What::Case:
+        return doCase(order);
+    case WorkOrder::What::Pictures:
+        return comparePair(order);
+    }
+    return {.problem = "no order that is known"};
+}
+
+Result<Studio*> CaseWorker::studio(const RunSetup& setup) {
+    if (!studio_) {
+        const Result<view::Pretence> pretence = view::Pretence::parse(setup.pretended);
+        if (!pretence)
+            return fail(pretence.error());
+        Result<std::unique_ptr<Studio>> opened = openStudio(setup.shaders, *pretence);
+        if (!opened)
+            return fail(opened.error());
+        studio_ = *std::move(opened);
+    }
+    return studio_.get();
+}
+
+WorkAnswer CaseWorker::openDriver(const WorkOrder& order) {
+    const Result<Studio*> opened = studio(order.setup);
+    if (!opened)
+        return {.problem = describe(opened.error())};
+    const conform::Driver driver = (*opened)->driver();
+    return {.driver = driver.name, .version = driver.version};
+}
+
+Result<void> CaseWorker::plan(const RunSetup& setup) {
+    if (plan_ && setup == planned_)
+        return {};
+    plan_.reset();
+    std::vector<suite::Suite> suites;
+    for (const std::string& path : setup.suites) {
+        Result<std::vector<suite::Suite>> found = suite::suitesAt(path);
+        if (!found)
+            return fail(found.error());
+        std::ranges::move(*found, std::back_inserter(suites));
+    }
+    Result<suite::Plan> plan =
+        suite::planOf(std::move(suites), {.renderers = setup.renderers, .only = setup.only});
+    if (!plan)
+        return fail(plan.error());
+    if (fingerprintOf(*plan) != setup.plan)
+        return fail(ErrorCode::Malformed, "the suite has other cases than when the run began");
+    plan_ = *std::move(plan);
+    planned_ = setup;
+    fingerprints_ = std::make_unique<suite::Fingerprints>();
+    loaded_.reset();
+    return {};
+}
+
+/// With its images, of which those of the last case are there.
+Result<suite::CaseScene> CaseWorker::openScene(const suite::Case& of) {
+    Result<suite::CaseScene> scene = suite::openScene(*plan_, of);
+    if (!scene)
+        return scene;
+    const ScenePlace place{of.suite, of.entry, of.scene};
+    Result<void> loaded = fail(ErrorCode::NotFound, "nothing is");
+    if (loaded_ == place) {
+        ImageSource own = std::exchange(scene->images, images_);
+        loaded = scene->load();
+        if (!loaded) // together they may be too large
+            scene->images = std::move(own);
+    }
+    if (!loaded)
+        loaded = scene->load();
+    if (!loaded)
+        return fail(loaded.error());
+    loaded_ = place;
+    images_ = scene->images;
+    return scene;
+}
+
+Result<Frame> CaseWorker::draw(const RunSetup& setup, const suite::Case& of, const suite::CaseScene& scene) {
+    if (of.renderer == RendererKind::Reference)
+        return reference::drawReference(requestFor(of, scene),
+                                        {.threads = setup.threads, .levels = levelWork()});
+    const Result<Studio*> opened = studio(setup);
+    if (!opened)
+        return fail(opened.error());
+    const view::OfferedRenderers offered = (*opened)->renderers();
+    if (!offered.has(of.renderer))
+        return fail(ErrorCode::Unsupported, offered.whyNot(of.renderer));
+    return (*opened)->draw(of.renderer, requestFor(of, scene), levelWork());
+}
+
+WorkAnswer CaseWorker::doCase(const WorkOrder& order) {
+    const Result<void> planned = plan(order.setup);
+    if (!planned || order.number >= plan_->cases.size())
+        return {.problem = planned ? "there is no such case" : describe(planned.error())};
+    const suite::Case& of = plan_->cases[order.number];
+    const CaseRecord bare = recordOf(*plan_, of, State::Error, {});
+
+    conform::Driver driver;
+    WorkAnswer answer;
+    if (of.renderer != RendererKind::Reference) {
+        const Result<Studio*> opened = studio(order.setup);
+        if (!opened)
+            return {.record = problemOf(bare, opened.error())};
+        driver = (*opened)->driver();
+    }
+    answer.record = recordWithoutDrawing(*plan_, of);
+    if (!answer.record) {
+        const Result<suite::CaseScene> scene = openScene(of);
+        if (!scene) {
+            answer.record = problemOf(bare, scene.error());
+        } else if (answer.record = recordWithoutDrawing(*plan_, of, *scene, driver); !answer.record) {
+            Result<Frame> frame = draw(order.setup, of, *scene);
+            if (frame)
+                answer = judge(order, of, std::move(*frame), *scene, driver);
+            else
+                answer.record = problemOf(bare, frame.error());
+        }
+    }
+    answer.record->driver = driver.name;
+    answer.record->fingerprint = fingerprints_->of(*plan_, of, drawnWith(driver.version), driver.name);
+    return answer;
+}
+
+WorkAnswer CaseWorker::judge(const WorkOrder& order, const suite::Case& of, Frame frame,
+                             const suite::CaseScene& scene, const conform::Driver& driver) {
+    const Image actual = seenAs(plan_->settingsOf(of), frame.image);
+    suite::JudgedCase judged = judgeCase(*plan_, of, scene, actual, driver, order.setup.threads);
+    CaseRecord& record = judged.record;
+    if (record.state == State::Passed || record.state == State::Skipped)
+        return {.record = std::move(record)};
+
+    for (const std::string& problem : frame.problems)
+        record.explanation += problem + "\n";
+    if (record.state == State::Failed && record.worst)
+        record.explanation += explanationOf(of, scene, *record.worst, frame.image);
+    if (order.update && isUpdatable(record)) {
+        const std::vector<std::string> goldens = goldensOf(*plan_, of, driver.name);
+        if (!goldens.empty())
+            return writeGolden(plan_->suiteOf(of).folder, goldens.front(), actual, std::move(record));
+    }
+    if (!order.setup.report.empty()) {
+        const CasePictures pictures{judged.expected ? &*judged.expected : nullptr, &actual,
+                                    judged.difference ? &*judged.difference : nullptr};
+        if (const Result<void> written = writePictures(order.setup.report, of.file, pictures, record);
+            !written)
+            return {.record = problemOf(std::move(record), written.error())};
+    }
+    return {.record = std::move(record)};
+}
+
+std::string drawnWith(std::string_view driverVersion) {
+    return fmt::format("texshot {}, {}", TEXPLORER_VERSION, driverVersion);
+}
+
+} // namespace texplorer::screenshot

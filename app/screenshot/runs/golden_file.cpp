@@ -1,0 +1,62 @@
+#include "app/screenshot/runs/golden_file.h"
+
+#include "core/base/file_io.h"
+#include "core/codec/png/png.h"
+#include "core/image/convert.h"
+#include "core/suite/suite_folder.h"
+
+#include <fmt/core.h>
+
+namespace texplorer::screenshot {
+namespace {
+
+namespace fs = std::filesystem;
+using suite::State;
+
+Result<void> placeGolden(const fs::path& folder, const std::string& golden, ByteView png) {
+    const Result<fs::path> path = suite::pathInside(folder, golden);
+    if (!path)
+        return fail(path.error());
+    std::error_code error;
+    fs::create_directories(path->parent_path(), error);
+    if (error)
+        return fail(ErrorCode::Unwritable, "the folder can't be made: " + error.message(),
+                    path->parent_path().string());
+    return writeFileAtomically(*path, png);
+}
+
+} // namespace
+
+bool isUpdatable(const suite::CaseRecord& record) {
+    const bool differs = record.state == State::Failed || record.state == State::New ||
+                         record.state == State::Resized || record.state == State::Extra;
+    return differs && record.golden != "reference";
+}
+
+WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, ByteView png,
+                       suite::CaseRecord record) {
+    const Result<void> placed = placeGolden(folder, golden, png);
+    if (!placed) {
+        record.state = State::Error;
+        record.sentence = describe(placed.error());
+        return {.record = std::move(record)};
+    }
+    const bool isNew = record.state == State::New || record.state == State::Extra;
+    record.sentence = fmt::format("the golden is {}: {}", isNew ? "new" : "written anew", golden);
+    record.state = State::Passed;
+    record.golden = golden;
+    record.explanation.clear();
+    return {.record = std::move(record), .wrote = golden};
+}
+
+WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, const Image& actual,
+                       suite::CaseRecord record) {
+    const Result<Bytes> png = encodePng(withoutAlpha(actual));
+    if (png)
+        return writeGolden(folder, golden, ByteView(*png), std::move(record));
+    record.state = State::Error;
+    record.sentence = describe(png.error());
+    return {.record = std::move(record)};
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,25 @@
+#pragma once
+
+// Goldens that a run writes.
+
+#include "app/screenshot/runs/work_order.h"
+#include "core/image/image.h"
+
+#include <filesystem>
+
+namespace texplorer::screenshot {
+
+/// Whether a new golden would make the case pass: it differs, or there is none yet, and it is a stored
+/// picture.
+[[nodiscard]] bool isUpdatable(const suite::CaseRecord& record);
+
+/// Puts the picture in the golden's place, within the suite's folder, as a whole; then the case has passed.
+/// Where that can't be done, it is in error.
+[[nodiscard]] WorkAnswer writeGolden(const std::filesystem::path& folder, const std::string& golden,
+                                     const Image& actual, suite::CaseRecord record);
+
+/// The same with the bytes of a PNG.
+[[nodiscard]] WorkAnswer writeGolden(const std::filesystem::path& folder, const std::string& golden,
+                                     ByteView png, suite::CaseRecord record);
+
+} // namespace texplorer::screenshot

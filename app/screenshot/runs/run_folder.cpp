@@ -1,0 +1,118 @@
+#include "app/screenshot/runs/run_folder.h"
+
+#include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/runs/case_pictures.h"
+#include "core/base/file_io.h"
+#include "core/base/file_kind.h"
+#include "core/base/file_lock.h"
+#include "core/base/open_directory.h"
+#include "core/report/report_files.h"
+#include "core/suite/record_json.h"
+#include "core/suite/run_page.h"
+
+#include <fcntl.h>
+#include <optional>
+#include <unistd.h>
+
+namespace texplorer::screenshot {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error cantWrite(const std::string& path) {
+    return {ErrorCode::Unwritable, "can't be written: " + systemText(errno), path};
+}
+
+} // namespace
+
+Result<RunFolder> RunFolder::open(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error)
+        return fail(ErrorCode::Unwritable, "the folder can't be made: " + error.message(), path.string());
+    if (const Result<void> writable = checkFolderWritable(path); !writable)
+        return fail(writable.error());
+    const fs::path pictures = path / picturesFolder;
+    if (::mkdir(pictures.c_str(), 0777) != 0 && errno != EEXIST)
+        return fail(cantWrite(pictures.string()));
+    struct stat info {};
+    if (::lstat(pictures.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
+        return fail(ErrorCode::Unwritable, "expected a folder for pictures, found something else",
+                    pictures.string());
+    Descriptor lock = openDirectory(path); // a file system without locks has to do without this one
+    if (lockFile(lock.get()) == EWOULDBLOCK)
+        return fail(ErrorCode::Unwritable, "another run writes its report there", path.string());
+    return RunFolder(path, std::move(lock));
+}
+
+Result<void> RunFolder::openJournal() {
+    journal_ = Descriptor(
+        ::open(journalPath().c_str(),
+               O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, 0666));
+    struct stat info {};
+    if (!journal_.valid() || ::fstat(journal_.get(), &info) != 0)
+        return fail(cantWrite(journalPath()));
+    if (!S_ISREG(info.st_mode))
+        return fail(ErrorCode::Unwritable, "expected a file, found a device, pipe or folder", journalPath());
+    return {};
+}
+
+Result<void> RunFolder::append(const std::string& line) {
+    outputBegins();
+    if (!writeFully(journal_.get(), viewBytes(line)))
+        return fail(cantWrite(journalPath()));
+    return {};
+}
+
+Result<std::map<std::string, suite::CaseRecord>> RunFolder::resume(const suite::RunRecord& run) {
+    const Result<std::string> text = readText(journalPath(), suite::maxRecordBytes);
+    if (!text)
+        return fail(text.error());
+    Result<suite::Journal> journal = suite::parseJournal(*text);
+    if (!journal)
+        return fail(journal.error().code, describe(journal.error()), journalPath());
+    if (const Result<void> same = checkResumable(journal->run, run); !same)
+        return fail(same.error().code, same.error().message, journalPath());
+    if (const Result<void> opened = openJournal(); !opened)
+        return fail(opened.error());
+    if (::ftruncate(journal_.get(), static_cast<off_t>(journal->wholeBytes)) != 0)
+        return fail(cantWrite(journalPath()));
+    std::map<std::string, suite::CaseRecord> records;
+    for (suite::CaseRecord& each : journal->run.cases) {
+        std::string name = each.name;
+        records.insert_or_assign(std::move(name), std::move(each));
+    }
+    return records;
+}
+
+Result<void> RunFolder::begin(const suite::RunRecord& run) {
+    if (const Result<void> opened = openJournal(); !opened)
+        return opened;
+    if (::ftruncate(journal_.get(), 0) != 0)
+        return fail(cantWrite(journalPath()));
+    removePictures(path_);
+    for (const char* old : {recordName, "index.html"}) { // of a run that isn't this one
+        std::error_code ignored;
+        fs::remove(path_ / old, ignored);
+    }
+    return append(suite::journalStart(run));
+}
+
+Result<void> RunFolder::add(const suite::CaseRecord& record) {
+    return append(suite::journalLine(record));
+}
+
+Result<void> RunFolder::finish(const suite::RunRecord& run, const std::string& acceptCommand) const {
+    const Result<std::vector<report::File>> files =
+        report::filesOf(suite::pageOf(run, {.acceptCommand = acceptCommand}));
+    if (!files)
+        return fail(files.error());
+    const std::string record = suite::asJson(run);
+    std::vector<FileContent> contents{{recordName, viewBytes(record)}};
+    for (const report::File& each : *files)
+        contents.push_back({each.name, each.bytes});
+    std::optional<Uninterrupted> placing;
+    return writeFolderAtomically(path_, contents, [&placing] { placing.emplace(); });
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,313 @@
+#include "app/screenshot/runs/test_run.h"
+
+#include "app/screenshot/gl/mesa_settings.h"
+#include "app/screenshot/output/shell_word.h"
+#include "app/screenshot/runs/case_worker.h"
+#include "app/screenshot/runs/run_folder.h"
+#include "app/screenshot/workers/pool.h"
+#include "core/base/count.h"
+#include "core/base/printable.h"
+#include "core/suite/judge_case.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+#include <sys/wait.h>
+
+namespace texplorer::screenshot {
+namespace {
+
+using suite::CaseRecord;
+using suite::State;
+using Outcome = workers::Outcome;
+
+/// Of the pictures that are drawn at once, unless one alone has more: each takes some 30 bytes a pixel while
+/// it is drawn, judged and encoded.
+constexpr std::uint64_t mostPixelsAtOnce = std::uint64_t{64} << 20;
+
+/// What the user hasn't set.
+std::vector<std::string> environmentFor(bool precise, unsigned processes) {
+    std::vector<std::string> environment;
+    const auto add = [&environment](const char* name, const char* value) {
+        if (std::getenv(name) == nullptr)
+            environment.push_back(fmt::format("{}={}", name, value));
+    };
+    if (precise)
+        add(mesaPrecisionVariable, mesaPrecision);
+    if (processes > 1)
+        add(mesaThreadsVariable, mesaNoThreads);
+    return environment;
+}
+
+State stateOf(Outcome::End end) {
+    return end == Outcome::End::Hung ? State::TimedOut : State::Crashed;
+}
+
+class TestRun {
+public:
+    TestRun(const PlannedRun& planned, const RunOptions& options)
+        : planned_(planned)
+        , options_(options)
+        , progress_(options.says, planned.items.size())
+        , pool_({.command = {.arguments = {"texshot"}},
+                 .processes = options.processes,
+                 .mostWeight = mostPixelsAtOnce,
+                 .stop = options.stop})
+        , records_(planned.items.size())
+        , started_(std::chrono::steady_clock::now()) {
+        finished_.run = planned.run;
+    }
+
+    Result<FinishedRun> run();
+
+private:
+    [[nodiscard]] Result<void> openFolder();
+    [[nodiscard]] Result<void> askForDriver();
+    [[nodiscard]] Result<void> takeUp();
+    [[nodiscard]] Result<void> work();
+    [[nodiscard]] std::vector<std::size_t> order() const;
+    [[nodiscard]] workers::Job jobOf(std::size_t index) const;
+    [[nodiscard]] CaseRecord recordOf(std::size_t index, const Outcome& outcome);
+    [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, std::string sentence);
+    [[nodiscard]] std::string fingerprintOf(const RunItem& item);
+    void keep(std::size_t index, CaseRecord record);
+    void collect();
+    [[nodiscard]] Error interrupted() const;
+
+    const PlannedRun& planned_;
+    const RunOptions& options_;
+    RunProgress progress_;
+    workers::Pool pool_;
+    std::optional<RunFolder> folder_;
+    suite::Fingerprints fingerprints_;
+    std::vector<std::optional<CaseRecord>> records_; ///< of each item
+    std::optional<Error> broken_;                    ///< why no more is handed out
+    bool failed_ = false;                            ///< a case isn't alike
+    bool begun_ = false;                             ///< there is a journal
+    FinishedRun finished_;
+    std::chrono::steady_clock::time_point started_;
+};
+
+Result<void> TestRun::openFolder() {
+    if (planned_.setup.report.empty())
+        return {};
+    Result<RunFolder> folder = RunFolder::open(planned_.setup.report);
+    if (!folder)
+        return fail(folder.error());
+    folder_.emplace(*std::move(folder));
+    return {};
+}
+
+/// Every process opens OpenGL, as it would for its first case.
+Result<void> TestRun::askForDriver() {
+    if (!planned_.drawsWithOpenGl || planned_.items.empty())
+        return {};
+    const std::vector<std::size_t> sorted = order();
+    const bool precise = planned_.items[sorted.front()].precise;
+    std::size_t left = std::min<std::size_t>(options_.processes, planned_.items.size());
+    std::optional<Error> problem;
+    const Result<void> asked = pool_.run(
+        [&]() -> std::optional<workers::Job> {
+            if (left == 0)
+                return std::nullopt;
+            --left;
+            return workers::Job{
+                .message = bytesOf(WorkOrder{.setup = planned_.setup, .what = WorkOrder::What::Driver}),
+                .environment = environmentFor(precise, options_.processes),
+                .counts = false};
+        },
+        [&](const Outcome& outcome) {
+            const Result<WorkAnswer> answer = parseAnswer(outcome.answer);
+            if (outcome.end != Outcome::End::Answered) // there is nothing to be parsed then
+                problem = {ErrorCode::Driver, "OpenGL can't be opened: " + sentenceOf(outcome), {}};
+            else if (!answer)
+                problem = answer.error();
+            else if (!answer->problem.empty())
+                problem = {ErrorCode::Driver, answer->problem, {}};
+            if (answer && !problem) {
+                finished_.run.driver = answer->driver;
+                finished_.run.version = answer->version;
+            }
+        });
+    if (!asked)
+        return asked;
+    return problem ? Result<void>(fail(*problem)) : Result<void>();
+}
+
+std::string TestRun::fingerprintOf(const RunItem& item) {
+    if (planned_.plan.cases.empty())
+        return {};
+    const suite::Case& of = planned_.plan.cases[item.number];
+    const bool drawn = of.renderer != RendererKind::Reference;
+    return fingerprints_.of(planned_.plan, of, drawnWith(drawn ? finished_.run.version : std::string()),
+                            drawn ? finished_.run.driver : std::string());
+}
+
+/// What the folder's journal has, or a new one.
+Result<void> TestRun::takeUp() {
+    if (!folder_)
+        return {};
+    begun_ = true;
+    if (!options_.resume)
+        return folder_->begin(finished_.run);
+    const Result<std::map<std::string, CaseRecord>> done = folder_->resume(finished_.run);
+    if (!done)
+        return fail(done.error());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+        const RunItem& item = planned_.items[i];
+        const auto found = done->find(item.name);
+        if (found == done->end() || item.update || found->second.fingerprint != fingerprintOf(item))
+            continue; // the scene, its images or its golden are others now
+        ++finished_.resumed;
+        records_[i] = found->second;
+        progress_.add(found->second);
+    }
+    return {};
+}
+
+/// Those that Mesa draws in the same way one after the other; of these, what takes longest first, or as they
+/// stand: neighbours share images.
+std::vector<std::size_t> TestRun::order() const {
+    std::vector<std::size_t> sorted(planned_.items.size());
+    std::iota(sorted.begin(), sorted.end(), 0);
+    std::ranges::stable_sort(sorted, [this](std::size_t a, std::size_t b) {
+        const RunItem& x = planned_.items[a];
+        const RunItem& y = planned_.items[b];
+        return x.precise != y.precise ? y.precise : x.expected > y.expected;
+    });
+    return sorted;
+}
+
+workers::Job TestRun::jobOf(std::size_t index) const {
+    const RunItem& item = planned_.items[index];
+    const bool pictures = planned_.plan.cases.empty();
+    WorkOrder what{.setup = planned_.setup,
+                   .what = pictures ? WorkOrder::What::Pictures : WorkOrder::What::Case,
+                   .number = item.number,
+                   .name = pictures ? item.name : std::string(),
+                   .hasActual = item.hasActual,
+                   .hasGolden = item.hasGolden,
+                   .update = item.update};
+    return {.number = index,
+            .message = bytesOf(what),
+            .environment = environmentFor(item.precise, options_.processes),
+            .limit = std::chrono::duration<double>(item.limit),
+            .weight = item.pixels};
+}
+
+CaseRecord TestRun::recordWithout(const RunItem& item, State state, std::string sentence) {
+    CaseRecord record{.name = item.name, .state = state, .sentence = sentence};
+    if (!planned_.plan.cases.empty()) {
+        const suite::Case& of = planned_.plan.cases[item.number];
+        record = suite::recordOf(planned_.plan, of, state, std::move(sentence));
+        if (of.renderer != RendererKind::Reference)
+            record.driver = finished_.run.driver;
+    }
+    record.fingerprint = fingerprintOf(item);
+    return record;
+}
+
+CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
+    const RunItem& item = planned_.items[index];
+    CaseRecord record;
+    if (outcome.end == Outcome::End::Answered) {
+        Result<WorkAnswer> answer = parseAnswer(outcome.answer);
+        if (answer && answer->record && answer->record->name == item.name) {
+            record = *std::move(answer->record);
+            if (!answer->wrote.empty())
+                finished_.wrote.push_back(answer->wrote);
+        } else {
+            record =
+                recordWithout(item, State::Error,
+                              !answer                   ? describe(answer.error())
+                              : answer->problem.empty() ? "the worker process answered about something else"
+                                                        : answer->problem);
+        }
+    } else {
+        record = recordWithout(item, stateOf(outcome.end), sentenceOf(outcome));
+        if (outcome.end == Outcome::End::Crashed && WIFSIGNALED(outcome.status))
+            record.signal = WTERMSIG(outcome.status);
+        if (!outcome.lastWords.empty())
+            record.explanation = "What it printed last:\n" + printable(outcome.lastWords, LineBreaks::Keep);
+    }
+    record.seconds = outcome.took.count();
+    record.attempt = outcome.attempt;
+    return record;
+}
+
+void TestRun::keep(std::size_t index, CaseRecord record) {
+    progress_.add(record);
+    failed_ = failed_ || suite::rowOf(record.state).status != 0;
+    if (folder_ && !broken_) {
+        if (const Result<void> added = folder_->add(record); !added)
+            broken_ = added.error();
+    }
+    records_[index] = std::move(record);
+}
+
+Result<void> TestRun::work() {
+    const std::vector<std::size_t> sorted = order();
+    std::size_t next = 0;
+    return pool_.run(
+        [&]() -> std::optional<workers::Job> {
+            while (next < sorted.size() && records_[sorted[next]])
+                ++next;
+            if (next == sorted.size() || broken_ || (failed_ && options_.failFast))
+                return std::nullopt;
+            return jobOf(sorted[next++]);
+        },
+        [&](const Outcome& outcome) { keep(outcome.number, recordOf(outcome.number, outcome)); });
+}
+
+void TestRun::collect() {
+    for (std::optional<CaseRecord>& each : records_) {
+        if (each)
+            finished_.run.cases.push_back(*std::move(each));
+    }
+    finished_.run.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
+
+Error TestRun::interrupted() const {
+    const auto done = std::ranges::count_if(records_, [](const auto& each) { return each.has_value(); });
+    const std::string far = fmt::format("{} of {} done", done, countOf(records_.size(), "case"));
+    const bool resumable = begun_ && !planned_.plan.cases.empty();
+    return {ErrorCode::Cancelled,
+            resumable ? fmt::format("interrupted, {}; the same call with --resume {} goes on", far,
+                                    shellWord(planned_.setup.report))
+                      : fmt::format("interrupted, {}", far),
+            {}};
+}
+
+Result<FinishedRun> TestRun::run() {
+    if (const Result<void> opened = openFolder(); !opened)
+        return fail(opened.error());
+    Result<void> done = askForDriver();
+    if (done)
+        done = takeUp();
+    if (done)
+        done = work();
+    progress_.clear();
+    if (!done)
+        return fail(done.error().code == ErrorCode::Cancelled ? interrupted() : done.error());
+    if (broken_)
+        return fail(*broken_);
+    collect();
+    if (folder_) {
+        if (const Result<void> written = folder_->finish(finished_.run, options_.acceptCommand); !written)
+            return fail(written.error());
+    }
+    return std::move(finished_);
+}
+
+} // namespace
+
+Result<FinishedRun> runAll(const PlannedRun& planned, const RunOptions& options) {
+    return TestRun(planned, options).run();
+}
+
+} // namespace texplorer::screenshot

@@ -1,0 +1,138 @@
+#include "app/screenshot/runs/work_order.h"
+
+#include "core/suite/record_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace texplorer::screenshot {
+namespace {
+
+using Json = nlohmann::json;
+
+/// MessagePack: its strings are bytes.
+std::string packed(const Json& json) {
+    std::string bytes;
+    Json::to_msgpack(json, bytes);
+    return bytes;
+}
+
+Result<Json> unpacked(std::string_view bytes) {
+    Json json = Json::from_msgpack(bytes, true, false);
+    if (json.is_discarded())
+        return fail(ErrorCode::Malformed, "expected a message of texshot, found other bytes");
+    return json;
+}
+
+Json jsonOf(const RunSetup& setup) {
+    std::vector<std::uint32_t> renderers;
+    for (const RendererKind each : setup.renderers)
+        renderers.push_back(static_cast<std::uint32_t>(each));
+    const Criterion& criterion = setup.criterion;
+    return {{"suites", setup.suites},
+            {"renderers", renderers},
+            {"only", setup.only},
+            {"plan", setup.plan},
+            {"report", setup.report},
+            {"shaders", setup.shaders},
+            {"pretended", setup.pretended},
+            {"threads", setup.threads},
+            {"actual", setup.actual},
+            {"golden", setup.golden},
+            {"mask", setup.mask},
+            {"metric", static_cast<std::uint32_t>(criterion.metric)},
+            {"tolerance", criterion.tolerance},
+            {"share", criterion.share},
+            {"compared", static_cast<std::uint32_t>(criterion.compared)},
+            {"pixelsPerDegree", criterion.pixelsPerDegree}};
+}
+
+RunSetup setupOf(const Json& json) {
+    RunSetup setup;
+    json.at("suites").get_to(setup.suites);
+    for (const std::uint32_t each : json.at("renderers").get<std::vector<std::uint32_t>>())
+        setup.renderers.push_back(static_cast<RendererKind>(each));
+    json.at("only").get_to(setup.only);
+    json.at("plan").get_to(setup.plan);
+    json.at("report").get_to(setup.report);
+    json.at("shaders").get_to(setup.shaders);
+    json.at("pretended").get_to(setup.pretended);
+    json.at("threads").get_to(setup.threads);
+    json.at("actual").get_to(setup.actual);
+    json.at("golden").get_to(setup.golden);
+    json.at("mask").get_to(setup.mask);
+    setup.criterion.metric = static_cast<Metric>(json.at("metric").get<std::uint32_t>());
+    json.at("tolerance").get_to(setup.criterion.tolerance);
+    json.at("share").get_to(setup.criterion.share);
+    setup.criterion.compared = static_cast<Compared>(json.at("compared").get<std::uint32_t>());
+    json.at("pixelsPerDegree").get_to(setup.criterion.pixelsPerDegree);
+    return setup;
+}
+
+/// What the library throws about members that are missing or of another type.
+template<class Value, class Read>
+Result<Value> readBy(std::string_view bytes, const Read& read) {
+    const Result<Json> json = unpacked(bytes);
+    if (!json)
+        return fail(json.error());
+    try {
+        return read(*json);
+    } catch (const Json::exception& error) {
+        return fail(ErrorCode::Malformed, error.what());
+    }
+}
+
+} // namespace
+
+std::string bytesOf(const WorkOrder& order) {
+    return packed({{"setup", jsonOf(order.setup)},
+                   {"what", static_cast<std::uint32_t>(order.what)},
+                   {"number", order.number},
+                   {"name", order.name},
+                   {"hasActual", order.hasActual},
+                   {"hasGolden", order.hasGolden},
+                   {"update", order.update}});
+}
+
+Result<WorkOrder> parseOrder(std::string_view bytes) {
+    return readBy<WorkOrder>(bytes, [](const Json& json) {
+        WorkOrder order;
+        order.setup = setupOf(json.at("setup"));
+        order.what = static_cast<WorkOrder::What>(json.at("what").get<std::uint32_t>());
+        json.at("number").get_to(order.number);
+        json.at("name").get_to(order.name);
+        json.at("hasActual").get_to(order.hasActual);
+        json.at("hasGolden").get_to(order.hasGolden);
+        json.at("update").get_to(order.update);
+        return order;
+    });
+}
+
+std::string bytesOf(const WorkAnswer& answer) {
+    return packed({{"record", answer.record ? suite::journalLine(*answer.record) : std::string()},
+                   {"wrote", answer.wrote},
+                   {"problem", answer.problem},
+                   {"driver", answer.driver},
+                   {"version", answer.version}});
+}
+
+Result<WorkAnswer> parseAnswer(std::string_view bytes) {
+    std::string record;
+    Result<WorkAnswer> answer = readBy<WorkAnswer>(bytes, [&record](const Json& json) {
+        WorkAnswer found;
+        json.at("record").get_to(record);
+        json.at("wrote").get_to(found.wrote);
+        json.at("problem").get_to(found.problem);
+        json.at("driver").get_to(found.driver);
+        json.at("version").get_to(found.version);
+        return found;
+    });
+    if (answer && !record.empty()) {
+        Result<suite::CaseRecord> parsed = suite::parseCaseRecord(record);
+        if (!parsed)
+            return fail(parsed.error());
+        answer->record = *std::move(parsed);
+    }
+    return answer;
+}
+
+} // namespace texplorer::screenshot
