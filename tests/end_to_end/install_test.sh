@@ -74,6 +74,12 @@ grep -q "consumer: $work/nowhere.dds: " "$work/said" || complain "the error name
 
 # The programs.
 [ "$(identify -format '%wx%h' "$work/shot.png")" = 64x64 ] || complain "the installed texshot drew no 64x64 PNG"
+for module in "$prefix"/lib/texplorer/texshot_*.so; do # one for each library of contexts
+    context=$(basename "${module#*texshot_}" .so)
+    "$prefix/bin/texshot" shot --context "$context" --size 64x64 -o "$work/$context.png"
+    [ "$(identify -format '%#' "$work/$context.png")" = "$(identify -format '%#' "$work/shot.png")" ] ||
+        complain "the installed texshot draws something else by $context"
+done
 "$prefix/bin/texplorer" --version | grep -qx "texplorer $version" || complain "the installed texplorer says another version"
 shaders=$prefix/share/texplorer/shaders
 "$prefix/bin/texshot" shot --renderer shader --size 64x64 -o "$work/built_in.png"

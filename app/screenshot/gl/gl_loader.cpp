@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <dlfcn.h>
@@ -83,11 +82,15 @@ Result<FoundEntry<Entry>> findEntry(const view::ContextChoice& choice, const cha
 constexpr std::array driverVariables{"GALLIUM_DRIVER", "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_FILENAMES",
                                      "MESA_LOADER_DRIVER_OVERRIDE", "__EGL_VENDOR_LIBRARY_DIRS"};
 
-bool isDriverNamed() {
-    return std::ranges::any_of(driverVariables, [](const char* variable) {
+/// "GALLIUM_DRIVER is \"zink\""; empty: nobody named one.
+std::string namedDriver() {
+    std::string text;
+    for (const char* variable : driverVariables) {
         const char* value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody changes it
-        return value && *value != '\0';
-    });
+        if (value && *value != '\0')
+            text += fmt::format("{}{} is \"{}\"", text.empty() ? "" : ", ", variable, value);
+    }
+    return text;
 }
 
 /// An entry point to draw with. A driver that somebody named, and that may be none or not get along with this
@@ -97,9 +100,9 @@ Result<Entry> findTriedEntry(const view::ContextChoice& choice, const char* name
     const Result<FoundEntry<Entry>> entry = findEntry<Entry>(choice, name);
     if (!entry)
         return fail(entry.error());
-    if (entry->kind == ContextKind::Egl && isDriverNamed()) {
+    if (const std::string named = namedDriver(); entry->kind == ContextKind::Egl && !named.empty()) {
         if (const Result<DriverReport> answer = askDriver(choice); !answer)
-            return fail(answer.error());
+            return fail(answer.error().code, fmt::format("{} ({})", answer.error().message, named));
     }
     return entry->call;
 }
