@@ -2,6 +2,7 @@
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/output/shell_word.h"
 #include "app/screenshot/runs/run_plan.h"
@@ -45,8 +46,6 @@ struct TestOptions {
     int timeout = 0; ///< seconds; 0: as the suites say
     bool failFast = false;
     bool list = false;
-    bool quiet = false;
-    bool verbose = false;
     std::string metric = std::string(rowOf(Metric::Absolute).name);
     std::string tolerance;
     std::string share;
@@ -181,7 +180,7 @@ ExitCode say(const TestOptions& options, const FinishedRun& finished, ExitCode s
     text += suite::asText(finished.run);
     if (!finished.wrote.empty())
         text += fmt::format("{} written\n", countOf(finished.wrote.size(), "golden"));
-    if (options.quiet && status == success)
+    if (loudness().quiet && status == success)
         return status;
     if (!toStandardOutput) {
         std::fputs(printable(text, LineBreaks::Keep).c_str(), stderr);
@@ -273,9 +272,9 @@ ExitCode test(const TestOptions& options) {
     run.failFast = options.failFast;
     run.resume = !options.resume.empty();
     run.acceptCommand = planned->run.command + " --accept accept.txt";
-    run.says = options.quiet     ? RunProgress::Says::Nothing
-               : options.verbose ? RunProgress::Says::EveryCase
-                                 : RunProgress::Says::OneLine;
+    run.says = loudness().quiet     ? RunProgress::Says::Nothing
+               : loudness().verbose ? RunProgress::Says::EveryCase
+                                    : RunProgress::Says::OneLine;
     run.stop = stop.get_token();
     const Result<FinishedRun> finished = runAll(*planned, run);
     askToStop(nullptr);
@@ -368,9 +367,6 @@ void declareRunning(Command& command, TestOptions& options) {
                            "Seconds after which a case has hung. Without it: as the suite says, or 60."));
     running(command.flag("--fail-fast", options.failFast, "End with the first failure."));
     command.flag("--list", options.list, "Name the cases, and run none.");
-    const Option& quiet = command.flag("--quiet", options.quiet, "Say nothing unless something fails.");
-    command.flag("--verbose", options.verbose, "A line on standard error for each case.",
-                 {.excludes = &quiet});
 }
 
 } // namespace

@@ -277,9 +277,9 @@ Error TestRun::interrupted() const {
     const std::string far = fmt::format("{} of {} done", done, countOf(records_.size(), "case"));
     const bool resumable = begun_ && !planned_.plan.cases.empty();
     return {ErrorCode::Cancelled,
-            resumable ? fmt::format("interrupted, {}; the same call with --resume {} goes on", far,
+            resumable ? fmt::format("{}; the same call with --resume {} goes on", far,
                                     shellWord(planned_.setup.report))
-                      : fmt::format("interrupted, {}", far),
+                      : far,
             {}};
 }
 
