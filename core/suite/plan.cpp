@@ -16,6 +16,7 @@
 namespace texplorer::suite {
 namespace {
 
+constexpr std::size_t shownPlaceBytes = 200;
 constexpr std::size_t shownValueBytes = 64; ///< of an axis' value in a case's name
 
 std::size_t product(std::size_t a, std::size_t b) {
@@ -55,7 +56,10 @@ std::string placeOfEntry(const Suite& suite, std::size_t entry) {
 Error inEntry(const Suite& suite, std::size_t entry, std::string_view key, const Error& error) {
     const std::string place = fmt::format("{}/{}", placeOfEntry(suite, entry), key);
     return {error.code, printable(error.message),
-            error.where.empty() ? place : fmt::format("{}: {}", place, shortened(error.where))};
+            error.where.empty()
+                ? place
+                : fmt::format("{}: {}", place,
+                              printable(std::string_view(error.where).substr(0, shownPlaceBytes)))};
 }
 
 /// A scene's axes. A scene that can't be read is no error: its cases say so.

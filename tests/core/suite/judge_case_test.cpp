@@ -163,7 +163,7 @@ TEST_F(JudgeCase, TheReferenceIsAGoldenThatNobodyHasToStore) {
     EXPECT_EQ(passed.record.golden, "reference");
     EXPECT_THAT(passed.record.metric, HasSubstr("rule "));
 
-    // 5 % of the pixels, which no rule but that of anisotropy would forgive
+    // 3 % of the pixels, which no rule but that of anisotropy would forgive
     for (int x = 0; x < 40; ++x)
         setPixel(actual, x, 12, {255, 0, 255, 255});
     setPixel(actual, 7, 13, {255, 0, 255, 255});
