@@ -1,5 +1,6 @@
 #include "core/suite/accept_list.h"
 
+#include "core/base/nearest_name.h"
 #include "core/scene/params/param_text.h"
 
 #include <fmt/core.h>
