@@ -82,24 +82,29 @@ class Shots(Texshot):
     def test_a_picture_among_many_is_the_picture_alone(self):
         photo = self.path / "photo.bmp"
         photo.write_bytes(bmp(24, 20, lambda x, y: (x * 9, y * 11, x * y & 255)))
-        scenes = [self.scene("file.json", textures=[{"source": "file", "file": "photo.bmp"}],
+        scenes = [self.scene("file.json", textures=[{"source": "file", "file": "photo.bmp", "mipmaps": "generated"}],
                              passes=[{"units": [{"enabled": True}]}]),
                   self.scene("plain.json"),
-                  self.scene("cube.json", textures=[{"pattern": "brick"}], passes=[{"units": [
+                  self.scene("cube.json", textures=[{"pattern": "brick", "mipmaps": "generated"}], passes=[{"units": [
                       {"enabled": True, "target": "GL_TEXTURE_CUBE_MAP"}]}]),
-                  self.scene("again.json", textures=[{"source": "file", "file": "photo.bmp", "compression": "driver"}],
+                  self.scene("again.json", textures=[{"source": "file", "file": "photo.bmp", "compression": "driver",
+                                                 "minFilter": "GL_LINEAR"}],
                              passes=[{"units": [{"enabled": True}]}])]
         for renderer in ("fixed", "shader", "reference"):
-            self.draws(*scenes, "--renderer", renderer, "--axis", "textures[0].wrapS=GL_REPEAT,GL_CLAMP_TO_EDGE",
-                       "--size", "40x30,64x48", "-o", self.out / "{renderer}-{scene}-{size}-{wrapS}.png")
+            many = texshot("shot", *scenes, "--renderer", renderer, "--axis", "textures[0].wrapS=GL_REPEAT,GL_CLAMP_TO_EDGE",
+                           "--size", "40x30,64x48", "-o", self.out / "{renderer}-{scene}-{size}-{wrapS}.png")
+            self.assertEqual(many.returncode, 0, many.stderr)
+            said = b""
             for scene in scenes:
                 for size in ("40x30", "64x48"):
                     for wrap in ("GL_REPEAT", "GL_CLAMP_TO_EDGE"):
                         with self.subTest((renderer, scene.name, size, wrap)):
-                            alone = self.succeeds("shot", scene, "--renderer", renderer, "--size", size,
-                                                  "--set", f"textures[0].wrapS={wrap}", "-o", "-")
-                            name = f"{renderer}-{scene.stem}-{size}-{wrap}.png"
-                            self.assertEqual((self.out / name).read_bytes(), alone)
+                            name = self.out / f"{renderer}-{scene.stem}-{size}-{wrap}.png"
+                            alone = texshot("shot", scene, "--renderer", renderer, "--size", size,
+                                            "--set", f"textures[0].wrapS={wrap}", "-o", "-")
+                            self.assertEqual((alone.returncode, name.read_bytes()), (0, alone.stdout))
+                            said += alone.stderr.replace(b"texshot: ", f"texshot: {name}: ".encode())
+            self.assertEqual(many.stderr, said, "the same sentences, in the order of the pictures")
 
     def test_windows_are_drawn_too(self):
         names = self.draws("--ui", "--size", "800x600", "--axis", "textures[0].magFilter=*", "-o", self.out / "{magFilter}.png")
