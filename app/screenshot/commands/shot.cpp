@@ -173,6 +173,14 @@ Result<void> checkFolders(const std::vector<std::string>& names) {
 
 ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, std::vector<view::Size> sizes,
                   std::vector<double> times, ShotRequest request) {
+    const bool several = options.files.size() > 1 || sizes.size() > 1 || times.size() > 1;
+    if (several && pattern.places().empty())
+        return complain({ErrorCode::OutOfRange,
+                         fmt::format("expected a name that differs for each picture, as in {{scene}}.png or "
+                                     "{{number}}.png, found \"{}\"",
+                                     options.out),
+                         "--out"},
+                        wrongCall);
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
@@ -274,7 +282,7 @@ void addShot(CommandLine& line) {
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
     command.footer(fmt::format(
-        "One call draws at most {} pictures, in one context. A scene that can't be read or drawn gets its "
+        "One call draws at most {} pictures. A scene that can't be read or drawn gets its "
         "sentence, and the others go on; then the exit status is 1. A file that can't be written ends it.",
         maxShots));
     command.onCall([options] { return shoot(*options); });

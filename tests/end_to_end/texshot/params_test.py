@@ -26,7 +26,7 @@ class Params(Texshot):
         self.assertIn(b"--set", self.succeeds("shot", "--help"))
         for command in ("shot", "probe"):
             text = self.succeeds(command, "--help").decode()
-            self.assertRegex(text, r"--size WIDTHxHEIGHT +Of the picture, in pixels. Default: 1280x800.\n")
+            self.assertRegex(text, r"--size WIDTHxHEIGHT +Of the picture, in pixels\.[^-]*Default: 1280x800\.\n")
         for command in ([], ["shot"], ["probe"], ["check"], ["conform"], ["params"], ["decode"], ["info"], ["convert"],
                         ["flip"], ["compress"], ["presets"], ["diff"], ["commands"]):
             with self.subTest(command=command):

@@ -91,7 +91,7 @@ class Shot(Texshot):
              ["--ui", "--section", "lod"]),
             ("--ui", ["--section", "matrix"]),
             ("there is no option --nonsense; see texshot shot --help", ["--nonsense"]),
-            ("expected no further argument, found \"b.json\"; see texshot shot --help", ["a.json", "b.json"]),
+            ("expected a name that differs for each picture", ["a.json", "b.json"]),
         ]:
             with self.subTest(arguments):
                 self.complains(2, expected, "shot", *arguments, "-o", out)

@@ -128,7 +128,10 @@ class Shots(Texshot):
         (self.path / "other").mkdir()
         twin = self.scene("other/a.json")
         axis = ("--axis", "textures[0].minFilter=GL_NEAREST,GL_LINEAR")
-        self.refuses('found "%s" for number 1 and number 2' % (self.out / "x.png"), a, b, "-o", self.out / "x.png")
+        self.refuses('expected a name that differs for each picture, as in {scene}.png or {number}.png, found "%s"'
+                     % (self.out / "x.png"), a, b, "-o", self.out / "x.png")
+        self.refuses("expected a name that differs for each picture", a, "--time", "0,1", "-o", "-")
+        self.refuses('found "%s" for number 1 and number 2' % (self.out / "x.png"), a, *axis, "-o", self.out / "x.png")
         self.refuses("for number 1 and number 2", a, twin, "-o", self.out / "{scene}.png")
         self.refuses("for number 1 and number 2", a, *axis, "-o", self.out / "{scene}.png")
         self.refuses("expected one of {scene}, {number}, {renderer}, {time}, {size}, {minFilter}; found {magFilter}",
@@ -138,7 +141,7 @@ class Shots(Texshot):
                      "-o", self.out / "{envMode}.png")
         self.refuses("expected a name and } behind each {", a, b, "-o", self.out / "{scene.png")
         self.refuses("expected a name that ends in one of .bmp, .dds, .png, .tga", a, b, "-o", "{scene}")
-        self.refuses("expected a name that ends in one of", a, b, "-o", "-")
+        self.refuses("expected a name that ends in one of", a, *axis, "-o", "-")
         self.refuses("can't be written: No such file or directory", a, b, "-o", self.out / "no" / "{scene}.png", code=1)
         self.refuses("expected each axis once, found textures[0].minFilter twice", a, *axis, *axis, "-o", self.out / "{number}.png")
         self.refuses('expected each once, found "0" twice', a, "--time", "0,1,0", "-o", self.out / "{time}.png")
