@@ -282,8 +282,10 @@ void addShot(CommandLine& line) {
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
     command.footer(fmt::format(
-        "One call draws at most {} pictures. A scene that can't be read or drawn gets its "
-        "sentence, and the others go on; then the exit status is 1. A file that can't be written ends it.",
+        "One call draws at most {} pictures. A scene that can't be read or drawn gets its sentence, and the "
+        "others go on; a file that can't be written ends it.\n"
+        "Exit status: 0 done, 1 a picture couldn't be drawn or written, 2 a wrong call, 130 Ctrl+C: what was "
+        "written by then is whole.",
         maxShots));
     command.onCall([options] { return shoot(*options); });
 }
