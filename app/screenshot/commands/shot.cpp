@@ -119,7 +119,7 @@ ExitCode shootOne(const ShotOptions& options, ShotRequest request) {
 }
 
 /// "{scene}" in the names of pictures.
-std::string nameOf(const SceneArgument& scene, const std::string& file) {
+std::string sceneNameOf(const SceneArgument& scene, const std::string& file) {
     if (scene.lesson.empty())
         return sceneName(file);
     return fmt::format("{}-{}", std::filesystem::path(scene.lesson).filename().string(), scene.step);
@@ -142,7 +142,7 @@ tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions
             complain(opened.error().error);
             continue;
         }
-        ShotList::Entry entry{nameOf(options.scene, file), file, *std::move(opened)};
+        ShotList::Entry entry{sceneNameOf(options.scene, file), file, *std::move(opened)};
         for (const std::string& text : options.axes) {
             Result<SweepAxis> axis = parseSweepAxis(entry.opened.scene, text);
             if (!axis)

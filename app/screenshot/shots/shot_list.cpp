@@ -12,7 +12,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-constexpr const char* option = "--out";
+constexpr const char* nameOption = "--out";
 constexpr std::array<std::string_view, 5> fixedPlaces{"scene", "number", "renderer", "time", "size"};
 
 /// "minFilter" of "textures[0].minFilter".
@@ -92,7 +92,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
             return fail(ErrorCode::OutOfRange,
                         fmt::format("{} may be {} or {}: expected one of them as a whole", inBraces(place),
                                     meant[0], meant[1]),
-                        option);
+                        nameOption);
         if (isFixed || meant.size() == 1)
             continue;
         std::string known;
@@ -101,7 +101,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
         for (const SweepAxis& axis : axes)
             known.append(", ").append(inBraces(keyOfPath(axis.path)));
         return fail(ErrorCode::OutOfRange,
-                    fmt::format("expected one of {}; found {}", known, inBraces(place)), option);
+                    fmt::format("expected one of {}; found {}", known, inBraces(place)), nameOption);
     }
     return {};
 }
@@ -139,7 +139,7 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern,
                         fmt::format("expected a name for each of {} pictures, found \"{}\" for number {} and "
                                     "number {}; {{number}} in it would tell them apart",
                                     count_, name, other->second, i + 1),
-                        option);
+                        nameOption);
         names.push_back(std::move(name));
     }
     return names;

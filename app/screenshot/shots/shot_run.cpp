@@ -239,8 +239,8 @@ ExitCode drawAll(const ShotRun& run) {
     const std::size_t count = run.names.size();
     const std::string written =
         fmt::format("{} of {} were written", all.writer.written(), countOf(count, "picture"));
-    if (const std::optional<Error> failure = all.writer.failure())
-        return complain({failure->code, fmt::format("{}; {}", failure->message, written), failure->where});
+    if (const std::optional<Error> lost = all.writer.failure())
+        return complain({lost->code, fmt::format("{}; {}", lost->message, written), lost->where});
     if (work.stopToken().stop_requested())
         return complainInterrupted(all.writer.written() > 0 ? written : std::string());
     if (all.unopened && all.next < count) // another thread's context has done without it
