@@ -1,0 +1,475 @@
+"""texshot test: suites of pictures, drawn by worker processes that may crash, hang or be killed."""
+
+import json
+import os
+import random
+import resource
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from PIL import Image
+
+from suites import COLORS, Suites
+from texshot import SANITIZED, TEXSHOT, texshot
+
+
+class Test(Suites):
+    def test_goldens_are_written_once_and_held_against_from_then_on(self):
+        suite = self.suite(self.backgrounds("grey", "dark", "blue"))
+        self.assertEqual(set(self.states(suite, code=1).values()), {"new"})
+        self.assertFalse((self.path / "golden").exists(), "nobody asked for them")
+        said = self.passes(suite, "--update")
+        self.assertIn("3 goldens written", said)
+        goldens = sorted((self.path / "golden").iterdir())
+        self.assertEqual([each.suffix for each in goldens], [".png"] * 3)
+        with Image.open(goldens[0]) as picture:
+            self.assertEqual((picture.size, picture.mode), ((24, 16), "RGB"))
+        written = [each.stat().st_mtime_ns for each in goldens]
+        self.assertEqual(self.passes(suite, "--update").splitlines(), ["3 cases: 3 passed"])
+        self.assertEqual([each.stat().st_mtime_ns for each in goldens], written, "what is alike is left alone")
+
+    def test_a_golden_is_what_texshot_shot_writes(self):
+        suite = self.suite(self.backgrounds("grey", renderer=["fixed", "shader", "reference"],
+                                            golden="golden/{case}.png"))
+        golden = self.path / "golden"
+        golden.mkdir()
+        names = self.passes(suite, "--list").splitlines()
+        self.assertEqual(names, [f"grey/{renderer}@24x16" for renderer in ("fixed", "shader", "reference")])
+        for name in names:
+            renderer = name.split("/")[1].split("@")[0]
+            self.succeeds("shot", "--set", f"view.background={COLORS['grey']}", "--size", "24x16", "--renderer",
+                          renderer, *(["--anisotropy", "ellipse"] if renderer == "reference" else []),
+                          "-o", golden / (name.replace("/", "__") + ".png"))
+        self.assertEqual(self.passes(suite), "3 cases: 3 passed\n")
+
+    def test_a_failure_has_pictures_and_an_explanation(self):
+        suite = self.suite(self.backgrounds("grey", "dark"))
+        self.passes(suite, "--update")
+        golden = next((self.path / "golden").glob("grey*"))
+        picture = Image.open(golden).convert("RGB")
+        picture.putpixel((5, 3), (255, 0, 0))
+        picture.save(golden)
+        report = self.path / "report"
+        case = self.record(suite, "--report", report, code=1)["grey"]
+        self.assertEqual(case["state"], "failed")
+        self.assertEqual((case["worst"]["x"], case["worst"]["y"]), (5, 3))
+        self.assertEqual(case["worst"]["expected"][:3], [255, 0, 0])
+        pictures = {kind: report / case["pictures"][kind] for kind in ("expected", "actual", "difference")}
+        for each in pictures.values():
+            self.assertTrue(each.is_file())
+            self.assertTrue(each.with_name(each.name + ".js").is_file(), "its pixels, for the page")
+        with Image.open(pictures["expected"]) as expected, Image.open(pictures["actual"]) as actual:
+            self.assertEqual(self.difference(expected, actual), (5, 3, 6, 4))
+        probed = self.succeeds("probe", "--set", f"view.background={COLORS['grey']}", "--size", "24x16", "--at", "5,3",
+                               "--anisotropy", "ellipse").decode()
+        for line in probed.splitlines()[:3]:
+            self.assertIn(line, case["explanation"])
+        self.assertTrue((report / "index.html").is_file())
+        self.assertEqual(json.loads((report / "run.json").read_text())["status"], 1)
+        self.assertNotIn(str(self.path), (report / "run.json").read_text().replace(str(suite), ""))
+
+    def test_update_writes_what_differs_and_accept_what_is_named(self):
+        suite = self.suite(self.backgrounds("grey", "dark", "blue"))
+        self.passes(suite, "--update")
+        changed = self.suite([{**case, "set": "view.background=0.3,0.3,0.3"} for case in self.backgrounds("grey", "dark")] +
+                             self.backgrounds("blue"))
+        before = {each.name: each.read_bytes() for each in (self.path / "golden").iterdir()}
+        accepted = self.path / "accept.txt"
+        accepted.write_text("# two that look right\n\ngrey/fixed@24x16\n")
+        said = self.passes(changed, "--accept", accepted)
+        self.assertIn("1 case: 1 passed", said)
+        after = {each.name: each.read_bytes() for each in (self.path / "golden").iterdir()}
+        self.assertEqual([name for name in before if before[name] != after[name]], ["grey__fixed@24x16.png"])
+        self.assertEqual(self.states(changed, code=1), {"grey": "passed", "dark": "failed", "blue": "passed"})
+        accepted.write_text("gray/fixed@24x16\n")
+        self.complains(2, "gray/fixed@24x16", "test", changed, "--accept", accepted)
+        self.complains(2, "--accept", "test", changed, "--accept", accepted, "--update")
+        self.passes(changed, "--update")
+        self.passes(changed)
+
+    def test_the_reference_is_a_golden_that_needs_no_picture(self):
+        suite = self.suite([{"name": "wraps", "axis": "textures[0].wrapS=GL_REPEAT,GL_CLAMP", "golden": "reference",
+                             "renderer": ["fixed", "shader"], "size": "48x48"}])
+        self.assertEqual(self.passes(suite), "4 cases: 4 passed\n")
+        self.assertEqual(sorted(os.listdir(self.path)), ["s.suite.json"])
+        self.assertIn("0 goldens", self.passes(suite, "--update") + "0 goldens", "there is none to write")
+
+    def test_a_crash_a_hang_and_an_end_fail_alone(self):
+        suite = self.suite(self.backgrounds("grey", "crash", "dark", "hang", "blue", "killed", "exit", "black", seconds=4),
+                           golden="reference")
+        driver = self.broken_driver()
+        report = self.path / "report"
+        for jobs in (1, 3):
+            with self.subTest(jobs=jobs):
+                cases = self.record(suite, "--report", report, "--junit", self.path / "junit.xml", "-j", jobs, code=1,
+                                    env=driver)
+                self.assertEqual({name: case["state"] for name, case in cases.items()},
+                                 {"grey": "passed", "crash": "crashed", "dark": "passed", "hang": "timed-out",
+                                  "blue": "passed", "killed": "crashed", "exit": "crashed", "black": "passed"})
+                self.assertIn("SIGABRT", cases["crash"]["sentence"])
+                self.assertIn("assertion failed", cases["crash"]["explanation"])
+                self.assertEqual(cases["crash"]["signal"], signal.SIGABRT)
+                self.assertIn("within 4 s", cases["hang"]["sentence"])
+                self.assertIn("SIGKILL", cases["killed"]["sentence"])
+                self.assertEqual((cases["killed"]["attempt"], cases["crash"]["attempt"]), (2, 1))
+                self.assertIn("status 7", cases["exit"]["sentence"])
+                self.assertEqual(len(self.junit(self.path / "junit.xml").findall(".//failure")), 4)
+                page = (report / "index.html").read_text()
+                self.assertIn("<html", page)
+
+    def test_fail_fast_ends_with_the_first_failure(self):
+        suite = self.suite(self.backgrounds("grey", "dark", "blue", "black"))
+        cases = self.record(suite, "--fail-fast", "-j", 1, code=2)
+        self.assertEqual(len(cases), 1)
+
+    def workers_of(self, run, count=1):
+        while run.poll() is None:
+            children = self.children_of(run.pid)
+            if len(children) >= count:
+                return children
+            time.sleep(0.005)
+        return []
+
+    def test_workers_that_are_killed_stopped_or_shot_at_lose_nothing(self):
+        names = [f"case-{i}" for i in range(60)]
+        suite = self.suite([{"name": name, "set": f"view.background=0.{i:02},0,0"} for i, name in enumerate(names)],
+                           size="96x96", seconds=20)
+        self.passes(suite, "--update")
+        dice = random.Random(4)
+        hit = 0
+        for how in (signal.SIGKILL, signal.SIGSEGV):
+            report = self.path / f"report-{how}"
+            run = self.begun(suite, "-j", 3, "--report", report, "--timeout", 20)
+            while run.poll() is None:
+                children = self.children_of(run.pid)
+                if children:
+                    try:
+                        os.kill(dice.choice(children), how)
+                        hit += 1
+                    except ProcessLookupError:
+                        pass
+                time.sleep(dice.random() * 0.2)
+            said = run.communicate()[0].decode()
+            cases = json.loads((report / "run.json").read_text())["cases"]
+            self.assertEqual(sorted(case["name"] for case in cases), sorted(f"{name}/fixed@96x96" for name in names), said)
+            for case in cases:
+                self.assertIn(case["state"], ("passed", "crashed"), case["sentence"])
+                if case["state"] == "crashed":
+                    self.assertIn("SIGKILL" if how == signal.SIGKILL else "SIGSEGV", case["sentence"])
+        self.assertGreater(hit, 0)
+
+    def test_a_worker_that_is_stopped_hangs(self):
+        suite = self.suite([{"name": "slow", "golden": "reference", "renderer": "reference", "size": "3000x3000",
+                             "set": "textures[0].maxAnisotropy=16"}], seconds=600)
+        run = self.begun(suite, "-j", 1, "--timeout", 2, "--json", "-")
+        for child in self.workers_of(run):
+            os.kill(child, signal.SIGSTOP)
+        out = run.communicate(timeout=300)[0]
+        (case,) = json.loads(out)["cases"]
+        self.assertIn(case["state"], ("timed-out",))
+        self.assertIn("within 2 s", case["sentence"])
+
+    def long_suite(self, count=40):
+        return self.suite([{"name": f"case-{i}", "renderer": "reference", "golden": f"golden/{{case}}.png",
+                            "set": [f"view.background=0.{i:02},0,0", "textures[0].maxAnisotropy=16"]}
+                           for i in range(count)], size="160x160")
+
+    def interrupted(self, suite, report, how):
+        """A run that was ended in its middle, and the cases that its journal has."""
+        run = self.begun(suite, "-j", 2, "--report", report)
+        journal = report / "journal.jsonl"
+        while run.poll() is None and (not journal.exists() or journal.read_bytes().count(b"\n") < 6):
+            time.sleep(0.002)
+        children = self.children_of(run.pid)
+        run.send_signal(how)
+        out, said = run.communicate(timeout=120)
+        for child in children:
+            while Path(f"/proc/{child}/stat").exists() and ") Z " not in Path(f"/proc/{child}/stat").read_text():
+                time.sleep(0.002)  # it ends with its parent
+        lines = journal.read_text().splitlines(keepends=True)
+        return run.returncode, said.decode(), [json.loads(line)["name"] for line in lines[1:] if line.endswith("\n")]
+
+    def test_an_interrupted_run_says_how_to_go_on_and_does(self):
+        suite = self.long_suite()
+        self.passes(suite, "--update")
+        for how, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(how):
+                report = self.path / f"report-{code}"
+                status, said, done = self.interrupted(suite, report, how)
+                self.assertEqual(status, code, said)
+                self.assertEqual(said, f"texshot: interrupted, {len(done)} of 40 cases done; the same call with --resume "
+                                       f"{report} goes on\n")
+                self.assertFalse((report / "run.json").exists())
+                before = (report / "journal.jsonl").read_bytes()
+                said = self.passes(suite, "--resume", report)
+                self.assertEqual(said, f"{len(done)} of 40 cases were done before\n40 cases: 40 passed\n")
+                self.assertTrue((report / "journal.jsonl").read_bytes().startswith(before))
+                self.assertTrue((report / "run.json").exists())
+
+    def test_a_killed_run_goes_on_where_its_journal_ends(self):
+        suite = self.long_suite()
+        self.passes(suite, "--update")
+        report = self.path / "report"
+        status, _, done = self.interrupted(suite, report, signal.SIGKILL)
+        self.assertEqual(status, -signal.SIGKILL)
+        journal = report / "journal.jsonl"
+        with open(journal, "ab") as file:  # as of a machine that went down
+            file.write(b'{"name": "case-3')
+        golden = self.path / "golden" / f"{done[0].replace('/', '__')}.png"
+        Image.new("RGB", (160, 160)).save(golden)  # what has changed since is run again
+        result = self.test(suite, "--resume", report, "--json", "-")
+        states = {case["name"]: case["state"] for case in json.loads(result.stdout)["cases"]}
+        self.assertEqual((len(states), [name for name in states if states[name] != "passed"]), (40, [done[0]]))
+        other = self.suite(self.backgrounds("grey"), "other.suite.json")
+        self.assertIn(b"the journal is of other cases", self.test(other, "--resume", report).stderr)
+        self.assertIn(b"--resume", self.test(suite, "--resume", report, "--report", report).stderr)
+        journal.write_text("nonsense\n")
+        said = self.test(suite, "--resume", report)
+        self.assertEqual(said.returncode, 2)
+        self.assertIn(b"journal.jsonl: line 1", said.stderr)
+
+    def test_two_runs_in_one_folder_do_not_mix(self):
+        suite = self.long_suite()
+        self.passes(suite, "--update")
+        report = self.path / "report"
+        run = self.begun(suite, "-j", 1, "--report", report)
+        while run.poll() is None and not (report / "journal.jsonl").exists():
+            time.sleep(0.002)
+        second = self.test(suite, "--report", report)
+        if run.poll() is None:  # else it was too late
+            self.assertEqual(second.returncode, 2)
+            self.assertIn(b"another run writes its report there", second.stderr)
+        run.communicate(timeout=120)
+        self.assertEqual(run.returncode, 0)
+
+    def test_shards_are_parts_of_the_whole(self):
+        suite = self.suite([{"name": f"c{i}", "golden": "reference"} for i in range(7)])
+        whole = self.passes(suite, "--list").splitlines()
+        parts = [self.passes(suite, "--list", "--shard", f"{i}/3").splitlines() for i in (1, 2, 3)]
+        self.assertEqual(sorted(sum(parts, [])), sorted(whole))
+        durations = self.path / "durations.json"
+        durations.write_text(json.dumps({"version": 1, "seconds": {name: 9 if i == 0 else 1 for i, name in enumerate(whole)}}))
+        parts = [self.passes(suite, "--list", "--shard", f"{i}/2", "--durations", durations).splitlines() for i in (1, 2)]
+        self.assertEqual(sorted(map(len, parts)), [1, 6], "9 seconds against six of one")
+        empty = self.test(suite, "--only", "c0", "--shard", "2/2")
+        self.assertEqual((empty.returncode, empty.stderr), (0, b""), "more parts than cases")
+        for wrong in ("0/3", "4/3", "x", "1/", "1/0", "-1/2"):
+            self.complains(2, "--shard", "test", suite, f"--shard={wrong}")
+        self.passes(suite, "--durations", self.path / "new.json")
+        self.assertEqual(sorted(json.loads((self.path / "new.json").read_text())["seconds"]), sorted(whole))
+
+    def test_only_and_renderer_choose(self):
+        suite = self.suite(self.backgrounds("grey", "dark", "blue", golden="reference"))
+        self.assertEqual(self.passes(suite, "--only", "gr*", "--only", "blue/*", "--renderer", "shader", "--renderer",
+                                     "fixed", "--list").splitlines(),
+                         ["grey/shader@24x16", "grey/fixed@24x16", "blue/shader@24x16", "blue/fixed@24x16"])
+        self.assertIn("pink", self.complains(2, "", "test", suite, "--only", "pink*"))
+        self.complains(2, "--renderer", "test", suite, "--renderer", "best")
+
+    def test_what_is_said(self):
+        suite = self.suite(self.backgrounds("grey", "dark"), golden="reference")
+        self.assertEqual(self.passes(suite, "--quiet"), "")
+        verbose = self.test(suite, "--verbose")
+        self.assertEqual((verbose.returncode, len(verbose.stderr.decode().splitlines())), (0, 2))
+        self.assertRegex(verbose.stderr.decode(), r"(?m)^1/2 passed in \d+\.\d\d s: \w+/fixed@24x16$")
+        new = self.suite(self.backgrounds("grey"), "new.suite.json", golden="missing/{case}.png")
+        said = self.test(new, "--quiet")
+        self.assertEqual(said.returncode, 1)
+        self.assertIn("new: grey/fixed@24x16\n    there is no golden yet", said.stdout.decode())
+        result = self.test(suite, "--junit", "-")
+        self.assertTrue(result.stdout.startswith(b"<?xml"))
+        self.assertIn(b"2 cases: 2 passed", result.stderr)
+        self.complains(2, "--json and --junit", "test", suite, "--json", "-", "--junit", "-")
+        self.complains(2, "--list runs nothing", "test", suite, "--list", "--report", self.path / "r")
+
+    def test_wrong_calls_and_suites(self):
+        suite = self.suite(self.backgrounds("grey"))
+        self.complains(2, "SUITE", "test")
+        self.complains(2, "nothing.json", "test", self.path / "nothing.json")
+        self.complains(2, "--jobs", "test", suite, "-j", "0")
+        broken = self.path / "broken.suite.json"
+        for text, expected in (("{", "broken.suite.json"), ('{"suite": 1, "cases": [{"scenes": "a.json"}]}', "scenes"),
+                               ('{"suite": 1, "cases": [{"scene": "../../etc/passwd"}]}', "leads out"),
+                               ('{"suite": 1, "cases": [{"golden": "../x.png"}]}', "leads out"),
+                               ('{"suite": 1, "cases": [{"golden": "/tmp/x.png"}]}', "absolute")):
+            broken.write_text(text)
+            self.complains(2, expected, "test", broken, "--update", "--report", self.path / "report")
+        many = [{"name": f"<script>{i}", "axis": ["textures[0].wrapS=*", "textures[0].wrapT=*", "textures[0].minFilter=*",
+                                                  "textures[0].magFilter=*", "textures[0].maxAnisotropy=1,2,4,8,16"],
+                 "size": ["8x8", "9x9", "10x10"]} for i in range(1000)]
+        self.complains(2, "cases", "test", self.suite(many, "many.suite.json"))
+        pipe = self.path / "pipe.suite.json"
+        os.mkfifo(pipe)
+        self.complains(2, "pipe.suite.json", "test", pipe)
+        self.complains(2, "", "test", "/dev/null")
+
+    def test_hostile_names_stay_in_the_folder(self):
+        names = ["../../escape", "<script>alert(1)</script>", "a/../../b", "x" * 3000, "con\u0001trol", "\u202egnp"]
+        suite = self.suite([{"name": name} for name in names], "in/s.suite.json")
+        report = self.path / "report"
+        self.test(suite, "--report", report, "--update")
+        self.assertEqual(sorted(os.listdir(self.path)), ["in", "report"])
+        self.assertEqual(sorted(os.listdir(self.path / "in")), ["golden", "s.suite.json"])
+        self.test(suite, "--report", report)
+        for picture in (report / "pictures").iterdir():
+            self.assertLess(len(picture.name), 256)
+        for file in (report / "index.html", report / "report-data.js"):
+            self.assertNotIn("<script>alert", file.read_text())
+        self.assertEqual(len(list((self.path / "in/golden").rglob("*.png"))), len(names))
+
+    def test_links_out_of_the_folder_are_not_followed(self):
+        outside = self.path / "outside"
+        outside.mkdir()
+        suite = self.suite(self.backgrounds("grey"), "in/s.suite.json")
+        (self.path / "in/golden").symlink_to(outside)
+        self.assertEqual(self.states(suite, "--update", code=2), {"grey": "error"})
+        self.assertEqual(os.listdir(outside), [])
+        report = self.path / "report"
+        report.mkdir()
+        (report / "pictures").symlink_to(outside)
+        self.assertIn(b"found something else", self.test(suite, "--report", report).stderr)
+        (report / "pictures").unlink()
+        (report / "journal.jsonl").symlink_to(outside / "journal")
+        self.assertEqual(self.test(suite, "--report", report).returncode, 2)
+        self.assertEqual(os.listdir(outside), [])
+
+    def test_goldens_that_are_no_pictures(self):
+        suite = self.suite(self.backgrounds("grey", "dark", "blue", "black"))
+        golden = self.path / "golden"
+        golden.mkdir()
+        (golden / "grey__fixed@24x16.png").mkdir()
+        os.mkfifo(golden / "dark__fixed@24x16.png")
+        (golden / "blue__fixed@24x16.png").write_bytes(b"\x89PNG\r\n\x1a\n nonsense")
+        Image.new("RGB", (16384, 16384)).save(golden / "black__fixed@24x16.png", compress_level=1)
+        cases = self.record(suite, code=2)
+        self.assertEqual({name: case["state"] for name, case in cases.items()},
+                         {"grey": "error", "dark": "error", "blue": "error", "black": "resized"})
+        for case in cases.values():
+            self.assertTrue(case["sentence"])
+        self.assertIn("16384", cases["black"]["sentence"])
+
+    def test_a_full_disk_and_a_folder_that_is_read_only(self):
+        suite = self.suite(self.backgrounds("grey", "dark"))
+        report = self.path / "report"
+        def small_disk():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))
+        result = self.test(suite, "--report", report, preexec_fn=small_disk)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr.decode(), r"\Atexshot: .*journal\.jsonl: can't be written: File too large\n\Z")
+        result = self.test(suite, "--update", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30)))
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(list((self.path / "golden").iterdir()), [], "no half of a golden")
+        self.complains(2, "", "test", suite, "--report", "/proc/nowhere")
+        self.complains(2, "", "test", suite, "--report", suite)
+        self.complains(2, "", "test", suite, "--json", self.path / "no" / "run.json")
+        if os.geteuid() != 0:
+            locked = self.path / "locked"
+            locked.mkdir(mode=0o555)
+            self.complains(2, "locked", "test", suite, "--report", locked)
+
+    def test_a_missing_scene_or_image_is_told_and_the_rest_goes_on(self):
+        (self.path / "lost.json").write_text(json.dumps({"version": 1, "textures": [{"file": "lost.png"}]}))
+        suite = self.suite([{"scene": "nothing.json", "name": "scene"}, {"scene": "lost.json", "name": "image"},
+                            {"name": "fine", "golden": "reference"}])
+        self.assertEqual(self.states(suite, code=2), {"scene": "missing-scene", "image": "error", "fine": "passed"})
+
+    def test_a_folder_of_scenes_with_pictures_is_a_suite(self):
+        folder = self.path / "goldens"
+        folder.mkdir()
+        for name in ("grey", "blue"):
+            (folder / f"{name}.json").write_text(json.dumps({"version": 1}))
+            self.succeeds("shot", folder / f"{name}.json", "--size", "20x10", "-o", folder / f"{name}.png")
+        self.assertEqual(self.passes(folder), "2 cases: 2 passed\n")
+
+    def test_help_says_how_it_is_called_and_what_comes_of_it(self):
+        text = self.succeeds("test", "--help").decode()
+        for expected in ("SUITE", "--update", "--accept", "--only", "--renderer", "--jobs", "--shard", "--durations",
+                         "--report", "--junit", "--json", "--resume", "--timeout", "--fail-fast", "--list", "--quiet",
+                         "--verbose", "--pictures", "--tolerance", "--metric", "Exit status: 0 all are alike"):
+            self.assertIn(expected, text)
+        self.assertNotIn("worker-process", self.succeeds("--help").decode() + text)
+
+
+class Pictures(Suites):
+    def setUp(self):
+        super().setUp()
+        self.actual = self.path / "actual"
+        self.golden = self.path / "golden"
+        for folder in (self.actual, self.golden):
+            (folder / "menus").mkdir(parents=True)
+        for folder in (self.actual, self.golden):
+            Image.new("RGB", (8, 8), (10, 20, 30)).save(folder / "same.png")
+            Image.new("RGB", (8, 8), (10, 20, 30)).save(folder / "menus/main.png")
+
+    def test_alike_is_0(self):
+        self.assertEqual(self.passes("--pictures", self.actual, self.golden), "2 cases: 2 passed\n")
+
+    def test_missing_extra_resized_and_different_ones_fail_by_name(self):
+        Image.new("RGB", (8, 8), (10, 20, 33)).save(self.actual / "menus/main.png")
+        Image.new("RGB", (9, 8)).save(self.actual / "same.png")
+        Image.new("RGB", (4, 4)).save(self.actual / "extra.png")
+        Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
+        (self.actual / "notes.txt").write_text("no picture")
+        report = self.path / "report"
+        result = self.test("--pictures", self.actual, self.golden, "--json", "-", "--report", report)
+        self.assertEqual(result.returncode, 1)
+        cases = {case["name"]: case for case in json.loads(result.stdout)["cases"]}
+        self.assertEqual({name: case["state"] for name, case in cases.items()},
+                         {"menus/main.png": "failed", "same.png": "resized", "extra.png": "extra", "missing.png": "missing"})
+        self.assertIn("9", cases["same.png"]["sentence"])
+        for name, case in cases.items():
+            for picture in case["pictures"].values():
+                if picture:
+                    self.assertTrue((report / picture).is_file(), name)
+        said = self.test("--pictures", self.actual, self.golden).stdout.decode()
+        for name, case in cases.items():
+            self.assertIn(name, said)
+        self.assertEqual(self.test("--pictures", self.actual, self.golden, "--tolerance", "3", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.test("--pictures", self.actual, self.golden, "--tolerance", "2", "--only", "menus*").returncode, 1)
+        self.assertEqual(self.test("--pictures", self.actual, self.golden, "--share", "1", "--only", "menus*").returncode, 0)
+
+    def test_a_mask_and_metrics(self):
+        picture = Image.new("RGB", (32, 32), (10, 20, 30))
+        picture.save(self.golden / "same.png")
+        picture.putpixel((2, 1), (255, 255, 255))
+        picture.save(self.actual / "same.png")
+        mask = Image.new("L", (32, 32), 255)
+        mask.putpixel((2, 1), 0)
+        mask.save(self.path / "mask.png")
+        call = ["--pictures", self.actual, self.golden, "--only", "same.png"]
+        self.assertEqual(self.test(*call).returncode, 1)
+        self.passes(*call, "--mask", self.path / "mask.png")
+        for metric in ("ssim", "flip"):
+            result = self.test(*call, "--metric", metric, "--json", "-")
+            self.assertEqual(json.loads(result.stdout)["cases"][0]["metric"], metric)
+
+    def test_update_takes_the_pictures_over(self):
+        Image.new("RGB", (8, 8), (1, 2, 3)).save(self.actual / "same.png")
+        Image.new("RGB", (4, 4)).save(self.actual / "menus/extra.png")
+        Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
+        states = self.states("--pictures", self.actual, self.golden, "--update", code=1)
+        self.assertEqual(states["missing.png"], "missing")
+        (self.golden / "missing.png").unlink()
+        for name in ("same.png", "menus/extra.png"):
+            self.assertEqual((self.golden / name).read_bytes(), (self.actual / name).read_bytes())
+        self.passes("--pictures", self.actual, self.golden)
+
+    def test_what_can_not_be_read_is_an_error_of_its_own(self):
+        (self.actual / "same.png").write_bytes(b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(self.test("--pictures", self.actual, self.golden).returncode, 2)
+        self.complains(2, "nowhere", "test", "--pictures", self.actual, self.path / "nowhere")
+        self.complains(2, "expected two folders", "test", "--pictures", self.actual)
+        empty = self.path / "empty"
+        empty.mkdir()
+        self.assertEqual(self.test("--pictures", empty, empty).returncode, 2)
+        self.complains(2, "--tolerance", "test", "--pictures", self.actual, self.golden, "--tolerance", "many")
+        self.complains(2, "--pictures draws nothing", "test", "--pictures", self.actual, self.golden, "--renderer", "fixed")
+        suite = self.suite(self.backgrounds("grey"))
+        self.complains(2, "--pictures", "test", suite, "--tolerance", "1")
+
+
+if __name__ == "__main__":
+    unittest.main()
