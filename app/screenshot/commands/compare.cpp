@@ -1,5 +1,4 @@
-#include "app/screenshot/arguments/choice_argument.h"
-#include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/criterion_argument.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
@@ -30,42 +29,10 @@ constexpr ExitCode picturesUnknown = wrongCall;
 struct CompareOptions {
     std::string expected;
     std::string actual;
-    std::string mask;
-    std::string metric{rowOf(Metric::Absolute).name};
-    std::string tolerance;
-    std::string share;
+    CriterionArgument criterion;
     std::string out;
-    int pixelsPerDegree = 67;
-    bool rgb = false;
     bool json = false;
-    const Option* givenTolerance = nullptr;
-    const Option* givenShare = nullptr;
-    const Option* givenPixelsPerDegree = nullptr;
 };
-
-Result<Criterion> criterionOf(const CompareOptions& options) {
-    const Result<Metric> metric = parseChoice<Metric>(options.metric, "--metric");
-    if (!metric)
-        return fail(metric.error());
-    Criterion criterion = texplorer::criterionOf(*metric);
-    const auto take = [](const Result<double>& number, double& to, const char* option) -> Result<void> {
-        if (!number)
-            return fail(number.error().code, number.error().message, option);
-        to = *number;
-        return {};
-    };
-    if (options.givenTolerance->isGiven())
-        if (const Result<void> taken =
-                take(parseTolerance(options.tolerance, *metric), criterion.tolerance, "--tolerance");
-            !taken)
-            return fail(taken.error());
-    if (options.givenShare->isGiven())
-        if (const Result<void> taken = take(parseShare(options.share), criterion.share, "--share"); !taken)
-            return fail(taken.error());
-    criterion.compared = options.rgb ? Compared::Rgb : Compared::Rgba;
-    criterion.pixelsPerDegree = options.pixelsPerDegree;
-    return criterion;
-}
 
 /// The base level of a file that holds one picture, its bottom row first.
 Result<Image> readPicture(const std::string& path) {
@@ -122,8 +89,8 @@ std::string comparisonJson(const CompareOptions& options, const Comparison& comp
                   {"components", criterion.compared == Compared::Rgba ? "rgba" : "rgb"},
                   {"expectedSize", {comparison.expectedSize.x, comparison.expectedSize.y}},
                   {"actualSize", {comparison.actualSize.x, comparison.actualSize.y}}};
-    if (!options.mask.empty())
-        document["mask"] = options.mask;
+    if (!options.criterion.mask.empty())
+        document["mask"] = options.criterion.mask;
     if (criterion.metric == Metric::Flip)
         document["pixelsPerDegree"] = criterion.pixelsPerDegree;
     if (comparison.sameSize())
@@ -158,8 +125,8 @@ Result<Pictures> readPictures(const CompareOptions& options) {
     Pictures pictures;
     for (const auto& [path, to] :
          {std::pair(&options.expected, &pictures.expected), std::pair(&options.actual, &pictures.actual),
-          std::pair(&options.mask, &pictures.mask)}) {
-        if (path == &options.mask && path->empty())
+          std::pair(&options.criterion.mask, &pictures.mask)}) {
+        if (path == &options.criterion.mask && path->empty())
             continue;
         Result<Image> picture = readPicture(*path);
         if (!picture)
@@ -170,16 +137,14 @@ Result<Pictures> readPictures(const CompareOptions& options) {
 }
 
 int comparePictureFiles(const CompareOptions& options) {
-    const Result<Criterion> criterion = criterionOf(options);
+    const Result<Criterion> criterion = parseCriterion(options.criterion);
     if (!criterion)
         return complain(criterion.error(), wrongCall);
-    if (options.givenPixelsPerDegree->isGiven() && criterion->metric != Metric::Flip)
-        return refuseUnused("--pixels-per-degree", "it is for --metric flip");
     if (options.json && options.out == "-")
         return complain(
             {ErrorCode::OutOfRange, "standard output takes the picture or the JSON, not both", "--json"},
             wrongCall);
-    const std::array inputs{options.expected, options.actual, options.mask};
+    const std::array inputs{options.expected, options.actual, options.criterion.mask};
     if (std::ranges::count(inputs, "-") > 1)
         return complain({ErrorCode::OutOfRange, "standard input can be read once", "-"}, wrongCall);
     std::optional<ImageOutput> output;
@@ -198,22 +163,15 @@ int comparePictureFiles(const CompareOptions& options) {
     work.map = output.has_value();
     work.stop = progress.stopToken();
     work.report = [&progress](float done) { progress.report(done); };
-    Result<Comparison> comparison = comparePictures(pictures->expected, pictures->actual, *criterion,
-                                                    options.mask.empty() ? nullptr : &pictures->mask, work);
+    Result<Comparison> comparison =
+        comparePictures(pictures->expected, pictures->actual, *criterion,
+                        options.criterion.mask.empty() ? nullptr : &pictures->mask, work);
     progress.finish();
     if (progress.stopToken().stop_requested())
         return complainInterrupted();
     if (!comparison)
         return complain(comparison.error(), picturesUnknown);
     return report(options, output, *std::move(comparison));
-}
-
-std::string toleranceHelp() {
-    std::string text = "What a pixel's value may be. Unless given,";
-    for (const MetricRow& each : metricRows)
-        text += fmt::format("{} {:g} for {}", each.metric == metricRows.front().metric ? "" : ",",
-                            each.tolerance, rowOf(each.metric).name);
-    return text + ". absolute: of the worst component, in 255ths. ssim: 1 - SSIM. flip: the error, 0 to 1.";
 }
 
 std::string citations() {
@@ -233,23 +191,7 @@ void addCompare(CommandLine& line) {
                    "The picture as it should be: any format that Texplorer reads; - for standard input.",
                    {.required = true});
     command.option("ACTUAL", options->actual, "The picture as it is.", {.required = true});
-    command.option("--metric", options->metric, "What a pixel's value is." + explainChoices<Metric>(),
-                   {.value = "METRIC", .showsDefault = true});
-    options->givenTolerance =
-        &command.option("--tolerance", options->tolerance, toleranceHelp(), {.value = "N"});
-    options->givenShare = &command.option(
-        "--share", options->share,
-        "Which share of the pixels may be above the tolerance: 0 to 1, or in percent as in 0.1%. Unless given, none.",
-        {.value = "P"});
-    command.option("--mask", options->mask,
-                   "A picture of the same size: where it is black or wholly transparent, pixels don't count.",
-                   {.value = "FILE"});
-    command.flag("--rgb", options->rgb, "Leave alpha out.");
-    options->givenPixelsPerDegree = &command.number(
-        "--pixels-per-degree", options->pixelsPerDegree, 1, 512,
-        "flip: how many pixels of the picture lie in a degree of the viewer's field of view. 67 is a 4K screen of "
-        "0.7 m at a distance of 0.7 m.",
-        {.showsDefault = true});
+    addCriterionArgument(command, options->criterion);
     command.option(
         "-o,--out", options->out,
         fmt::format("Write the difference as a picture, its format by its extension: {}; - for standard "

@@ -1,4 +1,6 @@
 #include "app/screenshot/arguments/choice_argument.h"
+#include "app/screenshot/arguments/context_argument.h"
+#include "app/screenshot/arguments/criterion_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
@@ -46,10 +48,8 @@ struct TestOptions {
     int timeout = 0; ///< seconds; 0: as the suites say
     bool failFast = false;
     bool list = false;
-    std::string metric = std::string(rowOf(Metric::Absolute).name);
-    std::string tolerance;
-    std::string share;
-    std::string mask;
+    CriterionArgument criterion;
+    ContextArgument context;
     std::vector<const Option*> ofSuites;  ///< what is for suites alone
     std::vector<const Option*> ofRunning; ///< what --list leaves without effect
 };
@@ -59,31 +59,12 @@ ExitCode complainOfRun(const Error& error) {
     return complain(error, wrongCall);
 }
 
-Result<Criterion> criterionFor(const TestOptions& options) {
-    const Result<Metric> metric = parseChoice<Metric>(options.metric, "--metric");
-    if (!metric)
-        return fail(metric.error());
-    Criterion criterion = criterionOf(*metric);
-    if (!options.tolerance.empty()) {
-        const Result<double> tolerance = parseTolerance(options.tolerance, *metric);
-        if (!tolerance)
-            return fail(tolerance.error().code, tolerance.error().message, "--tolerance");
-        criterion.tolerance = *tolerance;
-    }
-    if (!options.share.empty()) {
-        const Result<double> share = parseShare(options.share);
-        if (!share)
-            return fail(share.error().code, share.error().message, "--share");
-        criterion.share = *share;
-    }
-    return criterion;
-}
-
 Result<RunSetup> setupFor(const TestOptions& options, unsigned processes) {
     RunSetup setup{.only = options.only,
                    .report = options.resume.empty() ? options.report : options.resume,
                    .shaders = options.shaders,
-                   .pretended = options.pretended};
+                   .pretended = options.pretended,
+                   .context = options.context.text};
     setup.threads = std::max(1U, std::thread::hardware_concurrency() / processes);
     for (const std::string& name : options.renderers) {
         const Result<RendererKind> renderer = parseChoice<RendererKind>(name, "--renderer");
@@ -102,12 +83,12 @@ Result<RunSetup> setupFor(const TestOptions& options, unsigned processes) {
             fmt::format("expected two folders, that of the pictures and that of their goldens, found {}",
                         options.suites.size()),
             "--pictures");
-    const Result<Criterion> criterion = criterionFor(options);
+    const Result<Criterion> criterion = parseCriterion(options.criterion);
     if (!criterion)
         return fail(criterion.error());
     setup.actual = options.suites[0];
     setup.golden = options.suites[1];
-    setup.mask = options.mask;
+    setup.mask = options.criterion.mask;
     setup.criterion = *criterion;
     return setup;
 }
@@ -155,11 +136,17 @@ std::string commandOf(const TestOptions& options) {
     for (const std::string& each : options.pretended)
         add("--pretend", each);
     add("--shaders", options.shaders);
+    if (options.context.text != ContextArgument().text)
+        add("--context", options.context.text);
     if (options.pictures)
-        add("--metric", options.metric);
-    add("--tolerance", options.tolerance);
-    add("--share", options.share);
-    add("--mask", options.mask);
+        add("--metric", options.criterion.metric);
+    add("--tolerance", options.criterion.tolerance);
+    add("--share", options.criterion.share);
+    add("--mask", options.criterion.mask);
+    if (options.criterion.rgb)
+        command += " --rgb";
+    if (options.criterion.givenPixelsPerDegree->isGiven())
+        add("--pixels-per-degree", std::to_string(options.criterion.pixelsPerDegree));
     add("--shard", options.shard);
     add("--durations", options.durations);
     return command;
@@ -234,6 +221,8 @@ ExitCode refuseOptions(const TestOptions& options) {
     }
     if (const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended); !pretence)
         return complainOfRun(pretence.error());
+    if (const Result<view::ContextChoice> context = parseContext(options.context); !context)
+        return complainOfRun(context.error());
     if (options.json == "-" && options.junit == "-")
         return complainOfRun(
             {ErrorCode::OutOfRange, "expected one text on standard output, found two", "--json and --junit"});
@@ -293,20 +282,7 @@ void declarePictures(Command& command, TestOptions& options) {
         "--pictures", options.pictures,
         "Draw nothing: compare the PNGs of two folders, whatever program has made them, by their names. A "
         "picture without its golden, a golden without its picture and a picture of another size are failures.");
-    command.option(
-        "--metric", options.metric,
-        fmt::format("With --pictures: what is measured, one of {}.", listNames(EnumTable<Metric>::rows)),
-        {.value = "METRIC", .showsDefault = true, .needs = &pictures});
-    command.option("--tolerance", options.tolerance,
-                   "With --pictures: what a pixel may differ by, as the metric measures it; of absolute in "
-                   "255ths.",
-                   {.value = "N", .needs = &pictures});
-    command.option("--share", options.share,
-                   "With --pictures: how many of the pixels may differ by more, as 0.001 or \"0.1 %\".",
-                   {.value = "SHARE", .needs = &pictures});
-    command.option("--mask", options.mask,
-                   "With --pictures: a picture whose black pixels don't count, of the same size.",
-                   {.value = "FILE", .needs = &pictures});
+    addCriterionArgument(command, options.criterion, &pictures);
 }
 
 void declareChoice(Command& command, TestOptions& options) {
@@ -331,6 +307,8 @@ void declareChoice(Command& command, TestOptions& options) {
         "--shaders", options.shaders,
         "The folder of the shader renderer's files. Without it: those that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"}));
+    addContextArgument(command, options.context);
+    options.ofSuites.push_back(options.context.option);
     options.ofSuites.push_back(&command.option("--pretend", options.pretended, view::pretenceHelp(),
                                                {.value = "WORDS", .oneEach = true}));
     command.option("--shard", options.shard,

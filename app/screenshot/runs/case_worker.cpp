@@ -103,7 +103,10 @@ Result<Studio*> CaseWorker::studio(const RunSetup& setup) {
         const Result<view::Pretence> pretence = view::Pretence::parse(setup.pretended);
         if (!pretence)
             return fail(pretence.error());
-        Result<std::unique_ptr<Studio>> opened = openStudio(setup.shaders, *pretence);
+        const Result<view::ContextChoice> context = view::ContextChoice::parse(setup.context, "--context");
+        if (!context)
+            return fail(context.error());
+        Result<std::unique_ptr<Studio>> opened = openStudio(setup.shaders, *pretence, *context);
         if (!opened)
             return fail(opened.error());
         studio_ = *std::move(opened);

@@ -35,6 +35,7 @@ Json jsonOf(const RunSetup& setup) {
             {"report", setup.report},
             {"shaders", setup.shaders},
             {"pretended", setup.pretended},
+            {"context", setup.context},
             {"threads", setup.threads},
             {"actual", setup.actual},
             {"golden", setup.golden},
@@ -56,6 +57,7 @@ RunSetup setupOf(const Json& json) {
     json.at("report").get_to(setup.report);
     json.at("shaders").get_to(setup.shaders);
     json.at("pretended").get_to(setup.pretended);
+    json.at("context").get_to(setup.context);
     json.at("threads").get_to(setup.threads);
     json.at("actual").get_to(setup.actual);
     json.at("golden").get_to(setup.golden);

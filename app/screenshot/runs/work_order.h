@@ -22,7 +22,8 @@ struct RunSetup {
     std::string report{}; ///< the folder for pictures; empty: none
     std::string shaders{};
     std::vector<std::string> pretended{};
-    unsigned threads = 1; ///< for the reference and for comparisons
+    std::string context = "auto"; ///< as view::ContextChoice has it
+    unsigned threads = 1;         ///< for the reference and for comparisons
 
     std::string actual{}; ///< of --pictures: the folders, the mask's file, and what is alike
     std::string golden{};

@@ -1,0 +1,71 @@
+#include "app/screenshot/arguments/criterion_argument.h"
+
+#include "app/screenshot/arguments/choice_argument.h"
+
+#include <fmt/core.h>
+
+namespace texplorer::screenshot {
+namespace {
+
+std::string toleranceHelp() {
+    std::string text = "What a pixel's value may be. Unless given,";
+    for (const MetricRow& each : metricRows)
+        text += fmt::format("{} {:g} for {}", each.metric == metricRows.front().metric ? "" : ",",
+                            each.tolerance, rowOf(each.metric).name);
+    return text + ". absolute: of the worst component, in 255ths. ssim: 1 - SSIM. flip: the error, 0 to 1.";
+}
+
+Result<void> take(const Result<double>& number, double& to, const char* option) {
+    if (!number)
+        return fail(number.error().code, number.error().message, option);
+    to = *number;
+    return {};
+}
+
+} // namespace
+
+void addCriterionArgument(Command& command, CriterionArgument& argument, const Option* needs) {
+    command.option("--metric", argument.metric, "What a pixel's value is." + explainChoices<Metric>(),
+                   {.value = "METRIC", .showsDefault = true, .needs = needs});
+    argument.givenTolerance =
+        &command.option("--tolerance", argument.tolerance, toleranceHelp(), {.value = "N", .needs = needs});
+    argument.givenShare =
+        &command.option("--share", argument.share,
+                        "Which share of the pixels may be above the tolerance: 0 to 1, or in percent as in "
+                        "0.1%. Unless given, none.",
+                        {.value = "P", .needs = needs});
+    command.option("--mask", argument.mask,
+                   "A picture of the same size: where it is black or wholly transparent, pixels don't count.",
+                   {.value = "FILE", .needs = needs});
+    command.flag("--rgb", argument.rgb, "Leave alpha out.", {.needs = needs});
+    argument.givenPixelsPerDegree = &command.number(
+        "--pixels-per-degree", argument.pixelsPerDegree, 1, 512,
+        "flip: how many pixels of the picture lie in a degree of the viewer's field of view. 67 is a 4K "
+        "screen of 0.7 m at a distance of 0.7 m.",
+        {.showsDefault = true, .needs = needs});
+}
+
+Result<Criterion> parseCriterion(const CriterionArgument& argument) {
+    const Result<Metric> metric = parseChoice<Metric>(argument.metric, "--metric");
+    if (!metric)
+        return fail(metric.error());
+    Criterion criterion = criterionOf(*metric);
+    if (argument.givenTolerance->isGiven()) {
+        const Result<void> taken =
+            take(parseTolerance(argument.tolerance, *metric), criterion.tolerance, "--tolerance");
+        if (!taken)
+            return fail(taken.error());
+    }
+    if (argument.givenShare->isGiven()) {
+        if (const Result<void> taken = take(parseShare(argument.share), criterion.share, "--share"); !taken)
+            return fail(taken.error());
+    }
+    criterion.compared = argument.rgb ? Compared::Rgb : Compared::Rgba;
+    criterion.pixelsPerDegree = argument.pixelsPerDegree;
+    if (argument.givenPixelsPerDegree->isGiven() && *metric != Metric::Flip)
+        return fail(ErrorCode::OutOfRange, "has no effect here: it is for --metric flip",
+                    "--pixels-per-degree");
+    return criterion;
+}
+
+} // namespace texplorer::screenshot
