@@ -48,17 +48,38 @@ Result<void> checkMask(const Image& expected, const Image& mask) {
                     expected.width, expected.height, mask.width, mask.height));
 }
 
-/// The color of a metric's value: what is above the tolerance is above that of the scale.
-std::array<std::uint8_t, 4> colorOf(float value, const Criterion& criterion) {
-    const double scale = criterion.metric == Metric::Absolute ? 1 : 255;
-    const double exact = criterion.tolerance * scale;
-    const int tolerance = exact > 0 && exact < 1 ? 1 : static_cast<int>(std::floor(exact));
-    const auto scaled = static_cast<float>(value * scale);
-    const bool isOver = static_cast<double>(value) > criterion.tolerance;
-    const float shown = isOver ? std::max(scaled, static_cast<float>(tolerance + 1))
-                               : std::min(scaled, static_cast<float>(tolerance));
-    return heatColor(shown, {tolerance, 255});
-}
+/// The colours of a metric's values: what is above the tolerance is above that of the scale.
+class MapColors {
+public:
+    explicit MapColors(const Criterion& criterion)
+        : scale_(criterion.metric == Metric::Absolute ? 1.0F : 255.0F)
+        , limit_(criterion.tolerance) {
+        const double exact = limit_ * static_cast<double>(scale_);
+        const int tolerance = exact > 0 && exact < 1 ? 1 : static_cast<int>(std::floor(exact));
+        within_ = tolerance * steps;
+        above_ = within_ + steps;
+        for (std::size_t i = 0; i < colors_.size(); ++i)
+            colors_[i] = heatColor(static_cast<float>(i) / steps, {tolerance, 255});
+    }
+
+    [[nodiscard]] const Rgba& of(float value) const {
+        if (value == 0)
+            return colors_[0];
+        const int step = static_cast<int>(std::lround(std::min(value * scale_, 255.0F) * steps));
+        return colors_[static_cast<std::size_t>(static_cast<double>(value) > limit_
+                                                    ? std::clamp(step, above_, 256 * steps)
+                                                    : std::clamp(step, std::min(1, within_), within_))];
+    }
+
+private:
+    static constexpr int steps = 8; ///< between two 255ths
+
+    float scale_;
+    double limit_;
+    int within_ = 0;
+    int above_ = 0;
+    std::array<Rgba, std::size_t{256} * steps + 1> colors_{};
+};
 
 /// What a thread has found in its tiles. Joined to another, the order doesn't matter.
 struct Findings {
@@ -109,7 +130,7 @@ void Findings::count(const TilePixels& tile, int x, int y, float value, const Cr
     ++pixels;
     ++histogram[static_cast<std::size_t>(difference.worst)];
     componentSum += static_cast<std::size_t>(difference.sum);
-    if (difference.worst > 0)
+    if (difference.worst > 0 && difference.worst >= largest)
         takeDifference(difference.worst, at);
     if (value > 0 && (!worst || static_cast<double>(value) >= worst->value))
         takeWorst({at, tile.expected[i], tile.actual[i], static_cast<double>(value)});
@@ -144,6 +165,7 @@ public:
         , across_((pair.width() + tileWidth - 1) / tileWidth)
         , down_((pair.height() + tileHeight - 1) / tileHeight)
         , sums_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_))
+        , colors_(criterion)
         , over_(pair.width(), pair.height()) {}
 
     Result<void> run() {
@@ -222,7 +244,7 @@ private:
                         over_.set(at.x, at.y);
                 }
                 if (work_.map)
-                    paint(at, counts ? colorOf(values[i], criterion_) : maskedColor);
+                    paint(at, counts ? colors_.of(values[i]) : maskedColor);
             }
         return sum;
     }
@@ -273,6 +295,7 @@ private:
     int across_;
     int down_;
     std::vector<double> sums_; ///< of each tile: added up in their order, whoever was first
+    MapColors colors_;
     PixelBits over_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<std::size_t> done_ = 0;
