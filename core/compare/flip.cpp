@@ -44,7 +44,7 @@ Tile grown(const Tile& tile, int reach) {
     return {0, 0, tile.width + 2 * reach, tile.height + 2 * reach};
 }
 
-std::vector<Plane> planes(std::size_t count, int width, int height) {
+std::vector<Plane> planesOf(std::size_t count, int width, int height) {
     return {count, Plane(width, height)};
 }
 
@@ -55,9 +55,9 @@ public:
         , reach_(flipReach(pixelsPerDegree))
         , contrast_(contrastFilters(pixelsPerDegree))
         , features_(featureFilters(pixelsPerDegree))
-        , opponents_(planes(3, grown(largest, reach_).width, grown(largest, reach_).height))
-        , across_(planes(4, largest.width, grown(largest, reach_).height))
-        , rows_(planes(4, largest.width, 1))
+        , opponents_(planesOf(3, grown(largest, reach_).width, grown(largest, reach_).height))
+        , across_(planesOf(4, largest.width, grown(largest, reach_).height))
+        , rows_(planesOf(4, largest.width, 1))
         , expected_(largest)
         , actual_(largest) {}
 

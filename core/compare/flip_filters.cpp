@@ -18,15 +18,15 @@ struct Sensitivity {
     [[nodiscard]] double weight() const { return a * std::sqrt(std::numbers::pi / b); }
 };
 
-constexpr Sensitivity achromatic{1, 0.0047};
-constexpr Sensitivity redGreen{1, 0.0053};
-constexpr Sensitivity blueYellow[2]{{34.1, 0.04}, {13.5, 0.025}};
+constexpr Sensitivity achromaticCurve{1, 0.0047};
+constexpr Sensitivity redGreenCurve{1, 0.0053};
+constexpr Sensitivity blueYellowCurves[2]{{34.1, 0.04}, {13.5, 0.025}};
 constexpr double featureWidth = 0.082; ///< degrees; its half is the standard deviation
 
 using Numbers = std::vector<double>;
 
 int contrastReach(double pixelsPerDegree) {
-    return static_cast<int>(std::ceil(3 * blueYellow[0].sigma() * pixelsPerDegree));
+    return static_cast<int>(std::ceil(3 * blueYellowCurves[0].sigma() * pixelsPerDegree));
 }
 
 /// Not divided by its sum.
@@ -86,11 +86,11 @@ ContrastFilters contrastFilters(double pixelsPerDegree) {
         const double across = sumOf(bellCurve(each.sigma() * pixelsPerDegree, reach));
         return each.weight() * across * across;
     };
-    const double wide = amountOf(blueYellow[0]);
-    const double narrow = amountOf(blueYellow[1]);
-    return {filterOf(achromatic),
-            filterOf(redGreen),
-            {filterOf(blueYellow[0]), filterOf(blueYellow[1])},
+    const double wide = amountOf(blueYellowCurves[0]);
+    const double narrow = amountOf(blueYellowCurves[1]);
+    return {filterOf(achromaticCurve),
+            filterOf(redGreenCurve),
+            {filterOf(blueYellowCurves[0]), filterOf(blueYellowCurves[1])},
             {static_cast<float>(wide / (wide + narrow)), static_cast<float>(narrow / (wide + narrow))}};
 }
 
