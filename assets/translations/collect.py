@@ -34,8 +34,8 @@ CATALOGUES = {
     "panels": ["app/ui/parameters/", "app/ui/texture_space/", "app/ui/details/",
                "app/screenshot/reports/lesson_page"],
     "figures": ["app/ui/figures/"],
-    "messages": ["core/base/", "core/autosave/", "core/codec/", "core/image/", "core/link/", "core/s3tc/",
-                 "core/texture/", "core/objects/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
+    "messages": ["core/base/", "core/autosave/", "core/codec/", "core/compare/difference", "core/image/",
+                 "core/link/", "core/s3tc/", "core/texture/", "core/objects/", "core/scene/", "app/render/", "app/opengl/", "app/explorer/"],
 }
 
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)"|"(?P<text>(?:[^"\\\n]|\\.)*)"'
