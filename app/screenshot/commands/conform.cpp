@@ -270,8 +270,8 @@ void addConform(CommandLine& line) {
     command.number("--seed", options->seed, 0, std::numeric_limits<unsigned>::max(),
                    "Other scenes; the same number gives the same ones.", {.showsDefault = true});
     command.option("-o,--out", options->folder,
-                   "A folder for the report: index.html, report.json, and for each feature its worst "
-                   "scene with both pictures and their difference.",
+                   "A folder for the report: index.html for a browser, report.json, and for each feature "
+                   "its worst scene with both pictures and their difference.",
                    {.value = "DIR"});
     options->shadersOption = &command.option(
         "--shaders", options->shaders,

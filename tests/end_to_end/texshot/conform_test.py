@@ -5,6 +5,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import unittest
 from pathlib import Path
@@ -12,6 +13,9 @@ from pathlib import Path
 from PIL import Image
 
 from texshot import TEXSHOT, Texshot, texshot
+
+sys.path.append(str(Path(__file__).parents[1] / "report"))
+from browser import Browser  # noqa: E402
 
 
 class Conform(Texshot):
@@ -58,13 +62,40 @@ class Conform(Texshot):
         folder = self.path / "new" / "report"
         self.succeeds(*self.FEW, "-o", folder)
         self.assertEqual(json.loads((folder / "report.json").read_text())["scenes"], 16)
-        page = (folder / "index.html").read_text()
-        self.assertIn("wrap-reference-fixed.json", page)
-        self.assertRegex(page, r"Made by texshot [0-9.]+ on \d{4}-\d\d-\d\d \d\d:\d\d UTC in [0-9.]+ s; again: <code>GALLIVM_PERF=")
+        data = (folder / "report-data.js").read_text()
+        page = json.loads(data[data.index("{"):data.rindex("}") + 1])
+        self.assertRegex(page["madeBy"], r"\Atexshot [0-9.]+ on \d{4}-\d\d-\d\d \d\d:\d\d UTC in [0-9.]+ s\Z")
+        self.assertRegex(page["command"], r"\AGALLIVM_PERF=\S+ texshot conform --seed 1 ")
+        self.assertEqual([case["name"] for case in page["cases"]],
+                         ["wrap-shader-fixed", "environment-shader-fixed", "wrap-reference-fixed", "environment-reference-fixed"])
+        for case in page["cases"]:
+            for picture in case["pictures"]:
+                with Image.open(folder / picture["file"]) as image:
+                    self.assertEqual(image.size, (64, 64))
+                self.assertTrue((folder / f"{picture['file']}.js").exists())
+            self.assertTrue((folder / case["links"][0]["file"]).exists())
         for renderer in ("reference", "fixed"):
             kept = Image.open(folder / f"wrap-reference-fixed-{renderer}.png").convert("RGB")
             again = self.shot(folder / "wrap-reference-fixed.json", "--renderer", renderer, "--size", "64x64")
             self.assertIsNone(self.difference(kept, again))
+
+    def test_the_folder_is_a_page_for_a_browser(self):
+        folder = self.path / "report"
+        self.succeeds(*self.FEW, "-o", folder)
+        browser = Browser(self.path)
+        self.addCleanup(browser.quit)
+        browser.driver.get((folder / "index.html").as_uri())
+        browser.wait(lambda: browser.script("return performance.getEntriesByName('texplorer-shown').length"), "the page")
+        self.assertEqual(browser.driver.title, "Do the renderers agree?")
+        self.assertEqual(browser.text(".overview h2"), "All agree")
+        self.assertEqual(browser.texts("section h3")[:2], ["Shader against Fixed function", "Reference against Fixed function"])
+        self.assertEqual(browser.texts("tbody th"), ["wrap", "environment"] * 2)
+        browser.script("document.querySelectorAll('tbody th a')[2].click()")
+        browser.wait(lambda: browser.all("#case-name") and browser.text("#case-name") == "wrap-reference-fixed", "the case")
+        self.assertEqual(browser.texts("figcaption .caption"), ["Fixed function", "Reference", "Difference"])
+        browser.wait(lambda: len(browser.all(".magnified canvas")) == 2, "the pixels")
+        self.assertIn("Rule", browser.text(".facts"))
+        self.assertEqual(browser.complaints(), [])
 
     def test_shaders_that_are_wrong_are_found(self):
         shaders = self.path / "shaders"
