@@ -72,6 +72,15 @@ if "$work/consumer/consumer" "$work/nowhere.dds" "$work/out.dds" "$work/out.png"
 fi
 grep -q "consumer: $work/nowhere.dds: " "$work/said" || complain "the error names no file: $(cat "$work/said")"
 
+# What they write of themselves, where man, the shells and editors look for it.
+for file in share/man/man1/{texplorer,texshot,texshot-shot}.1.gz share/bash-completion/completions/{texplorer,texshot} \
+    share/zsh/site-functions/{_texplorer,_texshot} share/fish/vendor_completions.d/{texplorer,texshot}.fish \
+    share/texplorer/scene.schema.json share/mime/packages/texplorer.xml share/metainfo/texplorer.metainfo.xml; do
+    [ -s "$prefix/$file" ] || complain "$file is not installed"
+done
+gzip -dc "$prefix/share/man/man1/texshot-shot.1.gz" | grep -q '^\.TH TEXSHOT' || complain "a manual page is none"
+"$prefix/bin/texshot" schema | cmp - "$prefix/share/texplorer/scene.schema.json" || complain "another schema is installed"
+
 # The programs.
 [ "$(identify -format '%wx%h' "$work/shot.png")" = 64x64 ] || complain "the installed texshot drew no 64x64 PNG"
 for module in "$prefix"/lib/texplorer/texshot_*.so; do # one for each library of contexts

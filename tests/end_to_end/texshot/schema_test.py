@@ -79,6 +79,17 @@ class Schema(Texshot):
         for file in scenes:
             self.assertEqual(self.refused(json.loads(file.read_text())), [], file)
 
+    def test_presets_and_lessons_fit(self):
+        calls = [("--preset", each["name"]) for each in json.loads(self.succeeds("presets", "--json"))["presets"]]
+        for lesson in json.loads(self.succeeds("lessons", "--json"))["lessons"]:
+            calls += [("--lesson", lesson["name"], "--step", step + 1) for step in range(len(lesson["steps"]))]
+        self.assertGreater(len(calls), 100)
+        for call in calls:
+            for short in ([], ["--short"]):
+                scene = json.loads(self.succeeds("scene", *call, *short))
+                self.assertEqual(self.refused(scene), [], call)
+                self.assertEqual(scene["$schema"], self.schema["$id"])
+
     def test_random_scenes_fit(self):
         made = subprocess.run([SOAK, "write", self.path, "--count", "60"], capture_output=True, timeout=120)
         self.assertEqual((made.returncode, made.stderr), (0, b""))
