@@ -279,7 +279,7 @@ std::string CommandLine::missingCommand(int argc, const char* const* argv) const
 
 Result<std::optional<std::string>> CommandLine::helpAskedFor() const {
     if (explained_.empty())
-        return app_->help();
+        return app_->get_formatter()->make_help(app_.get(), app_->get_name(), CLI::AppFormatMode::Normal);
     for (const auto& command : commands_)
         if (command->name() == explained_)
             return app_->get_subcommand(explained_)->help(app_->get_name());

@@ -10,6 +10,7 @@ namespace texplorer {
 namespace {
 
 constexpr std::size_t textColumn = 26;
+constexpr std::size_t commandColumn = 14; // their names are short
 constexpr std::size_t lineLength = 80;
 
 /// The first line of words that has room, which is taken away from them.
@@ -35,16 +36,16 @@ std::string paragraph(std::string_view words) {
 }
 
 /// The name at the left, the words beside it or, where it is long, below it.
-std::string entry(const std::string& name, std::string_view words) {
+std::string entry(const std::string& name, std::string_view words, std::size_t textAt = textColumn) {
     std::string text = "  " + name;
     std::size_t column = text.size();
-    if (column >= textColumn) {
+    if (column >= textAt) {
         text += '\n';
         column = 0;
     }
     while (!words.empty()) {
-        text.append(textColumn - column, ' ');
-        text += takeLine(words, lineLength - textColumn);
+        text.append(textAt - column, ' ');
+        text += takeLine(words, lineLength - textAt);
         text += '\n';
         column = 0;
     }
@@ -85,8 +86,8 @@ std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
                                      CLI::AppFormatMode mode) const {
     std::vector<std::string> titles = command->get_groups();
     std::ranges::stable_partition(titles, [](const std::string& title) { return title != sharedGroup; });
-    std::string text =
-        make_description(command) + make_usage(command, std::move(name)) + make_positionals(command);
+    std::string text = make_description(command) + make_usage(command, std::move(name)) +
+                       make_positionals(command) + make_subcommands(command, mode);
     for (const std::string& title : titles) {
         const std::vector<const CLI::Option*> options = command->get_options([&](const CLI::Option* option) {
             return option->get_group() == title && option->nonpositional();
@@ -94,7 +95,7 @@ std::string HelpFormatter::make_help(const CLI::App* command, std::string name,
         if (!options.empty())
             text += make_group(title, false, options);
     }
-    return text + make_subcommands(command, mode) + "\n" + make_footer(command);
+    return text + "\n" + make_footer(command);
 }
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool positional) const {
@@ -116,7 +117,7 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool positiona
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
-    return entry(command->get_name(), command->get_description());
+    return entry(command->get_name(), command->get_description(), commandColumn);
 }
 
 std::string HelpFormatter::make_description(const CLI::App* command) const {

@@ -106,6 +106,10 @@ std::string sentenceFor(const CLI::App& program, const std::string& called, cons
     if (const std::string_view option = aboutIn(said, " was given a disallowed flag override");
         !option.empty())
         return fmt::format("--{}: expected no value, it is only there or not", option);
+    if (const std::string_view option = aboutIn(said, " excludes ");
+        !option.empty() && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExcludesError))
+        return fmt::format("{} and {} exclude each other", option,
+                           said.substr(option.size() + std::string_view(" excludes ").size()));
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError)) {
         if (const std::string_view option = aboutIn(said, " is required"); !option.empty())
             return fmt::format("{} is missing; see {} --help", option, called);

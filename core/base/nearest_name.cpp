@@ -13,20 +13,25 @@ char smallLetter(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Levenshtein's distance: how many letters to insert, drop or replace.
+/// How many letters to insert, drop, replace or swap with their neighbours: Levenshtein's distance with
+/// Damerau's swaps, of which none overlap.
 std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1); // the costs of two letters of a ago, and of one
+    std::vector<std::size_t> last(b.size() + 1);
     std::vector<std::size_t> costs(b.size() + 1);
-    std::iota(costs.begin(), costs.end(), std::size_t{0});
+    std::iota(last.begin(), last.end(), std::size_t{0});
+    const auto same = [](char c, char d) { return smallLetter(c) == smallLetter(d); };
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = costs[0];
         costs[0] = i + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (smallLetter(a[i]) == smallLetter(b[j]) ? 0 : 1);
-            diagonal = costs[j + 1];
-            costs[j + 1] = std::min({replaced, costs[j] + 1, costs[j + 1] + 1});
+            costs[j + 1] = std::min({last[j] + (same(a[i], b[j]) ? 0 : 1), costs[j] + 1, last[j + 1] + 1});
+            if (i > 0 && j > 0 && same(a[i], b[j - 1]) && same(a[i - 1], b[j]))
+                costs[j + 1] = std::min(costs[j + 1], before[j - 1] + 1);
         }
+        before.swap(last);
+        last.swap(costs);
     }
-    return costs.back();
+    return last.back();
 }
 
 } // namespace

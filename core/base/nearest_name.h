@@ -5,8 +5,9 @@
 
 namespace texplorer {
 
-/// The names closest to a misspelt one, by Levenshtein's distance: all that are equally close, in their
-/// order; none where none is close, which is a third of its letters. Ignores the case of ASCII's letters.
+/// The names closest to a misspelt one, by how many letters are missing, too many, wrong or swapped: all that
+/// are equally close, in their order; none where none is close, which is a third of its letters. Ignores the
+/// case of ASCII's letters.
 [[nodiscard]] std::vector<std::string_view> nearestNames(std::string_view text,
                                                          const std::vector<std::string_view>& names);
 

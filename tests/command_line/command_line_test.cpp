@@ -110,12 +110,12 @@ TEST(CommandLine, HelpIsFilledUpTo80ColumnsAndNamesWhatIsTaken) {
     EXPECT_EQ(**help, R"(Paints.
 Usage: painter [OPTIONS] CANVAS
 
-Positionals:
+Arguments:
   CANVAS                  What is painted on.
 
 Options:
-  -h,--help               Print this help message and exit
-  --version               Display program version information and exit
+  -h,--help               Print this.
+  --version               Print the version.
   -c,--color NAME         Of the paint. Default: red. The environment variable
                           PAINTER_COLOR does the same.
   --coats NUMBER          How many. From 1 to 255. Default: 2.
@@ -153,10 +153,35 @@ TEST_P(WrongCalls, GetOneSentence) {
 INSTANTIATE_TEST_SUITE_P(
     Each, WrongCalls,
     testing::Values(
-        WrongCall{"Nothing", {}, "CANVAS is required"},
+        WrongCall{"Nothing", {}, "CANVAS is missing; see painter --help"},
         WrongCall{"Unknown", {"linen", "--oil"}, "there is no option --oil; see painter --help"},
         WrongCall{
             "OneMore", {"linen", "silk"}, "expected no further argument, found \"silk\"; see painter --help"},
+        WrongCall{
+            "Misspelt", {"linen", "--colour", "red"}, "there is no option --colour; did you mean --color?"},
+        WrongCall{"MisspeltWithItsValue",
+                  {"linen", "--colr=red"},
+                  "there is no option --colr=red; did you mean --color?"},
+        WrongCall{"MisspeltBeforeWhatIsMissing",
+                  {"--varnsh"},
+                  "there is no option --varnsh; did you mean --varnish?"},
+        WrongCall{"OneDash", {"linen", "-coats", "3"}, "there is no option -coats; did you mean --coats?"},
+        WrongCall{"Beginning", {"linen", "--va"}, "there is no option --va; did you mean --varnish?"},
+        WrongCall{"OneLetter", {"linen", "-x"}, "there is no option -x; see painter --help"},
+        WrongCall{"Twice",
+                  {"linen", "--color", "red", "-c", "blue"},
+                  "--color: expected one value, found \"red\" and \"blue\""},
+        WrongCall{"FlagWithAValue",
+                  {"linen", "--matt=maybe"},
+                  "--matt: expected no value, it is only there or not"},
+        WrongCall{"FlagSwitchedOff",
+                  {"linen", "--matt=false"},
+                  "--matt: expected no value, it is only there or not"},
+        WrongCall{"EmptyValue", {"linen", "--color", ""}, "--color: expected a value, found an empty one"},
+        WrongCall{"EmptyArgument", {""}, "CANVAS: expected a value, found an empty one"},
+        WrongCall{"OptionForAValue",
+                  {"linen", "--color", "--matt"},
+                  "--color: expected a value, found the option --matt"},
         WrongCall{"NoValue", {"linen", "--color"}, "--color: expected a value, found none"},
         WrongCall{"Refused", {"linen", "--color", "none"}, "--color: expected a colour, found \"none\""},
         WrongCall{"TooFew",
@@ -172,19 +197,27 @@ INSTANTIATE_TEST_SUITE_P(
                   {"linen", "--coats", "99999999999999999999"},
                   "--coats: expected a whole number from 1 to 255, found \"99999999999999999999\""},
         WrongCall{"Needs", {"linen", "--frame", "oak"}, "--frame requires --varnish"},
-        WrongCall{"Excludes", {"linen", "--matt", "--varnish"}, "--varnish excludes --matt"}),
+        WrongCall{"Excludes", {"linen", "--matt", "--varnish"}, "--varnish and --matt exclude each other"}),
     [](const auto& each) { return std::string(each.param.name); });
 
 /// A program with two commands.
 struct Kitchen {
     CommandLine line{"kitchen", "1.0.0", "Cooks."};
     bool salt = false;
+    bool quiet = false;
+    bool loud = false;
 
     Kitchen() {
+        line.everywhere("--quiet", quiet, "Without a word.");
+        line.everywhere("--loud", loud, "With a song.", "--quiet");
+        line.group("Wet");
         Command& boil = line.command("boil", "In water.");
         boil.flag("--salt", salt, "In it.");
+        boil.usage({"POT", "-o PAN"});
         boil.onCall([this] { return salt ? 3 : 4; });
+        line.group("Dry");
         line.command("fry", "In oil.").onCall([] { return 5; });
+        line.addHelp();
     }
 
     Result<std::optional<std::string>> parse(std::vector<const char*> words) {
@@ -210,10 +243,19 @@ TEST(CommandLine, WhatIsNoCommandIsToldWithThoseThatThereAre) {
         const auto parsed = Kitchen().parse(words);
         return parsed ? std::string("taken") : describe(parsed.error());
     };
-    EXPECT_EQ(sentence({}), "a command is missing; expected one of boil, fry");
-    EXPECT_EQ(sentence({"bake"}), "there is no command \"bake\"; expected one of boil, fry");
-    EXPECT_EQ(sentence({"--bake"}), "there is no command \"--bake\"; expected one of boil, fry");
-    EXPECT_EQ(sentence({""}), "there is no command \"\"; expected one of boil, fry");
+    EXPECT_EQ(sentence({}), "a command is missing; see kitchen --help");
+    EXPECT_EQ(sentence({"--quiet"}), "a command is missing; see kitchen --help");
+    EXPECT_EQ(sentence({"bake"}), "there is no command \"bake\"; expected one of boil, fry, help");
+    EXPECT_EQ(sentence({"--bake"}), "expected a command, found \"--bake\"; see kitchen --help");
+    EXPECT_EQ(sentence({"--verson"}), "expected a command, found \"--verson\"; did you mean --version?");
+    EXPECT_EQ(sentence({"boyl"}), "there is no command \"boyl\"; did you mean \"boil\"?");
+    EXPECT_EQ(sentence({"--quiet", "fr"}), "there is no command \"fr\"; did you mean \"fry\"?");
+    EXPECT_EQ(sentence({"boil", "--quit"}), "there is no option --quit; did you mean --quiet?");
+    EXPECT_EQ(sentence({"boil", "--quiet", "--loud"}), "--quiet and --loud exclude each other");
+    EXPECT_EQ(sentence({"help", "boyl"}), "there is no command \"boyl\"; did you mean \"boil\"?");
+    EXPECT_EQ(sentence({"help", "boil", "fry"}),
+              "expected no further argument, found \"fry\"; see kitchen help --help");
+    EXPECT_EQ(sentence({""}), "there is no command \"\"; expected one of boil, fry, help");
     EXPECT_EQ(sentence({"fry", "--salt"}), "there is no option --salt; see kitchen fry --help");
 }
 
@@ -221,13 +263,95 @@ TEST(CommandLine, EachCommandHasAHelpOfItsOwn) {
     const auto help = Kitchen().parse({"boil", "--help"});
     ASSERT_TRUE(help && *help);
     EXPECT_EQ(**help, R"(In water.
-Usage: kitchen boil [OPTIONS]
+Usage: kitchen boil [OPTIONS] POT
+       kitchen boil [OPTIONS] -o PAN
 
 Options:
-  -h,--help               Print this help message and exit
   --salt                  In it.
 
+Of every command:
+  -h,--help               Print this.
+  --version               Print the version.
+  --quiet                 Without a word.
+  --loud                  With a song.
+
 )");
+}
+
+TEST(CommandLine, HelpSaysWhatHelpOfACommandDoes) {
+    const auto text = [](const std::vector<const char*>& words) {
+        const auto parsed = Kitchen().parse(words);
+        return parsed && *parsed ? **parsed : std::string("nothing");
+    };
+    EXPECT_EQ(text({"help", "boil"}), text({"boil", "--help"}));
+    EXPECT_EQ(text({"help", "help"}), text({"help", "--help"}));
+    EXPECT_EQ(text({"help"}), text({"--help"}));
+    EXPECT_EQ(text({"--quiet", "help", "fry"}), text({"fry", "-h"}));
+    EXPECT_EQ(text({"help"}), R"(Cooks.
+Usage: kitchen [OPTIONS] COMMAND
+
+Wet:
+  boil        In water.
+
+Dry:
+  fry         In oil.
+  help        What a command does and takes.
+
+Of every command:
+  -h,--help               Print this.
+  --version               Print the version.
+  --quiet                 Without a word.
+  --loud                  With a song.
+
+)");
+}
+
+TEST(CommandLine, EveryCommandHasTheVersion) {
+    for (const std::vector<const char*>& words : {std::vector<const char*>{"--version"},
+                                                  {"boil", "--version"},
+                                                  {"help", "--version"},
+                                                  {"--quiet", "--version"}}) {
+        const auto parsed = Kitchen().parse(words);
+        ASSERT_TRUE(parsed && *parsed);
+        EXPECT_EQ(**parsed, "kitchen 1.0.0\n");
+    }
+}
+
+TEST(CommandLine, AFlagOfEveryCommandStandsBeforeOrBehindIt) {
+    Kitchen before;
+    ASSERT_TRUE(before.parse({"--quiet", "boil", "--salt"}));
+    EXPECT_TRUE(before.quiet && before.salt);
+    EXPECT_EQ(before.line.run(), 3);
+    Kitchen behind;
+    ASSERT_TRUE(behind.parse({"boil", "--quiet"}));
+    EXPECT_TRUE(behind.quiet && !behind.loud);
+    Kitchen twice;
+    EXPECT_TRUE(twice.parse({"--quiet", "boil", "--quiet"}));
+}
+
+TEST(CommandLine, TellsWhatWasDeclared) {
+    const Painter painter;
+    std::vector<std::string> said;
+    for (const Option& each : painter.line.options()) {
+        std::string names;
+        for (const std::string& name : each.names())
+            names += name + " ";
+        said.push_back(names + (each.isArgument() ? "argument " : "") + (each.isFlag() ? "flag " : "") +
+                       (each.isList() ? "list " : "") + each.rules().value);
+    }
+    EXPECT_THAT(said, ElementsAre("CANVAS argument ", "-c --color NAME", "--coats ", "--layer list LAYER",
+                                  "--tag list TAG", "--varnish flag ", "--matt flag ", "--frame WOOD"));
+    EXPECT_EQ(painter.line.options().front().help(), "What is painted on.");
+    EXPECT_TRUE(painter.line.options().front().rules().required);
+
+    const Kitchen kitchen;
+    EXPECT_EQ(kitchen.line.help(), "Cooks.");
+    EXPECT_EQ(kitchen.line.commands().size(), 3U);
+    const Command& boil = *kitchen.line.commands().front();
+    EXPECT_EQ(boil.name() + ", " + boil.group() + ", " + boil.help(), "boil, Wet, In water.");
+    EXPECT_EQ(boil.options().size(), 1U) << "its own";
+    EXPECT_EQ(boil.sharedOptions().size(), 4U);
+    EXPECT_THAT(boil.usage(), ElementsAre("POT", "-o PAN"));
 }
 
 } // namespace

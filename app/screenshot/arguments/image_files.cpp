@@ -108,7 +108,7 @@ Result<std::vector<Job>> planOfFolder(const ImageFiles& files, const ImageFormat
         return wrong(fmt::format("expected a folder, found \"{}\"; IN OUT writes one file", files.folder),
                      "--out");
     if (format == nullptr && formats.named)
-        return wrong(fmt::format("is missing: with -o it says the format, one of {}", formatNames()), "--to");
+        return wrong(fmt::format("--to is missing: with -o it says the format, one of {}", formatNames()));
     std::vector<Job> jobs;
     std::map<std::string, std::string> makers; // of each name
     for (const std::string& in : files.files) {

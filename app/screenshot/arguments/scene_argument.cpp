@@ -2,6 +2,7 @@
 
 #include "app/screenshot/arguments/choice_argument.h"
 #include "app/screenshot/arguments/input.h"
+#include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/picture_texts.h"
 #include "core/base/file_io.h"
 #include "core/codec/png/png_text.h"
@@ -193,6 +194,16 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
 
 std::filesystem::path SceneArgument::path() const {
     return isStandardInput(file) ? std::filesystem::path() : std::filesystem::path(file);
+}
+
+void tellOfImages(const ImageSource& images) {
+    for (const std::string& file : images.files()) {
+        const auto image = images.contentOf(file);
+        if (!image || image->surfaces.empty())
+            continue;
+        const Surface& base = image->surface(0, 0);
+        tell(fmt::format("read {}, {}, {} x {}", file, image->format, widthOf(base), heightOf(base)));
+    }
 }
 
 Error inScene(const SceneArgument& argument, const Error& error) {

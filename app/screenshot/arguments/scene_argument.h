@@ -49,6 +49,9 @@ struct SceneProblem {
 
 [[nodiscard]] tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument);
 
+/// For --verbose: the images that were loaded.
+void tellOfImages(const ImageSource& images);
+
 /// An error about something in the scene, with the scene's file in front of its place.
 [[nodiscard]] Error inScene(const SceneArgument& argument, const Error& error);
 

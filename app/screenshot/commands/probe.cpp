@@ -155,6 +155,7 @@ ExitCode probe(const ProbeOptions& options) {
     request.levels.cache = BlockCache::ofUser();
     if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(options.scene, loaded.error()));
+    tellOfImages(request.images);
     return options.at.empty() ? findPixels(options, request) : probePixel(options, std::move(request));
 }
 

@@ -32,11 +32,16 @@ struct SceneOptions {
     const Option* outOption = nullptr;
 };
 
+fs::path wholePath(const fs::path& path) {
+    std::error_code ignored; // where the current folder was removed, a relative name stays one
+    return (fs::current_path(ignored) / path).lexically_normal();
+}
+
 /// The same scene with its images named from another folder: below it, or else by their whole path.
 void nameFilesFrom(Scene& scene, const ImageSource& images, const fs::path& folder) {
-    const fs::path here = fs::absolute(images.directory()).lexically_normal();
-    const fs::path there = fs::absolute(folder).lexically_normal();
-    if (here == there || here / "" == there / "")
+    const fs::path here = wholePath(images.directory()) / "";
+    const fs::path there = wholePath(folder) / "";
+    if (here == there)
         return;
     renameFiles(scene, [&](const std::string& file) {
         if (images.fileInMemory(file))
@@ -145,7 +150,8 @@ int sceneCommand(const SceneOptions& options) {
 } // namespace
 
 void addScene(CommandLine& line) {
-    Command& command = line.command("scene", "Write a scene with all its changes, every parameter of it.");
+    Command& command =
+        line.command("scene", "Write a scene, with what is changed, as a file that says every parameter.");
     auto options = std::make_shared<SceneOptions>();
     addSceneOrLessonArgument(command, options->scene);
     const Option& isShort = command.flag(

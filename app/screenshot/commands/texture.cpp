@@ -109,14 +109,14 @@ ExitCode writeTexture(const TextureOptions& options) {
 
 void addTexture(CommandLine& line) {
     Command& command = line.command(
-        "texture", "Write a texture of a scene: a level, or its image after a step of its preparation.");
+        "texture", "A texture of a scene as a picture: a level, or after a step of its preparation.");
     auto options = std::make_shared<TextureOptions>();
     addSceneArgument(command, options->scene);
     command.option(
         "-o,--out", options->out,
         fmt::format("The picture to write, its format by its extension: {}; - for standard output, as PNG.",
                     writtenExtensions(" or ")),
-        {.required = true});
+        {.value = "FILE", .required = true});
     command.number("--texture", options->texture, 0, static_cast<int>(maxTextures) - 1,
                    "Which texture of the scene, 0 the first.");
     command.number("--step", options->step, 0, static_cast<int>(maxImageSteps),
@@ -128,8 +128,11 @@ void addTexture(CommandLine& line) {
         "--json", options->json,
         "Print what was written as JSON, for programs: \"output\", \"format\", \"texture\", \"width\" and "
         "\"height\".");
-    command.footer("Without --step and --level it is the base level, as it is uploaded. A shadow map "
-                   "is that at time 0.");
+    command.footer(
+        "Without --step and --level it is the base level, as it is uploaded. A shadow map "
+        "is that at time 0.\n"
+        "Exit status: 0 done, 1 the scene or an image can't be read, or the picture not written, 2 a "
+        "wrong call.");
     command.onCall([options] { return writeTexture(*options); });
 }
 

@@ -202,6 +202,7 @@ unsigned contextsFor(const ShotRun& run) {
 ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOutput& output, bool withTexts) {
     if (const auto loaded = request.images.load(request.scene); !loaded)
         return complain(inScene(scene, loaded.error()));
+    tellOfImages(request.images);
     std::optional<LongWork> compressing; // else Ctrl+C ends the program at once
     if (isCompressed(request.scene)) {
         compressing.emplace("texshot: compressing");
@@ -216,6 +217,8 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
         return complainInterrupted();
     if (!shot)
         return complain(shot.error());
+    if (!shot->driver.renderer.empty())
+        tell("drawn by " + shot->driver.renderer);
     for (const Error& warning : warningsAbout(request, *shot))
         warn(warning);
     WriteOptions options;

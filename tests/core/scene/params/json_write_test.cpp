@@ -448,5 +448,68 @@ TEST(SceneJson, RandomScenesComeBackExactly) {
     }
 }
 
+TEST(ShortScene, SaysOnlyWhatDiffersFromAFileThatSaysNothing) {
+    EXPECT_EQ(writeShortScene(defaultScene()), "{\n  \"version\": 1\n}\n");
+    Scene scene = defaultScene();
+    scene.view.distance = 9;
+    scene.light.twoSide = true;
+    EXPECT_EQ(writeShortScene(scene), R"({
+  "version": 1,
+  "view": {
+    "distance": 9
+  },
+  "light": {
+    "twoSide": true
+  }
+}
+)");
+}
+
+TEST(ShortScene, AListIsWholeAndItsElementsSayWhatDiffersFromNewOnes) {
+    Scene scene = defaultScene();
+    scene.textures.assign(2, Texture{});
+    scene.textures[1].sampler.wrapS = Wrap::Clamp;
+    const std::string text = writeShortScene(scene);
+    EXPECT_NE(text.find(R"("textures": [
+    {},
+    {
+      "wrapS": "GL_CLAMP"
+    }
+  ])"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(parseScene(text), scene);
+}
+
+TEST(ShortScene, RandomScenesComeBackExactly) {
+    RandomScenes scenes(20261123);
+    for (int i = 0; i < 200; ++i) {
+        const Scene scene = scenes.next();
+        const std::string text = writeShortScene(scene);
+        const auto read = parseScene(text);
+        ASSERT_TRUE(read) << "scene " << i << ": " << describe(read.error()) << "\n" << text;
+        ASSERT_EQ(*read, scene) << "scene " << i << "\n" << text;
+        ASSERT_LE(text.size(), writeScene(scene).size());
+    }
+}
+
+TEST(ShortScene, EachParameterOfTheDefaultSceneMaySayItself) {
+    std::vector<std::string> paths;
+    forEachParam(defaultScene(), [&](const std::string& path, const ParamRow& row, const Value&) {
+        if (row.kind == Kind::Bool || row.kind == Kind::Enum)
+            paths.push_back(path);
+    });
+    for (const std::string& path : paths) {
+        Scene scene = defaultScene();
+        const ParamRow& row = *paramAt(scene, path)->row;
+        for (const EnumRow& choice : row.choices)
+            if (setParam(scene, path, choice.name) && scene != defaultScene())
+                break;
+        if (row.kind == Kind::Bool)
+            static_cast<void>(setParam(scene, path, *getParam(scene, path) == "true" ? "false" : "true"));
+        ASSERT_EQ(parseScene(writeShortScene(scene)), scene) << path << "\n" << writeShortScene(scene);
+    }
+}
+
 } // namespace
 } // namespace texplorer::json_write_test

@@ -148,5 +148,30 @@ TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
     EXPECT_THAT(text, HasSubstr("\nmodels[].position = 0,0,0\n"));
 }
 
+TEST(ListParams, AFilterLeavesParametersAndTheListsThatTheyLieIn) {
+    const ParamFilter matrices = [](const std::string& path, const ParamRow&) {
+        return path == "passes[].units[].matrix[].angle" || path == "view.azimuth";
+    };
+    const auto listed = nlohmann::json::parse(listParamsJson(matrices));
+    std::vector<std::string> paths;
+    std::vector<std::string> lists;
+    for (const auto& each : listed["parameters"])
+        paths.push_back(each["path"]);
+    for (const auto& each : listed["lists"])
+        lists.push_back(each["path"]);
+    EXPECT_THAT(paths, testing::ElementsAre("view.azimuth", "passes[].units[].matrix[].angle"));
+    EXPECT_THAT(lists, testing::ElementsAre("passes[]", "passes[].units[]", "passes[].units[].matrix[]"));
+    const std::string text = listParams(matrices);
+    EXPECT_THAT(text, HasSubstr("passes[].units[]   always 4 of them"));
+    EXPECT_THAT(text, testing::EndsWith("\n"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("textures[]")));
+}
+
+TEST(ListParams, WhatTheFilterLeavesEmptyIsEmpty) {
+    const ParamFilter nothing = [](const std::string&, const ParamRow&) { return false; };
+    EXPECT_EQ(listParams(nothing), "");
+    EXPECT_EQ(listParamsJson(nothing), "");
+}
+
 } // namespace
 } // namespace texplorer::param_listing_test

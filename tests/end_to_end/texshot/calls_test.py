@@ -1,0 +1,148 @@
+"""What every command has, and what is said of wrong calls."""
+
+import json
+import re
+import unittest
+
+from texshot import Texshot, bmp, texshot
+
+
+class Calls(Texshot):
+    def commands(self):
+        """From the list in --help: names stand two columns from the left, titles at it."""
+        text = self.succeeds("--help").decode()
+        names = re.findall(r"^  ([a-z]+) {2,}\S", text.split("Of every command:")[0], re.M)
+        self.assertGreater(len(names), 15)
+        return names
+
+    def test_help_has_every_command_under_a_title(self):
+        text = self.succeeds("--help").decode()
+        for title in ("Draw:", "Compare:", "Scenes:", "Images:", "About:", "Of every command:"):
+            self.assertEqual(text.count(f"\n{title}\n"), 1, title)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        self.assertEqual(self.succeeds("help").decode(), text)
+
+    def test_every_command_has_help_and_the_version(self):
+        for name in self.commands():
+            with self.subTest(name):
+                text = self.succeeds(name, "--help").decode()
+                self.assertEqual(self.succeeds("help", name).decode(), text)
+                self.assertEqual(self.succeeds(name, "-h").decode(), text)
+                self.assertIn(f"Usage: texshot {name} ", text)
+                self.assertIn("Exit status: 0", text)
+                self.assertLessEqual(max(map(len, text.splitlines())), 80)
+                for shared in ("--version", "--quiet", "--verbose"):
+                    self.assertIn(f"  {shared} ", text)
+                self.assertRegex(self.succeeds(name, "--version").decode(), r"\Atexshot \d+\.\d+\.\d+\n\Z")
+
+    def test_every_command_names_what_is_near(self):
+        for name in self.commands():
+            with self.subTest(name):
+                self.complains(2, "there is no option --quite; did you mean --quiet?", name, "--quite")
+                self.complains(2, f"there is no option --qqqqqqq; see texshot {name} --help", name, "--qqqqqqq")
+                self.complains(2, f'there is no command "{name}x"; did you mean "{name}"?', name + "x")
+                self.complains(2, "--quiet and --verbose exclude each other", name, "--quiet", "--verbose")
+
+    def test_wrong_calls_get_a_sentence(self):
+        out = self.path / "out.png"
+        for expected, *call in [
+            ("a command is missing; see texshot --help",),
+            ("a command is missing; see texshot --help", "--quiet"),
+            ('there is no command "hsot"; did you mean "shot"?', "hsot"),
+            ('there is no command "pre"; did you mean "presets"?', "pre"),
+            ('there is no command "scene.json"; expected one of ', "scene.json"),
+            ('there is no command ""; expected one of ', ""),
+            ('expected a command, found "--size"; see texshot --help', "--size", "3x3", "shot"),
+            ('expected a command, found "--verison"; did you mean --version?', "--verison"),
+            ('there is no command "flpi"; did you mean "flip"?', "help", "flpi"),
+            ("there is no option --sise; did you mean --size?", "shot", "--sise", "3x3"),
+            ("there is no option -size; did you mean --size?", "shot", "-size", "3x3", "-o", out),
+            ("--out is missing; see texshot shot --help", "shot"),
+            ("--size: expected a value, found none", "shot", "-o", out, "--size"),
+            ("--size: expected a value, found the option -o", "shot", "--size", "-o", out),
+            ('--size: expected one value, found "3x3" and "4x4"', "shot", "--size", "3x3", "-o", out, "--size", "4x4"),
+            ("SCENE: expected a value, found an empty one", "shot", "", "-o", out),
+            ("--out: expected a value, found an empty one", "shot", "-o", ""),
+            ('expected no further argument, found "b.json"; see texshot check --help', "check", "a.json", "b.json"),
+            ("--json: expected no value, it is only there or not", "check", "--json=no"),
+            ("--tab requires --ui", "shot", "--tab", "memory", "-o", out),
+            ("SCENE and --lesson exclude each other", "check", "a.json", "--lesson", "wrap"),
+            ('--step: expected a whole number from 1 to', "check", "--lesson", "wrap", "--step", "two"),
+            ('--texture: expected a whole number from 0 to 63, found "64"', "texture", "--texture", "64", "-o", out),
+            ("FROM is missing; see texshot diff --help", "diff"),
+            ("--format is missing; see texshot compress --help", "compress", "a", "b"),
+            ("there is no option --fromat; did you mean --format?", "compress", "a", "b", "--fromat", "dxt1"),
+        ]:
+            with self.subTest(call):
+                self.complains(2, expected, *call)
+
+    def test_quiet_says_errors_alone(self):
+        broken = self.path / "broken.json"
+        broken.write_text('{"version": 1, "textures": [{"mipmaps": "none"}], "passes": [{"units": [{"enabled": true}]}]}')
+        call = ["shot", broken, "--renderer", "reference", "--size", "4x4", "-o", self.path / "out.png"]
+        loud, quiet = texshot(*call), texshot("--quiet", *call)
+        self.assertEqual((loud.returncode, quiet.returncode), (0, 0))
+        self.assertIn(b"texshot: ", loud.stderr)
+        self.assertEqual(quiet.stderr, b"")
+        self.complains(1, "No such file or directory", "decode", self.path / "no.bmp", self.path / "out.png", "--quiet")
+
+    def test_verbose_says_what_is_done(self):
+        source = self.path / "in.bmp"
+        source.write_bytes(bmp(4, 4, lambda x, y: (x, y, 0)))
+        result = texshot("convert", "--verbose", source, self.path / "out.png")
+        self.assertEqual((result.returncode, result.stdout), (0, b""))
+        size = (self.path / "out.png").stat().st_size
+        said = result.stderr.decode().splitlines()
+        self.assertEqual(said[:2], [f"texshot: read {source}, {source.stat().st_size} bytes",
+                                    f"texshot: wrote {self.path / 'out.png'}, {size} bytes"])
+        self.assertRegex(said[2], r"\Atexshot: took \d+\.\d{3} s\Z")
+        scene = self.path / "scene.json"
+        scene.write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "in.bmp"}]}))
+        said = texshot("shot", scene, "--size", "4x4", "-o", "-", "--verbose").stderr.decode()
+        for expected in (f"read {scene}, ", "read in.bmp, BMP, 4 x 4\n", "drawn by ", "wrote standard output, "):
+            self.assertIn("texshot: " + expected, said)
+
+    def test_json_is_one_document(self):
+        source = self.path / "in.bmp"
+        source.write_bytes(bmp(4, 4, lambda x, y: (x, y, 0)))
+        for call in (["check"], ["commands"], ["params"], ["params", "wrap"], ["presets"], ["lessons"], ["info", source],
+                     ["diff", "-", "-"], ["validate", source], ["convert", source, self.path / "a.png"],
+                     ["decode", source, self.path / "b.png"], ["flip", source, self.path / "c.bmp"],
+                     ["compress", source, self.path / "d.dds", "--format", "dxt1"],
+                     ["texture", "-o", self.path / "e.png"], ["probe", "--no-gl", "--size", "4x4", "--at", "1,1"]):
+            if call[0] == "diff":
+                scene = self.path / "scene.json"
+                scene.write_text('{"version": 1}')
+                call = ["diff", scene, scene]
+            with self.subTest(call):
+                document = json.loads(self.succeeds(*call, "--json").decode("utf-8"))
+                self.assertIsInstance(document, dict)
+                help = " ".join(self.succeeds(call[0], "--help").decode().split())
+                if call[0] != "probe":
+                    for key in document:
+                        self.assertIn(f'"{key}"', help, f"{call[0]} --help names its keys")
+
+    def test_params_finds_what_is_looked_for(self):
+        def paths(*call):
+            return [each["path"] for each in json.loads(self.succeeds("params", *call, "--json"))["parameters"]]
+        everything = paths()
+        self.assertEqual(paths("textures[].wrap?"), ["textures[].wrapS", "textures[].wrapT", "textures[].wrapR"])
+        self.assertEqual(paths("textures[3].wrapS"), ["textures[].wrapS"])
+        self.assertEqual(paths("*minfilter"), ["textures[].minFilter"])
+        self.assertEqual(paths("GL_TEXTURE_MIN_FILTER"), ["textures[].minFilter"])
+        self.assertIn("textures[].minFilter", paths("Minification"))
+        self.assertIn("textures[].minFilter", paths("seen from afar"))
+        self.assertIn("textures[].minFilter", paths("mipmap linear"))
+        self.assertEqual(paths("*"), everything)
+        self.assertEqual([path for path in everything if path.startswith("view.")], paths("view.*"))
+        listed = json.loads(self.succeeds("params", "minFilter", "--json"))["parameters"][0]
+        self.assertEqual((listed["kind"], listed["default"]), ("enum", "GL_NEAREST_MIPMAP_LINEAR"))
+        self.assertEqual(len(listed["choices"]), 6)
+        self.assertEqual([each["path"] for each in json.loads(self.succeeds("params", "minFilter", "--json"))["lists"]],
+                         ["textures[]"])
+        self.complains(1, 'there is no parameter "nosuchthing"', "params", "nosuchthing")
+        self.complains(1, 'there is no parameter "nosuch*"', "params", "nosuch*", "--json")
+
+
+if __name__ == "__main__":
+    unittest.main()

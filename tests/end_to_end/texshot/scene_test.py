@@ -1,0 +1,116 @@
+"""texshot scene: a scene as a file, with all that it says, or the least."""
+
+import json
+import shlex
+import subprocess
+import unittest
+
+from texshot import TEXSHOT, Texshot, bmp, texshot
+
+
+class Scene(Texshot):
+    def write(self, name, **members):
+        path = self.path / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(json.dumps({"version": 1, **members}))
+        return path
+
+    def test_it_says_every_parameter(self):
+        scene = json.loads(self.succeeds("scene"))
+        for listed in json.loads(self.succeeds("params", "view.", "--json"))["parameters"]:
+            self.assertIn(listed["path"].removeprefix("view."), scene["view"])
+        self.assertEqual(len(scene["models"]), 2)
+
+    def test_changes_are_in_it(self):
+        scene = json.loads(self.succeeds("scene", "--set", "view.distance=9", "--set", "textures[0].wrapS=GL_CLAMP"))
+        self.assertEqual((scene["view"]["distance"], scene["textures"][0]["wrapS"]), (9, "GL_CLAMP"))
+        preset = json.loads(self.succeeds("scene", "--preset", "alpha-test"))
+        self.assertNotEqual(preset["passes"], json.loads(self.succeeds("scene"))["passes"])
+        step = json.loads(self.succeeds("scene", "--lesson", "wrap", "--step", "2"))
+        self.assertEqual(step["version"], 1)
+
+    def test_what_is_written_is_the_same_scene(self):
+        whole = self.succeeds("scene", "--preset", "shimmer", "--set", "light.twoSide=true")
+        short = self.succeeds("scene", "--preset", "shimmer", "--set", "light.twoSide=true", "--short")
+        self.assertLess(len(short), len(whole))
+        for text in (whole, short):
+            again = texshot("scene", "-", input=text)
+            self.assertEqual((again.returncode, again.stdout), (0, whole))
+        self.assertEqual(json.loads(self.succeeds("scene", "--short")), {"version": 1})
+
+    def test_a_file_is_written_whole_or_not_at_all(self):
+        out = self.path / "out.json"
+        self.assertEqual(self.succeeds("scene", "--set", "view.distance=9", "-o", out), b"")
+        self.assertEqual(json.loads(out.read_text())["view"]["distance"], 9)
+        self.succeeds("scene", out, "--short", "-o", out)  # its own input
+        self.assertEqual(json.loads(out.read_text()), {"version": 1, "view": {"distance": 9}})
+        self.complains(1, "No such file or directory", "scene", "-o", self.path / "no" / "out.json")
+        self.complains(2, 'a scene is JSON: expected a name that ends in .json, found', "scene", "-o", self.path / "a.png")
+
+    def test_images_are_named_from_where_it_is_written(self):
+        (self.path / "a").mkdir()
+        (self.path / "a" / "in.bmp").write_bytes(bmp(2, 2, lambda x, y: (9, 9, 9)))
+        scene = self.write("a/scene.json", textures=[{"source": "file", "file": "in.bmp"}])
+        def named(*call, **options):
+            result = texshot("scene", scene, "--short", *call, **options)
+            self.assertEqual((result.returncode, result.stderr), (0, b""))
+            return result.stdout
+        self.assertEqual(json.loads(named(cwd=self.path))["textures"][0]["file"], "a/in.bmp")
+        self.assertEqual(json.loads(named(cwd=self.path / "a"))["textures"][0]["file"], "in.bmp")
+        named("-o", self.path / "above.json")
+        self.assertEqual(json.loads((self.path / "above.json").read_text())["textures"][0]["file"], "a/in.bmp")
+        named("-o", self.path / "a" / "beside.json", cwd="/")
+        self.assertEqual(json.loads((self.path / "a" / "beside.json").read_text())["textures"][0]["file"], "in.bmp")
+        (self.path / "b").mkdir()
+        named("-o", self.path / "b" / "else.json")
+        self.assertEqual(json.loads((self.path / "b" / "else.json").read_text())["textures"][0]["file"],
+                         str(self.path.resolve() / "a" / "in.bmp"))
+
+    def test_what_leads_from_one_to_the_other_is_a_command_line(self):
+        a = self.write("a.json", passes=[{"name": "it's one"}])
+        b = self.write("b.json", passes=[{"name": 'a "b" $c'}], view={"distance": 9, "background": [0, 0.5, 0, 1]})
+        result = texshot("scene", "--diff", a, b)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        words = shlex.split(result.stdout.decode())
+        self.assertEqual(words, ["--set", "view.distance=9", "--set", "view.background=0,0.5,0,1",
+                                 "--set", 'passes[0].name=a "b" $c'])
+        line = '"$0" scene --diff "$1" "$2" | xargs "$0" scene "$1"'
+        there = subprocess.run(["sh", "-c", line, TEXSHOT, a, b], capture_output=True, timeout=60)
+        self.assertEqual((there.returncode, there.stdout, there.stderr), (0, self.succeeds("scene", b), b""))
+        self.assertEqual(self.succeeds("scene", a, *words), self.succeeds("scene", b))
+        listed = json.loads(texshot("scene", "--diff", a, b, "--json").stdout)
+        self.assertEqual(listed, {"same": False, "set": words[1::2], "lengths": []})
+        self.assertEqual(self.succeeds("scene", "--diff", a, a), b"")
+        self.assertEqual(json.loads(self.succeeds("scene", "--diff", a, a, "--json")), {"same": True, "set": [], "lengths": []})
+
+    def test_what_no_set_can_do_is_said(self):
+        a = self.write("a.json", textures=[{}])
+        b = self.write("b.json", textures=[{}, {}])
+        result = texshot("scene", "--diff", a, b)
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertEqual(result.stderr.decode(),
+                         "texshot: textures: 1 element -> 2 elements: no --set changes how many elements a list has\n")
+        quiet = texshot("scene", "--diff", a, b, "--quiet", "--json")
+        self.assertEqual((quiet.returncode, quiet.stderr), (1, b""))
+        self.assertEqual(json.loads(quiet.stdout)["lengths"],
+                         [{"path": "textures", "from": "1 element", "to": "2 elements"}])
+
+    def test_wrong_calls(self):
+        a = self.write("a.json")
+        broken = self.write("broken.json", veiw={})
+        for code, expected, *call in [
+            (1, 'unknown key; did you mean "view"?', "scene", broken),
+            (1, "nowhere.json: can't be opened", "scene", self.path / "nowhere.json"),
+            (2, "nowhere.json: can't be opened", "scene", "--diff", self.path / "nowhere.json", a),
+            (2, 'unknown key; did you mean "view"?', "scene", "--diff", a, broken),
+            (2, "--json: has no effect here: a scene is JSON; it is for --diff", "scene", a, "--json"),
+            (2, "--out and --diff exclude each other", "scene", "--diff", a, a, "-o", self.path / "out.json"),
+            (2, "no such parameter", "scene", "--set", "view.distanc=3"),
+            (2, "--preset: expected one of", "scene", "--preset", "nothing"),
+        ]:
+            with self.subTest(expected):
+                self.complains(code, expected, *call)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,110 @@
+"""texshot validate: images and scenes, to the letter."""
+
+import io
+import json
+import struct
+import unittest
+
+from PIL import Image
+
+from texshot import Texshot, bmp, texshot
+
+
+class Validate(Texshot):
+    def make(self, name, content):
+        path = self.path / name
+        path.write_bytes(content)
+        return path
+
+    def valid(self, kind, file):
+        self.assertEqual(self.succeeds("validate", file).decode(), f"{file}: {kind}, valid\n")
+
+    def faulty(self, expected, file):
+        result = texshot("validate", file)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        said = result.stdout.decode()
+        self.assertEqual(said.count("\n"), 1, said)
+        self.assertIn(expected, said)
+        self.assertIn(" not valid: ", said)
+
+    def test_what_others_write_is_valid(self):
+        picture = Image.new("RGB", (5, 3), (10, 200, 30))
+        for name in ("a.png", "a.bmp", "a.jpg", "a.tga"):
+            picture.save(self.path / name)
+            self.valid({"jpg": "JPEG"}.get(name[2:], name[2:].upper()), self.path / name)
+        self.valid("BMP", self.make("ours.bmp", bmp(4, 4, lambda x, y: (x, y, 0))))
+        self.succeeds("compress", self.path / "ours.bmp", self.path / "ours.dds", "--format", "dxt5")
+        self.valid("DDS", self.path / "ours.dds")
+
+    def test_what_is_survived_elsewhere_is_a_fault(self):
+        out = io.BytesIO()
+        Image.new("RGB", (4, 4), (1, 2, 3)).save(out, "PNG")
+        png = out.getvalue()
+        wrong_sum = bytearray(png)
+        wrong_sum[-1] ^= 1  # the checksum of IEND
+        wide = bytearray(bmp(4, 4, lambda x, y: (1, 2, 3)))
+        struct.pack_into("<H", wide, 26, 7)  # biPlanes
+        for name, content in (("sum.png", bytes(wrong_sum)), ("planes.bmp", bytes(wide))):
+            with self.subTest(name):
+                self.faulty(name.rsplit(".")[-1].upper(), self.make(name, content))
+
+    def test_damage_is_a_fault(self):
+        out = io.BytesIO()
+        Image.effect_noise((32, 32), 90).save(out, "PNG")
+        png = out.getvalue()
+        for cut in (9, 40, len(png) // 2, len(png) - 13):
+            self.faulty("PNG", self.make("cut.png", png[:cut]))
+        self.faulty("file has", self.make("cut.bmp", bmp(8, 8, lambda x, y: (x, y, 0))[:100]))
+        self.faulty("the file is empty", self.make("empty", b""))
+        self.faulty("expected a scene or an image (BMP, DDS, JPEG, PNG, TGA), the file begins with 68 65 6c 6c",
+                    self.make("text.txt", b"hello"))
+
+    def test_scenes(self):
+        self.valid("scene", self.make("a.json", b'{"version": 1}'))
+        self.valid("scene", self.make("no-extension", b'\n {"version": 1, "$schema": "x"}'))
+        for expected, text in [
+            ('/view/distanc: unknown key; did you mean "distance"?', '{"version": 1, "view": {"distanc": 1}}'),
+            ("/view/distance: ", '{"version": 1, "view": {"distance": 1e9}}'),
+            ("/textures/0/wrapS: ", '{"version": 1, "textures": [{"wrapS": "GL_CLAMPED"}]}'),
+            ("/version: ", '{"version": 99}'),
+            ("expected each key once", '{"version": 1, "version": 1}'),
+            ("line 1", '{"version": 1'),
+            ("/passes/0/units/0", '{"version": 1, "textures": [], "passes": [{"units": [{"enabled": true}]}]}'),
+        ]:
+            with self.subTest(expected):
+                self.faulty(expected, self.make("wrong.json", text.encode()))
+        self.faulty("expected an object, found an array", self.make("list.json", b"[]"))
+        self.faulty("empty", self.make("empty.json", b""))
+        # What a scene draws is not looked at, nor its images.
+        self.valid("scene", self.make("lost.json", b'{"version": 1, "textures": [{"source": "file", "file": "no.png"}]}'))
+
+    def test_all_of_them_are_told_and_one_decides(self):
+        good = self.make("good.bmp", bmp(2, 2, lambda x, y: (0, 0, 0)))
+        bad = self.make("bad.json", b"{}x")
+        result = texshot("validate", good, bad, self.path / "missing.png", self.path)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        lines = result.stdout.decode().splitlines()
+        self.assertEqual(lines[0], f"{good}: BMP, valid")
+        self.assertEqual(lines[2], f"{self.path}/missing.png: not valid: can't be opened: No such file or directory")
+        self.assertEqual(lines[3], f"{self.path}: not valid: is a directory, not a file")
+        told = json.loads(texshot("validate", "--json", good, bad).stdout)
+        self.assertFalse(told["valid"])
+        self.assertEqual([(each["file"], each["kind"], each["valid"]) for each in told["files"]],
+                         [(str(good), "BMP", True), (str(bad), "scene", False)])
+        self.assertEqual(told["files"][0]["faults"], [])
+        self.assertEqual(len(told["files"][1]["faults"]), 1)
+        self.assertTrue(json.loads(self.succeeds("validate", "--json", good))["valid"])
+
+    def test_names_are_printed_harmlessly(self):
+        file = self.make("\x1b[31m\n.json", b"{}")
+        result = texshot("validate", file)
+        self.assertNotIn(b"\x1b", result.stdout)
+        self.assertEqual(result.stdout.count(b"\n"), 1)
+
+    def test_wrong_calls(self):
+        self.complains(2, "FILE is missing; see texshot validate --help", "validate")
+        self.complains(2, "there is no option --jsn; did you mean --json?", "validate", "a.png", "--jsn")
+
+
+if __name__ == "__main__":
+    unittest.main()
