@@ -26,19 +26,13 @@ ExitCode complain(const Error& error, ExitCode code) {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsOf(Clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-}
-
 /// The commands under the titles that they have in --help.
-struct Group {
+struct CommandGroup {
     const char* title;
     std::vector<void (*)(CommandLine&)> commands;
 };
 
-const std::vector<Group> groups{
+const std::vector<CommandGroup> groups{
     {"Draw", {addShot, addProbe, addTexture, addCommands}},
     {"Compare", {addTest, addMerge, addCompare, addConform, addDiff}},
     {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons, addSchema}},
@@ -52,7 +46,7 @@ const std::vector<Group> groups{
 int main(int argc, char** argv) {
     using namespace texplorer;
     using namespace texplorer::screenshot;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
 
     prepareStandardStreams();
     if (const std::optional<int> answered = answerQuestions(argc, argv))
@@ -92,7 +86,8 @@ int main(int argc, char** argv) {
             return complain(answer.error(), wrongCall);
         if (!*answer) {
             const int status = line.run();
-            tell(fmt::format("took {:.3f} s", secondsOf(Clock::now() - start)));
+            const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+            tell(fmt::format("took {:.3f} s", time.count()));
             return status;
         }
         const Result<void> printed = print(**answer);

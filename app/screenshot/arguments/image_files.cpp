@@ -61,71 +61,72 @@ const CodecRow& usualFormat(const std::string& in, const ImageFormats& formats) 
     return formatOfName(formats.start.empty() ? "PNG" : formats.start);
 }
 
-struct Job {
+struct ImageJob {
     std::string in;
     std::string out;
     const CodecRow* format; ///< of a pipe; a file's is that of its extension
 };
 
-tl::unexpected<Error> wrong(std::string sentence, std::string where = {}) {
+tl::unexpected<Error> wrongImageCall(std::string sentence, std::string where = {}) {
     return fail(ErrorCode::OutOfRange, std::move(sentence), std::move(where));
 }
 
-Result<std::vector<Job>> planOfTwo(const ImageFiles& files, const ImageFormats& formats,
-                                   const CodecRow* format) {
+Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageFormats& formats,
+                                        const CodecRow* format) {
     if (files.files.size() == 1)
-        return wrong("OUT is missing: expected IN OUT, or IN... -o DIR");
+        return wrongImageCall("OUT is missing: expected IN OUT, or IN... -o DIR");
     if (files.files.size() > 2)
-        return wrong(
+        return wrongImageCall(
             fmt::format("expected IN OUT, or IN... -o DIR, found {}", countOf(files.files.size(), "file")));
     const std::string& in = files.files[0];
     const std::string& out = files.files[1];
     if (format != nullptr && std::filesystem::path(out).has_extension())
-        return wrong("has no effect here: the extension of OUT says its format", "--to");
+        return wrongImageCall("has no effect here: the extension of OUT says its format", "--to");
     if ((files.report || files.json) && isStandardOutput(out))
-        return wrong("has no effect here: standard output is the picture",
-                     files.json ? "--json" : "--report");
-    return std::vector{Job{in, out, format != nullptr ? format : &usualFormat(in, formats)}};
+        return wrongImageCall("has no effect here: standard output is the picture",
+                              files.json ? "--json" : "--report");
+    return std::vector{ImageJob{in, out, format != nullptr ? format : &usualFormat(in, formats)}};
 }
 
 Result<std::string> nameIn(const std::string& in, const ImageFormats& formats, const CodecRow* format) {
     const std::filesystem::path name = std::filesystem::path(in).filename();
     if (isStandardInput(in))
-        return wrong("has no name for a file in a folder; IN OUT writes one file", "standard input");
+        return wrongImageCall("has no name for a file in a folder; IN OUT writes one file", "standard input");
     if (name.empty() || name == "." || name == "..")
-        return wrong("expected a file's name", in);
+        return wrongImageCall("expected a file's name", in);
     const bool keeps =
         format == nullptr && formats.only.empty() && &usualFormat(in, formats) == codecForExtension(in);
     const CodecRow& written = format != nullptr ? *format : usualFormat(in, formats);
     return keeps ? name.string() : name.stem().string() + extensionsOf(written).front();
 }
 
-Result<std::vector<Job>> planOfFolder(const ImageFiles& files, const ImageFormats& formats,
-                                      const CodecRow* format) {
+Result<std::vector<ImageJob>> planOfFolder(const ImageFiles& files, const ImageFormats& formats,
+                                           const CodecRow* format) {
     std::error_code ignored;
     const std::filesystem::path folder = files.folder;
     if (codecForExtension(files.folder) != nullptr && !std::filesystem::is_directory(folder, ignored))
-        return wrong(fmt::format("expected a folder, found \"{}\"; IN OUT writes one file", files.folder),
-                     "--out");
+        return wrongImageCall(
+            fmt::format("expected a folder, found \"{}\"; IN OUT writes one file", files.folder), "--out");
     if (format == nullptr && formats.named)
-        return wrong(fmt::format("--to is missing: with -o it says the format, one of {}", formatNames()));
-    std::vector<Job> jobs;
+        return wrongImageCall(
+            fmt::format("--to is missing: with -o it says the format, one of {}", formatNames()));
+    std::vector<ImageJob> jobs;
     std::map<std::string, std::string> makers; // of each name
     for (const std::string& in : files.files) {
         const Result<std::string> name = nameIn(in, formats, format);
         if (!name)
             return fail(name.error());
         if (const auto [other, isNew] = makers.emplace(*name, in); !isNew)
-            return wrong(fmt::format("\"{}\" and \"{}\" would both become {}", other->second, in,
-                                     (folder / *name).string()),
-                         "--out");
+            return wrongImageCall(fmt::format("\"{}\" and \"{}\" would both become {}", other->second, in,
+                                              (folder / *name).string()),
+                                  "--out");
         jobs.push_back(
             {in, (folder / *name).string(), format != nullptr ? format : &usualFormat(in, formats)});
     }
     return jobs;
 }
 
-Result<std::vector<Job>> planOf(const ImageFiles& files, const ImageFormats& formats) {
+Result<std::vector<ImageJob>> planOf(const ImageFiles& files, const ImageFormats& formats) {
     const CodecRow* format = nullptr;
     if (!files.format.empty()) {
         const Result<const CodecRow*> named = formatNamed(files.format);
@@ -137,7 +138,7 @@ Result<std::vector<Job>> planOf(const ImageFiles& files, const ImageFormats& for
 }
 
 /// What is told of the pictures that were written, and of those that weren't.
-struct Told {
+struct ToldImages {
     std::string text;
     Json written = Json::array();
     Json failed = Json::array();
@@ -155,8 +156,8 @@ Json levelsJson(const TextureReport& report) {
     return levels;
 }
 
-void tellOf(Told& told, const Job& job, const MadeImage& made, const CodecRow& format, std::size_t bytes,
-            bool alone) {
+void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const CodecRow& format,
+            std::size_t bytes, bool alone) {
     const TextureImage& texture = made.texture;
     const Surface& base = texture.surface(0, 0);
     // Formats of one picture take no more than that.
@@ -188,7 +189,7 @@ void tellOf(Told& told, const Job& job, const MadeImage& made, const CodecRow& f
         told.text += describe(*made.report);
 }
 
-struct Written {
+struct WrittenImage {
     MadeImage image;
     const CodecRow* format;
     std::size_t bytes;
@@ -203,7 +204,7 @@ Result<void> makeFolder(const std::string& folder) {
 }
 
 /// In a folder, which is made where it is missing.
-Result<ImageOutput> openInFolder(const Job& job, const std::string& folder) {
+Result<ImageOutput> openInFolder(const ImageJob& job, const std::string& folder) {
     if (const Result<void> made = makeFolder(folder); !made)
         return fail(made.error());
     Result<Output> output = Output::open(job.out);
@@ -213,8 +214,8 @@ Result<ImageOutput> openInFolder(const Job& job, const std::string& folder) {
 }
 
 /// `opened`: the output, where there is one; else it is a file of the folder.
-Result<Written> makeOne(const Job& job, const std::optional<ImageOutput>& opened, const std::string& folder,
-                        const MakeImage& make) {
+Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOutput>& opened,
+                               const std::string& folder, const MakeImage& make) {
     Result<MadeImage> made = make(job.in);
     if (!made)
         return fail(made.error());
@@ -231,10 +232,10 @@ Result<Written> makeOne(const Job& job, const std::optional<ImageOutput>& opened
     }
     if (const Result<void> written = (opened ? *opened : *ours).output.write(*bytes); !written)
         return fail(written.error());
-    return Written{*std::move(made), &format, bytes->size()};
+    return WrittenImage{*std::move(made), &format, bytes->size()};
 }
 
-ExitCode printTold(const ImageFiles& files, const Told& told) {
+ExitCode printTold(const ImageFiles& files, const ToldImages& told) {
     if (!files.report && !files.json)
         return success;
     const Result<void> printed =
@@ -283,7 +284,7 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
                                  : std::span(files.files));
         !once)
         return complain(once.error(), wrongCall);
-    const Result<std::vector<Job>> jobs = planOf(files, formats);
+    const Result<std::vector<ImageJob>> jobs = planOf(files, formats);
     if (!jobs)
         return complain(jobs.error(), wrongCall);
     const bool alone = files.folder.empty();
@@ -299,16 +300,16 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
             return opened.error();
         first = *std::move(opened);
     }
-    for (const Job& job : *jobs) {
+    for (const ImageJob& job : *jobs) {
         const Result<void> fits = check ? check(first ? *first->format : *job.format) : Result<void>();
         if (!fits)
             return complain(fits.error(), wrongCall);
     }
 
-    Told told;
+    ToldImages told;
     bool allDone = true;
-    for (const Job& job : *jobs) {
-        const Result<Written> done = makeOne(job, first, files.folder, make);
+    for (const ImageJob& job : *jobs) {
+        const Result<WrittenImage> done = makeImage(job, first, files.folder, make);
         if (!done && done.error().code == ErrorCode::Cancelled)
             return complainInterrupted();
         if (!done) {

@@ -2,6 +2,7 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/command.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
@@ -104,11 +105,24 @@ Result<std::string> lessonsJson() {
     return Json{{"lessons", std::move(list)}}.dump(2) + "\n";
 }
 
-ExitCode check(const std::string& path) {
+/// What was found in a lesson; errors stay sentences on standard error.
+ExitCode printProblems(const std::string& file, const std::vector<Error>& problems, std::size_t steps) {
+    Json list = Json::array();
+    for (const Error& problem : problems)
+        list.push_back({{"where", problem.where}, {"sentence", problem.message}});
+    const Result<void> printed =
+        print(documentText({{"file", file}, {"steps", steps}, {"problems", std::move(list)}}));
+    return printed ? problems.empty() ? success : failure : complain(printed.error());
+}
+
+ExitCode check(const std::string& path, bool json) {
     const lesson::LessonFolder folder = lesson::LessonFolder::onDisk(path);
     const Result<lesson::Lesson> found = readLesson(folder);
-    if (!found)
+    if (!found) {
+        if (json)
+            static_cast<void>(printProblems(found.error().where, {found.error()}, 0));
         return complain(found.error());
+    }
     std::vector<Error> problems = checkLesson(folder, *found);
     for (const ui::LanguageRow& row : ui::languageRows) {
         if (const auto catalogue = readLessonCatalogue(folder, row.language); !catalogue)
@@ -117,6 +131,8 @@ ExitCode check(const std::string& path) {
     const std::string file = (folder.path() / lesson::lessonFileName).string();
     for (const Error& problem : problems)
         (void)complain({problem.code, describe(problem), file});
+    if (json)
+        return printProblems(file, problems, found->steps.size());
     if (!problems.empty())
         return failure;
     const Result<void> written =
@@ -185,7 +201,7 @@ ExitCode lessons(const LessonsOptions& options) {
             {ErrorCode::OutOfRange, "one is checked or shown, not both at once", "--check, --page"},
             wrongCall);
     if (!options.checked.empty())
-        return check(options.checked);
+        return check(options.checked, options.json);
     if (options.pageOption->isGiven())
         return writePage(options);
     const Result<void> written = (options.json ? lessonsJson() : lessonsText()).and_then(print);
@@ -197,12 +213,14 @@ ExitCode lessons(const LessonsOptions& options) {
 void addLessons(CommandLine& line) {
     Command& command = line.command("lessons", "The lessons and their steps, or what is wrong with one.");
     auto options = std::make_shared<LessonsOptions>();
-    const Option& json = command.flag(
-        "--json", options->json, "As JSON, for programs: \"lessons\" (name, title, source, about, steps).");
+    const Option& json =
+        command.flag("--json", options->json,
+                     "As JSON, for programs: \"lessons\" (name, title, source, about, steps); with "
+                     "--check \"file\", \"steps\" and \"problems\" (where, sentence).");
     const Option& check =
         command.option("--check", options->checked,
                        "Look for mistakes in a lesson's folder: every scene is opened, every answer drawn.",
-                       {.value = "DIR", .excludes = &json});
+                       {.value = "DIR"});
     const Option& page = command.option(
         "--page", options->page,
         "Write the lessons as a page for a browser or a printer into a folder: index.html with every step, "

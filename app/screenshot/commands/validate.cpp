@@ -15,7 +15,7 @@ namespace texplorer::screenshot {
 namespace {
 
 /// What a file is held to be, and what is wrong with it.
-struct Verdict {
+struct Validity {
     std::string file;
     std::string kind; ///< "PNG", "scene"; empty: it couldn't be told
     std::vector<std::string> faults{};
@@ -29,33 +29,33 @@ void addOnce(std::vector<std::string>& faults, std::string fault) {
 }
 
 /// All that the decoder refuses or notes, and all that looks wrong in a field.
-Verdict validateImage(const std::string& in, ByteView file) {
-    Verdict verdict{in, std::string(recogniseImage(file)->name)};
+Validity validateImage(const std::string& in, ByteView file) {
+    Validity validity{in, std::string(recogniseImage(file)->name)};
     const Result<TextureImage> texture = decodeTexture(file);
     if (!texture)
-        addOnce(verdict.faults, texture.error().message);
+        addOnce(validity.faults, texture.error().message);
     for (const std::string& note : texture ? texture->notes : std::vector<std::string>())
-        addOnce(verdict.faults, note);
+        addOnce(validity.faults, note);
     const Anatomy anatomy = dissect(file);
     for (const Field& field : anatomy.fields)
         if (!field.wrong.empty())
-            addOnce(verdict.faults, fmt::format("{} at {}: {}", field.name, field.offset, field.wrong));
+            addOnce(validity.faults, fmt::format("{} at {}: {}", field.name, field.offset, field.wrong));
     if (!anatomy.damage.empty() && texture) // else the decoder has said it
-        addOnce(verdict.faults, anatomy.damage);
-    return verdict;
+        addOnce(validity.faults, anatomy.damage);
+    return validity;
 }
 
-Verdict validateScene(const std::string& in, ByteView file) {
-    Verdict verdict{in, "scene"};
+Validity validateScene(const std::string& in, ByteView file) {
+    Validity validity{in, "scene"};
     if (file.size() > maxSceneBytes) {
-        verdict.faults.push_back(
+        validity.faults.push_back(
             fmt::format("at most {} bytes of a scene are read, it has {}", maxSceneBytes, file.size()));
-        return verdict;
+        return validity;
     }
     const Result<Scene> scene = parseScene({reinterpret_cast<const char*>(file.data()), file.size()});
     if (!scene)
-        verdict.faults.push_back(describe(scene.error()));
-    return verdict;
+        validity.faults.push_back(describe(scene.error()));
+    return validity;
 }
 
 bool beginsAsJson(ByteView file) {
@@ -67,7 +67,7 @@ bool beginsAsJson(ByteView file) {
 }
 
 /// By its content: an image, a scene, or nothing that is known. A name that ends in .json promises a scene.
-Verdict validate(const std::string& in, ByteView file) {
+Validity validate(const std::string& in, ByteView file) {
     if (recogniseImage(file) != nullptr)
         return validateImage(in, file);
     if (beginsAsJson(file) || in.ends_with(".json"))
@@ -78,7 +78,7 @@ Verdict validate(const std::string& in, ByteView file) {
         in, {}, {why.starts_with(image) ? "expected a scene or an image" + why.substr(image.size()) : why}};
 }
 
-Verdict validateFile(const std::string& in) {
+Validity validateFile(const std::string& in) {
     const Result<Bytes> file = readInput(
         in, defaultMaxFileBytes, [](ByteView start) { return recogniseImage(start) || beginsAsJson(start); });
     if (!file)
@@ -86,9 +86,9 @@ Verdict validateFile(const std::string& in) {
     return validate(in, *file);
 }
 
-std::string verdictsText(const std::vector<Verdict>& verdicts) {
+std::string validityText(const std::vector<Validity>& all) {
     std::string text;
-    for (const Verdict& each : verdicts) {
+    for (const Validity& each : all) {
         std::string faults;
         for (const std::string& fault : each.faults)
             faults += (faults.empty() ? "" : "; ") + printable(fault);
@@ -99,9 +99,9 @@ std::string verdictsText(const std::vector<Verdict>& verdicts) {
     return text;
 }
 
-std::string verdictsJson(const std::vector<Verdict>& verdicts, bool valid) {
+std::string validityJson(const std::vector<Validity>& all, bool valid) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (const Verdict& each : verdicts)
+    for (const Validity& each : all)
         files.push_back(
             {{"file", each.file}, {"valid", each.isValid()}, {"kind", each.kind}, {"faults", each.faults}});
     return documentText({{"valid", valid}, {"files", std::move(files)}});
@@ -110,11 +110,11 @@ std::string verdictsJson(const std::vector<Verdict>& verdicts, bool valid) {
 ExitCode validateAll(const std::vector<std::string>& files, bool json) {
     if (const Result<void> once = checkStandardInputOnce(files); !once)
         return complain(once.error(), wrongCall);
-    std::vector<Verdict> verdicts;
+    std::vector<Validity> all;
     for (const std::string& file : files)
-        verdicts.push_back(validateFile(file));
-    const bool valid = std::ranges::all_of(verdicts, &Verdict::isValid);
-    const Result<void> printed = print(json ? verdictsJson(verdicts, valid) : verdictsText(verdicts));
+        all.push_back(validateFile(file));
+    const bool valid = std::ranges::all_of(all, &Validity::isValid);
+    const Result<void> printed = print(json ? validityJson(all, valid) : validityText(all));
     if (!printed)
         return complain(printed.error());
     return valid ? success : failure;

@@ -7,7 +7,7 @@ import pathlib
 import unittest
 
 from PIL import Image, ImageChops
-from texshot import Texshot, bmp
+from texshot import Texshot, bmp, texshot
 
 STEP = {"title": "S", "text": "T", "scene": "cube"}
 SMALL = {"lesson": 1, "title": "Small", "about": "A", "steps": [STEP]}
@@ -58,6 +58,15 @@ class Checking(Lessons):
         self.assertEqual(self.succeeds("lessons", "--check", folder).decode(),
                          f"{folder}/lesson.json: 1 steps, nothing is wrong\n")
 
+    def test_json_names_each_mistake(self):
+        folder = self.lesson()
+        told = json.loads(self.succeeds("lessons", "--check", folder, "--json"))
+        self.assertEqual(told, {"file": f"{folder}/lesson.json", "steps": 1, "problems": []})
+        result = texshot("lessons", "--check", self.lesson(text='{"lesson": 1,\n'), "--json")
+        self.assertEqual((result.returncode, result.stderr.count(b"\n")), (1, 1))
+        (problem,) = json.loads(result.stdout)["problems"]
+        self.assertIn(problem["sentence"], result.stderr.decode())
+
     def test_what_is_no_lesson(self):
         self.complains(1, "lesson.json", "lessons", "--check", self.path)
         self.complains(1, "lesson.json", "lessons", "--check", self.path / "nowhere")
@@ -106,7 +115,7 @@ class Checking(Lessons):
 
     def test_wrong_calls(self):
         self.complains(2, "--check", "lessons", "--check")
-        self.complains(2, "--json", "lessons", "--check", self.path, "--json")
+        self.complains(2, "--json and --page exclude each other", "lessons", "--page", self.path / "page", "--json")
 
 
 class Files(Lessons):
