@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <cctype>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <utility>
@@ -156,6 +157,9 @@ void Window::Callbacks::install(GLFWwindow* window) {
 
 Result<Window> Window::open(view::Size size, const std::string& title, ContextApi context) {
     render::setUpDriverCache();
+    // EGL would take GLFW's display for one of this kind. GLFW knows better, and Mesa doesn't survive
+    // another.
+    static_cast<void>(::unsetenv("EGL_PLATFORM")); // NOLINT(concurrency-mt-unsafe): nobody reads it yet
     glfwSetErrorCallback(rememberError);
     if (!glfwInit())
         return fail(ErrorCode::Driver, fmt::format("no display can be opened ({})", lastGlfwError));

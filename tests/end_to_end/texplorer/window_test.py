@@ -151,6 +151,7 @@ class ByEgl(Window):
 
     OPTIONS = ("--context", "egl")
     DISPLAY = ("-extension", "GLX")
+    VARIABLES = {"EGL_PLATFORM": "wayland"}  # which GLFW knows better
 
     def test_shows_edits_and_saves(self):
         self.assertGreater(len(set(self.display.screenshot().crop((400, 200, 850, 600)).getdata())), 50)
