@@ -3,13 +3,13 @@
 
 #include "core/base/file_io.h"
 #include "core/image/mipmaps.h"
+#include "core/s3tc/surface_pixels.h"
 #include "core/scene/animation.h"
 #include "core/scene/model_mesh.h"
 #include "core/texture/image_source.h"
 #include "tests/bench/shot_states.h"
 
 #define GL_GLEXT_PROTOTYPES
-#include <GL/glext.h>
 #include <GL/osmesa.h>
 #include <glm/gtc/type_ptr.hpp>
 

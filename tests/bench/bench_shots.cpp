@@ -75,7 +75,7 @@ std::string sizeText() {
 }
 
 std::string assignment(std::string_view path, const EnumRow& row) {
-    return fmt::format("{}={}", path, row.glName);
+    return fmt::format("{}={}", path, row.name);
 }
 
 constexpr std::string_view filterPath = "textures[0].minFilter";
