@@ -16,7 +16,6 @@ using report::File;
 using report::Page;
 using report::Picture;
 using report::State;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::UnorderedElementsAre;
@@ -38,6 +37,7 @@ std::string fileOf(const std::vector<File>& files, std::string_view name) {
 
 std::vector<std::string> namesOf(const std::vector<File>& files) {
     std::vector<std::string> names;
+    names.reserve(files.size());
     for (const File& file : files)
         names.push_back(file.name);
     return names;
