@@ -141,7 +141,7 @@ class CaseList {
       make("span", { class: "thumbnails" }, small.filter(Boolean).map(thumbnail)),
       make("span", { class: "row-text" },
         make("span", { class: "name" }, breakable(each.name)),
-        make("span", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted" }, each.group),
+        make("span", { class: "row-facts" }, stateLabel(each.look), each.group && make("span", { class: "muted group-name" }, each.group),
           each.seconds !== undefined && each.seconds !== null && make("span", { class: "muted" }, secondsText(each.seconds)),
           make("span", { class: "accepted", hidden: true }, "✓ accepted")))));
     this.#markRow(each, row);
