@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCall{"MisspeltBeforeWhatIsMissing",
                   {"--varnsh"},
                   "there is no option --varnsh; did you mean --varnish?"},
-        WrongCall{"OneDash", {"linen", "-coats", "3"}, "there is no option -coats; did you mean --coats?"},
+        WrongCall{"OneDash", {"linen", "-varnish"}, "there is no option -varnish; did you mean --varnish?"},
         WrongCall{"Beginning", {"linen", "--va"}, "there is no option --va; did you mean --varnish?"},
         WrongCall{"OneLetter", {"linen", "-x"}, "there is no option -x; see painter --help"},
         WrongCall{"Twice",

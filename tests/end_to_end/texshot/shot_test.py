@@ -97,9 +97,11 @@ class Shot(Texshot):
                 self.complains(2, expected, "shot", *arguments, "-o", out)
         self.complains(2, "--out", "shot")
         self.complains(2, "--size: expected a value, found none", "shot", "-o", out, "--size")
-        self.complains(2, "expected one of shot, probe, check, commands, conform, params, presets, lessons, diff, decode, info")
-        for unknown in ["paint", "--paint", "-x", ""]:
+        self.complains(2, "a command is missing; see texshot --help")
+        for unknown in ["paint", ""]:
             self.complains(2, f'there is no command "{unknown}"', unknown)
+        for unknown in ["--paint", "-x"]:
+            self.complains(2, f'expected a command, found "{unknown}"', unknown)
 
     def test_bad_scenes(self):
         for name, content, expected in [

@@ -468,7 +468,7 @@ TEST(ShortScene, SaysOnlyWhatDiffersFromAFileThatSaysNothing) {
 TEST(ShortScene, AListIsWholeAndItsElementsSayWhatDiffersFromNewOnes) {
     Scene scene = defaultScene();
     scene.textures.assign(2, Texture{});
-    scene.textures[1].sampler.wrapS = Wrap::Clamp;
+    scene.textures[1].wrapS = Wrap::Clamp;
     const std::string text = writeShortScene(scene);
     EXPECT_NE(text.find(R"("textures": [
     {},
