@@ -26,7 +26,7 @@ std::string line(std::string_view name, std::string_view value) {
     return fmt::format("  {:16}{}\n", name, printable(value));
 }
 
-std::string asText(const DriverReport& report, bool extensions) {
+std::string driversText(const DriverReport& report, bool extensions) {
     std::string text = line("renderer", report.renderer) + line("vendor", report.vendor) +
                        line("version", report.version) +
                        line("GLSL", report.shadingLanguage.empty() ? "none" : report.shadingLanguage) +
@@ -46,17 +46,17 @@ std::string asText(const DriverReport& report, bool extensions) {
     return text;
 }
 
-std::string asText(std::span<const DriverAnswer> answers, bool extensions) {
+std::string driversText(std::span<const DriverAnswer> answers, bool extensions) {
     std::string text;
     for (const DriverAnswer& each : answers) {
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", each.context.text());
         text +=
-            each.report ? asText(*each.report, extensions) : line("not usable", each.report.error().message);
+            each.report ? driversText(*each.report, extensions) : line("not usable", each.report.error().message);
     }
     return text;
 }
 
-std::string asJson(std::span<const DriverAnswer> answers, bool extensions) {
+std::string driversJson(std::span<const DriverAnswer> answers, bool extensions) {
     nlohmann::ordered_json contexts = nlohmann::ordered_json::array();
     for (const DriverAnswer& each : answers) {
         nlohmann::ordered_json context{{"context", each.context.text()}, {"usable", canDraw(each)}};
@@ -93,7 +93,7 @@ ExitCode listDrivers(const DriversOptions& options) {
     if (!answers)
         return complain(answers.error());
     const std::string text =
-        options.json ? asJson(*answers, options.extensions) : asText(*answers, options.extensions);
+        options.json ? driversJson(*answers, options.extensions) : driversText(*answers, options.extensions);
     if (const Result<void> printed = print(text); !printed)
         return complain(printed.error());
     if (std::ranges::any_of(*answers, canDraw))

@@ -217,8 +217,8 @@ ExitCode drawOne(ShotRequest request, const SceneArgument& scene, const ImageOut
         return complainInterrupted();
     if (!shot)
         return complain(shot.error());
-    if (!shot->driver.renderer.empty())
-        tell("drawn by " + shot->driver.renderer);
+    if (!shot->driver.name.empty())
+        tell("drawn by " + shot->driver.name);
     for (const Error& warning : warningsAbout(request, *shot))
         warn(warning);
     WriteOptions options;
