@@ -102,10 +102,10 @@ public:
         waiting_.emplace(index, About{std::move(warnings), std::move(failure)});
         for (auto next = waiting_.begin(); next != waiting_.end() && next->first == said_;
              next = waiting_.erase(next), ++said_) {
-            const auto& [warnings, failed] = next->second;
-            if (!warnings.empty() || failed)
+            const auto& [said, failed] = next->second;
+            if (!said.empty() || failed)
                 work_.clearLine();
-            for (const Error& warning : warnings)
+            for (const Error& warning : said)
                 warn(warning);
             if (failed)
                 complain(*failed);

@@ -24,25 +24,6 @@ using Clock = std::chrono::steady_clock;
 constexpr auto longestWait = std::chrono::milliseconds(500); // until it is looked whether a process is gone
 constexpr auto patience = std::chrono::seconds(2);           // with processes that were told to end
 
-/// A job with what has happened to it.
-struct Task {
-    Job job;
-    int kills = 0; ///< processes that were killed from outside while they did it
-};
-
-/// A process with what it does.
-struct Seat {
-    Process process;
-    std::vector<std::string> environment;
-    std::size_t done = 0;
-    std::size_t counted = 0; ///< of these
-    std::optional<Task> task{};
-    bool begun = false;
-    bool silent = false; ///< it will say nothing more
-    Clock::time_point since{};
-    Clock::time_point deadline{};
-};
-
 } // namespace
 
 class Pool::Seats {
@@ -57,6 +38,25 @@ public:
     Result<void> run(const JobSource& source, const JobSink& sink);
 
 private:
+    /// A job with what has happened to it.
+    struct Task {
+        Job job;
+        int kills = 0; ///< processes that were killed from outside while they did it
+    };
+
+    /// A process with what it does.
+    struct Seat {
+        Process process;
+        std::vector<std::string> environment;
+        std::size_t done = 0;
+        std::size_t counted = 0; ///< of these
+        std::optional<Task> task{};
+        bool begun = false;
+        bool silent = false; ///< it will say nothing more
+        Clock::time_point since{};
+        Clock::time_point deadline{};
+    };
+
     [[nodiscard]] const Task* next();
     [[nodiscard]] bool fits(const Job& job) const;
     [[nodiscard]] Result<void> handOut();
@@ -83,7 +83,7 @@ private:
 };
 
 /// What is to be done next, if anything.
-const Task* Pool::Seats::next() {
+auto Pool::Seats::next() -> const Task* {
     if (waiting_.empty() && !sourceIsEmpty_) {
         if (std::optional<Job> job = (*source_)())
             waiting_.push_back({std::move(*job)});
