@@ -5,7 +5,6 @@
 #include "core/base/file_io.h"
 #include "core/base/file_kind.h"
 #include "core/base/file_lock.h"
-#include "core/base/open_directory.h"
 #include "core/report/report_files.h"
 #include "core/suite/record_json.h"
 #include "core/suite/run_page.h"
@@ -39,7 +38,8 @@ Result<RunFolder> RunFolder::open(const fs::path& path) {
     if (::lstat(pictures.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
         return fail(ErrorCode::Unwritable, "expected a folder for pictures, found something else",
                     pictures.string());
-    Descriptor lock = openDirectory(path); // a file system without locks has to do without this one
+    // A file system without locks has to do without this one.
+    Descriptor lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (lockFile(lock.get()) == EWOULDBLOCK)
         return fail(ErrorCode::Unwritable, "another run writes its report there", path.string());
     return RunFolder(path, std::move(lock));

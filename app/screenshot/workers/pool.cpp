@@ -58,6 +58,7 @@ private:
     };
 
     [[nodiscard]] const Task* next();
+    [[nodiscard]] bool hasRoom() const;
     [[nodiscard]] bool fits(const Job& job) const;
     [[nodiscard]] Result<void> handOut();
     [[nodiscard]] Result<std::size_t> seatFor(const Job& job);
@@ -106,6 +107,11 @@ bool Pool::Seats::fits(const Job& job) const {
     return !any || setup_.mostWeight == 0 || sum + job.weight <= setup_.mostWeight;
 }
 
+bool Pool::Seats::hasRoom() const {
+    return seats_.size() < setup_.processes ||
+           std::ranges::any_of(seats_, [](const auto& seat) { return !seat->task; });
+}
+
 /// A process that is free and has the job's environment, which may be a new one; the number of seats where
 /// all are taken.
 Result<std::size_t> Pool::Seats::seatFor(const Job& job) {
@@ -124,7 +130,8 @@ Result<std::size_t> Pool::Seats::seatFor(const Job& job) {
     StartCommand command = setup_.command;
     command.environment.insert(command.environment.end(), job.environment.begin(), job.environment.end());
     Result<Process> process = Process::start(command);
-    if (!process && seats_.empty())
+    const bool busy = std::ranges::any_of(seats_, [](const auto& seat) { return seat->task.has_value(); });
+    if (!process && !busy)
         return fail(process.error());
     if (!process) // as many as there are will do
         return seats_.size();
@@ -133,8 +140,9 @@ Result<std::size_t> Pool::Seats::seatFor(const Job& job) {
 }
 
 Result<void> Pool::Seats::handOut() {
-    while (const Task* task = next()) {
-        if (!fits(task->job))
+    while (hasRoom()) {
+        const Task* task = next();
+        if (task == nullptr || !fits(task->job))
             return {};
         if (failedStarts_ >= 3 + 3 * setup_.processes) // somebody may have killed all of them at once
             return fail(ErrorCode::Driver,

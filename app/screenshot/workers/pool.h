@@ -57,7 +57,7 @@ struct PoolSetup {
     std::stop_token stop{};
 };
 
-/// Gives the next job, or none: there will be no more. It is not asked for one long before it is done.
+/// Gives the next job, or none: there will be no more. It is asked for one when a process is free to do it.
 using JobSource = std::function<std::optional<Job>()>;
 /// Called once for each job, in the order in which they end.
 using JobSink = std::function<void(Outcome)>;

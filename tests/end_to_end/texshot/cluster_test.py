@@ -53,7 +53,7 @@ class Cluster(Suites):
 
     def setUp(self):
         super().setUp()
-        cases = [{"name": f"c{i}", "set": f"view.background=0.{i},0,0", "golden": "reference"} for i in range(9)]
+        cases = [{"name": f"c{i}", "set": f"view.background=0.{i},0,0,1", "golden": "reference"} for i in range(9)]
         self.suites = self.suite(cases, "suite/s.suite.json")
         self.names = self.passes(self.suites, "--list").splitlines()
         self.out = self.path / "out"

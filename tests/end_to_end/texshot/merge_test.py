@@ -14,7 +14,7 @@ from texshot import texshot
 class Merge(Suites):
     def setUp(self):
         super().setUp()
-        self.cases = self.suite([{"name": f"c{i}", "set": f"view.background=0.{i},0,0"} for i in range(7)])
+        self.cases = self.suite([{"name": f"c{i}", "set": f"view.background=0.{i},0,0,1"} for i in range(7)])
         self.passes(self.cases, "--update")
         golden = self.path / "golden" / "c3__fixed@24x16.png"
         picture = Image.open(golden).convert("RGB")
@@ -25,7 +25,7 @@ class Merge(Suites):
         """The reports of all parts."""
         reports = [self.path / f"part-{i}" for i in range(1, count + 1)]
         for i, report in enumerate(reports, 1):
-            self.test(self.cases, "--shard", f"{i}/{count}", "--report", report)
+            self.tested(self.cases, "--shard", f"{i}/{count}", "--report", report)
         return reports
 
     def merge(self, *arguments):
@@ -41,9 +41,10 @@ class Merge(Suites):
         self.assertTrue(result.stdout.decode().endswith("7 cases: 6 passed, 1 failed\n"))
         run = json.loads(out.read_text())
         self.assertEqual({case["name"].split("/")[0]: (case["state"], case["sentence"]) for case in run["cases"]}, whole)
-        self.assertEqual((run["shard"], run["planned"]), ({"number": 1, "count": 1}, 7))
+        self.assertEqual((run["shard"], run["planned"]), ([1, 1], 7))
         failed = next(case for case in run["cases"] if case["state"] == "failed")
-        for picture in failed["pictures"].values():
+        self.assertEqual(len(self.pictures_of(failed)), 3)
+        for picture in self.pictures_of(failed):
             self.assertTrue((self.path / "all" / picture).is_file())
             self.assertTrue((self.path / "all" / f"{picture}.js").is_file())
         self.assertTrue((self.path / "all" / "index.html").is_file())
@@ -69,7 +70,7 @@ class Merge(Suites):
     def test_what_is_of_another_run_is_refused(self):
         first = self.parts(2)[0] / "run.json"
         other = self.suite(self.backgrounds("grey"), "other.suite.json", golden="reference")
-        self.test(other, "--report", self.path / "other")
+        self.tested(other, "--report", self.path / "other")
         self.complains(2, "different", "merge", first, self.path / "other/run.json", "-o", self.path / "run.json")
         broken = self.path / "broken.json"
         for text in ("", "{", "[]", '{"version": 1}', "null\n", "\0" * 64):
@@ -92,7 +93,7 @@ class Merge(Suites):
             for case in run["cases"]:
                 for kind, name in zip(("expected", "actual", "difference"),
                                       ("../secret.png", str(secret), "pictures/../../secret-difference.png")):
-                    case["pictures"][kind] = name
+                    case[f"{kind}Picture"] = name
             (report / "run.json").write_text(json.dumps(run))
         shutil.copy(secret, self.path / "secret-difference.png")
         result = self.merge(*[report / "run.json" for report in reports], "-o", self.path / "run.json", "--report",

@@ -64,19 +64,19 @@ class Suites(Texshot):
         return file
 
     def backgrounds(self, *names, **settings):
-        return [{"name": name, "set": f"view.background={COLORS[name]}", **settings} for name in names]
+        return [{"name": name, "set": f"view.background={COLORS[name]},1", **settings} for name in names]
 
-    def test(self, *arguments, **options):
+    def tested(self, *arguments, **options):
         return texshot("test", *arguments, **options)
 
     def passes(self, *arguments, **options):
-        result = self.test(*arguments, **options)
+        result = self.tested(*arguments, **options)
         self.assertEqual((result.returncode, result.stderr), (0, b""), result.stdout)
         return result.stdout.decode()
 
     def record(self, *arguments, code=None, **options):
         """What --json says of a run: its cases by their names before the renderer's."""
-        result = self.test(*arguments, "--json", "-", **options)
+        result = self.tested(*arguments, "--json", "-", **options)
         if code is not None:
             self.assertEqual(result.returncode, code, result.stderr)
         run = json.loads(result.stdout)
@@ -85,6 +85,9 @@ class Suites(Texshot):
 
     def states(self, *arguments, **options):
         return {name: case["state"] for name, case in self.record(*arguments, **options).items()}
+
+    def pictures_of(self, case):
+        return [case[key] for key in ("expectedPicture", "actualPicture", "differencePicture") if case.get(key)]
 
     def broken_driver(self):
         """What makes OpenGL go wrong, as an environment."""

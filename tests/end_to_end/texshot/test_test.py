@@ -40,7 +40,7 @@ class Test(Suites):
         self.assertEqual(names, [f"grey/{renderer}@24x16" for renderer in ("fixed", "shader", "reference")])
         for name in names:
             renderer = name.split("/")[1].split("@")[0]
-            self.succeeds("shot", "--set", f"view.background={COLORS['grey']}", "--size", "24x16", "--renderer",
+            self.succeeds("shot", "--set", f"view.background={COLORS['grey']},1", "--size", "24x16", "--renderer",
                           renderer, *(["--anisotropy", "ellipse"] if renderer == "reference" else []),
                           "-o", golden / (name.replace("/", "__") + ".png"))
         self.assertEqual(self.passes(suite), "3 cases: 3 passed\n")
@@ -57,13 +57,13 @@ class Test(Suites):
         self.assertEqual(case["state"], "failed")
         self.assertEqual((case["worst"]["x"], case["worst"]["y"]), (5, 3))
         self.assertEqual(case["worst"]["expected"][:3], [255, 0, 0])
-        pictures = {kind: report / case["pictures"][kind] for kind in ("expected", "actual", "difference")}
+        pictures = {kind: report / case[f"{kind}Picture"] for kind in ("expected", "actual", "difference")}
         for each in pictures.values():
             self.assertTrue(each.is_file())
             self.assertTrue(each.with_name(each.name + ".js").is_file(), "its pixels, for the page")
         with Image.open(pictures["expected"]) as expected, Image.open(pictures["actual"]) as actual:
             self.assertEqual(self.difference(expected, actual), (5, 3, 6, 4))
-        probed = self.succeeds("probe", "--set", f"view.background={COLORS['grey']}", "--size", "24x16", "--at", "5,3",
+        probed = self.succeeds("probe", "--set", f"view.background={COLORS['grey']},1", "--size", "24x16", "--at", "5,3",
                                "--anisotropy", "ellipse").decode()
         for line in probed.splitlines()[:3]:
             self.assertIn(line, case["explanation"])
@@ -74,7 +74,7 @@ class Test(Suites):
     def test_update_writes_what_differs_and_accept_what_is_named(self):
         suite = self.suite(self.backgrounds("grey", "dark", "blue"))
         self.passes(suite, "--update")
-        changed = self.suite([{**case, "set": "view.background=0.3,0.3,0.3"} for case in self.backgrounds("grey", "dark")] +
+        changed = self.suite([{**case, "set": "view.background=0.3,0.3,0.3,1"} for case in self.backgrounds("grey", "dark")] +
                              self.backgrounds("blue"))
         before = {each.name: each.read_bytes() for each in (self.path / "golden").iterdir()}
         accepted = self.path / "accept.txt"
@@ -135,7 +135,7 @@ class Test(Suites):
 
     def test_workers_that_are_killed_stopped_or_shot_at_lose_nothing(self):
         names = [f"case-{i}" for i in range(60)]
-        suite = self.suite([{"name": name, "set": f"view.background=0.{i:02},0,0"} for i, name in enumerate(names)],
+        suite = self.suite([{"name": name, "set": f"view.background=0.{i:02},0,0,1"} for i, name in enumerate(names)],
                            size="96x96", seconds=20)
         self.passes(suite, "--update")
         dice = random.Random(4)
@@ -174,7 +174,7 @@ class Test(Suites):
 
     def long_suite(self, count=40):
         return self.suite([{"name": f"case-{i}", "renderer": "reference", "golden": f"golden/{{case}}.png",
-                            "set": [f"view.background=0.{i:02},0,0", "textures[0].maxAnisotropy=16"]}
+                            "set": [f"view.background=0.{i:02},0,0,1", "textures[0].maxAnisotropy=16"]}
                            for i in range(count)], size="160x160")
 
     def interrupted(self, suite, report, how):
@@ -220,14 +220,14 @@ class Test(Suites):
             file.write(b'{"name": "case-3')
         golden = self.path / "golden" / f"{done[0].replace('/', '__')}.png"
         Image.new("RGB", (160, 160)).save(golden)  # what has changed since is run again
-        result = self.test(suite, "--resume", report, "--json", "-")
+        result = self.tested(suite, "--resume", report, "--json", "-")
         states = {case["name"]: case["state"] for case in json.loads(result.stdout)["cases"]}
         self.assertEqual((len(states), [name for name in states if states[name] != "passed"]), (40, [done[0]]))
-        other = self.suite(self.backgrounds("grey"), "other.suite.json")
-        self.assertIn(b"the journal is of other cases", self.test(other, "--resume", report).stderr)
-        self.assertIn(b"--resume", self.test(suite, "--resume", report, "--report", report).stderr)
+        other = self.suite(self.backgrounds("grey", renderer="reference"), "other.suite.json")
+        self.assertIn(b"the journal is of other cases", self.tested(other, "--resume", report).stderr)
+        self.assertIn(b"--resume", self.tested(suite, "--resume", report, "--report", report).stderr)
         journal.write_text("nonsense\n")
-        said = self.test(suite, "--resume", report)
+        said = self.tested(suite, "--resume", report)
         self.assertEqual(said.returncode, 2)
         self.assertIn(b"journal.jsonl: line 1", said.stderr)
 
@@ -238,7 +238,7 @@ class Test(Suites):
         run = self.begun(suite, "-j", 1, "--report", report)
         while run.poll() is None and not (report / "journal.jsonl").exists():
             time.sleep(0.002)
-        second = self.test(suite, "--report", report)
+        second = self.tested(suite, "--report", report)
         if run.poll() is None:  # else it was too late
             self.assertEqual(second.returncode, 2)
             self.assertIn(b"another run writes its report there", second.stderr)
@@ -254,7 +254,7 @@ class Test(Suites):
         durations.write_text(json.dumps({"version": 1, "seconds": {name: 9 if i == 0 else 1 for i, name in enumerate(whole)}}))
         parts = [self.passes(suite, "--list", "--shard", f"{i}/2", "--durations", durations).splitlines() for i in (1, 2)]
         self.assertEqual(sorted(map(len, parts)), [1, 6], "9 seconds against six of one")
-        empty = self.test(suite, "--only", "c0", "--shard", "2/2")
+        empty = self.tested(suite, "--only", "c0", "--shard", "2/2")
         self.assertEqual((empty.returncode, empty.stderr), (0, b""), "more parts than cases")
         for wrong in ("0/3", "4/3", "x", "1/", "1/0", "-1/2"):
             self.complains(2, "--shard", "test", suite, f"--shard={wrong}")
@@ -272,14 +272,14 @@ class Test(Suites):
     def test_what_is_said(self):
         suite = self.suite(self.backgrounds("grey", "dark"), golden="reference")
         self.assertEqual(self.passes(suite, "--quiet"), "")
-        verbose = self.test(suite, "--verbose")
+        verbose = self.tested(suite, "--verbose")
         self.assertEqual(verbose.returncode, 0)
         self.assertRegex(verbose.stderr.decode(), r"(?m)^1/2 passed in \d+\.\d\d s: \w+/fixed@24x16$")
         new = self.suite(self.backgrounds("grey"), "new.suite.json", golden="missing/{case}.png")
-        said = self.test(new, "--quiet")
+        said = self.tested(new, "--quiet")
         self.assertEqual(said.returncode, 1)
         self.assertIn("new: grey/fixed@24x16\n    there is no golden yet", said.stdout.decode())
-        result = self.test(suite, "--junit", "-")
+        result = self.tested(suite, "--junit", "-")
         self.assertTrue(result.stdout.startswith(b"<?xml"))
         self.assertIn(b"2 cases: 2 passed", result.stderr)
         self.complains(2, "--json and --junit", "test", suite, "--json", "-", "--junit", "-")
@@ -310,10 +310,10 @@ class Test(Suites):
         names = ["../../escape", "<script>alert(1)</script>", "a/../../b", "x" * 3000, "con\u0001trol", "\u202egnp"]
         suite = self.suite([{"name": name} for name in names], "in/s.suite.json")
         report = self.path / "report"
-        self.test(suite, "--report", report, "--update")
+        self.tested(suite, "--report", report, "--update")
         self.assertEqual(sorted(os.listdir(self.path)), ["in", "report"])
         self.assertEqual(sorted(os.listdir(self.path / "in")), ["golden", "s.suite.json"])
-        self.test(suite, "--report", report)
+        self.tested(suite, "--report", report)
         for picture in (report / "pictures").iterdir():
             self.assertLess(len(picture.name), 256)
         for file in (report / "index.html", report / "report-data.js"):
@@ -330,10 +330,10 @@ class Test(Suites):
         report = self.path / "report"
         report.mkdir()
         (report / "pictures").symlink_to(outside)
-        self.assertIn(b"found something else", self.test(suite, "--report", report).stderr)
+        self.assertIn(b"found something else", self.tested(suite, "--report", report).stderr)
         (report / "pictures").unlink()
         (report / "journal.jsonl").symlink_to(outside / "journal")
-        self.assertEqual(self.test(suite, "--report", report).returncode, 2)
+        self.assertEqual(self.tested(suite, "--report", report).returncode, 2)
         self.assertEqual(os.listdir(outside), [])
 
     def test_goldens_that_are_no_pictures(self):
@@ -356,10 +356,10 @@ class Test(Suites):
         report = self.path / "report"
         def small_disk():
             resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))
-        result = self.test(suite, "--report", report, preexec_fn=small_disk)
+        result = self.tested(suite, "--report", report, preexec_fn=small_disk)
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr.decode(), r"\Atexshot: .*journal\.jsonl: can't be written: File too large\n\Z")
-        result = self.test(suite, "--update", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30)))
+        result = self.tested(suite, "--update", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30)))
         self.assertEqual(result.returncode, 2)
         self.assertEqual(list((self.path / "golden").iterdir()), [], "no half of a golden")
         self.complains(2, "", "test", suite, "--report", "/proc/nowhere")
@@ -371,7 +371,7 @@ class Test(Suites):
             self.complains(2, "locked", "test", suite, "--report", locked)
 
     def test_a_missing_scene_or_image_is_told_and_the_rest_goes_on(self):
-        (self.path / "lost.json").write_text(json.dumps({"version": 1, "textures": [{"file": "lost.png"}]}))
+        (self.path / "lost.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "lost.png"}]}))
         suite = self.suite([{"scene": "nothing.json", "name": "scene"}, {"scene": "lost.json", "name": "image"},
                             {"name": "fine", "golden": "reference"}])
         self.assertEqual(self.states(suite, code=2), {"scene": "missing-scene", "image": "error", "fine": "passed"})
@@ -414,22 +414,23 @@ class Pictures(Suites):
         Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
         (self.actual / "notes.txt").write_text("no picture")
         report = self.path / "report"
-        result = self.test("--pictures", self.actual, self.golden, "--json", "-", "--report", report)
+        result = self.tested("--pictures", self.actual, self.golden, "--json", "-", "--report", report)
         self.assertEqual(result.returncode, 1)
         cases = {case["name"]: case for case in json.loads(result.stdout)["cases"]}
         self.assertEqual({name: case["state"] for name, case in cases.items()},
                          {"menus/main.png": "failed", "same.png": "resized", "extra.png": "extra", "missing.png": "missing"})
         self.assertIn("9", cases["same.png"]["sentence"])
         for name, case in cases.items():
-            for picture in case["pictures"].values():
-                if picture:
-                    self.assertTrue((report / picture).is_file(), name)
-        said = self.test("--pictures", self.actual, self.golden).stdout.decode()
+            pictures = self.pictures_of(case)
+            self.assertTrue(pictures)
+            for picture in pictures:
+                self.assertTrue((report / picture).is_file(), name)
+        said = self.tested("--pictures", self.actual, self.golden).stdout.decode()
         for name, case in cases.items():
             self.assertIn(name, said)
-        self.assertEqual(self.test("--pictures", self.actual, self.golden, "--tolerance", "3", "--only", "menus*").returncode, 0)
-        self.assertEqual(self.test("--pictures", self.actual, self.golden, "--tolerance", "2", "--only", "menus*").returncode, 1)
-        self.assertEqual(self.test("--pictures", self.actual, self.golden, "--share", "1", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.tested("--pictures", self.actual, self.golden, "--tolerance", "3", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.tested("--pictures", self.actual, self.golden, "--tolerance", "2", "--only", "menus*").returncode, 1)
+        self.assertEqual(self.tested("--pictures", self.actual, self.golden, "--share", "1", "--only", "menus*").returncode, 0)
 
     def test_a_mask_and_metrics(self):
         picture = Image.new("RGB", (32, 32), (10, 20, 30))
@@ -440,10 +441,10 @@ class Pictures(Suites):
         mask.putpixel((2, 1), 0)
         mask.save(self.path / "mask.png")
         call = ["--pictures", self.actual, self.golden, "--only", "same.png"]
-        self.assertEqual(self.test(*call).returncode, 1)
+        self.assertEqual(self.tested(*call).returncode, 1)
         self.passes(*call, "--mask", self.path / "mask.png")
         for metric in ("ssim", "flip"):
-            result = self.test(*call, "--metric", metric, "--json", "-")
+            result = self.tested(*call, "--metric", metric, "--json", "-")
             self.assertEqual(json.loads(result.stdout)["cases"][0]["metric"], metric)
 
     def test_update_takes_the_pictures_over(self):
@@ -459,12 +460,12 @@ class Pictures(Suites):
 
     def test_what_can_not_be_read_is_an_error_of_its_own(self):
         (self.actual / "same.png").write_bytes(b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(self.test("--pictures", self.actual, self.golden).returncode, 2)
+        self.assertEqual(self.tested("--pictures", self.actual, self.golden).returncode, 2)
         self.complains(2, "nowhere", "test", "--pictures", self.actual, self.path / "nowhere")
         self.complains(2, "expected two folders", "test", "--pictures", self.actual)
         empty = self.path / "empty"
         empty.mkdir()
-        self.assertEqual(self.test("--pictures", empty, empty).returncode, 2)
+        self.assertEqual(self.tested("--pictures", empty, empty).returncode, 2)
         self.complains(2, "--tolerance", "test", "--pictures", self.actual, self.golden, "--tolerance", "many")
         self.complains(2, "--pictures draws nothing", "test", "--pictures", self.actual, self.golden, "--renderer", "fixed")
         suite = self.suite(self.backgrounds("grey"))
