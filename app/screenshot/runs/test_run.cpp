@@ -102,40 +102,45 @@ Result<void> TestRun::openFolder() {
     return {};
 }
 
-/// Every process opens OpenGL, as it would for its first case.
+/// Every process opens OpenGL, as it would for its first case. One answer will do: a process may have been
+/// killed from outside, so a crash is believed when it comes again.
 Result<void> TestRun::askForDriver() {
     if (!planned_.drawsWithOpenGl || planned_.items.empty())
         return {};
-    const std::vector<std::size_t> sorted = order();
-    const bool precise = planned_.items[sorted.front()].precise;
-    std::size_t left = std::min<std::size_t>(options_.processes, planned_.items.size());
+    const bool precise = planned_.items[order().front()].precise;
+    const workers::Job job{.message =
+                               bytesOf(WorkOrder{.setup = planned_.setup, .what = WorkOrder::What::Driver}),
+                           .environment = environmentFor(precise, options_.processes),
+                           .counts = false};
     std::optional<Error> problem;
-    const Result<void> asked = pool_.run(
-        [&]() -> std::optional<workers::Job> {
-            if (left == 0)
-                return std::nullopt;
-            --left;
-            return workers::Job{
-                .message = bytesOf(WorkOrder{.setup = planned_.setup, .what = WorkOrder::What::Driver}),
-                .environment = environmentFor(precise, options_.processes),
-                .counts = false};
-        },
-        [&](const Outcome& outcome) {
-            const Result<WorkAnswer> answer = parseAnswer(outcome.answer);
-            if (outcome.end != Outcome::End::Answered) // there is nothing to be parsed then
-                problem = {ErrorCode::Driver, "OpenGL can't be opened: " + sentenceOf(outcome), {}};
-            else if (!answer)
-                problem = answer.error();
-            else if (!answer->problem.empty())
-                problem = {ErrorCode::Driver, answer->problem, {}};
-            if (answer && !problem) {
-                finished_.run.driver = answer->driver;
-                finished_.run.version = answer->version;
-            }
-        });
-    if (!asked)
-        return asked;
-    return problem ? Result<void>(fail(*problem)) : Result<void>();
+    bool answered = false;
+    const auto take = [&](const Outcome& outcome) {
+        const Result<WorkAnswer> answer = parseAnswer(outcome.answer);
+        if (outcome.end != Outcome::End::Answered) { // there is nothing to be parsed then
+            problem = {ErrorCode::Driver, "OpenGL can't be opened: " + sentenceOf(outcome), {}};
+        } else if (!answer || !answer->problem.empty()) {
+            problem = answer ? Error{ErrorCode::Driver, answer->problem, {}} : answer.error();
+        } else {
+            answered = true;
+            finished_.run.driver = answer->driver;
+            finished_.run.version = answer->version;
+        }
+    };
+    constexpr int mostRounds = 3;
+    for (int round = 0; round < mostRounds && !answered; ++round) {
+        std::size_t left = round > 0 ? 1 : std::min<std::size_t>(options_.processes, planned_.items.size());
+        const Result<void> asked = pool_.run(
+            [&]() -> std::optional<workers::Job> {
+                if (left == 0)
+                    return std::nullopt;
+                --left;
+                return job;
+            },
+            take);
+        if (!asked)
+            return asked;
+    }
+    return answered ? Result<void>() : fail(*problem);
 }
 
 std::string TestRun::fingerprintOf(const RunItem& item) {

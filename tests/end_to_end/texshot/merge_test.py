@@ -25,7 +25,7 @@ class Merge(Suites):
         """The reports of all parts."""
         reports = [self.path / f"part-{i}" for i in range(1, count + 1)]
         for i, report in enumerate(reports, 1):
-            self.tested(self.cases, "--shard", f"{i}/{count}", "--report", report)
+            self.run_of(self.cases, "--shard", f"{i}/{count}", "--report", report)
         return reports
 
     def merge(self, *arguments):
@@ -70,7 +70,7 @@ class Merge(Suites):
     def test_what_is_of_another_run_is_refused(self):
         first = self.parts(2)[0] / "run.json"
         other = self.suite(self.backgrounds("grey"), "other.suite.json", golden="reference")
-        self.tested(other, "--report", self.path / "other")
+        self.run_of(other, "--report", self.path / "other")
         self.complains(2, "different", "merge", first, self.path / "other/run.json", "-o", self.path / "run.json")
         broken = self.path / "broken.json"
         for text in ("", "{", "[]", '{"version": 1}', "null\n", "\0" * 64):

@@ -66,17 +66,17 @@ class Suites(Texshot):
     def backgrounds(self, *names, **settings):
         return [{"name": name, "set": f"view.background={COLORS[name]},1", **settings} for name in names]
 
-    def tested(self, *arguments, **options):
+    def run_of(self, *arguments, **options):
         return texshot("test", *arguments, **options)
 
     def passes(self, *arguments, **options):
-        result = self.tested(*arguments, **options)
+        result = self.run_of(*arguments, **options)
         self.assertEqual((result.returncode, result.stderr), (0, b""), result.stdout)
         return result.stdout.decode()
 
     def record(self, *arguments, code=None, **options):
         """What --json says of a run: its cases by their names before the renderer's."""
-        result = self.tested(*arguments, "--json", "-", **options)
+        result = self.run_of(*arguments, "--json", "-", **options)
         if code is not None:
             self.assertEqual(result.returncode, code, result.stderr)
         run = json.loads(result.stdout)

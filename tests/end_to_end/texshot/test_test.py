@@ -125,6 +125,12 @@ class Test(Suites):
         cases = self.record(suite, "--fail-fast", "-j", 1, code=2)
         self.assertEqual(len(cases), 1)
 
+    def test_a_driver_that_can_not_be_opened_is_an_error(self):
+        suite = self.suite(self.backgrounds("grey"))
+        result = self.run_of(suite, "--pretend", "units=1", "--context", "egl:99")
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr.decode(), r"\Atexshot: [^\n]*EGL[^\n]*\n\Z")
+
     def workers_of(self, run, count=1):
         while run.poll() is None:
             children = self.children_of(run.pid)
@@ -220,14 +226,14 @@ class Test(Suites):
             file.write(b'{"name": "case-3')
         golden = self.path / "golden" / f"{done[0].replace('/', '__')}.png"
         Image.new("RGB", (160, 160)).save(golden)  # what has changed since is run again
-        result = self.tested(suite, "--resume", report, "--json", "-")
+        result = self.run_of(suite, "--resume", report, "--json", "-")
         states = {case["name"]: case["state"] for case in json.loads(result.stdout)["cases"]}
         self.assertEqual((len(states), [name for name in states if states[name] != "passed"]), (40, [done[0]]))
         other = self.suite(self.backgrounds("grey", renderer="reference"), "other.suite.json")
-        self.assertIn(b"the journal is of other cases", self.tested(other, "--resume", report).stderr)
-        self.assertIn(b"--resume", self.tested(suite, "--resume", report, "--report", report).stderr)
+        self.assertIn(b"the journal is of other cases", self.run_of(other, "--resume", report).stderr)
+        self.assertIn(b"--resume", self.run_of(suite, "--resume", report, "--report", report).stderr)
         journal.write_text("nonsense\n")
-        said = self.tested(suite, "--resume", report)
+        said = self.run_of(suite, "--resume", report)
         self.assertEqual(said.returncode, 2)
         self.assertIn(b"journal.jsonl: line 1", said.stderr)
 
@@ -238,7 +244,7 @@ class Test(Suites):
         run = self.begun(suite, "-j", 1, "--report", report)
         while run.poll() is None and not (report / "journal.jsonl").exists():
             time.sleep(0.002)
-        second = self.tested(suite, "--report", report)
+        second = self.run_of(suite, "--report", report)
         if run.poll() is None:  # else it was too late
             self.assertEqual(second.returncode, 2)
             self.assertIn(b"another run writes its report there", second.stderr)
@@ -254,7 +260,7 @@ class Test(Suites):
         durations.write_text(json.dumps({"version": 1, "seconds": {name: 9 if i == 0 else 1 for i, name in enumerate(whole)}}))
         parts = [self.passes(suite, "--list", "--shard", f"{i}/2", "--durations", durations).splitlines() for i in (1, 2)]
         self.assertEqual(sorted(map(len, parts)), [1, 6], "9 seconds against six of one")
-        empty = self.tested(suite, "--only", "c0", "--shard", "2/2")
+        empty = self.run_of(suite, "--only", "c0", "--shard", "2/2")
         self.assertEqual((empty.returncode, empty.stderr), (0, b""), "more parts than cases")
         for wrong in ("0/3", "4/3", "x", "1/", "1/0", "-1/2"):
             self.complains(2, "--shard", "test", suite, f"--shard={wrong}")
@@ -272,14 +278,14 @@ class Test(Suites):
     def test_what_is_said(self):
         suite = self.suite(self.backgrounds("grey", "dark"), golden="reference")
         self.assertEqual(self.passes(suite, "--quiet"), "")
-        verbose = self.tested(suite, "--verbose")
+        verbose = self.run_of(suite, "--verbose")
         self.assertEqual(verbose.returncode, 0)
         self.assertRegex(verbose.stderr.decode(), r"(?m)^1/2 passed in \d+\.\d\d s: \w+/fixed@24x16$")
         new = self.suite(self.backgrounds("grey"), "new.suite.json", golden="missing/{case}.png")
-        said = self.tested(new, "--quiet")
+        said = self.run_of(new, "--quiet")
         self.assertEqual(said.returncode, 1)
         self.assertIn("new: grey/fixed@24x16\n    there is no golden yet", said.stdout.decode())
-        result = self.tested(suite, "--junit", "-")
+        result = self.run_of(suite, "--junit", "-")
         self.assertTrue(result.stdout.startswith(b"<?xml"))
         self.assertIn(b"2 cases: 2 passed", result.stderr)
         self.complains(2, "--json and --junit", "test", suite, "--json", "-", "--junit", "-")
@@ -310,10 +316,10 @@ class Test(Suites):
         names = ["../../escape", "<script>alert(1)</script>", "a/../../b", "x" * 3000, "con\u0001trol", "\u202egnp"]
         suite = self.suite([{"name": name} for name in names], "in/s.suite.json")
         report = self.path / "report"
-        self.tested(suite, "--report", report, "--update")
+        self.run_of(suite, "--report", report, "--update")
         self.assertEqual(sorted(os.listdir(self.path)), ["in", "report"])
         self.assertEqual(sorted(os.listdir(self.path / "in")), ["golden", "s.suite.json"])
-        self.tested(suite, "--report", report)
+        self.run_of(suite, "--report", report)
         for picture in (report / "pictures").iterdir():
             self.assertLess(len(picture.name), 256)
         for file in (report / "index.html", report / "report-data.js"):
@@ -330,10 +336,10 @@ class Test(Suites):
         report = self.path / "report"
         report.mkdir()
         (report / "pictures").symlink_to(outside)
-        self.assertIn(b"found something else", self.tested(suite, "--report", report).stderr)
+        self.assertIn(b"found something else", self.run_of(suite, "--report", report).stderr)
         (report / "pictures").unlink()
         (report / "journal.jsonl").symlink_to(outside / "journal")
-        self.assertEqual(self.tested(suite, "--report", report).returncode, 2)
+        self.assertEqual(self.run_of(suite, "--report", report).returncode, 2)
         self.assertEqual(os.listdir(outside), [])
 
     def test_goldens_that_are_no_pictures(self):
@@ -356,10 +362,10 @@ class Test(Suites):
         report = self.path / "report"
         def small_disk():
             resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))
-        result = self.tested(suite, "--report", report, preexec_fn=small_disk)
+        result = self.run_of(suite, "--report", report, preexec_fn=small_disk)
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr.decode(), r"\Atexshot: .*journal\.jsonl: can't be written: File too large\n\Z")
-        result = self.tested(suite, "--update", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30)))
+        result = self.run_of(suite, "--update", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30)))
         self.assertEqual(result.returncode, 2)
         self.assertEqual(list((self.path / "golden").iterdir()), [], "no half of a golden")
         self.complains(2, "", "test", suite, "--report", "/proc/nowhere")
@@ -414,7 +420,7 @@ class Pictures(Suites):
         Image.new("RGB", (4, 4)).save(self.golden / "missing.png")
         (self.actual / "notes.txt").write_text("no picture")
         report = self.path / "report"
-        result = self.tested("--pictures", self.actual, self.golden, "--json", "-", "--report", report)
+        result = self.run_of("--pictures", self.actual, self.golden, "--json", "-", "--report", report)
         self.assertEqual(result.returncode, 1)
         cases = {case["name"]: case for case in json.loads(result.stdout)["cases"]}
         self.assertEqual({name: case["state"] for name, case in cases.items()},
@@ -425,12 +431,12 @@ class Pictures(Suites):
             self.assertTrue(pictures)
             for picture in pictures:
                 self.assertTrue((report / picture).is_file(), name)
-        said = self.tested("--pictures", self.actual, self.golden).stdout.decode()
+        said = self.run_of("--pictures", self.actual, self.golden).stdout.decode()
         for name, case in cases.items():
             self.assertIn(name, said)
-        self.assertEqual(self.tested("--pictures", self.actual, self.golden, "--tolerance", "3", "--only", "menus*").returncode, 0)
-        self.assertEqual(self.tested("--pictures", self.actual, self.golden, "--tolerance", "2", "--only", "menus*").returncode, 1)
-        self.assertEqual(self.tested("--pictures", self.actual, self.golden, "--share", "1", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.run_of("--pictures", self.actual, self.golden, "--tolerance", "3", "--only", "menus*").returncode, 0)
+        self.assertEqual(self.run_of("--pictures", self.actual, self.golden, "--tolerance", "2", "--only", "menus*").returncode, 1)
+        self.assertEqual(self.run_of("--pictures", self.actual, self.golden, "--share", "1", "--only", "menus*").returncode, 0)
 
     def test_a_mask_and_metrics(self):
         picture = Image.new("RGB", (32, 32), (10, 20, 30))
@@ -441,10 +447,10 @@ class Pictures(Suites):
         mask.putpixel((2, 1), 0)
         mask.save(self.path / "mask.png")
         call = ["--pictures", self.actual, self.golden, "--only", "same.png"]
-        self.assertEqual(self.tested(*call).returncode, 1)
+        self.assertEqual(self.run_of(*call).returncode, 1)
         self.passes(*call, "--mask", self.path / "mask.png")
         for metric in ("ssim", "flip"):
-            result = self.tested(*call, "--metric", metric, "--json", "-")
+            result = self.run_of(*call, "--metric", metric, "--json", "-")
             self.assertEqual(json.loads(result.stdout)["cases"][0]["metric"], metric)
 
     def test_update_takes_the_pictures_over(self):
@@ -460,12 +466,12 @@ class Pictures(Suites):
 
     def test_what_can_not_be_read_is_an_error_of_its_own(self):
         (self.actual / "same.png").write_bytes(b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(self.tested("--pictures", self.actual, self.golden).returncode, 2)
+        self.assertEqual(self.run_of("--pictures", self.actual, self.golden).returncode, 2)
         self.complains(2, "nowhere", "test", "--pictures", self.actual, self.path / "nowhere")
         self.complains(2, "expected two folders", "test", "--pictures", self.actual)
         empty = self.path / "empty"
         empty.mkdir()
-        self.assertEqual(self.tested("--pictures", empty, empty).returncode, 2)
+        self.assertEqual(self.run_of("--pictures", empty, empty).returncode, 2)
         self.complains(2, "--tolerance", "test", "--pictures", self.actual, self.golden, "--tolerance", "many")
         self.complains(2, "--pictures draws nothing", "test", "--pictures", self.actual, self.golden, "--renderer", "fixed")
         suite = self.suite(self.backgrounds("grey"))
