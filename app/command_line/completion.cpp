@@ -20,7 +20,8 @@ std::string summaryOf(std::string_view help) {
 Offered offeredFor(const std::string& value, bool isArgument) {
     if (value == "DIR")
         return Offered::Folders;
-    return isArgument || value == "FILE" ? Offered::Files : Offered::Nothing;
+    return isArgument || value == "FILE" || value == "LIST" || value == "FROM" ? Offered::Files
+                                                                               : Offered::Nothing;
 }
 
 CompletionRow rowFor(const Option& option) {

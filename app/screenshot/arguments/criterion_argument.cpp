@@ -25,8 +25,9 @@ Result<void> take(const Result<double>& number, double& to, const char* option) 
 } // namespace
 
 void addCriterionArgument(Command& command, CriterionArgument& argument, const Option* needs) {
-    command.option("--metric", argument.metric, "What a pixel's value is." + explainChoices<Metric>(),
-                   {.value = "METRIC", .showsDefault = true, .needs = needs});
+    command.option(
+        "--metric", argument.metric, "What a pixel's value is." + explainChoices<Metric>(),
+        {.value = "METRIC", .showsDefault = true, .needs = needs, .offers = {choiceNames<Metric>}});
     argument.givenTolerance =
         &command.option("--tolerance", argument.tolerance, toleranceHelp(), {.value = "N", .needs = needs});
     argument.givenShare =

@@ -12,7 +12,7 @@
 #include "core/base/printable.h"
 #include "core/image/mipmaps.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +32,16 @@ std::string smallLetters(std::string_view text) {
 }
 
 /// "bmp, dds, png, tga"
-std::string formatNames() {
-    std::string names;
+std::vector<std::string> writtenFormats() {
+    std::vector<std::string> names;
     for (const CodecRow& row : codecRows())
         if (row.encode)
-            names += (names.empty() ? "" : ", ") + smallLetters(row.name);
+            names.push_back(smallLetters(row.name));
     return names;
+}
+
+std::string formatNames() {
+    return fmt::format("{}", fmt::join(writtenFormats(), ", "));
 }
 
 Result<const CodecRow*> formatNamed(const std::string& name) {
@@ -269,7 +273,7 @@ void addImageFiles(Command& command, ImageFiles& files, const ImageFormats& form
         command.option(
             "--to", files.format,
             fmt::format("The format of what has no extension: with -o and -. One of {}.", formatNames()),
-            {.value = "FORMAT"});
+            {.value = "FORMAT", .offers = {writtenFormats}});
     command.flag("--report", files.report, report);
     command.flag(
         "--json", files.json,

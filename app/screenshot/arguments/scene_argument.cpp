@@ -57,17 +57,6 @@ Result<std::string> readSceneText(const std::string& path) {
                 inputName(path));
 }
 
-std::vector<Assigned> assignedParams() {
-    std::vector<Assigned> assigned;
-    forEachNewParam([&assigned](const std::string& path, const ParamRow& row, const Value& /*initial*/) {
-        if (isList(row.kind))
-            return; // who would type that
-        assigned.push_back({path, row.kind == Kind::Bool ? std::vector<std::string>{"true", "false"}
-                                                         : namesIn(row.choices)});
-    });
-    return assigned;
-}
-
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
     const Preset* preset = findPreset(name);
     if (preset)
@@ -119,6 +108,17 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
 }
 
 } // namespace
+
+std::vector<Assigned> assignedParams() {
+    std::vector<Assigned> assigned;
+    forEachNewParam([&assigned](const std::string& path, const ParamRow& row, const Value& /*initial*/) {
+        if (isList(row.kind))
+            return; // who would type that
+        assigned.push_back({path, row.kind == Kind::Bool ? std::vector<std::string>{"true", "false"}
+                                                         : namesIn(row.choices)});
+    });
+    return assigned;
+}
 
 Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
     std::error_code ignored;

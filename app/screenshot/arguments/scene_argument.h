@@ -27,6 +27,9 @@ struct SceneArgument {
 /// A lesson by its own name, or by a folder's.
 [[nodiscard]] Result<lesson::LessonFolder> lessonFolder(const std::string& name);
 
+/// Every parameter that --set takes, but lists of what each vertex has, for shells to offer.
+[[nodiscard]] std::vector<Assigned> assignedParams();
+
 /// Declares SCENE, --set and --preset; SCENE is what it returns.
 const Option& addSceneArgument(Command& command, SceneArgument& argument,
                                std::vector<std::string>* files = nullptr);

@@ -238,7 +238,7 @@ void addShot(CommandLine& line) {
         "A parameter and values that it goes through, as in textures[0].minFilter=*: a picture for "
         "each, and for each combination where this is given again. V1,V2 are values (of vectors "
         "and colours with ; between them), A..B/N are N numbers, * is every choice.",
-        {.value = "PATH=VALUES", .oneEach = true});
+        {.value = "PATH=VALUES", .oneEach = true, .offers = {.assigned = assignedParams}});
     addPictureArgument(command, options->picture, Several::Yes);
     const Option& window = command.flag("--ui", options->window, "Draw the whole window with its panels.");
     addWindowArgument(command, window, options->shownWindow);

@@ -302,15 +302,16 @@ void declareChoice(Command& command, TestOptions& options) {
         &command.option("--renderer", options.renderers,
                         fmt::format("In the place of those of the suite, one of {}. May be given again.",
                                     listNames(EnumTable<RendererKind>::rows)),
-                        {.value = "RENDERER", .oneEach = true}));
+                        {.value = "RENDERER", .oneEach = true, .offers = {choiceNames<RendererKind>}}));
     options.ofSuites.push_back(&command.option(
         "--shaders", options.shaders,
         "The folder of the shader renderer's files. Without it: those that the program was built with.",
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"}));
     addContextArgument(command, options.context);
     options.ofSuites.push_back(options.context.option);
-    options.ofSuites.push_back(&command.option("--pretend", options.pretended, view::pretenceHelp(),
-                                               {.value = "WORDS", .oneEach = true}));
+    options.ofSuites.push_back(
+        &command.option("--pretend", options.pretended, view::pretenceHelp(),
+                        {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}}));
     command.option("--shard", options.shard,
                    "A part of the cases, the first of four as 1/4; \"texshot merge\" joins the parts.",
                    {.value = "I/N"});
