@@ -137,7 +137,7 @@ say "using them"
 [ "$(inside texshot --version)" = "texshot $version" ] || complain "texshot says another version"
 [ "$(inside texplorer --version)" = "texplorer $version" ] || complain "texplorer says another version"
 for renderer in fixed shader reference; do
-    inside texshot shot --renderer $renderer --size 64x48 -o "/tmp/home/$renderer.png" || complain "$renderer draws nothing"
+    inside texshot shot --renderer $renderer --size 64x64 -o "/tmp/home/$renderer.png" || complain "$renderer draws nothing"
 done
 inside texshot shot --ui --size 1280x800 -o /tmp/home/window.png || complain "the window can't be drawn"
 if inside texshot --help | grep -q '^  drivers'; then
@@ -151,14 +151,14 @@ python3 - "$root/tmp/home" <<'EOF_PYTHON' || complain "the pictures are wrong"
 import struct
 import sys
 
-for name, size in (("fixed", (64, 48)), ("shader", (64, 48)), ("reference", (64, 48)), ("window", (1280, 800))):
+for name, size in (("fixed", (64, 64)), ("shader", (64, 64)), ("reference", (64, 64)), ("window", (1280, 800))):
     with open(f"{sys.argv[1]}/{name}.png", "rb") as file:
         head = file.read(24)
     assert head[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", head[16:]) == size, name
 EOF_PYTHON
 inside cmake -S /tmp/consumer -B /tmp/home/consumer >"$work/log" 2>&1 || { cat "$work/log" >&2; complain "CMake doesn't find the library"; }
 inside cmake --build /tmp/home/consumer >"$work/log" 2>&1 || { tail -20 "$work/log" >&2; complain "its user can't be built"; }
-inside texshot compress /tmp/home/fixed.png /tmp/home/in.dds --format dxt1
+inside texshot compress /tmp/home/fixed.png /tmp/home/in.dds --format dxt1 --mips none
 inside /tmp/home/consumer/consumer /tmp/home/in.dds /tmp/home/out.dds /tmp/home/out.png >"$work/log" || complain "its user fails"
 grep -q "^$version, " "$work/log" || complain "its user says: $(cat "$work/log")"
 inside sh -c 'c++ -std=c++20 /tmp/consumer/main.cpp -o /tmp/home/by_pkg_config $(pkg-config --static --cflags --libs texplorer)' ||
