@@ -111,7 +111,7 @@ private:
             return refusal("eglCreatePbufferSurface");
         std::swap(made, surface);
         const bool isCurrent = eglMakeCurrent(display, surface, surface, context) == EGL_TRUE;
-        const Result<void> result = isCurrent ? Result<void>() : refusal("eglMakeCurrent");
+        Result<void> result = isCurrent ? Result<void>() : refusal("eglMakeCurrent");
         if (made != EGL_NO_SURFACE)
             eglDestroySurface(display, made);
         return result;

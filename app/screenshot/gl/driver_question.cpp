@@ -179,6 +179,7 @@ Result<std::vector<view::ContextChoice>> contextsIn(const Result<json>& answer) 
 Result<std::vector<DriverAnswer>> askDrivers(int seconds) {
     const std::vector<view::ContextChoice> libraries = builtContexts();
     std::vector<std::string> questions;
+    questions.reserve(libraries.size());
     for (const view::ContextChoice& library : libraries)
         questions.push_back(questionAbout("contexts", library));
     const Result<std::vector<Result<json>>> lists = ask(questions, seconds);

@@ -149,6 +149,7 @@ Result<DriverReport> reportDriver(const view::ContextChoice& choice) {
 
 std::vector<view::ContextChoice> builtContexts() {
     std::vector<view::ContextChoice> built;
+    built.reserve(moduleRows.size());
     for (const ModuleRow& row : moduleRows)
         built.push_back({row.kind, 0});
     return built;
