@@ -31,8 +31,9 @@ class Signals(Texshot):
         ]
 
     def content(self):
-        """The files with their bytes, but for the hour and the seconds that a report names."""
-        clock = re.compile(rb"\d{4}-\d\d-\d\d \d\d:\d\d UTC|in [\d.]+ s\b|\"seconds\": ?[\d.e-]+")
+        """The files with their bytes, but for the hour and the seconds that a report names, and what it calls itself
+        after them."""
+        clock = re.compile(rb"\d{4}-\d\d-\d\d \d\d:\d\d UTC|in [\d.]+ s\b|\"seconds\": ?[\d.e-]+|\"key\":\"\w+\"")
         return {str(path.relative_to(self.out)): clock.sub(b"", path.read_bytes())
                 for path in self.out.rglob("*") if path.is_file()}
 
