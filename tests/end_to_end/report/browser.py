@@ -48,7 +48,8 @@ class Browser:
         return self.driver.find_elements(By.CSS_SELECTOR, selector)
 
     def one(self, selector):
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
+        """Waited for: what a click brings may come after the click is over."""
+        return self.wait(lambda: self.all(selector), selector)[0]
 
     def text(self, selector):
         return self.one(selector).text

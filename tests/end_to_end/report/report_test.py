@@ -87,10 +87,14 @@ class Page(unittest.TestCase):
         """Opens a case by its number in the run, and waits for its pictures and their numbers."""
         data = data_of(self.report)["cases"][case]
         self.browser.script("location.hash = '#case=' + encodeURIComponent(arguments[0])", data["name"])
-        self.browser.wait(lambda: self.browser.all("#case-name") and self.browser.text("#case-name") == data["name"], data["name"])
+        self.looks_at(data["name"])
         self.wait_for_pictures()
         if data["pictures"]:
             self.browser.wait(lambda: self.browser.all(".magnified-one canvas"), "the pixels")
+
+    def looks_at(self, name):
+        """Waits until the case of that name is what is looked at."""
+        self.browser.wait(lambda: self.browser.texts("#case-name") == [name], name)
 
     def wait_for_pictures(self):
         self.browser.wait(lambda: self.browser.script(
@@ -147,7 +151,7 @@ class Opening(Page):
         self.assertCountEqual(self.browser.texts(".card .name"), wrong)
         self.assertEqual(self.browser.texts("tbody tr td.number"), ["20", "40"])
         self.browser.click("tbody tr:nth-child(2) a")
-        self.assertEqual(self.browser.text("#case-name"), "wrap/GL_REPEAT/case-1")
+        self.looks_at("wrap/GL_REPEAT/case-1")
 
     def test_a_case_says_everything(self):
         self.look_at(FAILED)
@@ -221,21 +225,20 @@ class Choosing(Page):
     def test_rows_buttons_and_keys_lead_from_case_to_case(self):
         names = self.names()
         self.browser.click(".row:nth-child(3) a")
-        heading = lambda: self.browser.text("#case-name")
-        self.assertEqual(heading(), names[2])
+        self.looks_at(names[2])
         self.assertEqual(self.browser.text(".steps .muted"), "3 of 60")
         for key, place in (("j", 3), (Keys.ARROW_RIGHT, 4), (Keys.ARROW_DOWN, 5), ("k", 4), (Keys.ARROW_LEFT, 3), (Keys.ARROW_UP, 2)):
             self.browser.keys(key)
-            self.browser.wait(lambda: heading() == names[place], names[place])
+            self.looks_at(names[place])
         self.assertEqual([each.text for each in self.browser.all(".row a[aria-current] .name")], [names[2]])
         self.browser.click("#next")
-        self.browser.wait(lambda: heading() == names[3], names[3])
+        self.looks_at(names[3])
         self.browser.driver.refresh()  # the address says which case it is
-        self.browser.wait(lambda: self.browser.all("#case-name") and heading() == names[3], names[3])
+        self.looks_at(names[3])
         self.browser.keys(Keys.ESCAPE)
         self.browser.wait(lambda: self.browser.all(".overview"), "the overview")
         self.browser.driver.back()
-        self.browser.wait(lambda: self.browser.all("#case-name") and heading() == names[3], names[3])
+        self.looks_at(names[3])
 
     def test_the_keys_are_listed(self):
         self.browser.keys("?")
